@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// Signs, and the three-valued answers of arithmetics that may not know.
+//
+// A sign is never guessed: an arithmetic that cannot decide returns an empty `uncertain`, which
+// has no conversion to a sign. "Undecided" is therefore a type, not a value of `sign`.
+#pragma once
+
+#include <cassert>
+
+namespace asterism {
+
+enum class sign : int { negative = -1, zero = 0, positive = 1 };
+
+constexpr sign operator-(sign s) { return static_cast<sign>(-static_cast<int>(s)); }
+constexpr sign operator*(sign a, sign b) {
+  return static_cast<sign>(static_cast<int>(a) * static_cast<int>(b));
+}
+constexpr int to_int(sign s) { return static_cast<int>(s); }
+constexpr sign to_sign(int value) {
+  return value > 0 ? sign::positive : value < 0 ? sign::negative : sign::zero;
+}
+
+// An answer, or the knowledge that there is none.
+template <class T>
+class uncertain {
+ public:
+  constexpr uncertain() = default;  // undecided
+  constexpr uncertain(T value) : value_(value), certain_(true) {}
+
+  constexpr bool certain() const { return certain_; }
+  // Requires certain().
+  constexpr T value() const {
+    assert(certain_);
+    return value_;
+  }
+  constexpr bool certainly(T expected) const { return certain_ && value_ == expected; }
+
+ private:
+  T value_{};
+  bool certain_ = false;
+};
+
+using uncertain_sign = uncertain<sign>;
+using uncertain_bool = uncertain<bool>;
+using uncertain_int = uncertain<int>;
+
+constexpr uncertain_bool operator!(uncertain_bool a) {
+  return a.certain() ? uncertain_bool(!a.value()) : a;
+}
+// Kleene's three-valued logic: a certain `false` decides a conjunction alone.
+constexpr uncertain_bool operator&(uncertain_bool a, uncertain_bool b) {
+  if (a.certainly(false) || b.certainly(false)) return false;
+  if (a.certain() && b.certain()) return true;
+  return {};
+}
+constexpr uncertain_bool operator|(uncertain_bool a, uncertain_bool b) { return !(!a & !b); }
+
+constexpr uncertain_bool is_positive(uncertain_sign s) {
+  return s.certain() ? uncertain_bool(s.value() == sign::positive) : uncertain_bool();
+}
+constexpr uncertain_bool is_negative(uncertain_sign s) {
+  return s.certain() ? uncertain_bool(s.value() == sign::negative) : uncertain_bool();
+}
+constexpr uncertain_bool is_zero(uncertain_sign s) {
+  return s.certain() ? uncertain_bool(s.value() == sign::zero) : uncertain_bool();
+}
+constexpr uncertain_sign operator-(uncertain_sign s) {
+  return s.certain() ? uncertain_sign(-s.value()) : s;
+}
+
+}  // namespace asterism

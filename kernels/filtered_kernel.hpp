@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// The product: every predicate decided exactly, by interval arithmetic when that is enough and by
+// exact arithmetic when it is not.
+//
+// Input: finite doubles; metric tensors positive definite; the sites of one call distinct. Other
+// input is a caller's error: check with is_positive_definite first (kernels/input_check.hpp).
+// Output: the exact answer for the doubles given, for any magnitude of the input.
+// State: only the tier counters, so use one kernel object per thread; objects are independent.
+// Floating-point environment: any rounding mode, FTZ and DAZ may be set by the caller; they are
+// neither trusted nor changed on return (core/floating_point_environment.hpp).
+#pragma once
+
+#include "core/sign.hpp"
+#include "core/site.hpp"
+#include "kernels/tier_counters.hpp"
+
+namespace asterism {
+
+class filtered_kernel {
+ public:
+  // The predicates of predicates/, one header each, where every answer is defined.
+  sign orientation(const point& p, const point& q, const point& r) const;
+  bool is_positive_definite(const metric_tensor& metric) const;
+  sign compare_distance(const site& v, const site& w, const point& q) const;
+  bool in_wedge(const site& v, const site& w, const point& q) const;
+  sign dominates(const site& v, const site& w, const point& p) const;
+  int voronoi_vertex_count(const site& u, const site& v, const site& w) const;
+  int arc_intersection_count(const site& v, const site& w, const site& x) const;
+  bool encroaches(const site& a, const site& b, const site& w) const;
+  bool insertion_test(const site& v, const site& w, const site& x, const site& y) const;
+  bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+
+  const tier_counters& counters() const { return counters_; }
+  void reset_counters() { counters_ = {}; }
+
+ private:
+  mutable tier_counters counters_;
+};
+
+}  // namespace asterism

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// Which tier of the filtered kernel decided how many questions, per predicate.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace asterism {
+
+enum class predicate : std::size_t {
+  orientation,
+  is_spd,
+  compare_distance,
+  in_wedge,
+  dominates,
+  voronoi_vertex_count,
+  arc_intersection_count,
+  encroaches,
+  insertion_test,
+  edge_test,
+};
+inline constexpr std::size_t predicate_count = 10;
+// The names of the batch protocol, in the order of `predicate`.
+inline constexpr std::array<std::string_view, predicate_count> predicate_names = {
+    "orientation",          "is_spd",
+    "compare_distance",     "in_wedge",
+    "dominates",            "voronoi_vertex_count",
+    "arc_intersection_count", "encroaches",
+    "insertion_test",       "edge_test"};
+
+enum class tier : std::size_t { interval, exact };
+inline constexpr std::size_t tier_count = 2;
+inline constexpr std::array<std::string_view, tier_count> tier_names = {"interval", "exact"};
+
+struct tier_counters {
+  std::array<std::array<std::uint64_t, tier_count>, predicate_count> decided{};
+
+  std::uint64_t& at(predicate p, tier t) {
+    return decided[static_cast<std::size_t>(p)][static_cast<std::size_t>(t)];
+  }
+  std::uint64_t at(predicate p, tier t) const {
+    return decided[static_cast<std::size_t>(p)][static_cast<std::size_t>(t)];
+  }
+  tier_counters& operator+=(const tier_counters& other) {
+    for (std::size_t p = 0; p < predicate_count; ++p)
+      for (std::size_t t = 0; t < tier_count; ++t) decided[p][t] += other.decided[p][t];
+    return *this;
+  }
+};
+
+}  // namespace asterism

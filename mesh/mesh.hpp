@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// The result of meshing, as plain data: what io/ writes, draw/ paints and the auditor certifies.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/site.hpp"
+#include "mesh/domain.hpp"
+
+namespace asterism {
+
+// A piece of the split boundary; the domain lies to the left of a -> b.
+struct boundary_edge {
+  index a = 0, b = 0;
+  index segment = 0;  // index into domain::segments of the segment it is a piece of
+  int marker = 0;
+};
+
+using triangle = std::array<index, 3>;  // counter-clockwise
+
+// Every index refers to `sites`. `sites[0 .. given)` are the domain's vertices in their order,
+// bit for bit. `triangles` holds only what is certain: triangles on which all three stars agree.
+struct mesh {
+  std::vector<site> sites;
+  index given = 0;
+  std::vector<triangle> triangles;
+  std::vector<boundary_edge> boundary;
+  std::vector<triangle> disagreeing;  // empty when refinement was complete
+};
+
+}  // namespace asterism

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// The main job in one call: domain and metric field in, outcome with mesh out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "kernels/tier_counters.hpp"
+#include "mesh/domain.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/metric_field.hpp"
+
+namespace asterism {
+
+enum class refinement_strategy { voronoi_arcs, poisson_darts };
+
+struct refinement_options {
+  double angle_bound = 20;  // degrees, 0 <= bound < 60; measured from all three vertices
+  refinement_strategy strategy = refinement_strategy::voronoi_arcs;
+  // No site is inserted nearer than this to another one, in metric length, both ways. Darts start
+  // from it and shrink it. Empty: chosen from the domain and reported in the outcome.
+  std::optional<double> tolerance;
+  // A triangle is too large when its circumradius-like Voronoi distance exceeds 1 metric unit;
+  // checked only when set (the command line sets it when --size is given).
+  bool limit_size = false;
+  std::size_t max_sites = 100000;
+  int max_rejected = 100;  // darts in a row before the tolerance shrinks
+  std::uint64_t seed = 1;  // darts
+};
+
+struct refinement_progress {
+  std::size_t sites = 0, disagreeing = 0, low_angle = 0, too_large = 0;
+};
+
+// Corner of the domain whose angle in its own metric is below the bound: it cannot be met there.
+struct exempt_corner {
+  index vertex = 0;
+  double angle = 0;  // degrees, as its own metric sees it, between its two segments
+};
+
+struct refinement_outcome {
+  bool complete = false;
+  std::string reason;  // one sentence; why it ended
+  mesh result;
+  double tolerance = 0;  // the one in force at the end
+  std::size_t sites = 0, triangles = 0, disagreeing = 0, low_angle = 0, too_large = 0;
+  std::size_t inserted = 0, splits = 0, candidates_rejected = 0;
+  std::vector<exempt_corner> exempt;
+  std::vector<triangle> exempt_triangles;  // those of result.triangles below the bound at them
+  tier_counters counters;
+};
+
+// `d` must have been accepted by check_domain. Fails only where the metric field does, or for
+// options out of range. `progress` may be empty; it is called now and then from this thread.
+result<refinement_outcome> make_mesh(
+    const domain& d, const metric_field& field, const refinement_options& options,
+    const std::function<void(const refinement_progress&)>& progress = {});
+
+}  // namespace asterism

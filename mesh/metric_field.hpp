@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// The metric tensor wanted at each point of the domain.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/result.hpp"
+#include "core/site.hpp"
+#include "mesh/domain.hpp"
+
+namespace asterism {
+
+// `at` is deterministic and safe to call from several threads at once. It fails, naming the point
+// and the three numbers, where the tensor is not finite or not (exactly tested) positive definite.
+class metric_field {
+ public:
+  virtual ~metric_field() = default;
+  virtual result<metric_tensor> at(const point& q) const = 0;
+};
+
+// `specification` is what --metric takes: identity, swirl[:K], sink[:K] or expr:M11;M12;M22.
+// `box` is that of the domain: swirl and sink are centred on it and scaled by half its longer side.
+// `size` divides the metric by size^2, so that an edge of length `size` measured in the field as
+// given gets metric length 1; it must be positive and finite.
+result<std::unique_ptr<metric_field>> make_metric_field(std::string_view specification,
+                                                        const bounding_box& box, double size = 1);
+
+}  // namespace asterism
