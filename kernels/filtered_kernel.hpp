@@ -11,9 +11,9 @@
 // neither trusted nor changed on return (core/floating_point_environment.hpp).
 #pragma once
 
-#include "core/sign.hpp"
-#include "core/site.hpp"
-#include "kernels/tier_counters.hpp"
+#include "asterism/core/sign.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/kernels/tier_counters.hpp"
 
 namespace asterism {
 

@@ -5,8 +5,8 @@
 // state at all.
 #pragma once
 
-#include "core/sign.hpp"
-#include "core/site.hpp"
+#include "asterism/core/sign.hpp"
+#include "asterism/core/site.hpp"
 
 namespace asterism {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/site.hpp"
+#include "asterism/core/site.hpp"
 
 namespace asterism {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "core/site.hpp"
-#include "mesh/domain.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/domain.hpp"
 
 namespace asterism {
 

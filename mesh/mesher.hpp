@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "core/result.hpp"
-#include "kernels/tier_counters.hpp"
-#include "mesh/domain.hpp"
-#include "mesh/mesh.hpp"
-#include "mesh/metric_field.hpp"
+#include "asterism/core/result.hpp"
+#include "asterism/kernels/tier_counters.hpp"
+#include "asterism/mesh/domain.hpp"
+#include "asterism/mesh/mesh.hpp"
+#include "asterism/mesh/metric_field.hpp"
 
 namespace asterism {
 

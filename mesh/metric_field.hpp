@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/result.hpp"
-#include "core/site.hpp"
-#include "mesh/domain.hpp"
+#include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/domain.hpp"
 
 namespace asterism {
 

@@ -1,0 +1,16 @@
+# asterism_configure(TARGET): the language level, warnings and floating-point rules of every target.
+function(asterism_configure target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  # Contraction would change the value of a*b+c; the filters' error bounds assume it does not.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  if(ASTERISM_WARNINGS_ARE_ERRORS)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion
+                                             -Wno-sign-conversion -Werror)
+  endif()
+  if(ASTERISM_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=${ASTERISM_SANITIZE}
+                                            -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${ASTERISM_SANITIZE})
+  endif()
+endfunction()

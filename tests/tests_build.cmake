@@ -1,0 +1,1 @@
+# asterism_test(name SOURCES ... LINK ...)
