@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/kernels/batch_protocol.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <utility>
+
+#include "asterism/kernels/parse_number.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\v\f";
+
+// The shape of each predicate's record, in the order of `predicate`: sites first, then points.
+struct record_shape {
+  std::size_t sites, points;
+  constexpr std::size_t numbers() const { return 5 * sites + 2 * points; }
+};
+constexpr std::array<record_shape, predicate_count> shapes = {{
+    {0, 3},  // orientation
+    {0, 0},  // is_spd: three numbers that are neither
+    {2, 1},  // compare_distance
+    {2, 1},  // in_wedge
+    {2, 1},  // dominates
+    {3, 0},  // voronoi_vertex_count
+    {3, 0},  // arc_intersection_count
+    {3, 0},  // encroaches
+    {4, 0},  // insertion_test
+    {4, 0},  // edge_test
+}};
+
+constexpr record_shape shape_of(predicate question) {
+  return shapes[static_cast<std::size_t>(question)];
+}
+constexpr std::size_t numbers_of(predicate question) {
+  return question == predicate::is_spd ? 3 : shape_of(question).numbers();
+}
+
+std::string_view next_token(std::string_view& rest) {
+  const std::size_t begin = std::min(rest.find_first_not_of(blanks), rest.size());
+  const std::size_t end = std::min(rest.find_first_of(blanks, begin), rest.size());
+  const std::string_view token = rest.substr(begin, end - begin);
+  rest.remove_prefix(end);
+  return token;
+}
+
+point point_at(const batch_record& record, std::size_t first) {
+  return {record.numbers[first], record.numbers[first + 1]};
+}
+metric_tensor metric_at(const batch_record& record, std::size_t first) {
+  return {record.numbers[first], record.numbers[first + 1], record.numbers[first + 2]};
+}
+site site_at(const batch_record& record, std::size_t which) {
+  return {point_at(record, 5 * which), metric_at(record, 5 * which + 2)};
+}
+
+// Field 1 is the name, so number i (from 0) is field i + 2.
+std::string field(std::size_t number) { return "field " + std::to_string(number + 2); }
+
+result<predicate> parse_name(std::string_view name) {
+  const auto found = std::find(predicate_names.begin(), predicate_names.end(), name);
+  if (found == predicate_names.end()) return error{"field 1: unknown predicate " + quoted(name)};
+  return static_cast<predicate>(found - predicate_names.begin());
+}
+
+std::optional<error> check_sites(const batch_record& record) {
+  const std::size_t sites = shape_of(record.question).sites;
+  const filtered_kernel kernel;  // its own counters: these checks are no records
+  for (std::size_t i = 0; i < sites; ++i) {
+    if (!kernel.is_positive_definite(site_at(record, i).metric))
+      return error{"fields " + std::to_string(5 * i + 4) + "-" + std::to_string(5 * i + 6) +
+                   ": the metric of site " + std::to_string(i + 1) + " is not positive definite"};
+  }
+  for (std::size_t i = 0; i < sites; ++i)
+    for (std::size_t j = i + 1; j < sites; ++j)
+      if (site_at(record, i).position == site_at(record, j).position)
+        return error{field(5 * j) + ": sites " + std::to_string(i + 1) + " and " +
+                     std::to_string(j + 1) + " are at the same position"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+result<std::optional<batch_record>> parse_record(std::string_view line) {
+  const std::string_view name = next_token(line);
+  if (name.empty() || name.front() == '#') return std::optional<batch_record>();
+  const auto question = parse_name(name);
+  if (!question) return question.failure();
+
+  batch_record record{question.value(), {}};
+  const std::size_t expected = numbers_of(record.question);
+  for (std::size_t i = 0;; ++i) {
+    const std::string_view token = next_token(line);
+    if (token.empty() != (i == expected)) {
+      const std::string wanted = std::string(name) + " takes " + std::to_string(expected);
+      if (token.empty()) return error{wanted + " numbers, got " + std::to_string(i)};
+      return error{field(i) + ": " + wanted + " numbers, found another: " + quoted(token)};
+    }
+    if (token.empty()) break;
+    const auto number = parse_number(token);
+    if (!number) return error{field(i) + ": " + number.failure().message};
+    record.numbers[i] = number.value();
+  }
+  if (const auto failure = check_sites(record)) return *failure;
+  return std::optional<batch_record>(record);
+}
+
+namespace {
+
+uncertain_int integer(sign s) { return to_int(s); }
+uncertain_int integer(bool yes) { return yes ? 1 : 0; }
+uncertain_int integer(int count) { return count; }
+template <class T>
+uncertain_int integer(uncertain<T> answer) {
+  return answer.certain() ? integer(answer.value()) : uncertain_int();
+}
+
+template <class Kernel>
+uncertain_int ask(const Kernel& kernel, const batch_record& r) {
+  const auto s = [&r](std::size_t which) { return site_at(r, which); };
+  switch (r.question) {
+    case predicate::orientation:
+      return integer(kernel.orientation(point_at(r, 0), point_at(r, 2), point_at(r, 4)));
+    case predicate::is_spd:
+      return integer(kernel.is_positive_definite(metric_at(r, 0)));
+    case predicate::compare_distance:
+      return integer(kernel.compare_distance(s(0), s(1), point_at(r, 10)));
+    case predicate::in_wedge:
+      return integer(kernel.in_wedge(s(0), s(1), point_at(r, 10)));
+    case predicate::dominates:
+      return integer(kernel.dominates(s(0), s(1), point_at(r, 10)));
+    case predicate::voronoi_vertex_count:
+      return integer(kernel.voronoi_vertex_count(s(0), s(1), s(2)));
+    case predicate::arc_intersection_count:
+      return integer(kernel.arc_intersection_count(s(0), s(1), s(2)));
+    case predicate::encroaches:
+      return integer(kernel.encroaches(s(0), s(1), s(2)));
+    case predicate::insertion_test:
+      return integer(kernel.insertion_test(s(0), s(1), s(2), s(3)));
+    case predicate::edge_test:
+      return integer(kernel.edge_test(s(0), s(1), s(2), s(3)));
+  }
+  return {};
+}
+
+}  // namespace
+
+uncertain_int batch_evaluator::filtered_answer(const batch_record& record, settled_by& how) {
+  const std::uint64_t before = filtered_.counters().at(record.question, tier::exact);
+  const uncertain_int result = ask(filtered_, record);
+  const bool exact = filtered_.counters().at(record.question, tier::exact) != before;
+  how = exact ? settled_by::exact : settled_by::interval;
+  return result;
+}
+
+uncertain_int batch_evaluator::answer(const batch_record& record) {
+  uncertain_int result;
+  settled_by how = settled_by::undecided;
+  switch (choice_) {
+    case kernel_choice::filtered:
+      result = filtered_answer(record, how);
+      break;
+    case kernel_choice::exact:
+      result = ask(exact_kernel(), record);
+      how = settled_by::exact;
+      break;
+    case kernel_choice::interval:
+      result = ask(interval_kernel(), record);
+      how = result.certain() ? settled_by::interval : settled_by::undecided;
+      break;
+    case kernel_choice::plain_double:
+      result = ask(double_kernel(), record);
+      how = settled_by::plain_double;
+      break;
+  }
+  ++statistics_.answers;
+  ++statistics_.settled[static_cast<std::size_t>(record.question)][static_cast<std::size_t>(how)];
+  return result;
+}
+
+void batch_evaluator::answer_all(std::istream& in, std::ostream& out) {
+  for (std::string line; std::getline(in, line);) {
+    const auto record = parse_record(line);
+    if (!record) {
+      ++statistics_.errors;
+      out << "error: " << record.failure().message << '\n';
+    } else if (record.value()) {
+      const uncertain_int result = answer(*record.value());
+      if (result.certain())
+        out << result.value() << '\n';
+      else
+        out << "?\n";
+    }
+    if (in.rdbuf()->in_avail() <= 0) out.flush();
+  }
+  out.flush();
+}
+
+void write_statistics(std::ostream& out, const batch_statistics& statistics) {
+  out << std::left << std::setw(24) << "predicate" << std::right;
+  for (const auto name : settled_by_names) out << std::setw(12) << name;
+  out << '\n';
+  for (std::size_t p = 0; p < predicate_count; ++p) {
+    const auto& row = statistics.settled[p];
+    if (std::all_of(row.begin(), row.end(), [](std::uint64_t n) { return n == 0; })) continue;
+    out << std::left << std::setw(24) << predicate_names[p] << std::right;
+    for (const auto count : row) out << std::setw(12) << count;
+    out << '\n';
+  }
+  out << "answers " << statistics.answers << ", errors " << statistics.errors << '\n';
+}
+
+}  // namespace asterism

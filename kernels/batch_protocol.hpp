@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+//
+// The predicates as text: one record a line in, one integer a line out.
+//
+//   record   name, then numbers, separated by blanks (space, tab, CR, VT, FF)
+//   number   decimal or C99 hexadecimal (0x1.8p-3), optional sign; read as the nearest double
+//            whatever the locale. A number too small for a double is read as the zero or subnormal
+//            number nearest to it; one too large is not finite.
+//   point    two numbers x y;  site: five numbers x y m11 m12 m22
+//   comment  a line whose first character that is not blank is '#', or a line of blanks: no answer
+//
+//   orientation p q r            is_spd m11 m12 m22         compare_distance v w q
+//   in_wedge v w q               dominates v w p            voronoi_vertex_count u v w
+//   arc_intersection_count v w x encroaches a b w           insertion_test v w x y
+//   edge_test v w x y
+//
+// Answers: a sign as -1, 0, 1; a yes as 1, a no as 0; a count as itself. `?` where the interval
+// kernel cannot decide. `error: ...`, naming the field (the name is field 1) where there is
+// one, for: an unknown name, a token that is no number, a wrong number of numbers, a number that is
+// not finite, a metric that is not positive definite (decided exactly), two sites at one position.
+//
+// Two sites at one position are refused even when their metrics differ: the bisector is then a pair
+// of lines through the common position or that position alone, and neither site has a cell. A point
+// may coincide with a site or with another point. is_spd refuses only what is not finite.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string_view>
+
+#include "asterism/core/result.hpp"
+#include "asterism/core/sign.hpp"
+#include "asterism/kernels/double_kernel.hpp"
+#include "asterism/kernels/exact_kernel.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/kernels/interval_kernel.hpp"
+#include "asterism/kernels/tier_counters.hpp"
+
+namespace asterism {
+
+inline constexpr std::size_t longest_record = 20;  // four sites
+
+// A question as read, accepted by the checks above. `numbers` beyond those of the predicate are 0.
+struct batch_record {
+  predicate question = predicate::orientation;
+  std::array<double, longest_record> numbers{};
+};
+
+// Empty for a comment or blank line. `line` comes without its end of line; a final CR is a blank.
+result<std::optional<batch_record>> parse_record(std::string_view line);
+
+enum class kernel_choice { filtered, exact, interval, plain_double };
+
+// What settled a record; `undecided` only with the interval kernel.
+enum class settled_by : std::size_t { interval, exact, plain_double, undecided };
+inline constexpr std::size_t settled_by_count = 4;
+inline constexpr std::array<std::string_view, settled_by_count> settled_by_names = {
+    "interval", "exact", "double", "undecided"};
+
+struct batch_statistics {
+  std::array<std::array<std::uint64_t, settled_by_count>, predicate_count> settled{};
+  std::uint64_t answers = 0;  // records that got an integer or `?`
+  std::uint64_t errors = 0;   // records answered by `error: ...`
+};
+
+// Evaluates records with one kernel and counts what settled them. Not to be shared by threads.
+class batch_evaluator {
+ public:
+  explicit batch_evaluator(kernel_choice choice) : choice_(choice) {}
+
+  // Empty where the interval kernel cannot decide.
+  uncertain_int answer(const batch_record& record);
+
+  // One answer a line of `in`, in order, to the end of `in`. Flushes `out` whenever the next read
+  // may have to wait, so that a program or a person asking one question at a time gets each answer.
+  void answer_all(std::istream& in, std::ostream& out);
+
+  const batch_statistics& statistics() const { return statistics_; }
+
+ private:
+  uncertain_int filtered_answer(const batch_record& record, settled_by& how);
+
+  kernel_choice choice_;
+  filtered_kernel filtered_;
+  batch_statistics statistics_;
+};
+
+// A table: a line for each predicate that was asked, how many records each tier settled.
+void write_statistics(std::ostream& out, const batch_statistics& statistics);
+
+}  // namespace asterism
