@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// Medit's ASCII formats: a mesh in NAME.mesh and its metric in NAME.sol.
+//
+// Written: MeshVersionFormatted 2 (doubles), Dimension 2, Vertices (reference: marker of the
+// boundary there, 0 inside), Triangles (reference 1), Edges (the boundary pieces, domain on the
+// left; reference: the marker), Corners (given vertices where the boundary turns), RequiredVertices
+// (the given vertices); SolAtVertices, one symmetric tensor a vertex as `m11 m12 m22`. All numbers
+// have 17 significant digits, so that the same doubles are read back. Medit has no place for the
+// input segment a boundary piece belongs to: it is kept in comments (`#segments`, numbers from 1),
+// which other programs skip.
+//
+// Read: versions 1 to 3, keywords in any order and any number to a line; comments; sections of
+// known shape that mean nothing here are skipped by their counts. Refused: three dimensions (a
+// third coordinate, other than a Z of 0 in a file of Dimension 3 without volume elements, is too),
+// binary files, unknown sections, quadrilaterals, numbers that are not finite, indices out of
+// range. Source: P. Frey, "MEDIT: an interactive mesh visualization software", INRIA RT-0253, 2001.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/mesh.hpp"
+
+namespace asterism {
+
+struct medit_read_options {
+  // Without it a missing .sol is an error; with it every vertex gets the identity.
+  bool identity_without_solution = false;
+};
+
+// `NAME.mesh`, and `NAME.sol` beside it. `given` is the number of required vertices if these are
+// the first ones, else 0. Pieces without `#segments` comments are numbered each as its own segment.
+// Nothing is assumed or checked about the geometry, nor that the tensors are positive definite:
+// that is the auditor's.
+result<mesh> read_medit(const std::filesystem::path& path, const medit_read_options& options = {});
+
+// The contents of the two files; mesh/io/write_mesh.hpp writes them.
+std::string medit_mesh_text(const mesh& m);
+std::string medit_solution_text(const mesh& m);
+
+// NAME.sol for NAME.mesh.
+std::filesystem::path solution_path(const std::filesystem::path& mesh_path);
+
+}  // namespace asterism

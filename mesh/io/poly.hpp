@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Triangle's .poly files.
+//
+//   # comments run to the end of the line; blank lines do not count
+//   <vertices> <dimension: 2> <attributes> <markers: 0 or 1>
+//   <number> <x> <y> [attributes] [marker]         one line a vertex
+//   <segments> <markers: 0 or 1>
+//   <number> <vertex> <vertex> [marker]            one line a segment
+//   <holes>
+//   <number> <x> <y>                               one line a hole
+//   <regions>                                      optional; read, checked and not used
+//   <number> <x> <y> <attribute> [area]
+//
+// Numbers start at 0 or at 1 and go up by one. Counts left out at the end of a header line are 0.
+// With 0 vertices the vertices are in NAME.node beside NAME.poly. Attributes and the markers of
+// vertices are read, checked and not used.
+//
+// Coordinates are the doubles nearest to the decimals, in any locale. Every error names file, line
+// and token: what is no number, not finite or out of range, what is missing or too much.
+// Source: https://www.cs.cmu.edu/~quake/triangle.poly.html and triangle.node.html.
+#pragma once
+
+#include <filesystem>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/domain.hpp"
+
+namespace asterism {
+
+// As written: check_domain has yet to accept it. `name` is the path as given.
+result<domain> read_poly(const std::filesystem::path& path);
+
+}  // namespace asterism

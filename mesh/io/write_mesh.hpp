@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// One way to write a mesh: the extension says in which format.
+//
+//   .mesh              Medit, and the metric in .sol beside it (mesh/io/medit.hpp)
+//   .vtu               VTK unstructured grid for ParaView (mesh/io/vtu.hpp)
+//   .svg  .png  .pdf   a picture (mesh/draw/picture.hpp)
+//
+// A file appears complete or not at all: it is written under a temporary name beside its place and
+// renamed. The bytes depend on the mesh and the options alone.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/draw/picture.hpp"
+#include "asterism/mesh/mesh.hpp"
+
+namespace asterism {
+
+enum class mesh_format { medit, vtu, svg, png, pdf };
+
+// By extension, upper or lower case; the error lists the known ones.
+result<mesh_format> mesh_format_of(const std::filesystem::path& path);
+
+// Could a mesh be written there? Refuses unknown extensions, missing or unwritable directories, and
+// places taken by something that is not a regular file; for finding out before a long computation.
+result<mesh_format> check_output(const std::filesystem::path& path);
+
+struct write_options {
+  picture_options picture;  // for .svg, .png and .pdf
+};
+
+// The files written, in order.
+result<std::vector<std::filesystem::path>> write_mesh(const std::filesystem::path& path,
+                                                      const mesh& m,
+                                                      const write_options& options = {});
+
+}  // namespace asterism
