@@ -63,7 +63,8 @@ std::string field(std::size_t number) { return "field " + std::to_string(number 
 
 result<predicate> parse_name(std::string_view name) {
   const auto found = std::find(predicate_names.begin(), predicate_names.end(), name);
-  if (found == predicate_names.end()) return error{"field 1: unknown predicate " + quoted(name)};
+  if (found == predicate_names.end())
+    return error{"field 1: unknown predicate " + quoted_token(name)};
   return static_cast<predicate>(found - predicate_names.begin());
 }
 
@@ -98,7 +99,7 @@ result<std::optional<batch_record>> parse_record(std::string_view line) {
     if (token.empty() != (i == expected)) {
       const std::string wanted = std::string(name) + " takes " + std::to_string(expected);
       if (token.empty()) return error{wanted + " numbers, got " + std::to_string(i)};
-      return error{field(i) + ": " + wanted + " numbers, found another: " + quoted(token)};
+      return error{field(i) + ": " + wanted + " numbers, found another: " + quoted_token(token)};
     }
     if (token.empty()) break;
     const auto number = parse_number(token);

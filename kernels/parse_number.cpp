@@ -7,7 +7,7 @@
 
 namespace asterism {
 
-std::string quoted(std::string_view token) {
+std::string quoted_token(std::string_view token) {
   constexpr std::size_t longest = 40;
   std::string text = "'";
   for (const char c : token.substr(0, longest)) text += c >= ' ' && c <= '~' ? c : '?';
@@ -40,7 +40,7 @@ bool is_huge(std::string_view digits, int base) {
 }  // namespace
 
 result<double> parse_number(std::string_view token) {
-  const error no_number{quoted(token) + " is not a number"};
+  const error no_number{quoted_token(token) + " is not a number"};
   std::string_view digits = token;
   const bool negative = !digits.empty() && digits.front() == '-';
   if (!digits.empty() && (negative || digits.front() == '+')) digits.remove_prefix(1);
@@ -59,7 +59,7 @@ result<double> parse_number(std::string_view token) {
   // from_chars gives no value here and does not tell overflow from underflow.
   if (read.ec == std::errc::result_out_of_range)
     value = is_huge(digits, hexadecimal ? 16 : 10) ? HUGE_VAL : 0;
-  if (!std::isfinite(value)) return error{quoted(token) + " is not finite"};
+  if (!std::isfinite(value)) return error{quoted_token(token) + " is not finite"};
   return negative ? -value : value;
 }
 

@@ -17,6 +17,6 @@ result<double> parse_number(std::string_view token);
 
 // The token in quotes, fit for one line of a message whatever it holds: cut when long, anything but
 // printable ASCII shown as '?'.
-std::string quoted(std::string_view token);
+std::string quoted_token(std::string_view token);
 
 }  // namespace asterism

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommands of `asterism`. Each adds its options and help to the program and, when the
+// arguments ask for it, stores in `chosen` what is to be run; running it returns the exit status.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace asterism::apps {
+
+// 0: done. 1: not reached; what is certain was written. 2: bad usage or input; nothing was written.
+enum exit_status : int { done = 0, not_reached = 1, refused = 2 };
+
+using command = std::function<int()>;
+
+void add_eval_command(CLI::App& program, command& chosen);
+
+}  // namespace asterism::apps

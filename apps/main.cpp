@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "asterism/apps/commands.hpp"
+
+namespace {
+
+int run(int argc, char** argv) {
+  using namespace asterism::apps;
+  CLI::App program("Anisotropic triangular meshes by star stitching, on exact predicates.");
+  program.name("asterism");
+  program.set_version_flag("--version", "asterism " ASTERISM_VERSION);
+  program.require_subcommand(1);
+  program.footer(
+      "Exit status: 0 done; 1 not reached (what is certain is written, and says so);\n"
+      "2 bad usage or input (nothing is written).\n\n"
+      "asterism COMMAND --help shows the options and examples of one command.");
+  command chosen;
+  add_eval_command(program, chosen);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& failure) {
+    if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
+    std::cerr << "asterism: " << failure.what() << "\nRun with --help for more information.\n";
+    return refused;
+  }
+  return chosen();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& failure) {  // out of memory, or a failing stream library
+    std::cerr << "asterism: " << failure.what() << '\n';
+    return asterism::apps::not_reached;
+  }
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/option_values.hpp"
+
+#include <charconv>
+
+#include "asterism/kernels/parse_number.hpp"
+
+namespace asterism::apps {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+  throw CLI::ValidationError(name, what);
+}
+
+}  // namespace
+
+CLI::Option* add_real(CLI::App& app, const std::string& name, const real_range& range,
+                      const std::function<void(double)>& assign, const std::string& description) {
+  const auto read = [name, range, assign](const std::string& text) {
+    const auto value = parse_number(text);
+    if (!value) refuse(name, value.failure().message);
+    const double x = value.value();
+    const bool inside = (range.low < x || (range.low_allowed && x == range.low)) &&
+                        (x < range.high || (range.high_allowed && x == range.high));
+    if (!inside) refuse(name, text + " is out of range: it must be " + range.text);
+    assign(x);
+  };
+  return app.add_option_function<std::string>(name, read, description);
+}
+
+CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint64_t low,
+                       std::uint64_t high, const std::function<void(std::uint64_t)>& assign,
+                       const std::string& description) {
+  const auto read = [name, low, high, assign](const std::string& text) {
+    std::uint64_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, failure] = std::from_chars(text.data(), end, value);
+    if (text.empty() || failure == std::errc::invalid_argument || stop != end)
+      refuse(name, quoted_token(text) + " is not a whole number that is not negative");
+    if (failure != std::errc() || value < low || value > high)
+      refuse(name, text + " is out of range: it must be from " + std::to_string(low) + " to " +
+                       std::to_string(high));
+    assign(value);
+  };
+  return app.add_option_function<std::string>(name, read, description);
+}
+
+}  // namespace asterism::apps

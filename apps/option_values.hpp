@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Options with numbers, read exactly and checked at once: a value that is no number, not finite or
+// out of range ends the parsing with a message naming the option and the value.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+namespace asterism::apps {
+
+struct real_range {
+  double low, high;
+  bool low_allowed, high_allowed;
+  const char* text;  // after "must be"
+};
+
+inline constexpr real_range positive_reals = {0, 1.7976931348623157e308, false, true, "positive"};
+
+// `assign` gets the value once it is accepted.
+CLI::Option* add_real(CLI::App& app, const std::string& name, const real_range& range,
+                      const std::function<void(double)>& assign, const std::string& description);
+
+// Decimal digits alone: 10 is ten, 010 is ten too.
+CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint64_t low,
+                       std::uint64_t high, const std::function<void(std::uint64_t)>& assign,
+                       const std::string& description);
+
+}  // namespace asterism::apps

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: MIT
+"""The project's own files, for the tests that read them: build trees are left out."""
+import pathlib
+import re
+import sys
+
+LAYERS = ["core", "predicates", "kernels", "mesh", "apps"]  # each may use those before it
+CODE = {".hpp", ".cpp", ".h", ".c"}
+
+
+def root():
+    """The project's folder: the first argument, or where this file lies."""
+    given = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2]
+    return pathlib.Path(given).resolve()
+
+
+def files(top, folders, suffixes):
+    """Paths relative to `top` of the files below `folders` with one of `suffixes`, sorted."""
+    found = []
+    for folder in folders:
+        found += [p for p in (top / folder).rglob("*") if p.suffix in suffixes and p.is_file()]
+    return sorted(p.relative_to(top) for p in found)
+
+
+def includes(path):
+    """The names in the file's #include lines, as written, without quotes or brackets."""
+    pattern = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+    return pattern.findall(path.read_text(encoding="utf-8"))
+
+
+def finish(problems, checked):
+    """Ends the test: every problem on a line of its own, or how many files were found good."""
+    for problem in problems:
+        print(problem)
+    if not checked:
+        sys.exit("no files found: is the folder right?")
+    sys.exit(1 if problems else print(f"{checked} files, no problem"))
