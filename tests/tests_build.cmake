@@ -27,3 +27,29 @@ add_test(NAME "build: layers are one way"
 add_test(NAME "build: licences"
          COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/build/check_licenses.py
                  ${PROJECT_SOURCE_DIR})
+
+# What others build with the library: installed and moved elsewhere, or as a subdirectory.
+function(asterism_program_test name project)
+  string(MAKE_C_IDENTIFIER ${name} folder)
+  add_test(NAME "build: ${name}"
+           COMMAND ${CMAKE_COMMAND} -DPROJECT=${CMAKE_CURRENT_SOURCE_DIR}/build/${project}
+                   -DWORK=${CMAKE_CURRENT_BINARY_DIR}/programs/${folder}
+                   -DCOMPILER=${CMAKE_CXX_COMPILER} -DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER} ${ARGN}
+                   -P ${CMAKE_CURRENT_SOURCE_DIR}/build/build_program.cmake)
+endfunction()
+asterism_program_test("program of the README, installed" readme_program
+                      -DINSTALL_FROM=${PROJECT_BINARY_DIR} -DREADME=${PROJECT_SOURCE_DIR}/README.md)
+asterism_program_test("predicates alone, installed" predicates_only
+                      -DINSTALL_FROM=${PROJECT_BINARY_DIR})
+asterism_program_test("predicates alone, subdirectory" predicates_only
+                      -DARGUMENTS=-DASTERISM_SOURCE=${PROJECT_SOURCE_DIR})
+
+# The command through its arguments, files and exit statuses: one Python program a subject.
+if(TARGET asterism_command)
+  foreach(subject eval_command)
+    add_test(NAME "apps: ${subject}"
+             COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/apps/${subject}.py)
+    set_tests_properties("apps: ${subject}" PROPERTIES
+      ENVIRONMENT "ASTERISM_COMMAND=$<TARGET_FILE:asterism_command>;PYTHONDONTWRITEBYTECODE=1")
+  endforeach()
+endif()

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+# Sourced by the other scripts: the packages of Debian 12 that the project is built from, and its
+# build tree. Needs root or sudo only when a package is missing; asks nothing.
+
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$project/build/release
+
+packages=(
+  g++ cmake ninja-build pkg-config
+  libcgal-dev libgmp-dev libmpfr-dev libboost-dev libtbb-dev libeigen3-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libcairo2-dev
+  catch2 python3 python3-meshio
+)
+
+installed() { dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }
+
+install_packages() {
+  local missing=() as_root=()
+  for package in "${packages[@]}"; do
+    installed "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  echo "Installing: ${missing[*]}"
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+# build_targets [TARGET...]: all of them when none is named.
+build_targets() {
+  (cd "$project" && cmake --preset release >/dev/null) || return
+  cmake --build "$build" --parallel "$(nproc)" ${1:+--target "$@"}
+}

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+"""Runs the asterism command named by the environment variable ASTERISM_COMMAND."""
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["ASTERISM_COMMAND"]
+
+
+class CommandTest(unittest.TestCase):
+    """Each test has a folder of its own, in which the command runs."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="asterism-test-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def run_command(self, *arguments, text="", seconds=240):
+        """`text` is standard input, as text or as bytes."""
+        data = text if isinstance(text, bytes) else text.encode()
+        done = subprocess.run([PROGRAM, *map(str, arguments)], input=data, cwd=self.folder,
+                              capture_output=True, timeout=seconds, check=False)
+        done.stdout = done.stdout.decode()
+        done.stderr = done.stderr.decode()
+        return done
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def files(self):
+        return sorted(p.relative_to(self.folder).as_posix() for p in self.folder.rglob("*"))
