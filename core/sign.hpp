@@ -54,9 +54,7 @@ constexpr uncertain_bool operator&(uncertain_bool a, uncertain_bool b) {
   if (a.certain() && b.certain()) return true;
   return {};
 }
-constexpr uncertain_bool operator|(uncertain_bool a, uncertain_bool b) {
-  return !((!a) & (!b));
-}
+constexpr uncertain_bool operator|(uncertain_bool a, uncertain_bool b) { return !((!a) & (!b)); }
 
 constexpr uncertain_bool is_positive(uncertain_sign s) {
   return s.certain() ? uncertain_bool(s.value() == sign::positive) : uncertain_bool();

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+//
+// Displacements and what a metric tensor says of them, over any number type.
+#pragma once
+
+#include "asterism/core/interval.hpp"
+#include "asterism/core/site.hpp"
+
+namespace asterism {
+
+template <class Number>
+struct displacement {
+  Number x, y;
+
+  friend displacement operator-(const displacement& a, const displacement& b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+  friend displacement operator+(const displacement& a, const displacement& b) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  displacement operator-() const { return {-x, -y}; }
+};
+
+template <class Number>
+displacement<Number> operator*(const Number& factor, const displacement<Number>& u) {
+  return {factor * u.x, factor * u.y};
+}
+
+// b - a
+template <class Number>
+displacement<Number> between(const basic_point<Number>& a, const basic_point<Number>& b) {
+  return {b.x - a.x, b.y - a.y};
+}
+
+// An interval that straddles zero has a square that does not.
+inline interval square(const interval& x) { return CGAL::square(x); }
+template <class Number>
+Number square(const Number& x) {
+  return x * x;
+}
+
+// M u
+template <class Number>
+displacement<Number> apply(const basic_metric_tensor<Number>& m, const displacement<Number>& u) {
+  return {m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
+}
+
+template <class Number>
+Number dot(const displacement<Number>& u, const displacement<Number>& w) {
+  return u.x * w.x + u.y * w.y;
+}
+
+template <class Number>
+Number cross(const displacement<Number>& u, const displacement<Number>& w) {
+  return u.x * w.y - u.y * w.x;
+}
+
+// u^T M u
+template <class Number>
+Number squared_length(const basic_metric_tensor<Number>& m, const displacement<Number>& u) {
+  const Number mixed = m.m12 * (u.x * u.y);
+  return m.m11 * square(u.x) + m.m22 * square(u.y) + (mixed + mixed);
+}
+
+template <class Number>
+basic_metric_tensor<Number> operator-(const basic_metric_tensor<Number>& a,
+                                      const basic_metric_tensor<Number>& b) {
+  return {a.m11 - b.m11, a.m12 - b.m12, a.m22 - b.m22};
+}
+
+// The same site over another number type; exact for every type that holds the doubles.
+template <class Number>
+basic_point<Number> convert(const point& p) {
+  return {Number(p.x), Number(p.y)};
+}
+template <class Number>
+basic_site<Number> convert(const site& s) {
+  return {convert<Number>(s.position),
+          {Number(s.metric.m11), Number(s.metric.m12), Number(s.metric.m22)}};
+}
+
+}  // namespace asterism

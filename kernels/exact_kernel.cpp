@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/kernels/exact_kernel.hpp"
+
+#include <optional>
+#include <vector>
+
+#include "asterism/core/floating_point_environment.hpp"
+#include "asterism/core/square_root_sum.hpp"
+#include "asterism/kernels/root_line.hpp"
+#include "asterism/kernels/turn_scale.hpp"
+#include "asterism/predicates/arc_intersections.hpp"
+#include "asterism/predicates/compare_distance.hpp"
+#include "asterism/predicates/domination.hpp"
+#include "asterism/predicates/encroachment.hpp"
+#include "asterism/predicates/in_circle.hpp"
+#include "asterism/predicates/insertion_test.hpp"
+#include "asterism/predicates/orientation.hpp"
+#include "asterism/predicates/positive_definite.hpp"
+#include "asterism/predicates/tie_breaking.hpp"
+#include "asterism/predicates/voronoi_vertices.hpp"
+#include "asterism/predicates/wedge.hpp"
+
+namespace asterism {
+
+namespace {
+
+using exact::dense_polynomial;
+using exact::real_root;
+using exact::root_line;
+
+using arc = visible_arc<dyadic>;
+
+// The point p of the arc at parameter m, by its weighted displacement from v.
+struct exact_arc_point {
+  dyadic radicand;
+  displacement<square_root_sum> from_v;
+  square_root_sum weight;
+
+  exact_arc_point(const arc& on, const dyadic& m) : radicand(on.e(m)) {
+    const auto u = on.direction(dyadic(1), m);
+    from_v = {square_root_sum(on.c * u.x), square_root_sum(on.c * u.y)};
+    weight = square_root_sum(on.h(m), dyadic(1), radicand);
+  }
+  exact_arc_point(const exact_arc_point&) = delete;
+  exact_arc_point& operator=(const exact_arc_point&) = delete;
+};
+
+struct exact_arithmetic {
+  template <std::size_t Degree>
+  static std::optional<std::vector<real_root>> real_roots(const polynomial<dyadic, Degree>& p) {
+    return exact::isolate_real_roots(dense_polynomial(p));
+  }
+  template <std::size_t Degree>
+  static sign sign_at(const polynomial<dyadic, Degree>& p, real_root& root) {
+    return root.sign_of_value(dense_polynomial(p));
+  }
+  template <class... Polynomials>
+  static std::optional<std::vector<dyadic>> samples(const Polynomials&... polynomials) {
+    root_line line;
+    (line.add(dense_polynomial(polynomials), 0), ...);
+    return line.samples();
+  }
+  static sign function_sign(const arc& on, const arc_function<dyadic>& f, const dyadic& m) {
+    const dyadic radicand = on.e(m);
+    return square_root_sum(on.rational_part(f)(m), f.beta(m), radicand).sign_value();
+  }
+};
+
+bool is_true(uncertain_bool answer) { return answer.value(); }
+
+constexpr unsigned tag_arc = 0, tag_x = 1, tag_y = 2, tag_other = 3;
+
+// Cuts at every zero of f along the arc.
+void add_function(root_line& line, const arc& on, const arc_function<dyadic>& f, unsigned tag) {
+  const dense_polynomial norm(on.norm(f));
+  if (!norm.is_zero()) {
+    line.add(norm, tag);
+    return;
+  }
+  // Then f is 2 P or 0 in each section between the zeros of P and beta.
+  line.add(dense_polynomial(on.rational_part(f)), tag);
+  line.add(dense_polynomial(f.beta), tag);
+}
+
+struct insertion_sections {
+  insertion_question<dyadic> question;
+  root_line line;
+  std::vector<dyadic> samples;
+  arc_function<dyadic> equidistance_x, equidistance_y;
+
+  insertion_sections(const site& v, const site& w, const site& x, const site& y)
+      : question(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(x), convert<dyadic>(y),
+                 dyadic(1).scaled(turn_scale_exponent(v.metric))),
+        equidistance_x(question.at_x.equidistance()),
+        equidistance_y(question.at_y.equidistance()) {
+    const arc& on = question.arc;
+    line.add(dense_polynomial(on.e), tag_arc);
+    line.add(dense_polynomial(on.h), tag_arc);
+    line.add(dense_polynomial(on.a), tag_arc);
+    add_function(line, on, equidistance_x, tag_x);
+    add_function(line, on, equidistance_y, tag_y);
+    const auto add_other = [&](const arc_function<dyadic>& f) {
+      add_function(line, on, f, tag_other);
+    };
+    question.at_x.visit_other_critical_functions(add_other);
+    question.at_y.visit_other_critical_functions(add_other);
+    samples = line.samples();
+  }
+
+  bool on_arc(std::size_t k) const { return is_true(question.arc.contains(dyadic(1), samples[k])); }
+  bool allowed(const neighbour_condition<dyadic>& by, std::size_t k) const {
+    const exact_arc_point p(question.arc, samples[k]);
+    return is_true(by.holds(p.from_v, p.weight));
+  }
+
+  bool any_good_section() const {
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      if (on_arc(k) && allowed(question.at_x, k) && allowed(question.at_y, k)) return true;
+    return false;
+  }
+
+  // The value of f at a root of the line, on the arc.
+  sign value_at(const arc_function<dyadic>& f, real_root& root) const {
+    const arc& on = question.arc;
+    const sign p = exact_arithmetic::sign_at(on.rational_part(f), root);
+    const sign beta = exact_arithmetic::sign_at(f.beta, root);
+    if (p == beta || beta == sign::zero) return p;
+    if (p == sign::zero) return beta;
+    return p * exact_arithmetic::sign_at(on.norm(f), root);  // P^2 against beta^2 E; C > 0
+  }
+
+  bool root_on_arc(real_root& root) const {
+    const arc& on = question.arc;
+    return exact_arithmetic::sign_at(on.e, root) == sign::positive &&
+           (exact_arithmetic::sign_at(on.h, root) == sign::positive ||
+            exact_arithmetic::sign_at(on.a, root) == sign::positive);
+  }
+
+  // Do the sections allowed by x and by y touch at cut k, with all four sites equally near there?
+  bool is_four_site_contact(std::size_t k) {
+    constexpr std::uint64_t both = (1U << tag_x) | (1U << tag_y);
+    exact::cut& at = line.cuts()[k];
+    if ((at.vanishing & both) != both) return false;
+    if (!on_arc(k) || !on_arc(k + 1) || !root_on_arc(at.root)) return false;
+    const bool touch = (allowed(question.at_x, k) && allowed(question.at_y, k + 1)) ||
+                       (allowed(question.at_y, k) && allowed(question.at_x, k + 1));
+    return touch && value_at(equidistance_x, at.root) == sign::zero &&
+           value_at(equidistance_y, at.root) == sign::zero;
+  }
+};
+
+bool equal_metrics(const site& v, const site& w, const site& x, const site& y) {
+  return v.metric == w.metric && v.metric == x.metric && v.metric == y.metric;
+}
+
+template <class TieRule>
+bool equal_metric_answer(const site& v, const site& w, const site& x, const site& y,
+                         TieRule&& tie) {
+  const auto as_exact = [](const site& s) { return convert<dyadic>(s.position); };
+  return is_true(insertion_test_equal_metrics(convert<dyadic>(v).metric, as_exact(v), as_exact(w),
+                                              as_exact(x), as_exact(y), tie));
+}
+
+}  // namespace
+
+sign exact_kernel::orientation(const point& p, const point& q, const point& r) const {
+  return asterism::orientation(convert<dyadic>(p), convert<dyadic>(q), convert<dyadic>(r)).value();
+}
+
+bool exact_kernel::is_positive_definite(const metric_tensor& metric) const {
+  return is_true(asterism::is_positive_definite(convert<dyadic>(site{{}, metric}).metric));
+}
+
+sign exact_kernel::compare_distance(const site& v, const site& w, const point& q) const {
+  return asterism::compare_distance(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(q))
+      .value();
+}
+
+bool exact_kernel::in_wedge(const site& v, const site& w, const point& q) const {
+  return is_true(
+      asterism::in_wedge(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(q)));
+}
+
+sign exact_kernel::dominates(const site& v, const site& w, const point& p) const {
+  return asterism::dominates(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(p)).value();
+}
+
+int exact_kernel::voronoi_vertex_count(const site& u, const site& v, const site& w) const {
+  return asterism::voronoi_vertex_count<exact_arithmetic>(convert<dyadic>(u), convert<dyadic>(v),
+                                                          convert<dyadic>(w))
+      .value();
+}
+
+int exact_kernel::arc_intersection_count(const site& v, const site& w, const site& x) const {
+  const arc on(convert<dyadic>(v), convert<dyadic>(w),
+               dyadic(1).scaled(turn_scale_exponent(v.metric)));
+  return asterism::arc_intersection_count<exact_arithmetic>(on, convert<dyadic>(x)).value();
+}
+
+bool exact_kernel::encroaches(const site& a, const site& b, const site& w) const {
+  const encroachment_question<dyadic> question(convert<dyadic>(a), convert<dyadic>(b),
+                                               convert<dyadic>(w));
+  root_line line;
+  line.add(dense_polynomial(question.against_a), 0);
+  line.add(dense_polynomial(question.against_b), 0);
+  line.add(dense_polynomial(std::vector<dyadic>{dyadic(0), dyadic(1)}), 0);  // the end a
+  for (const dyadic& m : line.samples())
+    if (is_true(question.holds(dyadic(1), m))) return true;
+  return false;
+}
+
+bool exact_kernel::insertion_test(const site& v, const site& w, const site& x,
+                                  const site& y) const {
+  if (equal_metrics(v, w, x, y)) return equal_metric_answer(v, w, x, y, [] { return false; });
+  return insertion_sections(v, w, x, y).any_good_section();
+}
+
+bool exact_kernel::edge_test(const site& v, const site& w, const site& x, const site& y) const {
+  if (equal_metrics(v, w, x, y))
+    return equal_metric_answer(v, w, x, y, [&] {
+      return equal_metric_tie_goes_to_edge(v.position, w.position, x.position, y.position);
+    });
+  insertion_sections sections(v, w, x, y);
+  if (sections.any_good_section()) return true;
+  for (std::size_t k = 0; k < sections.line.cuts().size(); ++k) {
+    if (!sections.is_four_site_contact(k)) continue;
+    real_root& contact = sections.line.cuts()[k].root;
+    const auto sign_at_contact = [&](const plane_quadratic<dyadic>& q) {
+      return sections.value_at(sections.question.arc.restrict(q), contact);
+    };
+    if (tie_goes_to_edge<dyadic>(
+            {convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(x), convert<dyadic>(y)},
+            {v.position, w.position, x.position, y.position}, sign_at_contact))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace asterism

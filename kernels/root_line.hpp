@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// The parameter line cut at the real roots of several polynomials: the distinct roots in order,
+// which polynomials vanish at each, and one dyadic sample in every open section between them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "asterism/kernels/exact_polynomial.hpp"
+
+namespace asterism::exact {
+
+struct cut {
+  real_root root;
+  std::uint64_t vanishing;  // bit k: the polynomial added with tag k vanishes here
+};
+
+class root_line {
+ public:
+  // Cuts the line at the roots of p; the zero polynomial cuts nowhere. tag < 64.
+  void add(const dense_polynomial& p, unsigned tag);
+  // In increasing order.
+  const std::vector<cut>& cuts() const { return cuts_; }
+  std::vector<cut>& cuts() { return cuts_; }
+  // cuts().size() + 1 samples: sample k lies strictly between cuts k-1 and k.
+  std::vector<dyadic> samples();
+
+ private:
+  std::vector<cut> cuts_;
+};
+
+}  // namespace asterism::exact

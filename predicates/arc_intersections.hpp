@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// Question: in how many points of the visible arc of v, w is x as near as v and w?
+// Computes: the zeros of f_v - f_x along the arc, an expression P(m) + beta(m) sqrt E(m) of the
+//   parameter whose zeros are among those of a quartic; each is kept when it lies on the arc and
+//   P and beta do not have the same sign there.
+// Returns: the number of distinct points strictly inside wedge(v, w), or -1 when infinitely many.
+// Laws: 1. symmetric in v and w; 2. at most voronoi_vertex_count(v, w, x) when that is not -1.
+//   It does not hold that exchanging x with v or w keeps it.
+// Requires: finite numbers, positive definite metrics, three distinct sites.
+// Degenerate: -1 asks for infinitely many *wedged* points; common points elsewhere do not count.
+// Source: the thesis, section 4.1 and appendix A, step 2b.
+#pragma once
+
+#include "asterism/predicates/visible_arc.hpp"
+#include "asterism/predicates/voronoi_vertices.hpp"
+
+namespace asterism {
+
+// Is the value P + beta sqrt E zero where the norm P^2 - beta^2 E is known to be?
+inline uncertain_bool conjugate_vanishes(uncertain_sign rational_part, uncertain_sign beta) {
+  if (!rational_part.certain() || !beta.certain()) return {};
+  return rational_part.value() * beta.value() != sign::positive;
+}
+
+// Arithmetic as in voronoi_vertices.hpp, and Arithmetic::function_sign(arc, f, lambda, mu), the
+// sign of f at a parameter; Arithmetic::samples(...) one parameter in each section between the
+// roots of the polynomials given, or nothing.
+template <class Arithmetic, class Number>
+uncertain_int arc_intersection_count(const visible_arc<Number>& arc, const basic_site<Number>& x) {
+  const auto f = arc.restrict(distance_difference(arc.v, x));
+  const auto norm = arc.norm(f);
+  const auto p = arc.rational_part(f);
+  const auto on_arc = [&](auto& root) {
+    const uncertain_bool real = is_positive(Arithmetic::sign_at(arc.e, root));
+    if (real.certainly(false)) return real;
+    return real & (is_positive(Arithmetic::sign_at(arc.h, root)) |
+                   is_positive(Arithmetic::sign_at(arc.a, root)));
+  };
+  const uncertain_bool no_norm = vanishes(norm);
+  if (!no_norm.certain()) return {};
+  if (no_norm.value()) {
+    // E is a square, and f vanishes on whole sections of the arc or only where P and beta do.
+    const auto samples = Arithmetic::samples(arc.e, arc.h, arc.a, p, f.beta);
+    if (!samples.has_value()) return {};
+    for (const Number& m : *samples) {
+      const uncertain_bool inside = arc.contains(Number(1), m);
+      if (!inside.certain()) return {};
+      if (!inside.value()) continue;
+      const uncertain_sign value = Arithmetic::function_sign(arc, f, m);
+      if (!value.certain()) return {};
+      if (value.value() == sign::zero) return -1;
+    }
+  }
+  const auto count = [&](auto&& roots, bool beta_decides) -> uncertain_int {
+    if (!roots.has_value()) return {};
+    int found = 0;
+    for (auto& root : *roots) {
+      const uncertain_bool inside = on_arc(root);
+      if (inside.certainly(false)) continue;
+      const uncertain_sign beta = Arithmetic::sign_at(f.beta, root);
+      const uncertain_bool zero =
+          beta_decides ? is_zero(beta) : conjugate_vanishes(Arithmetic::sign_at(p, root), beta);
+      if (zero.certainly(false)) continue;
+      if (!inside.certain() || !zero.certain()) return {};
+      ++found;
+    }
+    return found;
+  };
+  // With a vanishing norm and no whole section of zeros, f = 2 P on the arc wherever beta is not
+  // zero, so its zeros are common ones of P and beta.
+  if (!no_norm.value()) return count(Arithmetic::real_roots(norm), false);
+  const uncertain_bool no_p = vanishes(p);
+  if (!no_p.certain()) return {};
+  return no_p.value() ? uncertain_int(0) : count(Arithmetic::real_roots(p), true);
+}
+
+}  // namespace asterism

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// Question: where does y lie against the ellipse through v, w, x that is a circle in the metric m?
+// Computes: sign of the in-circle determinant with |u|^2 replaced by u^T m u; degree 4 in
+//   coordinate differences, 1 in the metric.
+// Returns: positive: y inside when v w x turn counter-clockwise (outside when clockwise); negative:
+//   the other way round; zero: the four are cocircular in m, or collinear.
+// Laws: 1. even permutations of v w x y keep the sign, odd ones negate it; 2. with m the identity
+//   it is the usual in-circle test.
+// Requires: finite numbers, m positive definite.
+// Degenerate: zero is an answer; edge_test breaks the tie.
+// Source: what INSERTIONTEST becomes when all four metrics are equal (docs/math/insertion-test.md).
+#pragma once
+
+#include "asterism/core/plane_algebra.hpp"
+#include "asterism/core/sign.hpp"
+
+namespace asterism {
+
+template <class Number>
+uncertain_sign in_circle(const basic_metric_tensor<Number>& m, const basic_point<Number>& v,
+                         const basic_point<Number>& w, const basic_point<Number>& x,
+                         const basic_point<Number>& y) {
+  const auto a = between(y, v), b = between(y, w), c = between(y, x);
+  return sign_of(squared_length(m, a) * cross(b, c) + squared_length(m, b) * cross(c, a) +
+                 squared_length(m, c) * cross(a, b));
+}
+
+}  // namespace asterism

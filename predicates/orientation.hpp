@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// Question: on which side of the directed line p -> q lies r?
+// Computes: sign of det(q - p, r - p); degree 2.
+// Returns: positive: left, p q r turn counter-clockwise; negative: right; zero: collinear.
+// Laws: 1. a cyclic change of p q r keeps the sign; 2. an exchange of two of them negates it;
+//   3. equal points give zero. It does not hold that zero implies distinct points.
+// Requires: finite coordinates.
+// Degenerate: zero is an answer; who asks must say what collinear means to it.
+// Source: the thesis uses it for "between the rays" (definition 4) and "strictly inside".
+#pragma once
+
+#include "asterism/core/plane_algebra.hpp"
+#include "asterism/core/sign.hpp"
+
+namespace asterism {
+
+template <class Number>
+uncertain_sign orientation(const basic_point<Number>& p, const basic_point<Number>& q,
+                           const basic_point<Number>& r) {
+  return sign_of(cross(between(p, q), between(p, r)));
+}
+
+}  // namespace asterism
