@@ -44,6 +44,8 @@ asterism_program_test("predicates alone, installed" predicates_only
 asterism_program_test("predicates alone, subdirectory" predicates_only
                       -DARGUMENTS=-DASTERISM_SOURCE=${PROJECT_SOURCE_DIR})
 
+asterism_test(test_parse_number SOURCES apps/parse_number_test.cpp)
+
 # The command through its arguments, files and exit statuses: one Python program a subject.
 if(TARGET asterism_command)
   foreach(subject eval_command)
