@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// The sections of Vor{v,w} on which the insertion test is constant, found by sweeping the plane
+// along the X axis, and which of them are good.
+#pragma once
+
+#include <vector>
+
+#include "exact_numbers.hpp"
+
+namespace asterism::oracle {
+
+// What may happen at a critical abscissa; a set of these is their sum.
+enum critical_kind : unsigned {
+  equidistant_from_x = 1,  // f_v = f_w = f_x
+  equidistant_from_y = 2,
+  another_event = 4,
+};
+
+// A maximal run of good sections along one branch; 0 where it has no end.
+struct good_run {
+  unsigned kinds_at_low_end = 0, kinds_at_high_end = 0;
+};
+
+struct swept_arc {
+  std::vector<good_run> good_runs;
+  // False only if certainly no point, real or complex, is equidistant from all four.
+  bool may_have_point_equidistant_from_four = false;
+};
+
+// Requires four distinct sites.
+swept_arc sweep(const exact_site& v, const exact_site& w, const exact_site& x, const exact_site& y);
+
+}  // namespace asterism::oracle

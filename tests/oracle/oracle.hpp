@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// A second, independent route to the answer of every predicate, for tests alone: names and answers
+// are those of kernels/exact_kernel.hpp, the method is the definition taken literally, with CGAL's
+// algebraic kernel for roots. It shares no code with predicates/ or kernels/ and takes milliseconds
+// a question.
+//
+// Requires what the kernels require: finite input, positive definite metrics, distinct sites.
+#pragma once
+
+#include <optional>
+
+#include "asterism/core/sign.hpp"
+#include "asterism/core/site.hpp"
+
+namespace asterism::oracle {
+
+sign orientation(const point& p, const point& q, const point& r);
+bool is_positive_definite(const metric_tensor& metric);
+sign compare_distance(const site& v, const site& w, const point& q);
+bool in_wedge(const site& v, const site& w, const point& q);
+
+// By counting the points of the closed segments vp and wp on Vor{v,w} (thesis, definition 6).
+sign dominates(const site& v, const site& w, const point& p);
+
+// By solving the two bisector equations as polynomials in the plane.
+int voronoi_vertex_count(const site& u, const site& v, const site& w);
+int arc_intersection_count(const site& v, const site& w, const site& x);
+
+// By the roots of f_w - f_a and f_w - f_b on the segment.
+bool encroaches(const site& a, const site& b, const site& w);
+
+// By a sweep of the plane in a rational direction: between critical abscissas each branch of the
+// conic Vor{v,w} is one section, and one point of each is tried against the definition.
+bool insertion_test(const site& v, const site& w, const site& x, const site& y);
+
+// As insertion_test, and where that says no and some point may be equidistant from all four sites,
+// with f_i + e_i for explicit tiny rationals e_i in the order of the tie rule. Empty: the perturbed
+// contact is not of the kind the tie rule decides, or the tiny numbers may not be tiny enough.
+std::optional<bool> edge_test(const site& v, const site& w, const site& x, const site& y);
+
+}  // namespace asterism::oracle

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// The questions about given points and segments: rational arithmetic, and real roots in one
+// variable.
+#include <algorithm>
+#include <vector>
+
+#include "conic.hpp"
+#include "exact_numbers.hpp"
+#include "oracle.hpp"
+
+namespace asterism::oracle {
+namespace {
+
+using exact_point = basic_point<rational>;
+
+// (q-p)^T M (r-p)
+rational inner_product(const exact_site& s, const exact_point& q, const exact_point& r) {
+  const rational ux = q.x - s.position.x, uy = q.y - s.position.y;
+  const rational vx = r.x - s.position.x, vy = r.y - s.position.y;
+  return ux * (s.metric.m11 * vx + s.metric.m12 * vy) +
+         uy * (s.metric.m12 * vx + s.metric.m22 * vy);
+}
+
+// g(from + t (to - from)) by interpolation at t = 0, 1, -1.
+univariate along_segment(const conic& g, const exact_point& from, const exact_point& to) {
+  const exact_point back = {from.x + from.x - to.x, from.y + from.y - to.y};
+  const rational at_zero = g.at(from), at_one = g.at(to), at_minus_one = g.at(back);
+  const rational half(1, 2);
+  return {at_zero, half * (at_one - at_minus_one), half * (at_one + at_minus_one) - at_zero};
+}
+
+int roots_in_closed_unit_interval(const univariate& p) {
+  int count = 0;
+  for (const algebraic_number& root : distinct_real_roots(p))
+    if (!(root < algebraic_number(0)) && !(algebraic_number(1) < root)) ++count;
+  return count;
+}
+
+}  // namespace
+
+sign orientation(const point& p, const point& q, const point& r) {
+  const exact_point a = to_exact(p), b = to_exact(q), c = to_exact(r);
+  return to_sign(sign_of((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
+}
+
+// By Sylvester's criterion on the other diagonal: m22 > 0 and the determinant.
+bool is_positive_definite(const metric_tensor& metric) {
+  const rational a(metric.m11), b(metric.m12), c(metric.m22);
+  return sign_of(c) > 0 && sign_of(a * c - b * b) > 0;
+}
+
+sign compare_distance(const site& v, const site& w, const point& q) {
+  return to_sign(sign_of(bisector(to_exact(v), to_exact(w)).at(to_exact(q))));
+}
+
+bool in_wedge(const site& v, const site& w, const point& q) {
+  const exact_site a = to_exact(v), b = to_exact(w);
+  const exact_point p = to_exact(q);
+  return sign_of(inner_product(a, p, b.position)) > 0 &&
+         sign_of(inner_product(b, p, a.position)) > 0;
+}
+
+sign dominates(const site& v, const site& w, const point& p) {
+  const exact_site a = to_exact(v), b = to_exact(w);
+  const exact_point q = to_exact(p);
+  const conic g = bisector(a, b);
+  const int from_v = roots_in_closed_unit_interval(along_segment(g, a.position, q));
+  const int from_w = roots_in_closed_unit_interval(along_segment(g, b.position, q));
+  return to_sign(from_w - from_v);
+}
+
+bool encroaches(const site& a, const site& b, const site& w) {
+  const exact_site ea = to_exact(a), eb = to_exact(b), ew = to_exact(w);
+  const univariate over_a = along_segment(bisector(ew, ea), ea.position, eb.position);
+  const univariate over_b = along_segment(bisector(ew, eb), ea.position, eb.position);
+  std::vector<algebraic_number> cuts = {algebraic_number(0), algebraic_number(1)};
+  // Neither is identically zero: the first is positive at a unless w is a, the other at b.
+  for (const univariate& p : {over_a, over_b})
+    for (const algebraic_number& root : distinct_real_roots(p)) cuts.push_back(root);
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  for (const rational& t : samples_between(cuts))
+    if (sign_of(t) > 0 && t < rational(1) && sign_of(evaluate(over_a, t)) < 0 &&
+        sign_of(evaluate(over_b, t)) < 0)
+      return true;
+  return false;
+}
+
+}  // namespace asterism::oracle

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// Quadruples of sites of every degenerate kind, deterministic: (kind, seed) names a case for ever.
+// Each has four distinct sites with positive definite metrics, exactly as doubles; where a kind
+// promises an exact coincidence its numbers are small integers or dyadic fractions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "asterism/core/site.hpp"
+#include "random_source.hpp"
+
+namespace asterism::property {
+
+using four_sites = std::array<site, 4>;
+
+struct kind {
+  std::string_view name;
+  // May return metrics that are not positive definite or sites that coincide: draw() tries again.
+  four_sites (*attempt)(random_source&);
+  // Coordinates and metrics have so few digits that ties can be perturbed literally.
+  bool few_digits;
+};
+
+std::span<const kind> kinds();
+// Looks a kind up by name; the first kind if there is none.
+const kind& kind_named(std::string_view name);
+
+// A valid case of this kind.
+four_sites draw(const kind& k, random_source& random);
+
+// A point that has a chance to matter to these sites: near, on or at them, of as few digits.
+point draw_point(const four_sites& sites, random_source& random);
+
+// The record of the batch protocol (hexadecimal doubles) that replays a question.
+std::string record(std::string_view predicate, std::span<const site> sites,
+                   std::span<const point> points = {});
+
+// Exact as long as nothing overflows or underflows.
+site scaled(const site& s, int coordinate_exponent, int metric_exponent);
+
+}  // namespace asterism::property
