@@ -46,6 +46,14 @@ asterism_program_test("predicates alone, subdirectory" predicates_only
 
 asterism_test(test_parse_number SOURCES apps/parse_number_test.cpp)
 
+# The tutorial's programs.
+foreach(example first_question first_mesh)
+  add_executable(example_${example} ${PROJECT_SOURCE_DIR}/examples/${example}.cpp)
+  asterism_configure(example_${example})
+  target_link_libraries(example_${example} PRIVATE asterism)
+  add_test(NAME "examples: ${example}" COMMAND example_${example})
+endforeach()
+
 # The command through its arguments, files and exit statuses: one Python program a subject.
 if(TARGET asterism_command)
   foreach(subject eval_command)
