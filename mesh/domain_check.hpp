@@ -21,6 +21,7 @@
 //  - a segment with the domain on both sides (not supported yet);
 //  - a domain of which nothing is left.
 //
+// Hole points whose hole has become one with the outside that way are dropped silently.
 // A domain that was accepted once is accepted again, unchanged. Rings may touch in vertices and the
 // domain may fall into several parts. Time: O(n log n + n k) for n segments in k rings, holes and
 // loose vertices, plus the pairs of segments whose x ranges overlap.

@@ -1,1 +1,26 @@
-# target_sources(asterism PRIVATE ...)
+find_package(fmt REQUIRED)
+find_package(muparser REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
+
+target_sources(asterism PRIVATE
+  domain.cpp
+  domain_check.cpp
+  domain_contains.cpp
+  domain_faces.cpp
+  domain_graph.cpp
+  domain_names.cpp
+  domain_sources.cpp
+  draw/canvas.cpp
+  draw/picture.cpp
+  io/file_output.cpp
+  io/medit_reader.cpp
+  io/medit_writer.cpp
+  io/poly.cpp
+  io/text_scanner.cpp
+  io/vtu.cpp
+  io/write_mesh.cpp
+  metric_angle.cpp
+  metric_field.cpp
+  metric_field_expression.cpp)
+target_link_libraries(asterism PRIVATE fmt::fmt muparser::muparser PkgConfig::cairo)

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// A cairo surface that collects the bytes of an SVG, PDF or PNG file. Works inside draw_picture.
+#pragma once
+
+#include <cairo.h>
+
+#include <functional>
+#include <string>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/draw/picture.hpp"
+
+namespace asterism {
+
+// The bytes of a file of `width` by `height` (pixels or points) that `paint` has drawn on. The same
+// drawing gives the same bytes: no dates, no counters of the process. Fails when cairo does.
+result<std::string> paint_file(picture_format format, int width, int height,
+                               const std::function<void(cairo_t*)>& paint);
+
+}  // namespace asterism

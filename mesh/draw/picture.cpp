@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/draw/picture.hpp"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/draw/canvas.hpp"
+#include "asterism/mesh/metric_angle.hpp"
+
+namespace asterism {
+
+namespace {
+
+constexpr int largest_extent = 20000;
+
+struct colour {
+  double red, green, blue, alpha = 1;
+};
+constexpr colour paper{1, 1, 1};
+constexpr colour thin_ink{0.30, 0.33, 0.38};
+constexpr colour bold_ink{0.07, 0.09, 0.13};
+constexpr colour disagreeing_fill{0.84, 0.15, 0.16, 0.75};
+constexpr colour low_angle_fill{0.98, 0.80, 0.38, 0.65};
+constexpr colour given_fill{0.12, 0.42, 0.72};
+constexpr colour ellipse_line{0.10, 0.55, 0.45, 0.9};
+constexpr colour ellipse_fill{0.10, 0.55, 0.45, 0.13};
+
+void use(cairo_t* cairo, const colour& c) {
+  cairo_set_source_rgba(cairo, c.red, c.green, c.blue, c.alpha);
+}
+
+// From the plane, y upwards, to the page, y downwards.
+struct page {
+  bounding_box box;
+  double scale = 1, margin = 0;
+  int width = 0, height = 0;
+
+  point at(const point& p) const {
+    return {margin + (p.x - box.low.x) * scale, margin + (box.high.y - p.y) * scale};
+  }
+  // Lengths on the page in units that suit its width.
+  double unit() const { return width / 1000.0; }
+};
+
+result<page> lay_out(const mesh& m, const picture_options& options) {
+  if (options.width < 16 || options.width > largest_extent)
+    return error{"a picture is 16 to 20000 wide, not " + std::to_string(options.width)};
+  if (m.sites.empty()) return error{"there is nothing to draw: the mesh has no sites"};
+  page p;
+  p.box = {m.sites[0].position, m.sites[0].position};
+  for (const site& s : m.sites) {
+    const auto [x, y] = s.position;
+    if (!std::isfinite(x) || !std::isfinite(y)) return error{"a site is not finite"};
+    p.box.low = {std::min(p.box.low.x, x), std::min(p.box.low.y, y)};
+    p.box.high = {std::max(p.box.high.x, x), std::max(p.box.high.y, y)};
+  }
+  p.width = options.width;
+  p.margin = 0.03 * options.width;
+  p.scale = (options.width - 2 * p.margin) / (p.box.high.x - p.box.low.x);
+  const double height = (p.box.high.y - p.box.low.y) * p.scale + 2 * p.margin;
+  if (!(p.scale > 0) || !std::isfinite(p.scale) || !std::isfinite(height))
+    return error{"the mesh has no width to draw, or too large a one"};
+  if (height > largest_extent) return error{"the picture would be more than 20000 high"};
+  p.height = std::max(1, static_cast<int>(std::ceil(height)));
+  return p;
+}
+
+void trace(cairo_t* cairo, const page& p, const mesh& m, const triangle& t) {
+  for (const index v : t) {
+    const point at = p.at(m.sites[v].position);
+    cairo_line_to(cairo, at.x, at.y);
+  }
+  cairo_close_path(cairo);
+}
+
+void fill_triangles(cairo_t* cairo, const page& p, const mesh& m, double angle_bound) {
+  use(cairo, low_angle_fill);
+  for (const triangle& t : m.triangles)
+    if (smallest_angle(m, t) < angle_bound) trace(cairo, p, m, t);
+  cairo_fill(cairo);
+  use(cairo, disagreeing_fill);
+  // One by one: they may overlap, and shades add up.
+  for (const triangle& t : m.disagreeing) {
+    trace(cairo, p, m, t);
+    cairo_fill(cairo);
+  }
+}
+
+// Each edge once, so that lines shared by two triangles are no darker than others.
+void stroke_edges(cairo_t* cairo, const page& p, const mesh& m) {
+  std::set<std::pair<index, index>> edges;
+  for (const auto* triangles : {&m.triangles, &m.disagreeing})
+    for (const triangle& t : *triangles)
+      for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
+  use(cairo, thin_ink);
+  cairo_set_line_width(cairo, 0.9 * p.unit());
+  for (const auto& [a, b] : edges) {
+    const point from = p.at(m.sites[a].position), to = p.at(m.sites[b].position);
+    cairo_move_to(cairo, from.x, from.y);
+    cairo_line_to(cairo, to.x, to.y);
+  }
+  cairo_stroke(cairo);
+}
+
+void stroke_boundary(cairo_t* cairo, const page& p, const mesh& m) {
+  use(cairo, bold_ink);
+  cairo_set_line_width(cairo, 2.6 * p.unit());
+  for (const boundary_edge& e : m.boundary) {
+    const point from = p.at(m.sites[e.a].position), to = p.at(m.sites[e.b].position);
+    cairo_move_to(cairo, from.x, from.y);
+    cairo_line_to(cairo, to.x, to.y);
+  }
+  cairo_stroke(cairo);
+}
+
+// Semi-axes of the unit ball, longest first, and the direction of the longest.
+struct ellipse {
+  double longest = 0, shortest = 0, angle = 0;
+};
+
+std::optional<ellipse> unit_ball(const metric_tensor& m) {
+  const double mean = (m.m11 + m.m22) / 2;
+  const double spread = std::hypot((m.m11 - m.m22) / 2, m.m12);
+  const double greatest = mean + spread;
+  // Not mean - spread, which loses all digits of very flat ellipses.
+  const double least = (m.m11 * m.m22 - m.m12 * m.m12) / greatest;
+  if (!(least > 0) || !std::isfinite(greatest)) return {};
+  const double angle = 0.5 * std::atan2(2 * m.m12, m.m11 - m.m22) + std::numbers::pi / 2;
+  return ellipse{1 / std::sqrt(least), 1 / std::sqrt(greatest), angle};
+}
+
+// At most one site in each square of the page, the one nearest to the middle of its square.
+std::vector<index> sites_apart(const page& p, const mesh& m, double side) {
+  const auto columns = static_cast<std::size_t>(p.width / side) + 1;
+  const auto rows = static_cast<std::size_t>(p.height / side) + 1;
+  std::vector<std::pair<double, index>> nearest(columns * rows, {2 * side * side, index{0}});
+  for (std::size_t v = 0; v < m.sites.size(); ++v) {
+    const point at = p.at(m.sites[v].position);
+    const double column = std::floor(at.x / side), row = std::floor(at.y / side);
+    const double x = at.x - (column + 0.5) * side, y = at.y - (row + 0.5) * side;
+    auto& best =
+        nearest[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
+    best = std::min(best, {x * x + y * y, static_cast<index>(v)});
+  }
+  std::vector<index> chosen;
+  for (const auto& [distance, v] : nearest)
+    if (distance < 2 * side * side) chosen.push_back(v);
+  return chosen;
+}
+
+void draw_ellipse(cairo_t* cairo, const point& centre, const ellipse& e, double scale,
+                  double line_width) {
+  cairo_save(cairo);
+  cairo_translate(cairo, centre.x, centre.y);
+  cairo_rotate(cairo, -e.angle);
+  // Thinner than a hair is a line, and a scale of 0 would be an error to cairo.
+  cairo_scale(cairo, e.longest * scale, std::max(e.shortest * scale, 0.25 * line_width));
+  cairo_new_sub_path(cairo);
+  cairo_arc(cairo, 0, 0, 1, 0, 2 * std::numbers::pi);
+  cairo_restore(cairo);
+  use(cairo, ellipse_fill);
+  cairo_fill_preserve(cairo);
+  use(cairo, ellipse_line);
+  cairo_set_line_width(cairo, line_width);
+  cairo_stroke(cairo);
+}
+
+void draw_ellipses(cairo_t* cairo, const page& p, const mesh& m) {
+  const double side = p.width / 16.0;
+  std::vector<std::pair<index, ellipse>> balls;
+  double longest = 0;
+  for (const index v : sites_apart(p, m, side)) {
+    const auto ball = unit_ball(m.sites[v].metric);
+    if (!ball) continue;
+    balls.emplace_back(v, *ball);
+    longest = std::max(longest, ball->longest);
+  }
+  for (const auto& [v, ball] : balls)
+    draw_ellipse(cairo, p.at(m.sites[v].position), ball, 0.46 * side / longest, 1.5 * p.unit());
+}
+
+void draw_dot(cairo_t* cairo, const point& at, double radius, const colour& c) {
+  cairo_new_sub_path(cairo);
+  cairo_arc(cairo, at.x, at.y, radius, 0, 2 * std::numbers::pi);
+  use(cairo, c);
+  cairo_fill(cairo);
+}
+
+// Given sites are larger, blue, with a rim of paper that lifts them off the lines.
+void draw_sites(cairo_t* cairo, const page& p, const mesh& m) {
+  // Dots of a fine mesh would hide its triangles.
+  const double spacing = p.width / std::sqrt(static_cast<double>(m.sites.size()));
+  const double radius = std::min(2.8 * p.unit(), 0.06 * spacing);
+  for (std::size_t v = m.given; v < m.sites.size(); ++v)
+    draw_dot(cairo, p.at(m.sites[v].position), radius, bold_ink);
+  for (std::size_t v = 0; v < m.given && v < m.sites.size(); ++v) {
+    draw_dot(cairo, p.at(m.sites[v].position), 2.4 * radius, paper);
+    draw_dot(cairo, p.at(m.sites[v].position), 1.8 * radius, given_fill);
+  }
+}
+
+}  // namespace
+
+result<std::string> draw_picture(const mesh& m, picture_format format,
+                                 const picture_options& options) {
+  const auto layout = lay_out(m, options);
+  if (!layout.ok()) return layout.failure();
+  const page& p = layout.value();
+  return paint_file(format, p.width, p.height, [&](cairo_t* cairo) {
+    use(cairo, paper);
+    cairo_paint(cairo);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+    fill_triangles(cairo, p, m, options.angle_bound);
+    stroke_edges(cairo, p, m);
+    stroke_boundary(cairo, p, m);
+    if (options.ellipses) draw_ellipses(cairo, p, m);
+    if (options.sites) draw_sites(cairo, p, m);
+  });
+}
+
+}  // namespace asterism

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/file_output.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+namespace asterism {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+error system_failure(const fs::path& path, const std::string& what) {
+  return {path.string() + ": " + what + ": " + std::generic_category().message(errno)};
+}
+
+struct closer {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+std::optional<error> write_bytes(const fs::path& path, const std::string& bytes) {
+  errno = 0;
+  std::unique_ptr<std::FILE, closer> file(std::fopen(path.c_str(), "wb"));
+  if (!file) return system_failure(path, "cannot be created");
+  // A full disk may show only when the buffer is flushed or the file is closed.
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
+                       std::fflush(file.get()) == 0;
+  if (!written) return system_failure(path, "cannot be written");
+  if (std::fclose(file.release()) != 0) return system_failure(path, "cannot be written");
+  return {};
+}
+
+// Removes the temporary files that have not been renamed.
+class temporary_files {
+ public:
+  ~temporary_files() {
+    std::error_code ignored;
+    for (const fs::path& path : paths) fs::remove(path, ignored);
+  }
+  std::vector<fs::path> paths;
+};
+
+}  // namespace
+
+result<std::vector<fs::path>> write_files(const std::vector<output_file>& files) {
+  temporary_files temporary;
+  for (const output_file& file : files) {
+    fs::path part = file.path;
+    part += ".part";
+    temporary.paths.push_back(part);
+    if (auto failed = write_bytes(part, file.bytes)) return std::move(*failed);
+  }
+  std::vector<fs::path> written;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::error_code status;
+    fs::rename(temporary.paths[i], files[i].path, status);
+    if (status) return error{files[i].path.string() + ": " + status.message()};
+    written.push_back(files[i].path);
+  }
+  return written;
+}
+
+result<fs::path> check_writable(const fs::path& path) {
+  std::error_code status;
+  if (path.filename().empty()) return error{path.string() + ": is not the name of a file"};
+  const fs::path directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(directory, status))
+    return error{path.string() + ": there is no directory " + directory.string()};
+  errno = 0;
+  if (::access(directory.c_str(), W_OK | X_OK) != 0)
+    return system_failure(path, "the directory " + directory.string() + " cannot be written to");
+  if (fs::exists(path, status) && !fs::is_regular_file(path, status))
+    return error{path.string() + ": exists and is not a regular file"};
+  return path;
+}
+
+}  // namespace asterism

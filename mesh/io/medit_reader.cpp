@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "asterism/kernels/parse_number.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
+
+namespace asterism {
+
+namespace {
+
+using failure = std::optional<error>;
+
+// Sections that mean nothing here: how many words a record of theirs has, in `dimension`
+// dimensions.
+struct skipped_section {
+  std::string_view keyword;
+  int words_in_2d, words_in_3d;
+};
+constexpr std::array<skipped_section, 12> skipped_sections = {{
+    {"Corners", 1, 1},
+    {"Ridges", 1, 1},
+    {"RequiredEdges", 1, 1},
+    {"RequiredTriangles", 1, 1},
+    {"Normals", 2, 3},
+    {"NormalAtVertices", 2, 2},
+    {"NormalAtTriangleVertices", 3, 3},
+    {"Tangents", 2, 3},
+    {"TangentAtVertices", 2, 2},
+    {"TangentAtEdges", 3, 3},
+    {"SubDomainFromMesh", 4, 4},
+    {"SubDomain", 4, 4},
+}};
+
+class medit_reader {
+ public:
+  medit_reader(text_scanner& source, mesh& m) : source_(source), m_(m) {}
+
+  // Header, then sections until End or the end of the file.
+  failure read_mesh();
+  failure read_solution();
+
+ private:
+  failure read_header();
+  failure read_section(const word& keyword);
+  failure read_vertices();
+  failure read_triangles();
+  failure read_edges();
+  failure read_required();
+  failure skip(const word& keyword, int words);
+  failure read_tensors();
+
+  // The count of a section that may occur once.
+  result<std::size_t> read_count(std::string_view keyword, bool& seen);
+  result<double> read_number(std::string_view meaning) {
+    return to_number(source_, source_.next(), meaning);
+  }
+  result<int> read_reference(std::string_view meaning);
+  // A vertex number of the file. Whether it exists is known when all sections have been read.
+  result<index> read_vertex(std::string_view meaning);
+  failure check_vertices();
+  void take_segment_numbers();
+
+  struct use {
+    index vertex;
+    std::size_t line;
+    std::string_view meaning;
+  };
+
+  text_scanner& source_;
+  mesh& m_;
+  long long dimension_ = 2;
+  bool vertices_seen_ = false, triangles_seen_ = false, edges_seen_ = false, required_seen_ = false;
+  std::vector<use> uses_;
+  std::vector<index> required_;
+};
+
+failure medit_reader::read_header() {
+  const word first = source_.next();
+  if (first.text != "MeshVersionFormatted")
+    return source_.failure(first.line, first.empty() ? std::string("the file is empty")
+                                                     : quoted_token(first.text) +
+                                                           " where MeshVersionFormatted should be");
+  const word number = source_.next();
+  const auto version = to_integer(source_, number, "MeshVersionFormatted");
+  if (!version.ok()) return version.failure();
+  if (version.value() < 1 || version.value() > 3)
+    return source_.failure(
+        number.line, "MeshVersionFormatted: " + quoted_token(number.text) + " is not 1, 2 or 3");
+  const word keyword = source_.next();
+  if (keyword.text != "Dimension")
+    return source_.failure(keyword.line, quoted_token(keyword.text) + " where Dimension should be");
+  const word size = source_.next();
+  const auto dimension = to_integer(source_, size, "Dimension");
+  if (!dimension.ok()) return dimension.failure();
+  if (dimension.value() != 2 && dimension.value() != 3)
+    return source_.failure(size.line, "Dimension: " + quoted_token(size.text) + " is not 2");
+  dimension_ = dimension.value();
+  return {};
+}
+
+failure medit_reader::read_mesh() {
+  if (auto failed = read_header()) return failed;
+  while (true) {
+    const word keyword = source_.next();
+    if (keyword.empty() || keyword.text == "End") break;
+    if (auto failed = read_section(keyword)) return failed;
+  }
+  if (!vertices_seen_) return source_.failure(source_.line(), "there is no section Vertices");
+  if (!triangles_seen_) return source_.failure(source_.line(), "there is no section Triangles");
+  if (auto failed = check_vertices()) return failed;
+  take_segment_numbers();
+  // Ours are the first ones, in order; what other programs require are no vertices of a domain
+  // here.
+  bool in_order = true;
+  for (std::size_t i = 0; i < required_.size(); ++i) in_order = in_order && required_[i] == i;
+  m_.given = in_order ? static_cast<index>(required_.size()) : 0;
+  return {};
+}
+
+failure medit_reader::read_section(const word& keyword) {
+  if (keyword.text == "Vertices") return read_vertices();
+  if (keyword.text == "Triangles") return read_triangles();
+  if (keyword.text == "Edges") return read_edges();
+  if (keyword.text == "RequiredVertices") return read_required();
+  for (const skipped_section& s : skipped_sections)
+    if (keyword.text == s.keyword)
+      return skip(keyword, dimension_ == 2 ? s.words_in_2d : s.words_in_3d);
+  if (keyword.text == "Quadrilaterals" || keyword.text == "Tetrahedra" ||
+      keyword.text == "Hexahedra" || keyword.text == "Prisms" || keyword.text == "Pyramids") {
+    const auto count = to_count(source_, source_.next(), keyword.text);
+    if (!count.ok()) return count.failure();
+    if (count.value() == 0) return {};
+    return source_.failure(keyword.line,
+                           std::string(keyword.text) + ": only triangles can be read");
+  }
+  return source_.failure(keyword.line, quoted_token(keyword.text) + " is no known section");
+}
+
+result<std::size_t> medit_reader::read_count(std::string_view keyword, bool& seen) {
+  const word w = source_.next();
+  if (seen) return source_.failure(w.line, "a second section " + std::string(keyword));
+  seen = true;
+  const auto count = to_count(source_, w, keyword);
+  if (count.ok() && count.value() > std::numeric_limits<index>::max() / 4)
+    return source_.failure(w.line, std::string(keyword) + ": more than 32-bit numbers can name");
+  return count;
+}
+
+result<int> medit_reader::read_reference(std::string_view meaning) {
+  const word w = source_.next();
+  const auto value = to_integer(source_, w, meaning);
+  if (!value.ok()) return value.failure();
+  if (value.value() < std::numeric_limits<int>::min() ||
+      value.value() > std::numeric_limits<int>::max())
+    return source_.failure(
+        w.line, std::string(meaning) + ": " + quoted_token(w.text) + " does not fit into 32 bits");
+  return static_cast<int>(value.value());
+}
+
+result<index> medit_reader::read_vertex(std::string_view meaning) {
+  const word w = source_.next();
+  const auto value = to_integer(source_, w, meaning);
+  if (!value.ok()) return value.failure();
+  if (value.value() < 1 || value.value() > std::numeric_limits<index>::max())
+    return source_.failure(
+        w.line, std::string(meaning) + ": vertex " + quoted_token(w.text) + " does not exist");
+  const auto v = static_cast<index>(value.value() - 1);
+  // Sections come in any order; what lies beyond the vertices read so far is checked at the end.
+  if (v >= m_.sites.size()) uses_.push_back({v, w.line, meaning});
+  return v;
+}
+
+failure medit_reader::read_vertices() {
+  const auto count = read_count("Vertices", vertices_seen_);
+  if (!count.ok()) return count.failure();
+  m_.sites.reserve(count.value());
+  for (std::size_t i = 0; i < count.value(); ++i) {
+    const auto x = read_number("x of a vertex");
+    if (!x.ok()) return x.failure();
+    const auto y = read_number("y of a vertex");
+    if (!y.ok()) return y.failure();
+    if (dimension_ == 3) {
+      const word w = source_.next();
+      const auto z = to_number(source_, w, "z of a vertex");
+      if (!z.ok()) return z.failure();
+      if (z.value() != 0)
+        return source_.failure(w.line, "z of a vertex: " + quoted_token(w.text) +
+                                           " is not 0: only plane meshes can be read");
+    }
+    const auto reference = read_reference("reference of a vertex");
+    if (!reference.ok()) return reference.failure();
+    m_.sites.push_back({{x.value(), y.value()}, {}});
+  }
+  return {};
+}
+
+failure medit_reader::read_triangles() {
+  const auto count = read_count("Triangles", triangles_seen_);
+  if (!count.ok()) return count.failure();
+  m_.triangles.reserve(count.value());
+  for (std::size_t i = 0; i < count.value(); ++i) {
+    triangle t{};
+    for (index& corner : t) {
+      const auto v = read_vertex("corner of a triangle");
+      if (!v.ok()) return v.failure();
+      corner = v.value();
+    }
+    const auto reference = read_reference("reference of a triangle");
+    if (!reference.ok()) return reference.failure();
+    m_.triangles.push_back(t);
+  }
+  return {};
+}
+
+failure medit_reader::read_edges() {
+  const auto count = read_count("Edges", edges_seen_);
+  if (!count.ok()) return count.failure();
+  m_.boundary.reserve(count.value());
+  for (std::size_t i = 0; i < count.value(); ++i) {
+    const auto a = read_vertex("end of an edge");
+    if (!a.ok()) return a.failure();
+    const auto b = read_vertex("end of an edge");
+    if (!b.ok()) return b.failure();
+    const auto marker = read_reference("reference of an edge");
+    if (!marker.ok()) return marker.failure();
+    m_.boundary.push_back({a.value(), b.value(), static_cast<index>(i), marker.value()});
+  }
+  return {};
+}
+
+failure medit_reader::read_required() {
+  const auto count = read_count("RequiredVertices", required_seen_);
+  if (!count.ok()) return count.failure();
+  for (std::size_t i = 0; i < count.value(); ++i) {
+    const auto v = read_vertex("required vertex");
+    if (!v.ok()) return v.failure();
+    required_.push_back(v.value());
+  }
+  return {};
+}
+
+failure medit_reader::skip(const word& keyword, int words) {
+  const auto count = to_count(source_, source_.next(), keyword.text);
+  if (!count.ok()) return count.failure();
+  for (std::size_t i = 0; i < count.value() * static_cast<std::size_t>(words); ++i)
+    if (const auto value = read_number(keyword.text); !value.ok()) return value.failure();
+  return {};
+}
+
+failure medit_reader::check_vertices() {
+  for (const use& u : uses_)
+    if (u.vertex >= m_.sites.size())
+      return source_.failure(
+          u.line, std::string(u.meaning) + ": vertex " + std::to_string(std::size_t{u.vertex} + 1) +
+                      " does not exist; there are " + std::to_string(m_.sites.size()));
+  return {};
+}
+
+// Comments are only believed when they fit: one number from 1 for every edge.
+void medit_reader::take_segment_numbers() {
+  constexpr std::string_view mark = "segments";
+  std::vector<index> numbers;
+  for (const std::string_view comment : source_.comments()) {
+    if (!comment.starts_with(mark)) continue;
+    text_scanner words("", comment.substr(mark.size()));
+    for (word w = words.next(); !w.empty(); w = words.next()) {
+      const auto number = to_integer(words, w, "");
+      if (!number.ok() || number.value() < 1 || number.value() > std::numeric_limits<index>::max())
+        return;
+      numbers.push_back(static_cast<index>(number.value() - 1));
+    }
+  }
+  if (numbers.size() != m_.boundary.size()) return;
+  for (std::size_t i = 0; i < numbers.size(); ++i) m_.boundary[i].segment = numbers[i];
+}
+
+failure medit_reader::read_solution() {
+  if (auto failed = read_header()) return failed;
+  bool seen = false;
+  while (true) {
+    const word keyword = source_.next();
+    if (keyword.empty() || keyword.text == "End") break;
+    if (keyword.text != "SolAtVertices" || seen)
+      return source_.failure(
+          keyword.line, quoted_token(keyword.text) + " where one section SolAtVertices should be");
+    seen = true;
+    if (auto failed = read_tensors()) return failed;
+  }
+  if (!seen) return source_.failure(source_.line(), "there is no section SolAtVertices");
+  return {};
+}
+
+failure medit_reader::read_tensors() {
+  const word w = source_.next();
+  const auto count = to_count(source_, w, "SolAtVertices");
+  if (!count.ok()) return count.failure();
+  if (count.value() != m_.sites.size())
+    return source_.failure(w.line, "SolAtVertices: " + std::to_string(count.value()) +
+                                       " tensors for " + std::to_string(m_.sites.size()) +
+                                       " vertices");
+  const word fields = source_.next(), type = source_.next();
+  if (fields.text != "1" || type.text != "3")
+    return source_.failure(type.line, "SolAtVertices: '1 3' wanted, one symmetric tensor, not '" +
+                                          std::string(fields.text) + " " + std::string(type.text) +
+                                          "'");
+  for (site& s : m_.sites) {
+    std::array<double, 6> entries{1, 0, 1, 0, 0, 0};
+    for (std::size_t i = 0; i < (dimension_ == 2 ? 3U : 6U); ++i) {
+      const auto value = read_number("entry of a tensor");
+      if (!value.ok()) return value.failure();
+      entries[i] = value.value();
+    }
+    s.metric = {entries[0], entries[1], entries[2]};
+  }
+  return {};
+}
+
+failure read_solution_of(const std::filesystem::path& path, mesh& m,
+                         const medit_read_options& options) {
+  std::error_code status;
+  if (options.identity_without_solution && !std::filesystem::exists(path, status)) {
+    for (site& s : m.sites) s.metric = {1, 0, 1};
+    return {};
+  }
+  const auto text = read_text_file(path);
+  if (!text.ok()) return text.failure();
+  text_scanner source(path.string(), text.value());
+  return medit_reader(source, m).read_solution();
+}
+
+}  // namespace
+
+result<mesh> read_medit(const std::filesystem::path& path, const medit_read_options& options) {
+  const auto text = read_text_file(path);
+  if (!text.ok()) return text.failure();
+  text_scanner source(path.string(), text.value());
+  mesh m;
+  if (auto failed = medit_reader(source, m).read_mesh()) return std::move(*failed);
+  if (auto failed = read_solution_of(solution_path(path), m, options)) return std::move(*failed);
+  return m;
+}
+
+}  // namespace asterism

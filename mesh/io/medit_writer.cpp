@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+#include "asterism/core/sign.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/io/medit.hpp"
+
+namespace asterism {
+
+namespace {
+
+using text = std::back_insert_iterator<std::string>;
+
+// The marker of a boundary piece at each vertex, 0 for vertices on none.
+std::vector<int> vertex_references(const mesh& m) {
+  std::vector<int> references(m.sites.size(), 0);
+  for (const boundary_edge& e : m.boundary)
+    for (const index v : {e.a, e.b})
+      if (v < references.size() && references[v] == 0) references[v] = e.marker;
+  return references;
+}
+
+// The given vertices at which the boundary is not one straight line.
+std::vector<index> corners(const mesh& m) {
+  std::vector<std::vector<const boundary_edge*>> arriving(m.given), leaving(m.given);
+  for (const boundary_edge& e : m.boundary) {
+    if (e.a >= m.sites.size() || e.b >= m.sites.size()) continue;
+    if (e.a < m.given) leaving[e.a].push_back(&e);
+    if (e.b < m.given) arriving[e.b].push_back(&e);
+  }
+  const filtered_kernel kernel;
+  std::vector<index> found;
+  for (index v = 0; v < m.given; ++v) {
+    if (leaving[v].empty() && arriving[v].empty()) continue;
+    const bool simple = leaving[v].size() == 1 && arriving[v].size() == 1;
+    if (simple && kernel.orientation(m.sites[arriving[v][0]->a].position, m.sites[v].position,
+                                     m.sites[leaving[v][0]->b].position) == sign::zero)
+      continue;
+    found.push_back(v);
+  }
+  return found;
+}
+
+void write_list(text out, const char* keyword, const std::vector<index>& vertices) {
+  if (vertices.empty()) return;
+  fmt::format_to(out, "\n{}\n{}\n", keyword, vertices.size());
+  for (const index v : vertices) fmt::format_to(out, "{}\n", v + 1);
+}
+
+// Comments of at most 80 characters: some readers take lines in pieces of a fixed length.
+void write_segments(text out, const mesh& m) {
+  std::string line = "#segments";
+  for (const boundary_edge& e : m.boundary) {
+    const std::string number = fmt::format(" {}", std::size_t{e.segment} + 1);
+    if (line.size() + number.size() > 80) {
+      fmt::format_to(out, "{}\n", line);
+      line = "#segments";
+    }
+    line += number;
+  }
+  fmt::format_to(out, "{}\n", line);
+}
+
+void write_boundary(text out, const mesh& m) {
+  if (m.boundary.empty()) return;
+  fmt::format_to(out, "\nEdges\n{}\n", m.boundary.size());
+  for (const boundary_edge& e : m.boundary)
+    fmt::format_to(out, "{} {} {}\n", e.a + 1, e.b + 1, e.marker);
+  write_segments(out, m);
+}
+
+}  // namespace
+
+std::string medit_mesh_text(const mesh& m) {
+  std::string contents = "MeshVersionFormatted 2\n\nDimension 2\n";
+  const text out(contents);
+  fmt::format_to(out, "\nVertices\n{}\n", m.sites.size());
+  const std::vector<int> references = vertex_references(m);
+  for (std::size_t v = 0; v < m.sites.size(); ++v) {
+    const point& p = m.sites[v].position;
+    fmt::format_to(out, "{:.17g} {:.17g} {}\n", p.x, p.y, references[v]);
+  }
+  fmt::format_to(out, "\nTriangles\n{}\n", m.triangles.size());
+  for (const triangle& t : m.triangles)
+    fmt::format_to(out, "{} {} {} 1\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  write_boundary(out, m);
+  write_list(out, "Corners", corners(m));
+  std::vector<index> given(m.given);
+  for (index v = 0; v < m.given; ++v) given[v] = v;
+  write_list(out, "RequiredVertices", given);
+  contents += "\nEnd\n";
+  return contents;
+}
+
+std::string medit_solution_text(const mesh& m) {
+  // One field, of type 3: a symmetric tensor, its upper triangle column by column.
+  std::string contents = fmt::format(
+      "MeshVersionFormatted 2\n\nDimension 2\n\nSolAtVertices\n{}\n1 3\n", m.sites.size());
+  for (const site& s : m.sites)
+    fmt::format_to(std::back_inserter(contents), "{:.17g} {:.17g} {:.17g}\n", s.metric.m11,
+                   s.metric.m12, s.metric.m22);
+  contents += "\nEnd\n";
+  return contents;
+}
+
+std::filesystem::path solution_path(const std::filesystem::path& mesh_path) {
+  return std::filesystem::path(mesh_path).replace_extension(".sol");
+}
+
+}  // namespace asterism

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/poly.hpp"
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "asterism/kernels/parse_number.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
+
+namespace asterism {
+
+namespace {
+
+using words = std::vector<word>;
+using failure = std::optional<error>;
+
+// Reads one file, a .poly or a .node, into a domain that is still being put together.
+class poly_reader {
+ public:
+  poly_reader(text_scanner& source, domain& d) : source_(source), d_(d) {}
+
+  // `count` is set to the number of vertices the header announces.
+  failure read_vertices(std::size_t& count);
+  failure read_segments();
+  failure read_holes();
+  failure read_regions();
+  failure expect_end();
+
+ private:
+  // The header of the vertices: their number, and how many words each line has.
+  failure read_vertex_header(std::size_t& count, std::size_t& record_size);
+  failure read_vertex(const words& record);
+  failure read_segment(const words& record, std::size_t expected_size);
+  failure read_point(const words& record, std::string_view what, point& p);
+  // A header line with 1 to `most` words; `wanted` says what it should hold.
+  failure read_header(std::string_view wanted, std::size_t most, words& header);
+  // The next line, as record `position` (from 0) of `count`: its number must follow on.
+  failure read_record(std::string_view what, std::size_t position, std::size_t count,
+                      std::size_t least, std::size_t most, words& record);
+  failure check_number(std::string_view what, const word& number, std::size_t position);
+  // Words `from` and later are numbers; they are not used.
+  failure check_unused(const words& record, std::size_t from, std::string_view what);
+  failure read_flag(const words& header, std::size_t at, std::string_view what, std::size_t& flag);
+
+  text_scanner& source_;
+  domain& d_;
+  std::optional<long long> first_number_;  // of this file's vertices, then of its segments
+};
+
+failure poly_reader::read_header(std::string_view wanted, std::size_t most, words& header) {
+  header = source_.next_line();
+  if (header.empty())
+    return source_.failure(source_.line(),
+                           "the file ends where " + std::string(wanted) + " should follow");
+  if (header.size() > most)
+    return source_.failure(
+        header[most].line,
+        quoted_token(header[most].text) + " is too much: this line holds " + std::string(wanted));
+  return {};
+}
+
+failure poly_reader::read_record(std::string_view what, std::size_t position, std::size_t count,
+                                 std::size_t least, std::size_t most, words& record) {
+  record = source_.next_line();
+  const std::string name(what);
+  if (record.empty())
+    return source_.failure(source_.line(), "the file ends after " + std::to_string(position) +
+                                               " of " + std::to_string(count) + " " + name +
+                                               " lines");
+  if (record.size() < least)
+    return source_.failure(record[0].line, "a " + name + " line needs " + std::to_string(least) +
+                                               " numbers, this one has " +
+                                               std::to_string(record.size()));
+  if (record.size() > most)
+    return source_.failure(record[most].line, quoted_token(record[most].text) + " is too much: a " +
+                                                  name + " line has " + std::to_string(most) +
+                                                  " numbers here");
+  return check_number(what, record[0], position);
+}
+
+failure poly_reader::check_number(std::string_view what, const word& number, std::size_t position) {
+  const std::string name(what);
+  const auto value = to_integer(source_, number, name + " number");
+  if (!value.ok()) return value.failure();
+  if (position == 0 && (value.value() == 0 || value.value() == 1)) {
+    first_number_ = value.value();
+    return {};
+  }
+  if (position == 0)
+    return source_.failure(number.line,
+                           name + " numbers start at 0 or 1, not at " + quoted_token(number.text));
+  const long long expected = *first_number_ + static_cast<long long>(position);
+  if (value.value() == expected) return {};
+  if (value.value() >= *first_number_ && value.value() < expected)
+    return source_.failure(number.line,
+                           name + " number " + std::to_string(value.value()) + " occurs twice");
+  return source_.failure(number.line, name + " number " + quoted_token(number.text) + " where " +
+                                          std::to_string(expected) +
+                                          " should follow: numbers go up by one");
+}
+
+failure poly_reader::check_unused(const words& record, std::size_t from, std::string_view what) {
+  for (std::size_t i = from; i < record.size(); ++i)
+    if (const auto value = to_number(source_, record[i], what); !value.ok()) return value.failure();
+  return {};
+}
+
+failure poly_reader::read_flag(const words& header, std::size_t at, std::string_view what,
+                               std::size_t& flag) {
+  if (header.size() <= at) return {};
+  const auto value = to_integer(source_, header[at], what);
+  if (!value.ok()) return value.failure();
+  if (value.value() != 0 && value.value() != 1)
+    return source_.failure(
+        header[at].line,
+        std::string(what) + ": " + quoted_token(header[at].text) + " should be 0 or 1");
+  flag = static_cast<std::size_t>(value.value());
+  return {};
+}
+
+failure poly_reader::read_vertex_header(std::size_t& count, std::size_t& record_size) {
+  words header;
+  if (auto failed = read_header("<vertices> <dimension> <attributes> <markers>", 4, header))
+    return failed;
+  const auto announced = to_count(source_, header[0], "number of vertices");
+  if (!announced.ok()) return announced.failure();
+  count = announced.value();
+  // The mesh adds vertices of its own to these.
+  if (count > std::numeric_limits<index>::max() / 4)
+    return source_.failure(header[0].line, "more vertices than 32-bit numbers can name");
+  if (header.size() > 1) {
+    const auto dimension = to_integer(source_, header[1], "dimension");
+    if (!dimension.ok()) return dimension.failure();
+    if (dimension.value() != 2)
+      return source_.failure(header[1].line,
+                             "dimension: " + quoted_token(header[1].text) + " should be 2");
+  }
+  std::size_t attributes = 0, markers = 0;
+  if (header.size() > 2) {
+    const auto given = to_count(source_, header[2], "number of attributes");
+    if (!given.ok()) return given.failure();
+    attributes = given.value();
+  }
+  if (auto failed = read_flag(header, 3, "number of vertex markers", markers)) return failed;
+  record_size = 3 + attributes + markers;
+  return {};
+}
+
+failure poly_reader::read_vertices(std::size_t& count) {
+  std::size_t size = 0;
+  if (auto failed = read_vertex_header(count, size)) return failed;
+  words record;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (auto failed = read_record("vertex", i, count, size, size, record)) return failed;
+    if (auto failed = read_vertex(record)) return failed;
+  }
+  if (count > 0) d_.origin.first_number = static_cast<int>(*first_number_);
+  return {};
+}
+
+failure poly_reader::read_vertex(const words& record) {
+  point p;
+  if (auto failed = read_point(record, "vertex", p)) return failed;
+  if (auto failed = check_unused(record, 3, "vertex attribute")) return failed;
+  d_.vertices.push_back(p);
+  d_.origin.vertex_lines.push_back(record[0].line);
+  return {};
+}
+
+failure poly_reader::read_point(const words& record, std::string_view what, point& p) {
+  const std::string name(what);
+  const auto x = to_number(source_, record[1], "x of " + name + " " + std::string(record[0].text));
+  if (!x.ok()) return x.failure();
+  const auto y = to_number(source_, record[2], "y of " + name + " " + std::string(record[0].text));
+  if (!y.ok()) return y.failure();
+  p = {x.value(), y.value()};
+  return {};
+}
+
+failure poly_reader::read_segments() {
+  words header, record;
+  if (auto failed = read_header("<segments> <markers>", 2, header)) return failed;
+  const auto count = to_count(source_, header[0], "number of segments");
+  if (!count.ok()) return count.failure();
+  std::size_t markers = 0;
+  if (auto failed = read_flag(header, 1, "number of segment markers", markers)) return failed;
+  for (std::size_t i = 0; i < count.value(); ++i) {
+    if (auto failed = read_record("segment", i, count.value(), 3 + markers, 3 + markers, record))
+      return failed;
+    if (auto failed = read_segment(record, 3 + markers)) return failed;
+  }
+  return {};
+}
+
+failure poly_reader::read_segment(const words& record, std::size_t expected_size) {
+  const long long first = d_.origin.first_number;
+  const auto vertices = static_cast<long long>(d_.vertices.size());
+  index ends[2] = {};
+  for (int end = 0; end < 2; ++end) {
+    const word& w = record[static_cast<std::size_t>(end) + 1];
+    const auto number = to_integer(source_, w, "vertex of segment " + std::string(record[0].text));
+    if (!number.ok()) return number.failure();
+    if (number.value() < first || number.value() >= first + vertices)
+      return source_.failure(w.line, "segment " + std::string(record[0].text) + ": vertex " +
+                                         quoted_token(w.text) + " does not exist; there are " +
+                                         std::to_string(first) + " to " +
+                                         std::to_string(first + vertices - 1));
+    ends[end] = static_cast<index>(number.value() - first);
+  }
+  int marker = 0;
+  if (expected_size > 3) {
+    const auto value = to_integer(source_, record[3], "segment marker");
+    if (!value.ok()) return value.failure();
+    if (value.value() < std::numeric_limits<int>::min() ||
+        value.value() > std::numeric_limits<int>::max())
+      return source_.failure(record[3].line, "segment marker: " + quoted_token(record[3].text) +
+                                                 " does not fit into 32 bits");
+    marker = static_cast<int>(value.value());
+  }
+  d_.segments.push_back({ends[0], ends[1], marker});
+  d_.origin.segment_lines.push_back(record[0].line);
+  return {};
+}
+
+failure poly_reader::read_holes() {
+  words header, record;
+  if (auto failed = read_header("<holes>", 1, header)) return failed;
+  const auto count = to_count(source_, header[0], "number of holes");
+  if (!count.ok()) return count.failure();
+  for (std::size_t i = 0; i < count.value(); ++i) {
+    if (auto failed = read_record("hole", i, count.value(), 3, 3, record)) return failed;
+    point p;
+    if (auto failed = read_point(record, "hole", p)) return failed;
+    d_.holes.push_back(p);
+    d_.origin.hole_lines.push_back(record[0].line);
+  }
+  return {};
+}
+
+failure poly_reader::read_regions() {
+  words record;
+  const words header = source_.next_line();
+  if (header.empty()) return {};
+  if (header.size() > 1)
+    return source_.failure(
+        header[1].line, quoted_token(header[1].text) + " is too much: this line holds <regions>");
+  const auto count = to_count(source_, header[0], "number of regions");
+  if (!count.ok()) return count.failure();
+  for (std::size_t i = 0; i < count.value(); ++i) {
+    if (auto failed = read_record("region", i, count.value(), 4, 5, record)) return failed;
+    if (auto failed = check_unused(record, 1, "region")) return failed;
+  }
+  return {};
+}
+
+failure poly_reader::expect_end() {
+  const word extra = source_.next();
+  if (extra.empty()) return {};
+  return source_.failure(extra.line,
+                         quoted_token(extra.text) + " is too much: the file should end here");
+}
+
+// Triangle's convention for a .poly file without vertices of its own.
+failure read_node_file(const std::filesystem::path& poly_path, domain& d) {
+  const std::filesystem::path path = std::filesystem::path(poly_path).replace_extension(".node");
+  const auto text = read_text_file(path);
+  if (!text.ok())
+    return error{poly_path.string() + " has no vertices of its own, and " + text.failure().message};
+  text_scanner source(path.string(), text.value());
+  poly_reader reader(source, d);
+  std::size_t count = 0;
+  if (auto failed = reader.read_vertices(count)) return failed;
+  d.origin.vertex_file = path.string();
+  return reader.expect_end();
+}
+
+failure read_poly_text(const std::filesystem::path& path, text_scanner& source, domain& d) {
+  poly_reader reader(source, d);
+  std::size_t vertices = 0;
+  if (auto failed = reader.read_vertices(vertices)) return failed;
+  if (vertices == 0)
+    if (auto failed = read_node_file(path, d)) return failed;
+  if (auto failed = reader.read_segments()) return failed;
+  if (auto failed = reader.read_holes()) return failed;
+  if (auto failed = reader.read_regions()) return failed;
+  return reader.expect_end();
+}
+
+}  // namespace
+
+result<domain> read_poly(const std::filesystem::path& path) {
+  const auto text = read_text_file(path);
+  if (!text.ok()) return text.failure();
+  text_scanner source(path.string(), text.value());
+  if (text_scanner(source).next().empty()) return error{path.string() + ": the file is empty"};
+  domain d;
+  d.name = path.string();
+  d.origin.file = d.origin.vertex_file = path.string();
+  if (auto failed = read_poly_text(path, source, d)) return std::move(*failed);
+  return d;
+}
+
+}  // namespace asterism

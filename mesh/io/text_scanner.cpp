@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/text_scanner.hpp"
+
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <system_error>
+
+#include "asterism/kernels/parse_number.hpp"
+
+namespace asterism {
+
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
+
+}  // namespace
+
+result<std::string> read_text_file(const std::filesystem::path& path) {
+  std::error_code status;
+  if (!std::filesystem::exists(path, status)) return error{path.string() + ": no such file"};
+  // A directory opens like a file and only fails later, a pipe may never end.
+  if (!std::filesystem::is_regular_file(path, status))
+    return error{path.string() + ": not a regular file"};
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return error{path.string() + ": cannot be opened for reading"};
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (in.bad()) return error{path.string() + ": cannot be read to its end"};
+  return text;
+}
+
+void text_scanner::skip_blanks(bool across_lines) {
+  while (!at_end()) {
+    const char c = text_[position_];
+    if (c == '#') {
+      const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+      comments_.push_back(text_.substr(position_ + 1, end - position_ - 1));
+      position_ = end;
+    } else if (c == '\n' && across_lines) {
+      ++line_;
+      ++position_;
+    } else if (is_blank(c)) {
+      ++position_;
+    } else {
+      return;
+    }
+  }
+}
+
+word text_scanner::next() {
+  skip_blanks(true);
+  const std::size_t begin = position_;
+  while (!at_end() && !is_blank(text_[position_]) && text_[position_] != '\n' &&
+         text_[position_] != '#')
+    ++position_;
+  return {text_.substr(begin, position_ - begin), line_};
+}
+
+std::vector<word> text_scanner::next_line() {
+  std::vector<word> words;
+  for (word w = next(); !w.empty(); w = next()) {
+    words.push_back(w);
+    skip_blanks(false);
+    if (at_end() || text_[position_] == '\n') break;
+  }
+  return words;
+}
+
+error text_scanner::failure(std::size_t line, const std::string& what) const {
+  return {file_ + ":" + std::to_string(line) + ": " + what};
+}
+
+result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning) {
+  if (w.empty()) return source.failure(w.line, std::string(meaning) + ": the file ends here");
+  const result<double> value = parse_number(w.text);
+  if (!value.ok())
+    return source.failure(w.line, std::string(meaning) + ": " + value.failure().message);
+  return value.value();
+}
+
+result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning) {
+  if (w.empty()) return source.failure(w.line, std::string(meaning) + ": the file ends here");
+  std::string_view digits = w.text;
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+  long long value = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto read = std::from_chars(digits.data(), end, value);
+  const bool too_large = read.ec == std::errc::result_out_of_range;
+  if (read.ptr != end || (read.ec != std::errc() && !too_large))
+    return source.failure(
+        w.line, std::string(meaning) + ": " + quoted_token(w.text) + " is not a whole number");
+  if (too_large)
+    return source.failure(w.line,
+                          std::string(meaning) + ": " + quoted_token(w.text) + " is too large");
+  return value;
+}
+
+result<std::size_t> to_count(const text_scanner& source, const word& w, std::string_view meaning) {
+  const auto value = to_integer(source, w, meaning);
+  if (!value.ok()) return value.failure();
+  if (value.value() < 0)
+    return source.failure(w.line,
+                          std::string(meaning) + ": " + quoted_token(w.text) + " is negative");
+  const auto count = static_cast<unsigned long long>(value.value());
+  if (count > source.remaining() / 2 + 1)
+    return source.failure(w.line, std::string(meaning) + ": " + quoted_token(w.text) +
+                                      " is more than the rest of the file can hold");
+  return static_cast<std::size_t>(count);
+}
+
+}  // namespace asterism

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// Text files as words with line numbers, for the readers of this folder. Errors say
+// `file:line: what`.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+
+namespace asterism {
+
+// The whole file; fails naming it when it is missing, no regular file, or unreadable.
+result<std::string> read_text_file(const std::filesystem::path& path);
+
+struct word {
+  std::string_view text;
+  std::size_t line = 0;  // from 1
+
+  bool empty() const { return text.empty(); }
+};
+
+// Words are separated by blanks (space, tab, return, form feed, line ends). `#` starts a comment
+// that runs to the end of its line. The text must outlive the scanner and its words.
+class text_scanner {
+ public:
+  text_scanner(std::string file, std::string_view text) : file_(std::move(file)), text_(text) {}
+
+  // The next word, or an empty one (with the last line's number) at the end of the text.
+  word next();
+  // The words of the next line that has any; empty at the end of the text.
+  std::vector<word> next_line();
+  // The comments passed so far, without their `#`.
+  const std::vector<std::string_view>& comments() const { return comments_; }
+
+  std::size_t line() const { return line_; }
+  // Bytes not yet read: no more records than that can follow.
+  std::size_t remaining() const { return text_.size() - position_; }
+  const std::string& file() const { return file_; }
+  error failure(std::size_t line, const std::string& what) const;
+
+ private:
+  void skip_blanks(bool across_lines);
+  bool at_end() const { return position_ == text_.size(); }
+
+  std::string file_;
+  std::string_view text_;
+  std::size_t position_ = 0, line_ = 1;
+  std::vector<std::string_view> comments_;
+};
+
+// The value of a word, or the error `file:line: <meaning>: ...`.
+result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning);
+result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning);
+// A number of records to come: not negative, and no more than the rest of the file can hold when
+// each takes at least two bytes.
+result<std::size_t> to_count(const text_scanner& source, const word& w, std::string_view meaning);
+
+}  // namespace asterism

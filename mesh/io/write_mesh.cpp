@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/write_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/vtu.hpp"
+
+namespace asterism {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, mesh_format>, 5> formats = {
+    {{".mesh", mesh_format::medit},
+     {".vtu", mesh_format::vtu},
+     {".svg", mesh_format::svg},
+     {".png", mesh_format::png},
+     {".pdf", mesh_format::pdf}}};
+
+std::string lower(std::string text) {
+  // Not std::tolower, whose answer depends on the locale.
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+picture_format picture_format_of(mesh_format format) {
+  if (format == mesh_format::svg) return picture_format::svg;
+  return format == mesh_format::png ? picture_format::png : picture_format::pdf;
+}
+
+// Writers index by these; a mesh made by hand may be wrong.
+std::optional<error> check_indices(const mesh& m) {
+  const auto bad = [&](index v) { return v >= m.sites.size(); };
+  for (const auto* triangles : {&m.triangles, &m.disagreeing})
+    for (const triangle& t : *triangles)
+      if (std::any_of(t.begin(), t.end(), bad)) return error{"a triangle names a missing site"};
+  for (const boundary_edge& e : m.boundary)
+    if (bad(e.a) || bad(e.b)) return error{"a boundary edge names a missing site"};
+  if (m.given > m.sites.size()) return error{"more given vertices than sites"};
+  return {};
+}
+
+result<std::vector<output_file>> render(const std::filesystem::path& path, mesh_format format,
+                                        const mesh& m, const write_options& options) {
+  if (format == mesh_format::medit)
+    return std::vector<output_file>{{path, medit_mesh_text(m)},
+                                    {solution_path(path), medit_solution_text(m)}};
+  if (format == mesh_format::vtu) return std::vector<output_file>{{path, vtu_text(m)}};
+  auto picture = draw_picture(m, picture_format_of(format), options.picture);
+  if (!picture.ok()) return error{path.string() + ": " + picture.failure().message};
+  return std::vector<output_file>{{path, std::move(picture).value()}};
+}
+
+}  // namespace
+
+result<mesh_format> mesh_format_of(const std::filesystem::path& path) {
+  const std::string extension = lower(path.extension().string());
+  for (const auto& [name, format] : formats)
+    if (extension == name) return format;
+  return error{path.string() + ": unknown kind of file '" + extension +
+               "'; there are .mesh, .vtu, .svg, .png and .pdf"};
+}
+
+result<mesh_format> check_output(const std::filesystem::path& path) {
+  const auto format = mesh_format_of(path);
+  if (!format.ok()) return format;
+  if (const auto writable = check_writable(path); !writable.ok()) return writable.failure();
+  if (format.value() == mesh_format::medit)
+    if (const auto writable = check_writable(solution_path(path)); !writable.ok())
+      return writable.failure();
+  return format;
+}
+
+result<std::vector<std::filesystem::path>> write_mesh(const std::filesystem::path& path,
+                                                      const mesh& m, const write_options& options) {
+  const auto format = check_output(path);
+  if (!format.ok()) return format.failure();
+  if (auto failed = check_indices(m)) return error{path.string() + ": " + failed->message};
+  const auto files = render(path, format.value(), m, options);
+  if (!files.ok()) return files.failure();
+  return write_files(files.value());
+}
+
+}  // namespace asterism
