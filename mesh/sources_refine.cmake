@@ -1,1 +1,21 @@
-# target_sources(asterism PRIVATE ...)
+target_sources(asterism PRIVATE
+  boundary.cpp
+  consistency.cpp
+  constructions.cpp
+  constructions_polynomial.cpp
+  mesher.cpp
+  refine_arcs.cpp
+  refine_boundary.cpp
+  refine_darts.cpp
+  refine_placement.cpp
+  refine_quality.cpp
+  refine_state.cpp
+  refine_survey.cpp
+  refine_tolerance.cpp
+  refinement.cpp
+  star.cpp
+  star_construction.cpp
+  star_insertion.cpp
+  star_oracle.cpp
+  star_set.cpp
+  visibility.cpp)

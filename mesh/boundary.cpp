@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/boundary.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace asterism {
+namespace {
+
+struct ray {
+  index end;
+  bool leaving;  // the piece leaves the vertex along this ray; otherwise it enters along it
+};
+
+bool in_upper_half(const point& v, const point& a) {
+  return a.y > v.y || (a.y == v.y && a.x > v.x);
+}
+
+// Counter-clockwise order from the positive x direction; exact, and rays are distinct because
+// segments meet only in vertices.
+void sort_rays(std::vector<ray>& rays, const point& v, const std::vector<point>& vertices,
+               const star_kernel& kernel) {
+  std::sort(rays.begin(), rays.end(), [&](const ray& a, const ray& b) {
+    const point &pa = vertices[a.end], &pb = vertices[b.end];
+    const bool ha = in_upper_half(v, pa), hb = in_upper_half(v, pb);
+    if (ha != hb) return ha;
+    return kernel.orientation(v, pa, pb) == sign::positive;
+  });
+}
+
+// The inside follows each leaving ray counter-clockwise, up to the next ray, which must enter.
+bool pair_rays(const std::vector<ray>& rays, std::vector<boundary_corner>& corners) {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!rays[i].leaving) continue;
+    const ray& next = rays[(i + 1) % rays.size()];
+    if (next.leaving) return false;
+    corners.push_back({rays[i].end, next.end});
+  }
+  return 2 * corners.size() == rays.size();
+}
+
+}  // namespace
+
+result<boundary> boundary::build(const domain& d, const star_kernel& kernel) {
+  boundary b;
+  std::vector<std::vector<ray>> rays(d.vertices.size());
+  for (std::size_t s = 0; s < d.segments.size(); ++s) {
+    const segment& piece = d.segments[s];
+    b.pieces_.push_back({piece.a, piece.b, static_cast<index>(s), piece.marker});
+    rays[piece.a].push_back({piece.b, true});
+    rays[piece.b].push_back({piece.a, false});
+  }
+  b.corners_.resize(d.vertices.size());
+  for (std::size_t v = 0; v < rays.size(); ++v) {
+    sort_rays(rays[v], d.vertices[v], d.vertices, kernel);
+    if (!pair_rays(rays[v], b.corners_[v]))
+      return error{"vertex " + std::to_string(v + 1) +
+                   ": the segments at it do not separate inside from outside"};
+  }
+  return b;
+}
+
+const std::vector<boundary_corner>& boundary::corners(index v) const {
+  static const std::vector<boundary_corner> none;
+  return v < corners_.size() ? corners_[v] : none;
+}
+
+bool boundary::is_piece(index a, index b) const {
+  const auto& at_a = corners(a);
+  return std::any_of(at_a.begin(), at_a.end(),
+                     [b](const boundary_corner& c) { return c.first == b; });
+}
+
+void boundary::split(std::size_t piece, index m) {
+  const boundary_edge whole = pieces_[piece];
+  pieces_[piece].b = m;
+  pieces_.push_back({m, whole.b, whole.segment, whole.marker});
+  if (corners_.size() <= m) corners_.resize(m + 1);
+  for (boundary_corner& c : corners_[whole.a])
+    if (c.first == whole.b) c.first = m;
+  for (boundary_corner& c : corners_[whole.b])
+    if (c.last == whole.a) c.last = m;
+  corners_[m] = {{whole.b, whole.a}};
+}
+
+std::vector<boundary_edge> boundary::in_order() const {
+  std::vector<boundary_edge> ordered;
+  std::vector<boundary_edge> by_start(pieces_);
+  std::sort(by_start.begin(), by_start.end(), [](const boundary_edge& p, const boundary_edge& q) {
+    return p.segment != q.segment ? p.segment < q.segment : p.a < q.a;
+  });
+  for (auto begin = by_start.begin(); begin != by_start.end();) {
+    const auto end = std::find_if(
+        begin, by_start.end(), [&](const boundary_edge& p) { return p.segment != begin->segment; });
+    // A chain starts at the one vertex that ends no piece of it.
+    auto at = std::find_if(begin, end, [&](const boundary_edge& p) {
+      return std::none_of(begin, end, [&](const boundary_edge& q) { return q.b == p.a; });
+    });
+    for (auto steps = end - begin; steps > 0 && at != end; --steps) {
+      ordered.push_back(*at);
+      at = std::lower_bound(begin, end, at->b,
+                            [](const boundary_edge& p, index a) { return p.a < a; });
+    }
+    begin = end;
+  }
+  return ordered;
+}
+
+bool strictly_inside(const boundary& b, const std::vector<site>& sites, const star_kernel& kernel,
+                     const point& q) {
+  bool inside = false;
+  for (const boundary_edge& piece : b.pieces()) {
+    const point &p = sites[piece.a].position, &r = sites[piece.b].position;
+    if (std::max(p.y, r.y) < q.y || std::min(p.y, r.y) > q.y) continue;
+    if (std::max(p.x, r.x) < q.x) continue;
+    const sign side = kernel.orientation(p, r, q);
+    const bool within_x = std::min(p.x, r.x) <= q.x;
+    if (side == sign::zero && within_x) return false;  // the y range was checked above
+    // Half-open in y, so that a ray to the right through a vertex counts it once.
+    const bool upward = p.y <= q.y && q.y < r.y, downward = r.y <= q.y && q.y < p.y;
+    if ((upward && side == sign::positive) || (downward && side == sign::negative))
+      inside = !inside;
+  }
+  return inside;
+}
+
+}  // namespace asterism

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine_arcs.hpp"
+
+#include "asterism/mesh/constructions.hpp"
+
+namespace asterism {
+
+std::vector<point> arc_candidates(const refine_state& state, const triangle& t) {
+  const auto& sites = state.sites();
+  std::vector<point> candidates;
+  if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+    candidates = voronoi_vertices(sites[t[0]], sites[t[1]], sites[t[2]]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const index v = t[i], w = t[(i + 1) % 3];
+    if (v == w) continue;
+    for (const point& q : wedge_exits(sites[v], sites[w])) candidates.push_back(q);
+  }
+  return candidates;
+}
+
+bool refine_by_arcs(refine_state& state, const triangle& t, double tolerance,
+                    std::size_t& rejected) {
+  for (const point& q : arc_candidates(state, t)) {
+    if (place_site(state, q, tolerance) == placement_outcome::inserted) return true;
+    ++rejected;
+  }
+  return false;
+}
+
+}  // namespace asterism

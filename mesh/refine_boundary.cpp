@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+//
+// The half of refine_state that splits the boundary: encroachment, sharp corners, safe splits.
+#include <algorithm>
+#include <cmath>
+
+#include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/refine_state.hpp"
+#include "asterism/mesh/visibility.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr double sharp_angle = 60;  // degrees
+
+// Lengths on one shell agree up to rounding.
+constexpr double shell_slack = 1e-6;
+
+// The power of two nearest to half the length, as a ratio: within a factor sqrt(2) of it.
+double shell_radius(double length) { return std::exp2(std::round(std::log2(length / 2))); }
+
+bool in_closed_triangle(const star_kernel& kernel, const point& a, const point& b, const point& c,
+                        const point& q) {
+  return kernel.orientation(a, b, q) != sign::negative &&
+         kernel.orientation(b, c, q) != sign::negative &&
+         kernel.orientation(c, a, q) != sign::negative;
+}
+
+bool in_box(const point& a, const point& b, const point& q) {
+  return std::min(a.x, b.x) <= q.x && q.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= q.y &&
+         q.y <= std::max(a.y, b.y);
+}
+
+// Whether replacing a b by a m, m b leaves every other site and piece where it was: on the same
+// side of the boundary, and uncrossed. Only the sliver a, m, b changes sides.
+bool sliver_is_empty(const star_kernel& kernel, const std::vector<site>& sites,
+                     const boundary& edges, const boundary_edge& piece, const point& m) {
+  const point &a = sites[piece.a].position, &b = sites[piece.b].position;
+  const sign turn = kernel.orientation(a, b, m);
+  if (turn == sign::zero) return true;  // on the segment, which is already part of the boundary
+  const bool left = turn == sign::positive;
+  for (index w = 0; w < sites.size(); ++w) {
+    const point& q = sites[w].position;
+    if (w == piece.a || w == piece.b || !in_box(a, b, q)) continue;
+    if (in_closed_triangle(kernel, a, left ? b : m, left ? m : b, q)) return false;
+  }
+  return std::none_of(edges.pieces().begin(), edges.pieces().end(), [&](const boundary_edge& p) {
+    const point &r = sites[p.a].position, &s = sites[p.b].position;
+    return properly_cross(kernel, a, m, r, s) || properly_cross(kernel, m, b, r, s);
+  });
+}
+
+}  // namespace
+
+const domain_corner* refine_state::sharp_corner(index v, const boundary_edge& piece) const {
+  for (const domain_corner& c : corners_) {
+    if (c.vertex != v || c.angle >= sharp_angle) continue;
+    const boundary_corner ends = edges_.corners(v)[c.sector];
+    if (piece.a == v ? ends.first == piece.b : ends.last == piece.a) return &c;
+  }
+  return nullptr;
+}
+
+// The far end of the piece across a sharp corner, when it is no nearer to the corner.
+bool refine_state::is_excused(const boundary_edge& piece, index w) const {
+  for (const index v : {piece.a, piece.b}) {
+    const domain_corner* c = sharp_corner(v, piece);
+    if (c == nullptr) continue;
+    const boundary_corner ends = edges_.corners(v)[c->sector];
+    if (w != (piece.a == v ? ends.last : ends.first)) continue;
+    const site& corner = sites_[v];
+    const point& far_end = sites_[piece.a == v ? piece.b : piece.a].position;
+    if (squared_distance(corner, sites_[w].position) >=
+        (1 - shell_slack) * squared_distance(corner, far_end))
+      return true;
+  }
+  return false;
+}
+
+bool refine_state::is_encroached(std::size_t piece, const site& s,
+                                 std::optional<index> self) const {
+  const boundary_edge& p = edges_.pieces()[piece];
+  if (self && (*self == p.a || *self == p.b)) return false;
+  const site &a = sites_[p.a], &b = sites_[p.b];
+  if (kernel_->orientation(a.position, b.position, s.position) != sign::positive) return false;
+  if (self && is_excused(p, *self)) return false;
+  return kernel_->encroaches(a, b, s);
+}
+
+std::vector<std::size_t> refine_state::encroached_by(const site& s) const {
+  std::vector<std::size_t> found;
+  for (std::size_t piece = 0; piece < edges_.pieces().size(); ++piece)
+    if (is_encroached(piece, s, std::nullopt)) found.push_back(piece);
+  return found;
+}
+
+std::optional<index> refine_state::find_encroacher(std::size_t piece) const {
+  for (index w = 0; w < sites_.size(); ++w)
+    if (is_encroached(piece, sites_[w], w)) return w;
+  return std::nullopt;
+}
+
+void refine_state::note_encroached_by(index w) {
+  for (std::size_t piece = 0; piece < edges_.pieces().size(); ++piece)
+    if (is_encroached(piece, sites_[w], w)) suspects_.push_back(piece);
+}
+
+point refine_state::split_point(const boundary_edge& piece) const {
+  const site &a = sites_[piece.a], &b = sites_[piece.b];
+  const bool sharp_a = sharp_corner(piece.a, piece) != nullptr;
+  const bool sharp_b = sharp_corner(piece.b, piece) != nullptr;
+  if (sharp_a == sharp_b) return bisector_point(a, b);
+  const site &corner = sharp_a ? a : b, &other = sharp_a ? b : a;
+  const double length = std::sqrt(squared_distance(corner, other.position));
+  return point_at_distance(corner, other.position, shell_radius(length));
+}
+
+bool refine_state::can_split_at(const boundary_edge& piece, const site& m, double shortest) const {
+  const site &a = sites_[piece.a], &b = sites_[piece.b];
+  if (!in_box(a.position, b.position, m.position)) return false;
+  if (m.position == a.position || m.position == b.position) return false;
+  for (const site* end : {&a, &b}) {
+    const double least =
+        std::min(squared_distance(*end, m.position), squared_distance(m, end->position));
+    if (!(least > shortest * shortest)) return false;
+  }
+  return sliver_is_empty(*kernel_, sites_, edges_, piece, m.position);
+}
+
+bool refine_state::split(std::size_t piece, double shortest) {
+  const boundary_edge whole = edges_.pieces()[piece];
+  const auto m = site_at(split_point(whole));
+  if (!m || !can_split_at(whole, *m, shortest)) return false;
+  const auto added = static_cast<index>(sites_.size());
+  sites_.push_back(*m);
+  edges_.split(piece, added);
+  stars_.split_piece(oracle(), whole.a, added, whole.b);
+  ++splits_;
+  suspects_.push_back(piece);
+  suspects_.push_back(edges_.pieces().size() - 1);
+  note_encroached_by(added);
+  return true;
+}
+
+void refine_state::clear_encroachments(double shortest, std::size_t most_sites) {
+  while (!suspects_.empty() && sites_.size() < most_sites) {
+    const std::size_t piece = suspects_.back();
+    suspects_.pop_back();
+    if (find_encroacher(piece)) split(piece, shortest);
+  }
+}
+
+void refine_state::shorten_pieces(double longest, std::size_t most_sites) {
+  for (std::size_t piece = 0; piece < edges_.pieces().size(); ++piece) {
+    const auto too_long = [&] {
+      const boundary_edge& p = edges_.pieces()[piece];
+      return std::max(piece_length(piece, p.a), piece_length(piece, p.b)) > longest;
+    };
+    while (sites_.size() < most_sites && too_long() && split(piece, 0)) {
+    }
+  }
+}
+
+}  // namespace asterism

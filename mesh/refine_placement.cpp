@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine_placement.hpp"
+
+#include <algorithm>
+
+namespace asterism {
+namespace {
+
+// Whether both of the triangle's other vertices lie in the corner's sector, ends included.
+bool lies_in_corner(const refine_state& state, const triangle& t, const domain_corner& c) {
+  const sector& s = state.stars()[c.vertex].sectors[c.sector];
+  const site_oracle oracle = state.oracle();
+  return std::all_of(t.begin(), t.end(), [&](index u) {
+    return u == c.vertex || locate(oracle, c.vertex, s, u).kind != placement_kind::outside;
+  });
+}
+
+}  // namespace
+
+placement_outcome place_site(refine_state& state, const point& q, double tolerance) {
+  if (!state.strictly_inside(q)) return placement_outcome::outside;
+  const auto s = state.site_at(q);
+  if (!s) return placement_outcome::outside;
+  if (!(state.distance_to_sites(*s) > tolerance)) return placement_outcome::too_near;
+  const std::vector<std::size_t> encroached = state.encroached_by(*s);
+  if (encroached.empty()) {
+    state.add_interior(*s);
+    return placement_outcome::inserted;
+  }
+  bool any = false;
+  for (const std::size_t piece : encroached) any |= state.split(piece, tolerance);
+  return any ? placement_outcome::inserted : placement_outcome::piece_too_short;
+}
+
+bool shorten_tight_corner(refine_state& state, const triangle& bad, const angle_requirement& angle,
+                          double tolerance) {
+  for (const domain_corner& c : state.corners()) {
+    if (!(c.angle < 2 * angle.degrees())) continue;
+    if (std::find(bad.begin(), bad.end(), c.vertex) == bad.end()) continue;
+    if (!lies_in_corner(state, bad, c)) continue;
+    auto [longer, shorter] = state.pieces_at(c);
+    if (state.piece_length(longer, c.vertex) < state.piece_length(shorter, c.vertex))
+      std::swap(longer, shorter);
+    if (state.split(longer, tolerance) || state.split(shorter, tolerance)) return true;
+  }
+  return false;
+}
+
+}  // namespace asterism

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine_quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "asterism/mesh/constructions.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr double to_degrees = 180 / std::numbers::pi;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+point difference(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
+double cross(const point& a, const point& b) { return a.x * b.y - a.y * b.x; }
+
+// The sum of the magnitudes inner_product adds up. Each term takes three rounded products and two
+// rounded differences of coordinates: 8 epsilon of this sum bounds the error with room to spare.
+double inner_product_magnitude(const metric_tensor& m, const point& a, const point& b) {
+  return m.m11 * std::abs(a.x * b.x) +
+         std::abs(m.m12) * (std::abs(a.x * b.y) + std::abs(a.y * b.x)) +
+         m.m22 * std::abs(a.y * b.y);
+}
+
+bool corner_is_low(const metric_tensor& m, const point& a, const point& b, double cotangent) {
+  const double left = inner_product(m, a, b) + 8 * epsilon * inner_product_magnitude(m, a, b);
+  if (left <= 0) return false;
+  const double det = determinant(m) - 4 * epsilon * (m.m11 * m.m22 + m.m12 * m.m12);
+  const double area = cross(a, b) - 8 * epsilon * (std::abs(a.x * b.y) + std::abs(a.y * b.x));
+  if (!(det > 0) || !(area > 0)) return true;  // too thin to be sure of in doubles
+  return !(left <= cotangent * std::sqrt(det) * area * (1 - 4 * epsilon));
+}
+
+double angle_between(const metric_tensor& m, const point& a, const point& b) {
+  const double across = std::sqrt(std::max(determinant(m), 0.0)) * cross(a, b);
+  return std::atan2(across, inner_product(m, a, b)) * to_degrees;
+}
+
+}  // namespace
+
+angle_requirement::angle_requirement(double degrees)
+    : degrees_(degrees), cotangent_(1 / std::tan(degrees * (1 + 1e-9) / to_degrees)) {}
+
+bool angle_requirement::is_low(const triangle_sites& t) const {
+  if (degrees_ == 0) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const point a = difference(t[(i + 1) % 3].position, t[i].position);
+    const point b = difference(t[(i + 2) % 3].position, t[i].position);
+    for (const site& from : t)
+      if (corner_is_low(from.metric, a, b, cotangent_)) return true;
+  }
+  return false;
+}
+
+double smallest_angle(const triangle_sites& t) {
+  double smallest = 180;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const point a = difference(t[(i + 1) % 3].position, t[i].position);
+    const point b = difference(t[(i + 2) % 3].position, t[i].position);
+    for (const site& from : t) smallest = std::min(smallest, angle_between(from.metric, a, b));
+  }
+  return smallest;
+}
+
+double corner_angle(const site& corner, const point& first, const point& last) {
+  return angle_between(corner.metric, difference(first, corner.position),
+                       difference(last, corner.position));
+}
+
+double metric_circumradius(const triangle_sites& t) {
+  const auto vertices = voronoi_vertices(t[0], t[1], t[2]);
+  if (vertices.empty()) return std::numeric_limits<double>::infinity();
+  return std::sqrt(squared_distance(t[0], vertices.front()));
+}
+
+}  // namespace asterism

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+//
+// A mesh being refined: sites, split boundary and stars, kept in step, and the ways to add a site.
+//
+// Encroachment (thesis, definition 8) is counted only from the domain's side of a piece.
+//
+// Corners whose angle in their own metric is below 60 degrees are *sharp*. Two pieces at a sharp
+// corner could encroach on each other for ever; therefore pieces with one sharp end are split at
+// power-of-two distances from it, in the corner's metric (concentric shells, after Ruppert), and
+// the far end of the piece across the corner does not count as encroaching unless it is nearer to
+// the corner: of two such pieces only the longer is ever split because of the other.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/boundary.hpp"
+#include "asterism/mesh/domain.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/metric_field.hpp"
+#include "asterism/mesh/star_kernel.hpp"
+#include "asterism/mesh/star_oracle.hpp"
+#include "asterism/mesh/star_set.hpp"
+
+namespace asterism {
+
+// An interior angle below 180 degrees between two input segments at a domain vertex. Its
+// directions never change, so neither does its angle.
+struct domain_corner {
+  index vertex = 0;
+  std::size_t sector = 0;  // which of the vertex's corners and sectors
+  double angle = 0;        // degrees, as the vertex measures it
+};
+
+class refine_state {
+ public:
+  // `field` and `kernel` must outlive the state. Fails where the field does, and for a boundary
+  // that check_domain would have refused.
+  static result<refine_state> start(const domain& d, const metric_field& field,
+                                    const star_kernel& kernel);
+
+  const std::vector<site>& sites() const { return sites_; }
+  const boundary& edges() const { return edges_; }
+  const star_set& stars() const { return stars_; }
+  star_set& stars() { return stars_; }
+  const star_kernel& kernel() const { return *kernel_; }
+  const std::vector<domain_corner>& corners() const { return corners_; }
+  // Valid until the state is moved.
+  site_oracle oracle() const { return {sites_, edges_, *kernel_}; }
+  std::size_t splits() const { return splits_; }
+
+  // Set when the metric field failed at a point that was tried; nothing can go on then.
+  const std::optional<error>& field_failure() const { return field_failure_; }
+
+  // The site at q with the field's metric; none where the field fails.
+  std::optional<site> site_at(const point& q);
+  bool strictly_inside(const point& q) const;
+  // The least of the distances to all sites, measured by them and by `s`. Linear.
+  double distance_to_sites(const site& s) const;
+  // The pieces a site at this place would encroach on.
+  std::vector<std::size_t> encroached_by(const site& s) const;
+
+  // Requires a site strictly inside the domain and distinct from the others.
+  void add_interior(const site& s);
+  // Splits one piece at its bisector point or shell. False, and nothing changed, when a new piece
+  // would be shorter than `shortest` (metric length, as any of its ends measures) or when doubles
+  // cannot split it: no double between its ends, or rounding would put a site or another piece on
+  // the wrong side.
+  bool split(std::size_t piece, double shortest);
+  // Splits pieces until none is encroached by a site, as far as `shortest` and `most_sites` allow.
+  void clear_encroachments(double shortest, std::size_t most_sites);
+  // Splits pieces longer than `longest`, as far as `most_sites` allows.
+  void shorten_pieces(double longest, std::size_t most_sites);
+
+  // The two pieces at a corner: leaving it, and entering it.
+  std::array<std::size_t, 2> pieces_at(const domain_corner& c) const;
+  // The piece's length as `from` measures it.
+  double piece_length(std::size_t piece, index from) const;
+
+ private:
+  refine_state(const metric_field& field, const star_kernel& kernel)
+      : field_(&field), kernel_(&kernel) {}
+
+  void find_corners();
+  bool is_encroached(std::size_t piece, const site& s, std::optional<index> self) const;
+  bool is_excused(const boundary_edge& piece, index w) const;
+  std::optional<index> find_encroacher(std::size_t piece) const;
+  const domain_corner* sharp_corner(index v, const boundary_edge& piece) const;
+  point split_point(const boundary_edge& piece) const;
+  bool can_split_at(const boundary_edge& piece, const site& m, double shortest) const;
+  void note_encroached_by(index w);
+
+  std::vector<site> sites_;
+  boundary edges_;
+  star_set stars_;
+  const metric_field* field_;
+  const star_kernel* kernel_;
+  std::vector<domain_corner> corners_;
+  std::vector<std::size_t> suspects_;  // pieces that may be encroached
+  std::size_t splits_ = 0;
+  std::optional<error> field_failure_;
+};
+
+}  // namespace asterism

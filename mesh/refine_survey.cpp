@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine_survey.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace asterism {
+namespace {
+
+// The order in which bad triangles are tried decides how many sites it takes; ties by position in
+// the mesh, so that the order is the same every time.
+void sort_worst_first(std::vector<bad_triangle>& bad) {
+  std::sort(bad.begin(), bad.end(), [](const bad_triangle& a, const bad_triangle& b) {
+    return std::tie(a.why, a.rank, a.where) < std::tie(b.why, b.rank, b.where);
+  });
+}
+
+void add_disagreeing(const refine_state& state, survey& s) {
+  std::vector<triangle> where = s.consistency.disagreeing;
+  for (const defect& d : s.consistency.defects) {
+    if (d.kind == defect_kind::wide_gap) where.push_back(d.where);
+    if (d.kind != defect_kind::unsettled) continue;
+    for (const triangle& t : s.consistency.agreeing)
+      if (std::find(t.begin(), t.end(), d.owner) != t.end()) where.push_back(t);
+  }
+  std::sort(where.begin(), where.end());
+  where.erase(std::unique(where.begin(), where.end()), where.end());
+  for (const triangle& t : where)
+    s.bad.push_back({badness::disagreeing, smallest_angle(sites_of(state, t)), t});
+  s.disagreeing = where.size();
+}
+
+}  // namespace
+
+triangle_sites sites_of(const refine_state& state, const triangle& t) {
+  return {state.sites()[t[0]], state.sites()[t[1]], state.sites()[t[2]]};
+}
+
+std::vector<exempt_corner> exempt_corners(const refine_state& state,
+                                          const angle_requirement& angle) {
+  std::map<index, double> smallest;
+  for (const domain_corner& c : state.corners()) {
+    if (!(c.angle < angle.degrees())) continue;
+    const auto [at, added] = smallest.try_emplace(c.vertex, c.angle);
+    if (!added) at->second = std::min(at->second, c.angle);
+  }
+  std::vector<exempt_corner> corners;
+  for (const auto& [vertex, degrees] : smallest) corners.push_back({vertex, degrees});
+  return corners;
+}
+
+survey take_survey(const refine_state& state, const angle_requirement& angle, bool limit_size) {
+  survey s;
+  s.consistency = check_consistency(state.oracle(), state.stars());
+  add_disagreeing(state, s);
+  const auto exempt = exempt_corners(state, angle);
+  const auto at_exempt_corner = [&](const triangle& t) {
+    return std::any_of(exempt.begin(), exempt.end(), [&](const exempt_corner& c) {
+      return std::find(t.begin(), t.end(), c.vertex) != t.end();
+    });
+  };
+  for (const triangle& t : s.consistency.agreeing) {
+    const triangle_sites sites = sites_of(state, t);
+    if (angle.is_low(sites)) {
+      if (at_exempt_corner(t)) {
+        s.exempt.push_back(t);
+      } else {
+        s.bad.push_back({badness::low_angle, smallest_angle(sites), t});
+        ++s.low_angle;
+        continue;
+      }
+    }
+    if (!limit_size) continue;
+    const double radius = metric_circumradius(sites);
+    if (!(radius > largest_circumradius)) continue;
+    s.bad.push_back({badness::too_large, -radius, t});
+    ++s.too_large;
+  }
+  sort_worst_first(s.bad);
+  return s;
+}
+
+}  // namespace asterism

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// What is still wrong with a mesh: its bad triangles, the worst first.
+//
+// Bad is what the thesis (section 4.1) calls bad: a disagreeing triangle, an angle below the bound
+// from the perspective of any vertex, or, with a size limit, a triangle too large. A wide gap of a
+// star and the triangles of a star that did not settle count as disagreeing.
+// Exempt from the angle bound, and listed, are triangles at a corner of the domain whose own angle
+// is below it: no mesh meets the bound there.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asterism/mesh/consistency.hpp"
+#include "asterism/mesh/refine_quality.hpp"
+#include "asterism/mesh/refine_state.hpp"
+
+namespace asterism {
+
+enum class badness { disagreeing, low_angle, too_large };
+
+struct bad_triangle {
+  badness why = badness::disagreeing;
+  double rank = 0;  // within its kind, smaller is worse: the smallest angle, or minus the size
+  // Counter-clockwise; for a wide gap the indices may repeat or run clockwise (consistency.hpp).
+  triangle where{};
+};
+
+struct survey {
+  consistency_report consistency;
+  std::vector<bad_triangle> bad;  // disagreeing, then low angles, then large; deterministic
+  std::size_t disagreeing = 0, low_angle = 0, too_large = 0;
+  std::vector<triangle> exempt;
+};
+
+survey take_survey(const refine_state& state, const angle_requirement& angle, bool limit_size);
+
+// The domain's corners below the bound, one for each vertex (its smallest), by vertex.
+std::vector<exempt_corner> exempt_corners(const refine_state& state,
+                                          const angle_requirement& angle);
+
+triangle_sites sites_of(const refine_state& state, const triangle& t);
+
+}  // namespace asterism

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine_tolerance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "asterism/mesh/constructions.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr double arc_fraction = 0.2;
+constexpr double arc_ladder = 1024;  // from start to floor
+constexpr double dart_ladder = 1024;
+
+// Squared distance from s to the segment a b, as s measures it.
+double squared_distance_to_segment(const site& s, const point& a, const point& b) {
+  const point d{b.x - a.x, b.y - a.y}, e{s.position.x - a.x, s.position.y - a.y};
+  const double t =
+      std::clamp(inner_product(s.metric, d, e) / inner_product(s.metric, d, d), 0.0, 1.0);
+  return squared_distance(s, {a.x + t * d.x, a.y + t * d.y});
+}
+
+double shortest_distance(const refine_state& state) {
+  const auto& sites = state.sites();
+  double least = 1;
+  for (index v = 0; v < sites.size(); ++v) {
+    for (index w = 0; w < sites.size(); ++w)
+      if (w != v) least = std::min(least, squared_distance(sites[v], sites[w].position));
+    for (const boundary_edge& p : state.edges().pieces())
+      if (p.a != v && p.b != v)
+        least = std::min(
+            least, squared_distance_to_segment(sites[v], sites[p.a].position, sites[p.b].position));
+  }
+  return std::sqrt(least);
+}
+
+}  // namespace
+
+tolerance_range choose_tolerance(const refine_state& state, const refinement_options& options) {
+  const bool darts = options.strategy == refinement_strategy::poisson_darts;
+  if (options.tolerance) {
+    const double given = *options.tolerance;
+    return {given, darts ? given / dart_ladder : given};
+  }
+  const double shortest = shortest_distance(state);
+  if (darts) return {shortest, shortest / dart_ladder};
+  return {arc_fraction * shortest, arc_fraction * shortest / arc_ladder};
+}
+
+std::string format_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+}  // namespace asterism

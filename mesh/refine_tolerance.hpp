@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// How near to each other sites may be inserted.
+//
+// The thesis leaves `tol` to the user and keeps it fixed. A tolerance that was given is kept for
+// Voronoi arcs, and is where darts start. Without one it follows from the domain: the arcs start at
+// a fifth of the shortest distance there is before refinement (metric length, between two given
+// sites or from a site to a segment not at it; at most 1), and halve it whenever they are stuck,
+// ten times at most. Darts start at that shortest distance itself.
+#pragma once
+
+#include <string>
+
+#include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/refine_state.hpp"
+
+namespace asterism {
+
+struct tolerance_range {
+  double start = 0;
+  double floor = 0;
+  double shrink = 0.5;  // of the arcs; refine_darts.hpp has its own
+};
+
+tolerance_range choose_tolerance(const refine_state& state, const refinement_options& options);
+
+// Six significant digits, for messages.
+std::string format_number(double value);
+
+}  // namespace asterism

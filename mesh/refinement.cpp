@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "asterism/mesh/refine_arcs.hpp"
+#include "asterism/mesh/refine_darts.hpp"
+#include "asterism/mesh/refine_survey.hpp"
+#include "asterism/mesh/refine_tolerance.hpp"
+
+namespace asterism {
+namespace {
+
+class refinement {
+ public:
+  refinement(refine_state state, const refinement_options& options,
+             const std::function<void(const refinement_progress&)>& progress)
+      : state_(std::move(state)),
+        options_(options),
+        progress_(progress),
+        angle_(options.angle_bound),
+        tolerance_(choose_tolerance(state_, options)),
+        darts_(options.seed, options.max_rejected, tolerance_.start, tolerance_.floor),
+        in_force_(tolerance_.start) {}
+
+  result<refinement_outcome> run() {
+    if (options_.limit_size) state_.shorten_pieces(longest_piece, options_.max_sites);
+    while (!ended_) step();
+    if (state_.field_failure()) return *state_.field_failure();
+    return outcome();
+  }
+
+ private:
+  // Ends because each call inserts a site (bounded by max_sites), or settles a stale star (there
+  // are finitely many between insertions), or shrinks the tolerance towards its floor, or ends.
+  void step() {
+    state_.clear_encroachments(tolerance_.floor, options_.max_sites);
+    survey_ = take_survey(state_, angle_, options_.limit_size);
+    report_progress();
+    if (state_.field_failure()) return end("the metric field failed");
+    if (rebuild_disagreeing()) return;
+    if (survey_.bad.empty()) {
+      if (rebuild_all_stale()) return;
+      complete_ = true;
+      return end("all stars agree and every triangle meets the bound");
+    }
+    if (state_.sites().size() >= options_.max_sites) {
+      if (rebuild_all_stale()) return;
+      return end("the limit of " + std::to_string(options_.max_sites) + " sites was reached");
+    }
+    if (improve()) return;
+    if (rebuild_all_stale()) return;
+    end(stuck_message());
+  }
+
+  void end(std::string reason) {
+    reason_ = std::move(reason);
+    ended_ = true;
+  }
+
+  bool rebuild(index v) {
+    return state_.stars().is_stale(v) && state_.stars().rebuild(state_.oracle(), v);
+  }
+
+  // Coarse stars keep neighbours they should not: before a site is inserted for a disagreement,
+  // the stars in it are made anew.
+  bool rebuild_disagreeing() {
+    bool changed = false;
+    for (const bad_triangle& b : survey_.bad)
+      if (b.why == badness::disagreeing)
+        for (const index v : b.where) changed |= rebuild(v);
+    return changed;
+  }
+
+  bool rebuild_all_stale() {
+    bool changed = false;
+    for (index v = 0; v < state_.stars().size(); ++v) changed |= rebuild(v);
+    return changed;
+  }
+
+  bool improve() {
+    if (options_.strategy == refinement_strategy::poisson_darts) return improve_by_darts();
+    while (true) {
+      for (const bad_triangle& b : survey_.bad) {
+        if (shorten_tight_corner(state_, b.where, angle_, in_force_)) return true;
+        if (refine_by_arcs(state_, b.where, in_force_, rejected_)) return true;
+        if (state_.field_failure()) return false;
+      }
+      if (in_force_ <= tolerance_.floor) return false;
+      in_force_ = std::max(tolerance_.floor, tolerance_.shrink * in_force_);
+    }
+  }
+
+  bool improve_by_darts() {
+    for (const bad_triangle& b : survey_.bad)
+      if (shorten_tight_corner(state_, b.where, angle_, in_force_)) return true;
+    const bool inserted = darts_.refine(state_, survey_.bad, rejected_);
+    in_force_ = darts_.tolerance();
+    return inserted;
+  }
+
+  std::string stuck_message() const {
+    const char* tried = options_.strategy == refinement_strategy::poisson_darts
+                            ? "darts"
+                            : "candidates on Voronoi arcs";
+    return "stuck: " + std::to_string(survey_.bad.size()) + " bad triangles are left, and no " +
+           tried + " farther than the tolerance " + format_number(in_force_) +
+           " from every site can be inserted";
+  }
+
+  void report_progress() {
+    if (!progress_) return;
+    progress_({state_.sites().size(), survey_.disagreeing, survey_.low_angle, survey_.too_large});
+  }
+
+  refinement_outcome outcome() {
+    refinement_outcome o;
+    o.complete = complete_;
+    o.reason = reason_;
+    o.result.sites = state_.sites();
+    o.result.given = given_;
+    o.result.triangles = survey_.consistency.agreeing;
+    o.result.boundary = state_.edges().in_order();
+    o.result.disagreeing = survey_.consistency.disagreeing;
+    o.tolerance = in_force_;
+    o.sites = o.result.sites.size();
+    o.triangles = o.result.triangles.size();
+    o.disagreeing = survey_.disagreeing;
+    o.low_angle = survey_.low_angle;
+    o.too_large = survey_.too_large;
+    o.splits = state_.splits();
+    o.inserted = o.sites - given_ - o.splits;
+    o.candidates_rejected = rejected_;
+    o.exempt = exempt_corners(state_, angle_);
+    o.exempt_triangles = survey_.exempt;
+    return o;
+  }
+
+  refine_state state_;
+  const refinement_options& options_;
+  const std::function<void(const refinement_progress&)>& progress_;
+  angle_requirement angle_;
+  tolerance_range tolerance_;
+  dart_thrower darts_;
+  double in_force_;
+  survey survey_;
+  index given_ = static_cast<index>(state_.sites().size());
+  std::size_t rejected_ = 0;
+  bool complete_ = false, ended_ = false;
+  std::string reason_;
+};
+
+std::optional<error> check_options(const domain& d, const refinement_options& o) {
+  const auto refuse = [](const std::string& what, const std::string& got) {
+    return error{what + ", not " + got};
+  };
+  if (!(o.angle_bound >= 0 && o.angle_bound < 60))
+    return refuse("the angle bound must be at least 0 and less than 60 degrees",
+                  format_number(o.angle_bound));
+  if (o.tolerance && !(*o.tolerance > 0 && std::isfinite(*o.tolerance)))
+    return refuse("the tolerance must be positive and finite", format_number(*o.tolerance));
+  if (o.max_rejected < 1)
+    return refuse("the number of rejected darts must be at least 1",
+                  std::to_string(o.max_rejected));
+  if (o.max_sites < d.vertices.size())
+    return refuse("the limit on sites must be at least " + std::to_string(d.vertices.size()) +
+                      ", the number of the domain's vertices",
+                  std::to_string(o.max_sites));
+  return std::nullopt;
+}
+
+}  // namespace
+
+result<refinement_outcome> refine_on(
+    const star_kernel& kernel, const domain& d, const metric_field& field,
+    const refinement_options& options,
+    const std::function<void(const refinement_progress&)>& progress) {
+  if (const auto refused = check_options(d, options)) return *refused;
+  auto state = refine_state::start(d, field, kernel);
+  if (!state) return state.failure();
+  return refinement(std::move(state).value(), options, progress).run();
+}
+
+}  // namespace asterism

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// CONSTRUCTSTAR: the star of one site from all the others.
+//
+// The thesis looks at every site once, in any order; where Voronoi arcs are not wedged the result
+// then depends on the order, and coarse stars keep neighbours they should not. Here sites are
+// offered from near to far (as v measures; ties by position), again and again until the star is
+// *settled*:
+//   (a) every neighbour that is not forced passes its own test against the star without it,
+//   (b) no other site that v sees is accepted.
+// Both hold of the finished star, not only of some moment on the way. Sites already refused by the
+// star as it stands are not asked again, so a star that settles costs little more than one round.
+#pragma once
+
+#include "asterism/mesh/star.hpp"
+#include "asterism/mesh/star_oracle.hpp"
+
+namespace asterism {
+
+struct constructed_star {
+  star content;
+  // False when neighbours were still replacing each other after the bound on rounds
+  // (star_construction.cpp); (a) or (b) then fails.
+  bool settled = false;
+};
+
+// Deterministic: a function of the sites, the boundary and v alone.
+constructed_star construct_star(const site_oracle& oracle, index v);
+
+}  // namespace asterism

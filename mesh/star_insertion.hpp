@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// INSERTIONTEST and INSERTSITE of the thesis, section 3.3, restricted to the domain.
+//
+// Three additions to the thesis. Forced neighbours (star.hpp) are never removed, and a site on
+// their ray is never inserted. Only sites that v sees inside the domain are inserted. A gap closed
+// by a boundary piece accepts nothing from the piece's outer side. The tie-breaking is in
+// edge_test (predicates/), so that every star breaks a tie the same way.
+#pragma once
+
+#include "asterism/mesh/star.hpp"
+#include "asterism/mesh/star_oracle.hpp"
+
+namespace asterism {
+
+// INSERTIONTEST for w strictly between its clockwise neighbour y and its counter-clockwise one x
+// in the star of v, which does not contain w. Yes when the gap is 180 degrees or more (y == x: a
+// full turn), when w is strictly inside the triangle v, y, x, or when edge_test says so.
+// Does not ask whether v sees w.
+bool accepts(const site_oracle& oracle, index v, index w, index y, index x);
+
+// Offers w to the star of v: tests it and, when it is accepted, inserts it and removes the
+// neighbours on both sides that no longer pass their own test. A neighbour on the same ray behind
+// w is removed even when w is not accepted. Returns whether the star changed.
+// Requires w != v and w not in the star.
+bool offer(const site_oracle& oracle, index v, star& s, index w);
+
+// Removes neighbours that do not pass their own test against the rest of the star, until all do.
+// Returns whether any was removed.
+bool prune(const site_oracle& oracle, index v, star& s);
+
+}  // namespace asterism

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Geometry for topology: a star knows indices and asks its questions here. Exact, but for the
+// squared distance, which only chooses the order in which sites are looked at.
+#pragma once
+
+#include <vector>
+
+#include "asterism/core/sign.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/boundary.hpp"
+#include "asterism/mesh/star_kernel.hpp"
+
+namespace asterism {
+
+// All three objects must outlive the oracle; they may grow while it is in use.
+class site_oracle {
+ public:
+  site_oracle(const std::vector<site>& sites, const boundary& edges, const star_kernel& kernel)
+      : sites_(&sites), boundary_(&edges), kernel_(&kernel) {}
+
+  index size() const { return static_cast<index>(sites_->size()); }
+  const boundary& edges() const { return *boundary_; }
+
+  // Positive when u, v, w turn counter-clockwise.
+  sign orientation(index u, index v, index w) const;
+  // For u on the line through v and w: is it on the same side of v as w?
+  bool same_direction(index v, index w, index u) const;
+  // For near and far on one ray from v: is `near` nearer?
+  bool nearer_on_ray(index v, index near, index far) const;
+  // predicates/: may v and w be neighbours when x and y are their common ones? Ties broken.
+  bool edge_test(index v, index w, index x, index y) const;
+  // visibility.hpp: does the open segment v w stay off the boundary?
+  bool visible(index v, index w) const;
+  // Do the open segments v w and a b cross? No when they share an end.
+  bool crosses(index v, index w, index a, index b) const;
+  // As v measures it, in doubles.
+  double squared_distance(index v, index w) const;
+  // The tie-breaking order of sites, by position.
+  bool precedes(index v, index w) const;
+
+ private:
+  const std::vector<site>* sites_;
+  const boundary* boundary_;
+  const star_kernel* kernel_;
+};
+
+}  // namespace asterism

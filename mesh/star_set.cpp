@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/star_set.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "asterism/mesh/star_insertion.hpp"
+
+namespace asterism {
+namespace {
+
+// The stars a new site is offered to: every other one. The one place to change when stars are
+// found by a local search.
+std::vector<index> candidate_stars(const site_oracle& oracle, index w) {
+  std::vector<index> all;
+  all.reserve(oracle.size());
+  for (index v = 0; v < oracle.size(); ++v)
+    if (v != w) all.push_back(v);
+  return all;
+}
+
+// The corner of a boundary star with one end replaced: neighbours that the moved ray leaves
+// outside are dropped, the others keep their places.
+sector with_ends(const site_oracle& oracle, index v, const sector& old, index first, index last) {
+  sector moved{{first, last}, false};
+  for (std::size_t i = 1; i + 1 < old.size(); ++i) {
+    const index u = old.neighbours[i];
+    if (u == first || u == last) continue;
+    const placement where = locate(oracle, v, moved, u);
+    if (where.kind == placement_kind::in_gap)
+      moved.neighbours.insert(moved.neighbours.begin() + static_cast<std::ptrdiff_t>(where.at + 1),
+                              u);
+  }
+  return moved;
+}
+
+}  // namespace
+
+void star_set::construct_all(const site_oracle& oracle) {
+  stars_.assign(oracle.size(), {});
+  condition_.assign(oracle.size(), condition::stale);
+  for (index v = 0; v < oracle.size(); ++v) rebuild(oracle, v);
+}
+
+void star_set::add_last(const site_oracle& oracle) {
+  const index w = oracle.size() - 1;
+  stars_.resize(oracle.size());
+  condition_.resize(oracle.size(), condition::stale);
+  for (const index v : candidate_stars(oracle, w))
+    if (!stars_[v].contains(w) && offer(oracle, v, stars_[v], w)) condition_[v] = condition::stale;
+  rebuild(oracle, w);
+}
+
+void star_set::split_piece(const site_oracle& oracle, index a, index m, index b) {
+  for (sector& s : stars_[a].sectors)
+    if (!s.closed && s.neighbours.front() == b) s = with_ends(oracle, a, s, m, s.neighbours.back());
+  for (sector& s : stars_[b].sectors)
+    if (!s.closed && s.neighbours.back() == a) s = with_ends(oracle, b, s, s.neighbours.front(), m);
+  condition_[a] = condition_[b] = condition::stale;
+  // Rounded to the inner side, m can only hide sites from each other. Rounded to the outer side it
+  // reveals nothing but a and b to each other, whose stars are stale already: a segment that
+  // enters the sliver a, m, b through a b can only end in m.
+  if (oracle.orientation(a, b, m) == sign::positive) {
+    remove_hidden(oracle, a, m);
+    remove_hidden(oracle, m, b);
+  }
+  add_last(oracle);
+}
+
+bool star_set::rebuild(const site_oracle& oracle, index v) {
+  constructed_star built = construct_star(oracle, v);
+  condition_[v] = built.settled ? condition::settled : condition::unsettled;
+  const bool changed = stars_[v] != built.content;
+  stars_[v] = std::move(built.content);
+  return changed;
+}
+
+void star_set::remove_hidden(const site_oracle& oracle, index a, index b) {
+  for (index v = 0; v < size(); ++v)
+    for (sector& s : stars_[v].sectors)
+      for (std::size_t i = s.size(); i-- > 0;) {
+        if (s.is_forced(i) || !oracle.crosses(v, s.neighbours[i], a, b)) continue;
+        s.neighbours.erase(s.neighbours.begin() + static_cast<std::ptrdiff_t>(i));
+        condition_[v] = condition::stale;
+      }
+}
+
+}  // namespace asterism

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// The stars of all sites, kept up to date as sites are added and boundary pieces split.
+//
+// Adding a site offers it to stars one by one (candidate_stars decides which) and marks those that
+// changed as *stale*: they were changed in the order of insertion and may not be settled
+// (star_construction.hpp). A star that is not stale is settled, because it refused every site that
+// came after its construction. rebuild() makes a stale star anew.
+#pragma once
+
+#include <vector>
+
+#include "asterism/mesh/star.hpp"
+#include "asterism/mesh/star_construction.hpp"
+#include "asterism/mesh/star_oracle.hpp"
+
+namespace asterism {
+
+class star_set {
+ public:
+  index size() const { return static_cast<index>(stars_.size()); }
+  const star& operator[](index v) const { return stars_[v]; }
+  bool is_stale(index v) const { return condition_[v] == condition::stale; }
+  // Construction met its bound: the star violates (a) or (b) and is a defect of the mesh.
+  bool is_unsettled(index v) const { return condition_[v] == condition::unsettled; }
+
+  // Replaces everything: one star per site of the oracle, each constructed by itself.
+  void construct_all(const site_oracle& oracle);
+  // The oracle's last site is new: offers it to the other stars and constructs its own. If it
+  // splits a boundary piece, call split_piece instead.
+  void add_last(const site_oracle& oracle);
+  // The oracle's last site m has just split the piece a -> b of the boundary, which already knows.
+  void split_piece(const site_oracle& oracle, index a, index m, index b);
+  // Constructs the star of v anew. Returns whether its neighbours changed.
+  bool rebuild(const site_oracle& oracle, index v);
+
+ private:
+  enum class condition : unsigned char { settled, stale, unsettled };
+
+  void remove_hidden(const site_oracle& oracle, index a, index b);
+
+  std::vector<star> stars_;
+  std::vector<condition> condition_;
+};
+
+}  // namespace asterism

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/visibility.hpp"
+
+#include <algorithm>
+
+namespace asterism {
+namespace {
+
+bool boxes_apart(const point& p, const point& q, const point& r, const point& s) {
+  return std::max(p.x, q.x) < std::min(r.x, s.x) || std::max(r.x, s.x) < std::min(p.x, q.x) ||
+         std::max(p.y, q.y) < std::min(r.y, s.y) || std::max(r.y, s.y) < std::min(p.y, q.y);
+}
+
+bool on_open_segment(const star_kernel& kernel, const point& p, const point& q, const point& at) {
+  return strictly_between(p, at, q) && kernel.orientation(p, q, at) == sign::zero;
+}
+
+}  // namespace
+
+bool strictly_between(const point& p, const point& q, const point& r) {
+  return (lexicographically_less(p, q) && lexicographically_less(q, r)) ||
+         (lexicographically_less(r, q) && lexicographically_less(q, p));
+}
+
+bool properly_cross(const star_kernel& kernel, const point& p, const point& q, const point& r,
+                    const point& s) {
+  if (boxes_apart(p, q, r, s)) return false;
+  const sign side_r = kernel.orientation(p, q, r), side_s = kernel.orientation(p, q, s);
+  if (side_r * side_s != sign::negative) return false;
+  return kernel.orientation(r, s, p) * kernel.orientation(r, s, q) == sign::negative;
+}
+
+bool sees(const boundary& b, const std::vector<site>& sites, const star_kernel& kernel, index v,
+          index w) {
+  const point &p = sites[v].position, &q = sites[w].position;
+  for (const boundary_edge& piece : b.pieces()) {
+    const point &r = sites[piece.a].position, &s = sites[piece.b].position;
+    if (boxes_apart(p, q, r, s)) continue;
+    // Every boundary vertex starts one piece, so looking at the starts looks at all of them.
+    if (piece.a != v && piece.a != w && on_open_segment(kernel, p, q, r)) return false;
+    const bool shares_end = piece.a == v || piece.a == w || piece.b == v || piece.b == w;
+    if (!shares_end && properly_cross(kernel, p, q, r, s)) return false;
+  }
+  return true;
+}
+
+}  // namespace asterism

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// Which sites see each other inside the domain: only those may be neighbours in a star.
+#pragma once
+
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/boundary.hpp"
+#include "asterism/mesh/star_kernel.hpp"
+
+namespace asterism {
+
+// Whether the open segment between sites v and w stays off the boundary: it crosses no piece and
+// passes through no boundary vertex. (A segment through a boundary vertex could never be an edge
+// of a mesh that has that vertex, whichever side it continues on.)
+// Requires w to lie strictly inside one of v's corners when v is on the boundary: what happens at
+// v itself is the star's own affair. Exact; linear in the number of pieces.
+bool sees(const boundary& b, const std::vector<site>& sites, const star_kernel& kernel, index v,
+          index w);
+
+// Whether the open segments p q and r s cross in one point interior to both. Exact.
+bool properly_cross(const star_kernel& kernel, const point& p, const point& q, const point& r,
+                    const point& s);
+
+// Whether q, known to be on the line through p and r, lies strictly between them.
+bool strictly_between(const point& p, const point& q, const point& r);
+
+}  // namespace asterism
