@@ -15,5 +15,8 @@ enum exit_status : int { done = 0, not_reached = 1, refused = 2 };
 using command = std::function<int()>;
 
 void add_eval_command(CLI::App& program, command& chosen);
+void add_mesh_command(CLI::App& program, command& chosen);
+void add_verify_command(CLI::App& program, command& chosen);
+void add_draw_command(CLI::App& program, command& chosen);
 
 }  // namespace asterism::apps

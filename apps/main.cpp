@@ -18,7 +18,10 @@ int run(int argc, char** argv) {
       "2 bad usage or input (nothing is written).\n\n"
       "asterism COMMAND --help shows the options and examples of one command.");
   command chosen;
+  add_mesh_command(program, chosen);
+  add_verify_command(program, chosen);
   add_eval_command(program, chosen);
+  add_draw_command(program, chosen);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& failure) {

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <memory>
+#include <string>
+
+#include "asterism/apps/commands.hpp"
+#include "asterism/apps/mesh_job.hpp"
+#include "asterism/apps/option_values.hpp"
+
+namespace asterism::apps {
+namespace {
+
+constexpr const char* examples =
+    R"(DOMAIN  square ([-1,1]^2), airfoil (NACA 0012 in a box), or a file in Triangle's .poly format.
+SPEC    identity; swirl:K or sink:K (K = 12 when left out), round in the middle of the domain and
+        stretched by sqrt(1+K) at distance R from it, R half the longer side of the bounding box;
+        expr:M11;M12;M22 in x and y.
+OUT     by extension: .mesh (Medit, with the metric in .sol), .vtu (ParaView), .svg .png .pdf.
+
+Exit status: 0 complete and certified; 1 not reached, what is certain is written and says so;
+2 bad usage or input, nothing is written.
+
+Examples:
+  asterism mesh square --random-points 10 --metric swirl:12 -o swirl.mesh -o swirl.svg
+  asterism mesh square --metric 'expr:1+9*x^2;0;1' --size 0.2 --angle-bound 15 -o layer.vtu
+  asterism mesh part.poly --refine darts --angle-bound 10 -o part.mesh --certificate part.json)";
+
+const std::map<std::string, refinement_strategy> strategies = {
+    {"voronoi", refinement_strategy::voronoi_arcs}, {"darts", refinement_strategy::poisson_darts}};
+
+constexpr real_range angle_bounds = {
+    0, 60, true, false,
+    "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
+
+void add_domain_options(CLI::App& app, mesh_job& job) {
+  app.add_option("DOMAIN", job.domain, "What to mesh")->required();
+  app.add_option("--metric", job.metric, "The metric wanted (default identity)")->type_name("SPEC");
+  add_real(
+      app, "--size", positive_reals, [&job](double x) { job.size = x; },
+      "Length wanted of an edge, in the metric as given")
+      ->type_name("H");
+  add_count(
+      app, "--random-points", 0, 1000000,
+      [&job](std::uint64_t n) { job.random_points = static_cast<std::size_t>(n); },
+      "Vertices to add at random inside the domain, kept in the mesh")
+      ->type_name("N");
+}
+
+void add_refinement_options(CLI::App& app, mesh_job& job) {
+  refinement_options& options = job.refinement;
+  add_real(
+      app, "--angle-bound", angle_bounds, [&options](double x) { options.angle_bound = x; },
+      "Least angle of a triangle, as each of its vertices measures it (default 20)")
+      ->type_name("DEG");
+  app.add_option_function<std::string>(
+         "--refine",
+         [&options](const std::string& name) { options.strategy = strategies.at(name); },
+         "voronoi (default): vertices and ends of Voronoi arcs; darts: random points")
+      ->check(CLI::IsMember(strategies))
+      ->type_name("HOW");
+  add_real(
+      app, "--tol", positive_reals, [&options](double x) { options.tolerance = x; },
+      "Least metric distance between sites (default: chosen, and reported)")
+      ->type_name("T");
+  add_count(
+      app, "--max-sites", 3, 100000000,
+      [&options](std::uint64_t n) { options.max_sites = static_cast<std::size_t>(n); },
+      "Refinement ends at this many (default 100000)")
+      ->type_name("N");
+  add_count(
+      app, "--seed", 0, UINT64_MAX, [&options](std::uint64_t n) { options.seed = n; },
+      "Of the random points and of the darts (default 1)")
+      ->type_name("N");
+}
+
+void add_output_options(CLI::App& app, mesh_job& job) {
+  app.add_option("-o,--output", job.outputs, "File to write; may be given several times")
+      ->required()
+      ->type_name("OUT")
+      ->allow_extra_args(false);
+  app.add_option("--certificate", job.certificate,
+                 "The certificate's file (default: first OUT with extension .certificate.json)")
+      ->type_name("FILE");
+  app.add_flag("--ellipses", job.ellipses, "Draw the metric in pictures");
+  app.add_flag("--quiet", job.quiet, "No progress, no summary");
+}
+
+}  // namespace
+
+void add_mesh_command(CLI::App& program, command& chosen) {
+  auto* const app = program.add_subcommand("mesh", "Mesh a domain, and certify the mesh");
+  const auto job = std::make_shared<mesh_job>();
+  add_domain_options(*app, *job);
+  add_refinement_options(*app, *job);
+  add_output_options(*app, *job);
+  app->footer(examples);
+  app->callback([job, &chosen] {
+    job->refinement.limit_size = job->size.has_value();
+    chosen = [job] { return run_mesh_job(*job); };
+  });
+}
+
+}  // namespace asterism::apps

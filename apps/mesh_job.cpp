@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/mesh_job.hpp"
+
+#include <array>
+#include <charconv>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "asterism/apps/commands.hpp"
+#include "asterism/apps/places.hpp"
+#include "asterism/apps/progress_line.hpp"
+#include "asterism/mesh/audit.hpp"
+#include "asterism/mesh/certificate.hpp"
+#include "asterism/mesh/domain_check.hpp"
+#include "asterism/mesh/domain_sources.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/metric_field.hpp"
+
+namespace asterism::apps {
+namespace fs = std::filesystem;
+namespace {
+
+int complain(const error& failure, exit_status status) {
+  std::cerr << "asterism: " << failure.message << '\n';
+  return status;
+}
+
+// Every file the job reads or writes is a different one, and each can be written.
+std::optional<error> check_files(const mesh_job& job, const fs::path& certificate_path) {
+  std::vector<fs::path> used = {certificate_path};
+  std::error_code ignored;
+  if (fs::is_regular_file(job.domain, ignored)) used.emplace_back(job.domain);
+  for (const fs::path& output : job.outputs) {
+    const auto format = check_output(output);
+    if (!format) return format.failure();
+    used.push_back(output);
+    if (format.value() != mesh_format::medit) continue;
+    used.push_back(solution_path(output));
+    if (auto failure = check_place(used.back())) return failure;
+  }
+  if (auto failure = check_distinct(used)) return failure;
+  return check_place(certificate_path);
+}
+
+struct prepared_input {
+  domain shape;
+  std::unique_ptr<metric_field> field;
+};
+
+result<prepared_input> prepare(const mesh_job& job) {
+  const auto loaded = load_domain(job.domain);
+  if (!loaded) return loaded.failure();
+  domain_repairs repairs;
+  const auto checked = check_domain(loaded.value(), &repairs);
+  if (!checked) return checked.failure();
+  if (!job.quiet)
+    for (const std::string& message : repairs.messages)
+      std::cerr << "asterism: note: " << message << '\n';
+  auto populated = add_random_points(checked.value(), job.random_points, job.refinement.seed);
+  if (!populated) return populated.failure();
+  const std::size_t given = populated.value().vertices.size();
+  if (given > job.refinement.max_sites)
+    return error{"--max-sites " + std::to_string(job.refinement.max_sites) + ": the domain has " +
+                 std::to_string(given) + " vertices already"};
+  auto field = make_metric_field(job.metric, populated.value().box(), job.size.value_or(1));
+  if (!field) return field.failure();
+  return prepared_input{std::move(populated).value(), std::move(field).value()};
+}
+
+// The shortest decimal that is read back as the same double.
+std::string text_of(double x) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr;
+  return {buffer.data(), end};
+}
+
+std::map<std::string, std::string> options_of(const mesh_job& job,
+                                              const refinement_outcome& outcome) {
+  const refinement_options& asked = job.refinement;
+  const bool arcs = asked.strategy == refinement_strategy::voronoi_arcs;
+  return {{"domain", job.domain},
+          {"angle-bound", text_of(asked.angle_bound)},
+          {"size", job.size ? text_of(*job.size) : "none"},
+          {"refine", arcs ? "voronoi" : "darts"},
+          {"tol", asked.tolerance ? text_of(*asked.tolerance) : "chosen"},
+          {"tol-at-end", text_of(outcome.tolerance)},
+          {"max-sites", std::to_string(asked.max_sites)},
+          {"random-points", std::to_string(job.random_points)},
+          {"seed", std::to_string(asked.seed)}};
+}
+
+struct judged_mesh {
+  audit_report report;
+  certificate claim;
+};
+
+judged_mesh judge(const mesh_job& job, const domain& shape, const refinement_outcome& outcome) {
+  audit_options options;
+  options.angle_bound = job.refinement.angle_bound;
+  options.original = &shape;
+  for (const exempt_corner& corner : outcome.exempt)
+    options.exempt_corners.push_back(corner.vertex);
+  judged_mesh judged{audit(outcome.result, options), {}};
+  judged.claim = make_certificate(outcome.result, options, judged.report);
+  judged.claim.metric = job.metric;
+  judged.claim.options = options_of(job, outcome);
+  judged.claim.complete = outcome.complete;
+  judged.claim.reason = outcome.reason;
+  judged.claim.mesher_counters = outcome.counters;
+  return judged;
+}
+
+// The certificate comes last: where it is, everything else is too.
+std::optional<error> write_files(const mesh_job& job, const fs::path& certificate_path,
+                                 const mesh& made, const certificate& claim) {
+  write_options options;
+  options.picture.ellipses = job.ellipses;
+  options.picture.angle_bound = job.refinement.angle_bound;
+  for (const fs::path& output : job.outputs) {
+    const auto written = write_mesh(output, made, options);
+    if (!written) return written.failure();
+  }
+  const auto written = write_certificate(certificate_path, claim);
+  if (!written) return written.failure();
+  return std::nullopt;
+}
+
+void write_summary(const refinement_outcome& outcome, const audit_report& report, bool reached) {
+  std::cout << report.sites << " sites, " << report.triangles << " triangles, worst angle "
+            << std::fixed << std::setprecision(2) << report.worst.degrees << " degrees, "
+            << outcome.disagreeing << " disagreeing, " << outcome.low_angle << " low-angle";
+  if (outcome.too_large > 0) std::cout << ", " << outcome.too_large << " too large";
+  if (!report.exempt_corners.empty())
+    std::cout << ", " << report.exempt_triangles.size() << " exempt at "
+              << report.exempt_corners.size() << " corners";
+  std::cout << (reached ? ": certified\n" : ": NOT certified, incomplete\n");
+}
+
+int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit_report& report) {
+  const bool reached = outcome.complete && report.certified;
+  if (!job.quiet) write_summary(outcome, report, reached);
+  if (reached) return done;
+  if (!outcome.complete) return complain({"not reached: " + outcome.reason}, not_reached);
+  const std::string witness = report.findings.empty() ? "" : ": " + report.findings[0].witness;
+  return complain({"the audit refuses the mesh" + witness}, not_reached);
+}
+
+}  // namespace
+
+int run_mesh_job(const mesh_job& job) {
+  fs::path certificate_path = job.certificate;
+  if (certificate_path.empty())
+    certificate_path = fs::path(job.outputs[0]).replace_extension(".certificate.json");
+  if (const auto failure = check_files(job, certificate_path)) return complain(*failure, refused);
+  const auto input = prepare(job);
+  if (!input) return complain(input.failure(), refused);
+  const auto& [shape, field] = input.value();
+
+  const auto made = [&] {
+    progress_line line(!job.quiet);
+    return make_mesh(shape, *field, job.refinement,
+                     [&line](const refinement_progress& progress) { line.show(progress); });
+  }();
+  if (!made) return complain(made.failure(), refused);
+  const refinement_outcome& outcome = made.value();
+
+  const judged_mesh judged = judge(job, shape, outcome);
+  if (const auto failure = write_files(job, certificate_path, outcome.result, judged.claim))
+    return complain(*failure, not_reached);
+  return conclude(job, outcome, judged.report);
+}
+
+}  // namespace asterism::apps

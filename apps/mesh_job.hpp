@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// The main job, step by step: domain, metric, mesh, audit, files.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/mesh/mesher.hpp"
+
+namespace asterism::apps {
+
+struct mesh_job {
+  std::string domain;
+  std::string metric = "identity";
+  std::optional<double> size;
+  std::size_t random_points = 0;
+  refinement_options refinement;  // its seed is the random points' too
+  std::vector<std::filesystem::path> outputs;
+  std::filesystem::path certificate;  // empty: beside the first output
+  bool ellipses = false;
+  bool quiet = false;
+};
+
+// The exit status. What can be refused is refused before meshing; messages go to standard error,
+// the summary to standard output.
+int run_mesh_job(const mesh_job& job);
+
+}  // namespace asterism::apps

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Where files are to be written: found out before any work is done.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+
+namespace asterism::apps {
+
+// Could a regular file be created or replaced there? Empty if so.
+std::optional<error> check_place(const std::filesystem::path& path);
+
+// Refuses a path given twice, however it is spelled. Empty if all differ.
+std::optional<error> check_distinct(const std::vector<std::filesystem::path>& paths);
+
+}  // namespace asterism::apps

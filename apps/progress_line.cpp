@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/progress_line.hpp"
+
+#include <unistd.h>
+
+#include <iostream>
+
+namespace asterism::apps {
+namespace {
+
+constexpr const char* wipe = "\r\033[K";
+
+}  // namespace
+
+progress_line::progress_line(bool wanted) : shown_(wanted && isatty(STDERR_FILENO) != 0) {}
+
+progress_line::~progress_line() {
+  if (shown_) std::cerr << wipe << std::flush;
+}
+
+void progress_line::show(const refinement_progress& progress) {
+  if (!shown_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_) return;
+  next_ = now + std::chrono::milliseconds(100);
+  std::cerr << wipe << progress.sites << " sites, " << progress.disagreeing << " disagreeing, "
+            << progress.low_angle << " low-angle";
+  if (progress.too_large > 0) std::cerr << ", " << progress.too_large << " too large";
+  std::cerr << " triangles left" << std::flush;
+}
+
+}  // namespace asterism::apps

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// How far refinement has come, on one line of a terminal that is written over and wiped at the end.
+#pragma once
+
+#include <chrono>
+
+#include "asterism/mesh/mesher.hpp"
+
+namespace asterism::apps {
+
+class progress_line {
+ public:
+  // Shows nothing when `wanted` is false or standard error is no terminal.
+  explicit progress_line(bool wanted);
+  ~progress_line();
+  progress_line(const progress_line&) = delete;
+  progress_line& operator=(const progress_line&) = delete;
+
+  // At most ten times a second.
+  void show(const refinement_progress& progress);
+
+ private:
+  bool shown_;
+  std::chrono::steady_clock::time_point next_{};
+};
+
+}  // namespace asterism::apps

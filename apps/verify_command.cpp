@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "asterism/apps/commands.hpp"
+#include "asterism/apps/option_values.hpp"
+#include "asterism/mesh/certificate.hpp"
+#include "asterism/mesh/domain_check.hpp"
+#include "asterism/mesh/domain_contains.hpp"
+#include "asterism/mesh/domain_sources.hpp"
+#include "asterism/mesh/io/medit.hpp"
+
+namespace asterism::apps {
+namespace fs = std::filesystem;
+namespace {
+
+struct verify_options {
+  fs::path mesh, certificate;
+  std::optional<double> angle_bound;
+  std::string domain;
+};
+
+constexpr const char* examples =
+    R"(MESH is a Medit file NAME.mesh, with its metric in NAME.sol. Everything is checked again from the
+files, in exact arithmetic. NAME.certificate.json beside the mesh is used when there is one and none
+is named. The domain is the certificate's unless --domain names it; random points added to it
+need not be named.
+
+Exit status: 0 certified; 1 refused, with witnesses (numbers count from 1); 2 unreadable.
+
+Examples:
+  asterism verify swirl.mesh
+  asterism verify part.mesh --certificate part.json
+  asterism verify other.mesh --angle-bound 15 --domain part.poly)";
+
+constexpr real_range angle_bounds = {
+    0, 60, true, false,
+    "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
+
+int refuse(const error& failure) {
+  std::cerr << "asterism: " << failure.message << '\n';
+  return refused;
+}
+
+// The certificate that was named, or the one beside the mesh, or none.
+result<std::optional<certificate>> find_certificate(const verify_options& options) {
+  fs::path path = options.certificate;
+  if (path.empty()) {
+    path = fs::path(options.mesh).replace_extension(".certificate.json");
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) return std::optional<certificate>();
+  }
+  auto read = read_certificate(path);
+  if (!read) return read.failure();
+  return std::optional<certificate>(std::move(read).value());
+}
+
+// Empty when no domain was named. Vertices given to the mesh beyond the domain's own, as random
+// points are, belong to it when they lie inside.
+result<std::optional<domain>> find_domain(const verify_options& options, const mesh& subject) {
+  if (options.domain.empty()) return std::optional<domain>();
+  const auto loaded = load_domain(options.domain);
+  if (!loaded) return loaded.failure();
+  auto checked = check_domain(loaded.value());
+  if (!checked) return checked.failure();
+  const domain bare = checked.value();
+  for (std::size_t v = bare.vertices.size();
+       v < std::min<std::size_t>(subject.given, subject.sites.size()); ++v)
+    if (contains(bare, subject.sites[v].position))
+      checked.value().vertices.push_back(subject.sites[v].position);
+  return std::optional<domain>(std::move(checked).value());
+}
+
+void write_verdict(const verify_report& verdict) {
+  const audit_report& audit = verdict.audit;
+  for (const std::string& contradiction : verdict.contradictions)
+    std::cout << "certificate: " << contradiction << '\n';
+  for (const audit_finding& finding : audit.findings)
+    std::cout << finding_kind_names[static_cast<std::size_t>(finding.kind)] << ": "
+              << finding.witness << '\n';
+  if (audit.total_found() > audit.findings.size())
+    std::cout << audit.total_found() << " findings in all\n";
+  std::cout << (verdict.verified ? "certified: " : "REFUSED: ") << audit.sites << " sites, "
+            << audit.triangles << " triangles, worst angle " << audit.worst.degrees << " degrees";
+  if (!audit.exempt_corners.empty())
+    std::cout << ", " << audit.exempt_triangles.size() << " exempt at "
+              << audit.exempt_corners.size() << " corners";
+  if (!audit.domain_checked) std::cout << "; no domain to compare with";
+  if (!audit.angles_checked) std::cout << "; no angle bound asked for";
+  if (!audit.stars_checked) std::cout << "; stars not checked";
+  std::cout << '\n';
+}
+
+int run_verify(const verify_options& options) {
+  const auto subject = read_medit(options.mesh);
+  if (!subject) return refuse(subject.failure());
+  const auto claim = find_certificate(options);
+  if (!claim) return refuse(claim.failure());
+  const auto original = find_domain(options, subject.value());
+  if (!original) return refuse(original.failure());
+
+  audit_options asked;
+  asked.angle_bound = options.angle_bound;
+  if (original.value()) asked.original = &*original.value();
+  const verify_report verdict = verify(subject.value(), claim.value(), asked);
+  write_verdict(verdict);
+  return verdict.verified ? done : not_reached;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& program, command& chosen) {
+  auto* const app = program.add_subcommand("verify", "Check a mesh again from its files");
+  const auto options = std::make_shared<verify_options>();
+  app->add_option("MESH", options->mesh, "What to check")->required();
+  app->add_option("--certificate", options->certificate, "What is claimed of it")
+      ->type_name("FILE");
+  add_real(
+      *app, "--angle-bound", angle_bounds, [options](double x) { options->angle_bound = x; },
+      "Check this bound (default: the certificate's)")
+      ->type_name("DEG");
+  app->add_option("--domain", options->domain, "What it should be a mesh of")->type_name("DOMAIN");
+  app->footer(examples);
+  app->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
+}
+
+}  // namespace asterism::apps
