@@ -15,8 +15,8 @@ namespace asterism {
 
 class dyadic {
  public:
-  using integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
-                                                boost::multiprecision::et_off>;
+  using integer =
+      boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
   dyadic() = default;
   dyadic(int value) : mantissa_(value) {}

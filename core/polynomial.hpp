@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Polynomials in one variable whose formal degree is part of the type: what a formula needs, no
-// division, no allocation beyond that of the number type. Leading coefficients may vanish. The coefficients of a
-// default polynomial are those of a default number: unspecified for intervals.
+// division, no allocation beyond that of the number type. Leading coefficients may vanish. The
+// coefficients of a default polynomial are those of a default number: unspecified for intervals.
 #pragma once
 
 #include <array>
@@ -29,8 +29,7 @@ polynomial<Number, N + M> operator*(const polynomial<Number, N>& p,
   product.coefficient.fill(Number(0));
   for (std::size_t i = 0; i <= N; ++i)
     for (std::size_t j = 0; j <= M; ++j)
-      product.coefficient[i + j] =
-          product.coefficient[i + j] + p.coefficient[i] * q.coefficient[j];
+      product.coefficient[i + j] = product.coefficient[i + j] + p.coefficient[i] * q.coefficient[j];
   return product;
 }
 

@@ -69,4 +69,8 @@ constexpr uncertain_sign operator-(uncertain_sign s) {
   return s.certain() ? uncertain_sign(-s.value()) : s;
 }
 
+// The sign of the double itself. Of a real number that it rounds it is only a guess, which is why
+// nothing but the plain double kernel evaluates a predicate with doubles.
+constexpr uncertain_sign sign_of(double x) { return to_sign((x > 0) - (x < 0)); }
+
 }  // namespace asterism

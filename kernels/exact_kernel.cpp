@@ -177,8 +177,7 @@ sign exact_kernel::compare_distance(const site& v, const site& w, const point& q
 }
 
 bool exact_kernel::in_wedge(const site& v, const site& w, const point& q) const {
-  return is_true(
-      asterism::in_wedge(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(q)));
+  return is_true(asterism::in_wedge(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(q)));
 }
 
 sign exact_kernel::dominates(const site& v, const site& w, const point& p) const {

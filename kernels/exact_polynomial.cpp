@@ -154,8 +154,8 @@ struct isolation {
       roots.emplace_back(p, low, high, just_left_of(high));
       // Elsewhere an interval's ends are known not to be roots.
       real_root& found = roots.back();
-      while (!found.is_dyadic() && (p.sign_at(found.low()) == sign::zero ||
-                                    p.sign_at(found.high()) == sign::zero))
+      while (!found.is_dyadic() &&
+             (p.sign_at(found.low()) == sign::zero || p.sign_at(found.high()) == sign::zero))
         found.refine();
       return;
     }
@@ -202,7 +202,8 @@ bool real_root::is_root_of(const dense_polynomial& q) const {
   if (is_dyadic()) return q.sign_at(low_) == sign::zero;
   const dense_polynomial common = greatest_common_divisor(p_, q);
   if (common.degree() == 0) return false;
-  // A root of the divisor is one of p, which has only this one in the interval and none at its ends.
+  // A root of the divisor is one of p, which has only this one in the interval and none at its
+  // ends.
   return sturm_sequence(common).roots_between(low_, high_) != 0;
 }
 
@@ -210,8 +211,7 @@ sign real_root::sign_of_value(const dense_polynomial& q) {
   if (q.is_zero() || is_root_of(q)) return sign::zero;
   if (q.degree() == 0) return q[0].sign_value();
   const sturm_sequence sturm(q);
-  while (!is_dyadic() &&
-         (sturm.roots_between(low_, high_) != 0 || q.sign_at(low_) == sign::zero))
+  while (!is_dyadic() && (sturm.roots_between(low_, high_) != 0 || q.sign_at(low_) == sign::zero))
     refine();
   return q.sign_at(low_);
 }
@@ -220,8 +220,8 @@ sign compare(real_root& a, real_root& b) {
   constexpr int cheap_rounds = 6;  // of bisection, before equality is looked into
   for (int round = 0;; ++round) {
     if (a.is_dyadic() && b.is_dyadic()) return (a.low_ - b.low_).sign_value();
-    if (!overlap(a, b)) return a.high_ < b.low_ || a.high_ == b.low_ ? sign::negative
-                                                                     : sign::positive;
+    if (!overlap(a, b))
+      return a.high_ < b.low_ || a.high_ == b.low_ ? sign::negative : sign::positive;
     if (round == cheap_rounds) {
       // Each interval holds one root of its own polynomial: a common root in the overlap is both.
       const real_root& narrow = a.high_ - a.low_ < b.high_ - b.low_ ? a : b;

@@ -25,11 +25,16 @@ enum class predicate : std::size_t {
 inline constexpr std::size_t predicate_count = 10;
 // The names of the batch protocol, in the order of `predicate`.
 inline constexpr std::array<std::string_view, predicate_count> predicate_names = {
-    "orientation",          "is_spd",
-    "compare_distance",     "in_wedge",
-    "dominates",            "voronoi_vertex_count",
-    "arc_intersection_count", "encroaches",
-    "insertion_test",       "edge_test"};
+    "orientation",
+    "is_spd",
+    "compare_distance",
+    "in_wedge",
+    "dominates",
+    "voronoi_vertex_count",
+    "arc_intersection_count",
+    "encroaches",
+    "insertion_test",
+    "edge_test"};
 
 enum class tier : std::size_t { interval, exact };
 inline constexpr std::size_t tier_count = 2;

@@ -27,8 +27,8 @@ struct neighbour_condition {
   const visible_arc<Number>* arc;
   basic_site<Number> x;
   displacement<Number> v_to_x, w_to_x;
-  uncertain_sign side_of_x;       // orientation(v, w, x)
-  uncertain_bool x_between_v_w;   // meaningful when x is on the line vw
+  uncertain_sign side_of_x;      // orientation(v, w, x)
+  uncertain_bool x_between_v_w;  // meaningful when x is on the line vw
 
   neighbour_condition(const visible_arc<Number>& a, const basic_site<Number>& neighbour)
       : arc(&a),
@@ -59,7 +59,7 @@ struct neighbour_condition {
   template <class Surd>
   uncertain_bool holds(const displacement<Surd>& from_v, const Surd& weight) const {
     const auto& v = arc->v;
-    const auto &w = arc->w;
+    const auto& w = arc->w;
     const displacement<Surd> from_x = from_v - weight * lift<Surd>(v_to_x);
     const uncertain_bool v_dominates =
         is_positive(dominates(lift<Surd>(v), lift<Surd>(x), from_v, from_x, weight));

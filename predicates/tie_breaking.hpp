@@ -65,8 +65,7 @@ bool tie_goes_to_edge(const std::array<basic_site<Number>, 4>& sites,
     std::size_t count = 0;
     for (std::size_t r = 0; r < 4; ++r)
       if (r != left_out) kept[count++] = &sites[row[r]];
-    return sign_at_contact(
-        gradient_orientation(sites[0].position, *kept[0], *kept[1], *kept[2]));
+    return sign_at_contact(gradient_orientation(sites[0].position, *kept[0], *kept[1], *kept[2]));
   };
   sign base = without(3);
   if (base == sign::zero) {

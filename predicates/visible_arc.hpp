@@ -34,6 +34,14 @@ Number evaluate(const polynomial<Number, Degree>& p, const Number& lambda, const
   return value;
 }
 
+// Is p the zero polynomial?
+template <class Number, std::size_t Degree>
+uncertain_bool vanishes(const polynomial<Number, Degree>& p) {
+  uncertain_bool all = true;
+  for (const Number& c : p.coefficient) all = all & is_zero(sign_of(c));
+  return all;
+}
+
 // quadratic(r) = r^T form r + linear . r + constant, in the displacement r = p - v.
 template <class Number>
 struct plane_quadratic {
@@ -82,8 +90,7 @@ struct visible_arc {
 
   arc_function<Number> restrict(const plane_quadratic<Number>& q) const {
     const polynomial<Number, 1> linear{{dot(q.linear, d), dot(q.linear, n)}};
-    return {c * restrict_form(q.form) + q.constant * a,
-            c * linear + (q.constant + q.constant) * h};
+    return {c * restrict_form(q.form) + q.constant * a, c * linear + (q.constant + q.constant) * h};
   }
 
   // The part of C (alpha + beta s) = P + beta sqrt E that has no root.
@@ -111,7 +118,8 @@ plane_quadratic<Number> distance_difference(const basic_site<Number>& v,
                                             const basic_site<Number>& x) {
   const auto offset = between(v.position, x.position);
   const auto metric_offset = apply(x.metric, offset);
-  return {v.metric - x.metric, metric_offset + metric_offset, Number(0) - dot(offset, metric_offset)};
+  return {v.metric - x.metric, metric_offset + metric_offset,
+          Number(0) - dot(offset, metric_offset)};
 }
 
 // The two lines through site i that touch Vor{i,j}, as one quadratic about `origin`: the

@@ -42,13 +42,6 @@ conic_in_y<Number> along_axes(const plane_quadratic<Number>& g, const displaceme
           {{g.constant, dot(g.linear, first), dot(first, form_first)}}};
 }
 
-template <class Number, std::size_t Degree>
-uncertain_bool vanishes(const polynomial<Number, Degree>& p) {
-  uncertain_bool all = true;
-  for (const Number& c : p.coefficient) all = all & is_zero(sign_of(c));
-  return all;
-}
-
 // Points over x where g = 0 as a polynomial in y: by the sign of its discriminant there.
 inline uncertain_int points_over(uncertain_sign discriminant) {
   return discriminant.certain() ? uncertain_int(1 + to_int(discriminant.value())) : uncertain_int();

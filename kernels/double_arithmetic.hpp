@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+//
+// Existence questions along an arc in plain doubles, by the same sections as the exact kernel.
+// The result is a guess: the double kernel's answer, or a witness for the interval kernel to check.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "asterism/kernels/numeric_roots.hpp"
+#include "asterism/predicates/encroachment.hpp"
+#include "asterism/predicates/insertion_test.hpp"
+
+namespace asterism {
+
+namespace numeric {
+
+// Cut points of the parameter line. Room for every root of every critical function of an
+// insertion question: 2 + 1 + 2 of the arc, 4 of each of the fourteen norms.
+class cut_list {
+ public:
+  template <std::size_t Degree>
+  void add(const polynomial<double, Degree>& p) {
+    root_list roots = real_roots(p);
+    for (const double x : roots)
+      if (count_ < cuts_.size()) cuts_[count_++] = x;
+  }
+  // Calls visit(m) once for each section until it returns true; that m, if any.
+  template <class Visitor>
+  std::optional<double> first_sample(Visitor&& visit) {
+    std::sort(cuts_.begin(), cuts_.begin() + static_cast<std::ptrdiff_t>(count_));
+    if (count_ == 0) return visit(0.0) ? std::optional(0.0) : std::nullopt;
+    const auto beyond = [](double x) { return 1 + std::abs(x); };
+    for (std::size_t k = 0; k <= count_; ++k) {
+      const double m = k == 0        ? cuts_[0] - beyond(cuts_[0])
+                       : k == count_ ? cuts_[k - 1] + beyond(cuts_[k - 1])
+                                     : 0.5 * (cuts_[k - 1] + cuts_[k]);
+      if (visit(m)) return m;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::array<double, 72> cuts_;
+  std::size_t count_ = 0;
+};
+
+enum class cuts { equidistance_only, all };
+
+inline void add_function(cut_list& list, const visible_arc<double>& arc,
+                         const arc_function<double>& f) {
+  const auto norm = arc.norm(f);
+  if (vanishes(norm).value()) {
+    list.add(arc.rational_part(f));
+    list.add(f.beta);
+  } else {
+    list.add(norm);
+  }
+}
+
+// A parameter at which the question holds, in doubles.
+inline std::optional<double> find_witness(const insertion_question<double>& question, cuts which) {
+  const visible_arc<double>& arc = question.arc;
+  cut_list list;
+  list.add(arc.e);
+  list.add(arc.h);
+  list.add(arc.a);
+  add_function(list, arc, question.at_x.equidistance());
+  add_function(list, arc, question.at_y.equidistance());
+  if (which == cuts::all) {
+    const auto add_other = [&](const arc_function<double>& f) { add_function(list, arc, f); };
+    question.at_x.visit_other_critical_functions(add_other);
+    question.at_y.visit_other_critical_functions(add_other);
+  }
+  return list.first_sample([&](double m) {
+    if (!arc.contains(1.0, m).value()) return false;
+    const auto u = arc.direction(1.0, m);
+    const double weight = arc.h(m) + std::sqrt(arc.e(m));
+    const displacement<double> from_v = arc.c * u;
+    return question.at_x.holds(from_v, weight).value() &&
+           question.at_y.holds(from_v, weight).value();
+  });
+}
+
+inline std::optional<double> find_witness(const encroachment_question<double>& question) {
+  cut_list list;
+  list.add(question.against_a);
+  list.add(question.against_b);
+  list.add(polynomial<double, 1>{{0.0, 1.0}});
+  return list.first_sample([&](double m) { return question.holds(1.0, m).value(); });
+}
+
+}  // namespace numeric
+
+}  // namespace asterism

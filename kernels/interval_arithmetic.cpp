@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/kernels/interval_arithmetic.hpp"
+
+#include <cmath>
+
+namespace asterism::certified {
+
+namespace {
+
+constexpr int most_root_boxes = 96;
+constexpr int most_arc_boxes = 160;
+// Boxes narrower than this in turn parameter are not split: the question is too close to call.
+constexpr double narrowest_box = 0x1p-24;
+
+// sum c_k mu^k lambda^(degree - k)
+interval form_value(const std::array<interval, 5>& c, int degree, const parameter_box& box) {
+  interval value = c[static_cast<std::size_t>(degree)], power = box.lambda;
+  for (int k = degree; k-- > 0;) {
+    value = value * box.mu + c[static_cast<std::size_t>(k)] * power;
+    if (k > 0) power = power * box.lambda;
+  }
+  return value;
+}
+
+// The derivative along the turn parameter, on a side where lambda = 1 - side * t, mu = t.
+interval form_slope(const std::array<interval, 5>& c, int degree, double side,
+                    const parameter_box& box) {
+  std::array<interval, 5> by_mu, by_lambda;
+  by_mu.fill(interval(0));
+  by_lambda.fill(interval(0));
+  for (int k = 1; k <= degree; ++k)
+    by_mu[static_cast<std::size_t>(k - 1)] = interval(k) * c[static_cast<std::size_t>(k)];
+  for (int k = 0; k < degree; ++k)
+    by_lambda[static_cast<std::size_t>(k)] = interval(degree - k) * c[static_cast<std::size_t>(k)];
+  return form_value(by_mu, degree - 1, box) -
+         interval(side) * form_value(by_lambda, degree - 1, box);
+}
+
+struct isolation {
+  const std::array<interval, 5>& c;
+  int degree;
+  int boxes_left = most_root_boxes;
+  std::vector<enclosed_root> roots;
+
+  uncertain_sign sign_at(double t) const { return sign_of(form_value(c, degree, at_turn(t, t))); }
+
+  // Both ends of [low, high], of one sign of t, are certainly not roots. False: undecided.
+  bool run(double low, double high, double side) {
+    if (--boxes_left < 0) return false;
+    const parameter_box box = at_turn(low, high);
+    const uncertain_sign value = sign_of(form_value(c, degree, box));
+    if (value.certain()) return value.value() != sign::zero;
+    const uncertain_sign slope = sign_of(form_slope(c, degree, side, box));
+    if (slope.certain() && slope.value() != sign::zero) {
+      if (sign_at(low).value() != sign_at(high).value()) keep_root(low, high);
+      return true;
+    }
+    const double middle = split(low, high);
+    if (!(middle > low && middle < high) || high - low < narrowest_box) return false;
+    return run(low, middle, side) && run(middle, high, side);
+  }
+
+  // A point near the middle that is certainly not a root; `low` when there is none.
+  double split(double low, double high) const {
+    for (const double part : {0.5, 0.4375, 0.59375}) {
+      const double t = low + part * (high - low);
+      const uncertain_sign s = sign_at(t);
+      if (s.certain() && s.value() != sign::zero) return t;
+    }
+    return low;
+  }
+
+  void keep_root(double low, double high) {
+    const uncertain_sign left = sign_at(low);
+    for (int step = 0; step < 40; ++step) {
+      const double t = 0.5 * (low + high);
+      const uncertain_sign s = sign_at(t);
+      if (!(t > low && t < high) || !s.certain() || s.value() == sign::zero) break;
+      (s.value() == left.value() ? low : high) = t;
+    }
+    roots.push_back({at_turn(low, high)});
+  }
+};
+
+}  // namespace
+
+std::optional<std::vector<enclosed_root>> isolate(const std::array<interval, 5>& coefficients,
+                                                  int degree) {
+  while (degree > 0 &&
+         sign_of(coefficients[static_cast<std::size_t>(degree)]).certainly(sign::zero))
+    --degree;
+  if (degree == 0) return std::vector<enclosed_root>{};
+  isolation work{coefficients, degree, most_root_boxes, {}};
+  // A root at infinity or at zero is no certain matter of boxes.
+  for (const double t : {-1.0, 0.0, 1.0}) {
+    const uncertain_sign s = work.sign_at(t);
+    if (!s.certain() || s.value() == sign::zero) return std::nullopt;
+  }
+  if (!work.run(-1, 0, -1) || !work.run(0, 1, 1)) return std::nullopt;
+  return std::move(work.roots);
+}
+
+namespace {
+
+struct arc_search {
+  const insertion_question<interval>& question;
+  int boxes_left = most_arc_boxes;
+
+  uncertain_bool holds(const parameter_box& box) const {
+    const visible_arc<interval>& arc = question.arc;
+    const interval e = evaluate(arc.e, box.lambda, box.mu);
+    if (e.sup() <= 0) return false;
+    const interval h = evaluate(arc.h, box.lambda, box.mu), a = evaluate(arc.a, box.lambda, box.mu);
+    const uncertain_bool on_arc =
+        is_positive(sign_of(e)) & (is_positive(sign_of(h)) | is_positive(sign_of(a)));
+    if (on_arc.certainly(false)) return false;
+    const interval root = square_root_of_non_negative(e);
+    // The weight h + sqrt e is positive on the arc; below, without the cancellation.
+    const interval sum = h.sup() < 0 ? a * arc.c / (root - h) : h + root;
+    if (!(sum.sup() >= 0)) return {};
+    const interval weight(std::max(0.0, sum.inf()), sum.sup());
+    const displacement<interval> from_v = arc.c * arc.direction(box.lambda, box.mu);
+    const uncertain_bool at_x = question.at_x.holds(from_v, weight);
+    if (at_x.certainly(false)) return false;
+    return on_arc & at_x & question.at_y.holds(from_v, weight);
+  }
+
+  // Certainly no good point with turn parameter in [low, high]?
+  bool refuted(double low, double high) {
+    if (--boxes_left < 0) return false;
+    if (holds(at_turn(low, high)).certainly(false)) return true;
+    if (high - low < narrowest_box) return false;
+    const double middle = 0.5 * (low + high);
+    return refuted(low, middle) && refuted(middle, high);
+  }
+};
+
+struct segment_search {
+  const encroachment_question<interval>& question;
+  int boxes_left = most_arc_boxes;
+
+  bool refuted(double low, double high) {
+    if (--boxes_left < 0) return false;
+    const interval t(low, high);
+    const interval lambda = interval(1) - t;
+    const uncertain_bool nearer_than_a =
+        is_negative(sign_of(evaluate(question.against_a, lambda, t)));
+    const uncertain_bool nearer_than_b =
+        is_negative(sign_of(evaluate(question.against_b, lambda, t)));
+    if ((nearer_than_a & nearer_than_b).certainly(false)) return true;
+    if (high - low < narrowest_box) return false;
+    const double middle = 0.5 * (low + high);
+    return refuted(low, middle) && refuted(middle, high);
+  }
+};
+
+}  // namespace
+
+uncertain_bool exists(const insertion_question<interval>& question, std::optional<double> witness) {
+  arc_search search{question};
+  if (witness && std::isfinite(*witness))
+    if (search.holds({interval(1), interval(*witness)}).certainly(true)) return true;
+  if (search.refuted(-1, 0) && search.refuted(0, 1)) return false;
+  return {};
+}
+
+uncertain_bool exists(const encroachment_question<interval>& question,
+                      std::optional<double> witness) {
+  if (witness && std::isfinite(*witness))
+    if (question.holds(interval(1), interval(*witness)).certainly(true)) return true;
+  if (segment_search{question}.refuted(0, 1)) return false;
+  return {};
+}
+
+}  // namespace asterism::certified
