@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <new>
+#include <string_view>
 
 namespace asterism {
 
@@ -52,7 +53,7 @@ void remove_surface_number(std::string& svg) {
 }  // namespace
 
 result<std::string> paint_file(picture_format format, int width, int height,
-                               const std::function<void(cairo_t*)>& paint) {
+                               const std::function<void(_cairo*)>& paint) {
   // Declared before the surface, which writes to it when it is destroyed.
   std::string bytes;
   const std::unique_ptr<cairo_surface_t, surface_deleter> surface(
