@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+//
+// What the checks of one audit share; inside the auditor alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/audit.hpp"
+#include "asterism/mesh/audit_number.hpp"
+
+namespace asterism::audit_detail {
+
+// The edge a -> b of `triangle`, the triangle on its left.
+struct directed_edge {
+  index a = 0, b = 0;
+  index triangle = 0;
+};
+
+// The triangles around a vertex, counter-clockwise: triangle i has the vertex, link[i] and
+// link[i + 1]; a closed fan comes back to link[0], an open one has one more neighbour than
+// triangles.
+struct vertex_fan {
+  bool closed = false;
+  std::vector<index> link;
+};
+
+struct audit_context {
+  audit_context(const mesh& m, const audit_options& o, audit_report& r)
+      : subject(m), options(o), report(r) {}
+
+  const mesh& subject;
+  const audit_options& options;
+  audit_report& report;
+  filtered_kernel kernel;
+
+  // Filled by check_values: what the later checks may touch. vector<char>: one flag a site.
+  std::vector<char> placed;      // finite position
+  std::vector<char> measured;    // placed, and a positive definite metric
+  std::vector<index> triangles;  // in range, three distinct placed corners
+  std::vector<index> pieces;     // of the boundary: in range, two distinct placed ends
+  // Filled by check_edges.
+  std::vector<directed_edge> edges;  // of `triangles`, sorted by (a, b)
+  std::vector<index> sorted_pieces;  // `pieces` sorted by (a, b)
+  // Filled by check_fans, only when the edges match.
+  std::vector<std::vector<vertex_fan>> fans;
+
+  const point& at(index v) const { return subject.sites[v].position; }
+  sign orientation(index a, index b, index c) const {
+    return kernel.orientation(at(a), at(b), at(c));
+  }
+  void found(finding_kind kind, std::string witness);
+};
+
+// The checks, in the order of audit(). Each reports into the context and goes on.
+void check_values(audit_context& context);
+void check_orientations(audit_context& context);
+void check_edges(audit_context& context);
+void check_boundary_contacts(audit_context& context);
+void check_winding(audit_context& context);
+void check_fans(audit_context& context);
+void check_domain_kept(audit_context& context);
+void check_angles(audit_context& context);
+void check_stars(audit_context& context);
+
+// Index into context.edges, or the size of it.
+std::size_t find_edge(const audit_context& context, index a, index b);
+// Index into subject.boundary, or the size of it.
+std::size_t find_piece(const audit_context& context, index a, index b);
+// The third corner of the triangle on the left of `edge`.
+index apex(const audit_context& context, const directed_edge& edge);
+// For two points known to be collinear with v: are they on the same side of it?
+bool same_ray(const point& v, const point& a, const point& b);
+
+// Witness texts: numbers from 1, coordinates that read back to the same double.
+std::string number_text(double value);
+std::string vertex_text(const audit_context& context, index v);
+std::string triangle_text(const audit_context& context, index t);
+std::string piece_text(const audit_context& context, index piece);
+
+template <class Number>
+vector2<Number> difference(const point& to, const point& from) {
+  return {Number(to.x) - Number(from.x), Number(to.y) - Number(from.y)};
+}
+template <class Number>
+tensor<Number> tensor_of(const metric_tensor& m) {
+  return {Number(m.m11), Number(m.m12), Number(m.m22)};
+}
+
+}  // namespace asterism::audit_detail

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+//
+// Point 2, the combinatorial part: every directed edge once, its reverse once or the boundary.
+#include <algorithm>
+
+#include "asterism/mesh/audit_context.hpp"
+
+namespace asterism::audit_detail {
+namespace {
+
+std::string edge_text(const audit_context& context, const directed_edge& edge) {
+  return "edge " + std::to_string(std::size_t{edge.a} + 1) + "-" +
+         std::to_string(std::size_t{edge.b} + 1) + " of " + triangle_text(context, edge.triangle);
+}
+
+void list_edges(audit_context& context) {
+  context.edges.reserve(3 * context.triangles.size());
+  for (const index t : context.triangles) {
+    const triangle& c = context.subject.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) context.edges.push_back({c[i], c[(i + 1) % 3], t});
+  }
+  std::sort(context.edges.begin(), context.edges.end(), [](const auto& l, const auto& r) {
+    return std::array{l.a, l.b, l.triangle} < std::array{r.a, r.b, r.triangle};
+  });
+  context.sorted_pieces = context.pieces;
+  const auto& boundary = context.subject.boundary;
+  std::sort(context.sorted_pieces.begin(), context.sorted_pieces.end(), [&](index l, index r) {
+    return std::array{boundary[l].a, boundary[l].b, l} <
+           std::array{boundary[r].a, boundary[r].b, r};
+  });
+}
+
+void check_triangle_edges(audit_context& context) {
+  const auto& edges = context.edges;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const directed_edge& e = edges[i];
+    if (i > 0 && edges[i - 1].a == e.a && edges[i - 1].b == e.b)
+      context.found(finding_kind::repeated_edge,
+                    edge_text(context, e) + " runs the same way in triangle " +
+                        std::to_string(std::size_t{edges[i - 1].triangle} + 1));
+    if (find_edge(context, e.b, e.a) == edges.size() &&
+        find_piece(context, e.a, e.b) == context.subject.boundary.size())
+      context.found(finding_kind::unmatched_edge,
+                    edge_text(context, e) + " has no triangle across and is no boundary edge");
+  }
+}
+
+void check_pieces(audit_context& context) {
+  const auto& boundary = context.subject.boundary;
+  const auto& order = context.sorted_pieces;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const boundary_edge& piece = boundary[order[i]];
+    const std::string text = piece_text(context, order[i]);
+    if (i > 0 && boundary[order[i - 1]].a == piece.a && boundary[order[i - 1]].b == piece.b)
+      context.found(
+          finding_kind::repeated_boundary,
+          text + " repeats boundary edge " + std::to_string(std::size_t{order[i - 1]} + 1));
+    if (find_edge(context, piece.a, piece.b) == context.edges.size())
+      context.found(finding_kind::boundary_without_triangle, text + " has no triangle on its left");
+    const std::size_t other_side = find_edge(context, piece.b, piece.a);
+    if (other_side != context.edges.size())
+      context.found(finding_kind::boundary_inside,
+                    text + " has " + triangle_text(context, context.edges[other_side].triangle) +
+                        " on its right");
+  }
+}
+
+void check_closed_curves(audit_context& context) {
+  std::vector<int> balance(context.subject.sites.size(), 0);
+  for (const index e : context.pieces) {
+    ++balance[context.subject.boundary[e].a];
+    --balance[context.subject.boundary[e].b];
+  }
+  for (index v = 0; v < balance.size(); ++v)
+    if (balance[v] != 0)
+      context.found(finding_kind::open_boundary,
+                    std::to_string(std::abs(balance[v])) + " more boundary edges " +
+                        (balance[v] > 0 ? "leave " : "reach ") + vertex_text(context, v) +
+                        (balance[v] > 0 ? " than reach it" : " than leave it"));
+}
+
+void check_used(audit_context& context) {
+  std::vector<char> used(context.subject.sites.size(), 0);
+  for (const directed_edge& e : context.edges) used[e.a] = 1;
+  for (index v = 0; v < used.size(); ++v)
+    if (!used[v])
+      context.found(finding_kind::unused_vertex, vertex_text(context, v) + " is in no triangle");
+}
+
+}  // namespace
+
+void check_edges(audit_context& context) {
+  list_edges(context);
+  check_triangle_edges(context);
+  check_pieces(context);
+  check_closed_curves(context);
+  check_used(context);
+}
+
+}  // namespace asterism::audit_detail

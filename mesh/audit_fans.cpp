@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// Point 2, seen from each vertex: its triangles surround it once, or fill each sector of the domain
+// once. Implied by the other checks of point 2; made all the same, as it names the vertex, and
+// because the star check walks these fans. Requires matched edges.
+#include <algorithm>
+
+#include "asterism/mesh/audit_context.hpp"
+
+namespace asterism::audit_detail {
+namespace {
+
+// The triangle (v, from, to).
+struct fan_step {
+  index from = 0, to = 0;
+  bool used = false;
+};
+
+std::vector<fan_step> steps_around(const audit_context& context, std::size_t first,
+                                   std::size_t last) {
+  std::vector<fan_step> steps;  // sorted by `from`, as the edges are
+  for (std::size_t i = first; i < last; ++i)
+    steps.push_back({context.edges[i].b, apex(context, context.edges[i])});
+  return steps;
+}
+
+vertex_fan follow(std::vector<fan_step>& steps, fan_step& start) {
+  vertex_fan fan;
+  fan_step* step = &start;
+  while (true) {
+    step->used = true;
+    fan.link.push_back(step->from);
+    const index to = step->to;
+    const auto next = std::lower_bound(steps.begin(), steps.end(), to,
+                                       [](const fan_step& s, index v) { return s.from < v; });
+    if (next == steps.end() || next->from != to) {
+      fan.link.push_back(to);
+      return fan;
+    }
+    if (next->used) {
+      fan.closed = true;
+      return fan;
+    }
+    step = &*next;
+  }
+}
+
+std::vector<vertex_fan> fans_around(const audit_context& context, std::size_t first,
+                                    std::size_t last) {
+  std::vector<fan_step> steps = steps_around(context, first, last);
+  std::vector<index> arrivals;
+  for (const fan_step& s : steps) arrivals.push_back(s.to);
+  std::sort(arrivals.begin(), arrivals.end());
+  std::vector<vertex_fan> fans;
+  for (fan_step& s : steps)
+    if (!std::binary_search(arrivals.begin(), arrivals.end(), s.from))
+      fans.push_back(follow(steps, s));
+  for (fan_step& s : steps)
+    if (!s.used) fans.push_back(follow(steps, s));
+  return fans;
+}
+
+bool in_lower_half(const point& v, const point& p) {
+  return p.y < v.y || (p.y == v.y && p.x < v.x);
+}
+
+// Full turns of a closed fan: each triangle turns by less than a half turn, so a turn is completed
+// exactly where a step leads from the lower half plane into the upper one.
+int turns(const audit_context& context, index v, const vertex_fan& fan) {
+  int count = 0;
+  for (std::size_t i = 0; i < fan.link.size(); ++i) {
+    const index to = fan.link[(i + 1) % fan.link.size()];
+    count += in_lower_half(context.at(v), context.at(fan.link[i])) &&
+             !in_lower_half(context.at(v), context.at(to));
+  }
+  return count;
+}
+
+// Does an open fan come round to its first edge again?
+bool overturned(const audit_context& context, index v, const vertex_fan& fan) {
+  for (std::size_t i = 1; i + 1 < fan.link.size(); ++i)
+    if (context.orientation(v, fan.link[i], fan.link[0]) == sign::positive &&
+        context.orientation(v, fan.link[0], fan.link[i + 1]) != sign::negative)
+      return true;
+  return false;
+}
+
+void check_vertex(audit_context& context, index v, std::size_t leaving) {
+  const auto& fans = context.fans[v];
+  const auto closed = static_cast<std::size_t>(
+      std::count_if(fans.begin(), fans.end(), [](const auto& fan) { return fan.closed; }));
+  const std::size_t open = fans.size() - closed;
+  if (open != leaving || closed != (leaving == 0 ? 1U : 0U)) {
+    context.found(finding_kind::broken_fan,
+                  "the triangles at " + vertex_text(context, v) + " form " +
+                      std::to_string(closed) + " closed and " + std::to_string(open) +
+                      " open fans, with " + std::to_string(leaving) + " boundary edges leaving it");
+    return;
+  }
+  for (const vertex_fan& fan : fans)
+    if (fan.closed ? turns(context, v, fan) != 1 : overturned(context, v, fan))
+      context.found(finding_kind::broken_fan, "the triangles at " + vertex_text(context, v) +
+                                                  " turn around it more than once");
+}
+
+}  // namespace
+
+void check_fans(audit_context& context) {
+  const std::size_t n = context.subject.sites.size();
+  std::vector<std::size_t> leaving(n, 0);
+  for (const index piece : context.pieces) ++leaving[context.subject.boundary[piece].a];
+  context.fans.resize(n);
+  const auto& edges = context.edges;
+  for (std::size_t first = 0; first < edges.size();) {
+    std::size_t last = first;
+    while (last < edges.size() && edges[last].a == edges[first].a) ++last;
+    const index v = edges[first].a;
+    context.fans[v] = fans_around(context, first, last);
+    check_vertex(context, v, leaving[v]);
+    first = last;
+  }
+}
+
+}  // namespace asterism::audit_detail

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+//
+// Points 0 and 1: numbers, indices, repetitions, orientation.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "asterism/mesh/audit_context.hpp"
+
+namespace asterism::audit_detail {
+namespace {
+
+bool finite(const point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+bool finite(const metric_tensor& m) {
+  return std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
+}
+
+void check_sites(audit_context& context) {
+  const auto& sites = context.subject.sites;
+  context.placed.assign(sites.size(), 0);
+  context.measured.assign(sites.size(), 0);
+  for (index v = 0; v < sites.size(); ++v) {
+    const metric_tensor& m = sites[v].metric;
+    const std::string metric = "metric tensor " + number_text(m.m11) + " " + number_text(m.m12) +
+                               " " + number_text(m.m22) + " of " + vertex_text(context, v);
+    context.placed[v] = finite(sites[v].position);
+    if (!context.placed[v])
+      context.found(finding_kind::not_finite, vertex_text(context, v) + " is not finite");
+    if (!finite(m))
+      context.found(finding_kind::not_finite, "the " + metric + " is not finite");
+    else if (!context.kernel.is_positive_definite(m))
+      context.found(finding_kind::metric_not_positive_definite,
+                    "the " + metric + " is not positive definite");
+    else
+      context.measured[v] = context.placed[v];
+  }
+}
+
+void check_positions(audit_context& context) {
+  std::vector<index> order;
+  for (index v = 0; v < context.placed.size(); ++v)
+    if (context.placed[v]) order.push_back(v);
+  std::sort(order.begin(), order.end(), [&](index a, index b) {
+    if (lexicographically_less(context.at(a), context.at(b))) return true;
+    return context.at(a) == context.at(b) && a < b;
+  });
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (context.at(order[i - 1]) == context.at(order[i]))
+      context.found(finding_kind::repeated_position, vertex_text(context, order[i - 1]) + " and " +
+                                                         vertex_text(context, order[i]) +
+                                                         " are at the same point");
+}
+
+// True when every index is in range and no two are equal and all positions are finite.
+template <class Corners>
+bool usable(audit_context& context, const Corners& corners, const std::string& what) {
+  for (const index v : corners) {
+    if (v < context.subject.sites.size()) continue;
+    context.found(finding_kind::index_out_of_range,
+                  what + " names vertex " + std::to_string(std::size_t{v} + 1) + " of " +
+                      std::to_string(context.subject.sites.size()));
+    return false;
+  }
+  Corners sorted = corners;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end()) {
+    context.found(finding_kind::repeated_corner,
+                  what + " names " + vertex_text(context, *twice) + " twice");
+    return false;
+  }
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](index v) { return context.placed[v] != 0; });
+}
+
+void check_indices(audit_context& context) {
+  const mesh& m = context.subject;
+  for (index t = 0; t < m.triangles.size(); ++t)
+    if (usable(context, m.triangles[t], "triangle " + std::to_string(std::size_t{t} + 1)))
+      context.triangles.push_back(t);
+  for (index e = 0; e < m.boundary.size(); ++e)
+    if (usable(context, std::array{m.boundary[e].a, m.boundary[e].b},
+               "boundary edge " + std::to_string(std::size_t{e} + 1)))
+      context.pieces.push_back(e);
+  if (m.given > m.sites.size())
+    context.found(finding_kind::index_out_of_range, std::to_string(m.given) +
+                                                        " vertices are said to be given, of " +
+                                                        std::to_string(m.sites.size()));
+}
+
+void check_repeated_triangles(audit_context& context) {
+  std::vector<std::pair<triangle, index>> sorted;
+  for (const index t : context.triangles) {
+    triangle corners = context.subject.triangles[t];
+    std::sort(corners.begin(), corners.end());
+    sorted.emplace_back(corners, t);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (sorted[i - 1].first == sorted[i].first)
+      context.found(finding_kind::repeated_triangle,
+                    triangle_text(context, sorted[i].second) + " has the vertices of triangle " +
+                        std::to_string(std::size_t{sorted[i - 1].second} + 1));
+}
+
+}  // namespace
+
+void check_values(audit_context& context) {
+  const mesh& m = context.subject;
+  if (m.triangles.empty()) context.found(finding_kind::empty_mesh, "the mesh has no triangle");
+  if (!m.disagreeing.empty())
+    context.found(finding_kind::disagreeing_triangles,
+                  "the mesh carries " + std::to_string(m.disagreeing.size()) +
+                      " triangles on which the stars disagree");
+  check_sites(context);
+  check_positions(context);
+  check_indices(context);
+  check_repeated_triangles(context);
+}
+
+void check_orientations(audit_context& context) {
+  for (const index t : context.triangles) {
+    const triangle& c = context.subject.triangles[t];
+    const sign turn = context.orientation(c[0], c[1], c[2]);
+    if (turn == sign::positive) continue;
+    context.found(finding_kind::orientation,
+                  triangle_text(context, t) +
+                      (turn == sign::zero ? " is flat" : " is not counter-clockwise"));
+  }
+}
+
+}  // namespace asterism::audit_detail

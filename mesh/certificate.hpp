@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// What is known of a finished mesh, written beside it so that anybody can check it again.
+//
+// As a file: JSON, UTF-8, the same bytes for the same run (no times, no machine). Numbers are
+// written so that they read back to the same doubles; vertices, triangles and boundary edges are
+// counted from 1, as in a .mesh file, though the fields below count from 0.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/kernels/tier_counters.hpp"
+#include "asterism/mesh/audit.hpp"
+#include "asterism/mesh/domain.hpp"
+#include "asterism/mesh/mesh.hpp"
+
+namespace asterism {
+
+struct certificate {
+  std::string version;  // of the program that made it
+
+  // What was asked for; make_certificate leaves these to whoever ran the mesher.
+  std::string metric;                          // as --metric takes it
+  std::map<std::string, std::string> options;  // by name, as text
+  bool complete = false;                       // the mesher reached its goal
+  std::string reason;                          // one sentence: why it ended
+  tier_counters mesher_counters;               // of the kernel that made the mesh
+
+  // The mesh, as counted and audited.
+  std::size_t sites = 0, triangles = 0, boundary_pieces = 0, given = 0;
+  std::uint64_t fingerprint = 0;
+  std::optional<double> angle_bound;  // degrees
+  double worst_angle = 180;           // away from exempt corners
+  std::vector<index> exempt_corners;
+  std::vector<index> exempt_triangles;
+  double largest_deviation = 0;
+  bool domain_checked = false, angles_checked = false, stars_checked = false;
+  bool certified = false;
+  std::map<std::string, std::size_t> found;  // findings by kind, those that occurred
+  std::vector<std::string> witnesses;        // "kind: sentence"
+  tier_counters audit_counters;
+
+  std::optional<domain> original;  // what point 2 is repeated against
+};
+
+// A 64-bit FNV-1a hash of everything a .mesh and its .sol hold: numbers of each, positions and
+// metrics bit for bit, triangles, boundary edges with their markers. It tells files apart; it is no
+// protection against forgery, for which verify() repeats the audit.
+std::uint64_t mesh_fingerprint(const mesh& subject);
+
+// `report` must be of an audit of `subject` with `options`.
+certificate make_certificate(const mesh& subject, const audit_options& options,
+                             const audit_report& report);
+
+std::string certificate_text(const certificate& c);
+// `name` is the file's, for messages.
+result<certificate> parse_certificate(const std::string& text, const std::string& name);
+
+// Errors name the file. Nothing is left behind by a failed write.
+result<std::filesystem::path> write_certificate(const std::filesystem::path& path,
+                                                const certificate& c);
+result<certificate> read_certificate(const std::filesystem::path& path);
+
+struct verify_report {
+  bool verified = false;  // certified, and nothing contradicts the certificate
+  audit_report audit;
+  std::vector<std::string> contradictions;  // one sentence each, claim against mesh
+};
+
+// Audits again, from the mesh and the certificate alone. From the certificate come the domain, the
+// exempt corners and the angle bound where `options` has none of its own; without a certificate
+// exempt corners are looked for, and nothing is known of the domain.
+verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
+                     audit_options options);
+
+}  // namespace asterism

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+//
+// Certificates as JSON. nlohmann's library reports by exceptions; none leaves this file.
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "asterism/mesh/certificate.hpp"
+#include "asterism/mesh/io/file_output.hpp"
+
+namespace asterism {
+namespace {
+
+using json = nlohmann::ordered_json;  // keys in the order written: the text is deterministic
+
+constexpr std::string_view format_name = "asterism certificate 1";
+
+// Thrown by the readers below, inside parse_certificate alone.
+struct malformed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::vector<std::size_t> from_one(const std::vector<index>& numbers) {
+  std::vector<std::size_t> result;
+  for (const index i : numbers) result.push_back(std::size_t{i} + 1);
+  return result;
+}
+
+json counters_json(const tier_counters& counters) {
+  json result = json::object();
+  for (std::size_t p = 0; p < predicate_count; ++p) {
+    json tiers = json::object();
+    for (std::size_t t = 0; t < tier_count; ++t)
+      tiers[std::string(tier_names[t])] = counters.decided[p][t];
+    result[std::string(predicate_names[p])] = std::move(tiers);
+  }
+  return result;
+}
+
+json points_json(const std::vector<point>& points) {
+  json result = json::array();
+  for (const point& p : points) result.push_back({p.x, p.y});
+  return result;
+}
+
+json domain_json(const domain& d) {
+  json segments = json::array();
+  for (const segment& s : d.segments)
+    segments.push_back({std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker});
+  return {{"name", d.name},
+          {"vertices", points_json(d.vertices)},
+          {"segments", std::move(segments)},
+          {"holes", points_json(d.holes)}};
+}
+
+std::string hexadecimal(std::uint64_t value) {
+  std::array<char, 16> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  const std::string text(digits.data(), end.ptr);
+  return std::string(16 - text.size(), '0') + text;
+}
+
+json mesh_json(const certificate& c) {
+  return {{"vertices", c.sites},
+          {"given", c.given},
+          {"triangles", c.triangles},
+          {"boundary_edges", c.boundary_pieces},
+          {"fingerprint", hexadecimal(c.fingerprint)}};
+}
+
+json audit_json(const certificate& c) {
+  json found = json::object();
+  for (const auto& [kind, count] : c.found) found[kind] = count;
+  return {{"certified", c.certified},
+          {"domain_checked", c.domain_checked},
+          {"angles_checked", c.angles_checked},
+          {"stars_checked", c.stars_checked},
+          {"worst_angle", c.worst_angle},
+          {"exempt_corners", from_one(c.exempt_corners)},
+          {"exempt_triangles", from_one(c.exempt_triangles)},
+          {"largest_boundary_deviation",
+           std::isfinite(c.largest_deviation) ? json(c.largest_deviation) : json(nullptr)},
+          {"findings", std::move(found)},
+          {"witnesses", c.witnesses},
+          {"decided", counters_json(c.audit_counters)}};
+}
+
+// The readers: each names the key it wanted.
+const json& member(const json& object, const std::string& key) {
+  const auto place = object.find(key);
+  if (place == object.end()) throw malformed("\"" + key + "\" is missing");
+  return *place;
+}
+
+template <class T>
+T read(const json& object, const std::string& key) {
+  try {
+    return member(object, key).get<T>();
+  } catch (const json::exception&) {
+    throw malformed("\"" + key + "\" is not what it should be");
+  }
+}
+
+std::size_t count_of(const json& object, const std::string& key) {
+  if (!member(object, key).is_number_unsigned()) throw malformed("\"" + key + "\" is not a count");
+  return read<std::size_t>(object, key);
+}
+
+index index_of(const json& number, const std::string& key) {
+  if (!number.is_number_unsigned() || number.get<std::uint64_t>() < 1 ||
+      number.get<std::uint64_t>() > std::numeric_limits<index>::max())
+    throw malformed("\"" + key + "\" holds " + number.dump() + ", which counts nothing from 1");
+  return static_cast<index>(number.get<std::uint64_t>() - 1);
+}
+
+const json& array_of(const json& object, const std::string& key) {
+  const json& list = member(object, key);
+  if (!list.is_array()) throw malformed("\"" + key + "\" is not a list");
+  return list;
+}
+
+std::vector<index> indices_of(const json& object, const std::string& key) {
+  std::vector<index> result;
+  for (const json& number : array_of(object, key)) result.push_back(index_of(number, key));
+  return result;
+}
+
+std::vector<point> points_of(const json& object, const std::string& key) {
+  std::vector<point> result;
+  for (const json& p : array_of(object, key)) {
+    if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
+      throw malformed("\"" + key + "\" holds " + p.dump() + ", which is no point");
+    result.push_back({p[0].get<double>(), p[1].get<double>()});
+  }
+  return result;
+}
+
+domain domain_of(const json& object) {
+  domain d;
+  d.name = read<std::string>(object, "name");
+  d.vertices = points_of(object, "vertices");
+  d.holes = points_of(object, "holes");
+  for (const json& s : array_of(object, "segments")) {
+    if (!s.is_array() || s.size() != 3 || !s[2].is_number_integer())
+      throw malformed("\"segments\" holds " + s.dump() + ", which is no segment");
+    const segment read_segment{index_of(s[0], "segments"), index_of(s[1], "segments"),
+                               s[2].get<int>()};
+    if (read_segment.a >= d.vertices.size() || read_segment.b >= d.vertices.size())
+      throw malformed("segment " + s.dump() + " names a vertex the domain does not have");
+    d.segments.push_back(read_segment);
+  }
+  return d;
+}
+
+tier_counters counters_of(const json& object, const std::string& key) {
+  tier_counters counters;
+  const json& all = member(object, key);
+  for (std::size_t p = 0; p < predicate_count; ++p) {
+    const json& tiers = member(all, std::string(predicate_names[p]));
+    for (std::size_t t = 0; t < tier_count; ++t)
+      counters.decided[p][t] = count_of(tiers, std::string(tier_names[t]));
+  }
+  return counters;
+}
+
+std::uint64_t fingerprint_of(const json& object) {
+  const auto text = read<std::string>(object, "fingerprint");
+  std::uint64_t value = 0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (text.size() != 16 || end.ec != std::errc() || end.ptr != text.data() + text.size())
+    throw malformed("\"fingerprint\" is not sixteen hexadecimal digits");
+  return value;
+}
+
+void read_mesh(const json& object, certificate& c) {
+  c.sites = count_of(object, "vertices");
+  c.given = count_of(object, "given");
+  c.triangles = count_of(object, "triangles");
+  c.boundary_pieces = count_of(object, "boundary_edges");
+  c.fingerprint = fingerprint_of(object);
+}
+
+void read_audit(const json& object, certificate& c) {
+  c.certified = read<bool>(object, "certified");
+  c.domain_checked = read<bool>(object, "domain_checked");
+  c.angles_checked = read<bool>(object, "angles_checked");
+  c.stars_checked = read<bool>(object, "stars_checked");
+  c.worst_angle = read<double>(object, "worst_angle");
+  c.exempt_corners = indices_of(object, "exempt_corners");
+  c.exempt_triangles = indices_of(object, "exempt_triangles");
+  const json& deviation = member(object, "largest_boundary_deviation");
+  c.largest_deviation = deviation.is_null() ? std::numeric_limits<double>::infinity()
+                                            : read<double>(object, "largest_boundary_deviation");
+  c.found = read<std::map<std::string, std::size_t>>(object, "findings");
+  c.witnesses = read<std::vector<std::string>>(object, "witnesses");
+  c.audit_counters = counters_of(object, "decided");
+}
+
+certificate certificate_of(const json& root) {
+  if (!root.is_object() || root.value("format", "") != format_name)
+    throw malformed("this is not an \"" + std::string(format_name) + "\"");
+  certificate c;
+  c.version = read<std::string>(root, "version");
+  const json& asked = member(root, "asked");
+  c.metric = read<std::string>(asked, "metric");
+  if (!member(asked, "angle_bound").is_null()) c.angle_bound = read<double>(asked, "angle_bound");
+  c.options = read<std::map<std::string, std::string>>(asked, "options");
+  const json& outcome = member(root, "outcome");
+  c.complete = read<bool>(outcome, "complete");
+  c.reason = read<std::string>(outcome, "reason");
+  c.mesher_counters = counters_of(outcome, "decided");
+  read_mesh(member(root, "mesh"), c);
+  read_audit(member(root, "audit"), c);
+  if (!member(root, "domain").is_null()) c.original = domain_of(member(root, "domain"));
+  return c;
+}
+
+}  // namespace
+
+std::string certificate_text(const certificate& c) {
+  json options = json::object();
+  for (const auto& [name, value] : c.options) options[name] = value;
+  const json root = {{"format", format_name},
+                     {"version", c.version},
+                     {"numbering", "from 1"},
+                     {"asked",
+                      {{"metric", c.metric},
+                       {"angle_bound", c.angle_bound ? json(*c.angle_bound) : json(nullptr)},
+                       {"options", std::move(options)}}},
+                     {"outcome",
+                      {{"complete", c.complete},
+                       {"reason", c.reason},
+                       {"decided", counters_json(c.mesher_counters)}}},
+                     {"mesh", mesh_json(c)},
+                     {"audit", audit_json(c)},
+                     {"domain", c.original ? domain_json(*c.original) : json(nullptr)}};
+  // Text that is not UTF-8 (a file's name may be anything) is replaced, not refused.
+  return root.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+result<certificate> parse_certificate(const std::string& text, const std::string& name) {
+  try {
+    return certificate_of(json::parse(text));
+  } catch (const malformed& e) {
+    return error{name + ": " + e.what()};
+  } catch (const json::exception& e) {
+    return error{name + ": " + e.what()};
+  }
+}
+
+result<std::filesystem::path> write_certificate(const std::filesystem::path& path,
+                                                const certificate& c) {
+  const auto written = write_files({{path, certificate_text(c)}});
+  if (!written.ok()) return written.failure();
+  return path;
+}
+
+result<certificate> read_certificate(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return error{path.string() + ": cannot be opened"};
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (in.bad()) return error{path.string() + ": cannot be read"};
+  return parse_certificate(text.str(), path.string());
+}
+
+}  // namespace asterism
