@@ -11,7 +11,9 @@
 // the corner: of two such pieces only the longer is ever split because of the other.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,7 +51,7 @@ class refine_state {
   const star_kernel& kernel() const { return *kernel_; }
   const std::vector<domain_corner>& corners() const { return corners_; }
   // Valid until the state is moved.
-  site_oracle oracle() const { return {sites_, edges_, *kernel_}; }
+  site_oracle oracle() const { return {sites_, edges_, *kernel_, memory_.get()}; }
   std::size_t splits() const { return splits_; }
 
   // Set when the metric field failed at a point that was tried; nothing can go on then.
@@ -98,6 +100,7 @@ class refine_state {
   star_set stars_;
   const metric_field* field_;
   const star_kernel* kernel_;
+  std::unique_ptr<edge_test_memory> memory_ = std::make_unique<edge_test_memory>();
   std::vector<domain_corner> corners_;
   std::vector<std::size_t> suspects_;  // pieces that may be encroached
   std::size_t splits_ = 0;

@@ -23,7 +23,8 @@ bool site_oracle::nearer_on_ray(index v, index near, index far) const {
 
 bool site_oracle::edge_test(index v, index w, index x, index y) const {
   const auto& s = *sites_;
-  return kernel_->edge_test(s[v], s[w], s[x], s[y]);
+  const auto ask = [&] { return kernel_->edge_test(s[v], s[w], s[x], s[y]); };
+  return memory_ == nullptr ? ask() : memory_->recall(v, w, x, y, ask);
 }
 
 bool site_oracle::visible(index v, index w) const {

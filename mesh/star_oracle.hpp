@@ -10,14 +10,17 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/boundary.hpp"
 #include "asterism/mesh/star_kernel.hpp"
+#include "asterism/mesh/star_memory.hpp"
 
 namespace asterism {
 
-// All three objects must outlive the oracle; they may grow while it is in use.
+// All objects must outlive the oracle; sites and boundary may grow while it is in use. With a
+// memory (optional) no edge_test is asked twice in a while.
 class site_oracle {
  public:
-  site_oracle(const std::vector<site>& sites, const boundary& edges, const star_kernel& kernel)
-      : sites_(&sites), boundary_(&edges), kernel_(&kernel) {}
+  site_oracle(const std::vector<site>& sites, const boundary& edges, const star_kernel& kernel,
+              edge_test_memory* memory = nullptr)
+      : sites_(&sites), boundary_(&edges), kernel_(&kernel), memory_(memory) {}
 
   index size() const { return static_cast<index>(sites_->size()); }
   const boundary& edges() const { return *boundary_; }
@@ -43,6 +46,7 @@ class site_oracle {
   const std::vector<site>* sites_;
   const boundary* boundary_;
   const star_kernel* kernel_;
+  edge_test_memory* memory_;
 };
 
 }  // namespace asterism
