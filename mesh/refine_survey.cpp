@@ -31,6 +31,45 @@ void add_disagreeing(const refine_state& state, survey& s) {
   s.disagreeing = where.size();
 }
 
+// Both lists of triangles are in lexicographic order.
+void measure_shapes(const refine_state& state, const angle_requirement& angle, bool limit_size,
+                    const survey& previous, survey& s) {
+  const auto& known = previous.consistency.agreeing;
+  auto at = known.begin();
+  for (const triangle& t : s.consistency.agreeing) {
+    at = std::lower_bound(at, known.end(), t);
+    if (at != known.end() && *at == t) {
+      s.shapes.push_back(previous.shapes[static_cast<std::size_t>(at - known.begin())]);
+      continue;
+    }
+    const triangle_sites sites = sites_of(state, t);
+    triangle_shape shape{angle.is_low(sites), 0, 0};
+    if (shape.is_low) shape.smallest_angle = smallest_angle(sites);
+    if (limit_size) shape.circumradius = metric_circumradius(sites);
+    s.shapes.push_back(shape);
+  }
+}
+
+bool touches(const triangle& t, const std::vector<exempt_corner>& corners) {
+  return std::any_of(corners.begin(), corners.end(), [&](const exempt_corner& c) {
+    return std::find(t.begin(), t.end(), c.vertex) != t.end();
+  });
+}
+
+void judge(const triangle& t, const triangle_shape& shape, const std::vector<exempt_corner>& exempt,
+           survey& s) {
+  if (shape.is_low && touches(t, exempt)) {
+    s.exempt.push_back(t);
+  } else if (shape.is_low) {
+    s.bad.push_back({badness::low_angle, shape.smallest_angle, t});
+    ++s.low_angle;
+    return;
+  }
+  if (!(shape.circumradius > largest_circumradius)) return;
+  s.bad.push_back({badness::too_large, -shape.circumradius, t});
+  ++s.too_large;
+}
+
 }  // namespace
 
 triangle_sites sites_of(const refine_state& state, const triangle& t) {
@@ -50,33 +89,15 @@ std::vector<exempt_corner> exempt_corners(const refine_state& state,
   return corners;
 }
 
-survey take_survey(const refine_state& state, const angle_requirement& angle, bool limit_size) {
+survey take_survey(const refine_state& state, const angle_requirement& angle, bool limit_size,
+                   const survey& previous) {
   survey s;
   s.consistency = check_consistency(state.oracle(), state.stars());
   add_disagreeing(state, s);
+  measure_shapes(state, angle, limit_size, previous, s);
   const auto exempt = exempt_corners(state, angle);
-  const auto at_exempt_corner = [&](const triangle& t) {
-    return std::any_of(exempt.begin(), exempt.end(), [&](const exempt_corner& c) {
-      return std::find(t.begin(), t.end(), c.vertex) != t.end();
-    });
-  };
-  for (const triangle& t : s.consistency.agreeing) {
-    const triangle_sites sites = sites_of(state, t);
-    if (angle.is_low(sites)) {
-      if (at_exempt_corner(t)) {
-        s.exempt.push_back(t);
-      } else {
-        s.bad.push_back({badness::low_angle, smallest_angle(sites), t});
-        ++s.low_angle;
-        continue;
-      }
-    }
-    if (!limit_size) continue;
-    const double radius = metric_circumradius(sites);
-    if (!(radius > largest_circumradius)) continue;
-    s.bad.push_back({badness::too_large, -radius, t});
-    ++s.too_large;
-  }
+  for (std::size_t i = 0; i < s.shapes.size(); ++i)
+    judge(s.consistency.agreeing[i], s.shapes[i], exempt, s);
   sort_worst_first(s.bad);
   return s;
 }

@@ -27,14 +27,25 @@ struct bad_triangle {
   triangle where{};
 };
 
+// What there is to know of a triangle's shape; it never changes, as its sites never do.
+struct triangle_shape {
+  bool is_low = false;
+  double smallest_angle = 0;  // measured only when is_low
+  double circumradius = 0;    // metric_circumradius; measured only with a size limit
+};
+
 struct survey {
   consistency_report consistency;
-  std::vector<bad_triangle> bad;  // disagreeing, then low angles, then large; deterministic
+  std::vector<triangle_shape> shapes;  // of consistency.agreeing, in its order
+  std::vector<bad_triangle> bad;       // disagreeing, then low angles, then large; deterministic
   std::size_t disagreeing = 0, low_angle = 0, too_large = 0;
   std::vector<triangle> exempt;
 };
 
-survey take_survey(const refine_state& state, const angle_requirement& angle, bool limit_size);
+// `previous` saves measuring what has not changed since: a survey of the same state, taken earlier
+// with the same requirement and limit, or an empty one.
+survey take_survey(const refine_state& state, const angle_requirement& angle, bool limit_size,
+                   const survey& previous);
 
 // The domain's corners below the bound, one for each vertex (its smallest), by vertex.
 std::vector<exempt_corner> exempt_corners(const refine_state& state,

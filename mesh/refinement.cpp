@@ -40,7 +40,7 @@ class refinement {
   // are finitely many between insertions), or shrinks the tolerance towards its floor, or ends.
   void step() {
     state_.clear_encroachments(tolerance_.floor, options_.max_sites);
-    survey_ = take_survey(state_, angle_, options_.limit_size);
+    survey_ = take_survey(state_, angle_, options_.limit_size, survey_);
     report_progress();
     if (state_.field_failure()) return end("the metric field failed");
     if (rebuild_disagreeing()) return;
@@ -87,12 +87,26 @@ class refinement {
     if (options_.strategy == refinement_strategy::poisson_darts) return improve_by_darts();
     while (true) {
       for (const bad_triangle& b : survey_.bad) {
-        if (shorten_tight_corner(state_, b.where, angle_, in_force_)) return true;
-        if (refine_by_arcs(state_, b.where, in_force_, rejected_)) return true;
+        const bool inserted = shorten_tight_corner(state_, b.where, angle_, in_force_) ||
+                              refine_by_arcs(state_, b.where, in_force_, rejected_);
         if (state_.field_failure()) return false;
+        if (!inserted) continue;
+        if (b.why == badness::too_large) insert_for_large();
+        return true;
       }
       if (in_force_ <= tolerance_.floor) return false;
       in_force_ = std::max(tolerance_.floor, tolerance_.shrink * in_force_);
+    }
+  }
+
+  // Where nothing but size is left to mend, the order matters little: one survey serves many
+  // insertions. Triangles that have gone meanwhile are passed over.
+  void insert_for_large() {
+    for (const bad_triangle& b : survey_.bad) {
+      if (state_.sites().size() >= options_.max_sites || state_.field_failure()) return;
+      const auto [v, y, x] = b.where;
+      if (has_triangle(state_.oracle(), v, state_.stars()[v], y, x))
+        refine_by_arcs(state_, b.where, in_force_, rejected_);
     }
   }
 
