@@ -60,8 +60,7 @@ inline void add_function(cut_list& list, const visible_arc<double>& arc,
   }
 }
 
-// A parameter at which the question holds, in doubles.
-inline std::optional<double> find_witness(const insertion_question<double>& question, cuts which) {
+inline cut_list critical_cuts(const insertion_question<double>& question, cuts which) {
   const visible_arc<double>& arc = question.arc;
   cut_list list;
   list.add(arc.e);
@@ -74,14 +73,41 @@ inline std::optional<double> find_witness(const insertion_question<double>& ques
     question.at_x.visit_other_critical_functions(add_other);
     question.at_y.visit_other_critical_functions(add_other);
   }
-  return list.first_sample([&](double m) {
-    if (!arc.contains(1.0, m).value()) return false;
-    const auto u = arc.direction(1.0, m);
-    const double weight = arc.h(m) + std::sqrt(arc.e(m));
-    const displacement<double> from_v = arc.c * u;
-    return question.at_x.holds(from_v, weight).value() &&
-           question.at_y.holds(from_v, weight).value();
+  return list;
+}
+
+inline bool is_good_point(const insertion_question<double>& question, double m) {
+  const visible_arc<double>& arc = question.arc;
+  if (!arc.contains(1.0, m).value()) return false;
+  const double weight = arc.h(m) + std::sqrt(arc.e(m));
+  const displacement<double> from_v = arc.c * arc.direction(1.0, m);
+  return question.at_x.holds(from_v, weight).value() && question.at_y.holds(from_v, weight).value();
+}
+
+// A parameter at which the question holds, in doubles.
+inline std::optional<double> find_witness(const insertion_question<double>& question) {
+  return critical_cuts(question, cuts::all).first_sample([&](double m) {
+    return is_good_point(question, m);
   });
+}
+
+// One parameter in each section of the arc between the equidistance cuts, in increasing order, and
+// the first of them, if any, that looks like a good point.
+struct search_hints {
+  std::array<double, 14> samples;
+  std::size_t count = 0;
+  std::optional<double> witness;
+};
+
+inline search_hints find_hints(const insertion_question<double>& question) {
+  search_hints hints;
+  critical_cuts(question, cuts::equidistance_only).first_sample([&](double m) {
+    if (!question.arc.contains(1.0, m).value()) return false;
+    if (hints.count < hints.samples.size()) hints.samples[hints.count++] = m;
+    if (is_good_point(question, m)) hints.witness = m;
+    return hints.witness.has_value();
+  });
+  return hints;
 }
 
 inline std::optional<double> find_witness(const encroachment_question<double>& question) {

@@ -54,7 +54,7 @@ bool insertion_answer(const site& v, const site& w, const site& x, const site& y
                                         [tie] { return uncertain_bool(tie); })
         .value();
   const insertion_question<double> question(v, w, x, y, turn_scale(v));
-  return numeric::find_witness(question, numeric::cuts::all).has_value();
+  return numeric::find_witness(question).has_value();
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/square_root_sum.hpp"
+#include "asterism/kernels/arc_search.hpp"
+#include "asterism/kernels/double_arithmetic.hpp"
+#include "asterism/kernels/magnitude.hpp"
 #include "asterism/kernels/root_line.hpp"
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/predicates/arc_intersections.hpp"
@@ -149,6 +152,26 @@ struct insertion_sections {
   }
 };
 
+constexpr int most_ranges = 64;
+
+// The search by witness or cover, in exact numbers; undecided on ties and tangencies, and where the
+// magnitudes do not let doubles propose parameters.
+uncertain_bool search_arc(const site& v, const site& w, const site& x, const site& y) {
+  const floating_point_scope scope(rounding::nearest);
+  const scaled_input<4, 0> input({&v, &w, &x, &y}, {});
+  if (!input.usable) return {};
+  const auto& s = input.sites;
+  const double turn = std::ldexp(1.0, turn_scale_exponent(s[0].metric));
+  const numeric::search_hints hints =
+      numeric::find_hints(insertion_question<double>(s[0], s[1], s[2], s[3], turn));
+  const insertion_question<dyadic> question(convert<dyadic>(s[0]), convert<dyadic>(s[1]),
+                                            convert<dyadic>(s[2]), convert<dyadic>(s[3]),
+                                            dyadic(turn));
+  arc_search<dyadic, exact_arc_point> search(question, std::span(hints.samples.data(), hints.count),
+                                             most_ranges);
+  return search.exists(hints.witness);
+}
+
 bool equal_metrics(const site& v, const site& w, const site& x, const site& y) {
   return v.metric == w.metric && v.metric == x.metric && v.metric == y.metric;
 }
@@ -211,7 +234,8 @@ bool exact_kernel::encroaches(const site& a, const site& b, const site& w) const
 bool exact_kernel::insertion_test(const site& v, const site& w, const site& x,
                                   const site& y) const {
   if (equal_metrics(v, w, x, y)) return equal_metric_answer(v, w, x, y, [] { return false; });
-  return insertion_sections(v, w, x, y).any_good_section();
+  const uncertain_bool found = search_arc(v, w, x, y);
+  return found.certain() ? found.value() : insertion_sections(v, w, x, y).any_good_section();
 }
 
 bool exact_kernel::edge_test(const site& v, const site& w, const site& x, const site& y) const {
@@ -219,6 +243,9 @@ bool exact_kernel::edge_test(const site& v, const site& w, const site& x, const 
     return equal_metric_answer(v, w, x, y, [&] {
       return equal_metric_tie_goes_to_edge(v.position, w.position, x.position, y.position);
     });
+  // A certain "no" of the search is no tie: kernels/arc_search.hpp.
+  const uncertain_bool found = search_arc(v, w, x, y);
+  if (found.certain()) return found.value();
   insertion_sections sections(v, w, x, y);
   if (sections.any_good_section()) return true;
   for (std::size_t k = 0; k < sections.line.cuts().size(); ++k) {

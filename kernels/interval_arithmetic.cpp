@@ -8,7 +8,7 @@ namespace asterism::certified {
 namespace {
 
 constexpr int most_root_boxes = 96;
-constexpr int most_arc_boxes = 160;
+constexpr int most_segment_boxes = 160;
 // Boxes narrower than this in turn parameter are not split: the question is too close to call.
 constexpr double narrowest_box = 0x1p-24;
 
@@ -102,42 +102,9 @@ std::optional<std::vector<enclosed_root>> isolate(const std::array<interval, 5>&
 
 namespace {
 
-struct arc_search {
-  const insertion_question<interval>& question;
-  int boxes_left = most_arc_boxes;
-
-  uncertain_bool holds(const parameter_box& box) const {
-    const visible_arc<interval>& arc = question.arc;
-    const interval e = evaluate(arc.e, box.lambda, box.mu);
-    if (e.sup() <= 0) return false;
-    const interval h = evaluate(arc.h, box.lambda, box.mu), a = evaluate(arc.a, box.lambda, box.mu);
-    const uncertain_bool on_arc =
-        is_positive(sign_of(e)) & (is_positive(sign_of(h)) | is_positive(sign_of(a)));
-    if (on_arc.certainly(false)) return false;
-    const interval root = square_root_of_non_negative(e);
-    // The weight h + sqrt e is positive on the arc; below, without the cancellation.
-    const interval sum = h.sup() < 0 ? a * arc.c / (root - h) : h + root;
-    if (!(sum.sup() >= 0)) return {};
-    const interval weight(std::max(0.0, sum.inf()), sum.sup());
-    const displacement<interval> from_v = arc.c * arc.direction(box.lambda, box.mu);
-    const uncertain_bool at_x = question.at_x.holds(from_v, weight);
-    if (at_x.certainly(false)) return false;
-    return on_arc & at_x & question.at_y.holds(from_v, weight);
-  }
-
-  // Certainly no good point with turn parameter in [low, high]?
-  bool refuted(double low, double high) {
-    if (--boxes_left < 0) return false;
-    if (holds(at_turn(low, high)).certainly(false)) return true;
-    if (high - low < narrowest_box) return false;
-    const double middle = 0.5 * (low + high);
-    return refuted(low, middle) && refuted(middle, high);
-  }
-};
-
 struct segment_search {
   const encroachment_question<interval>& question;
-  int boxes_left = most_arc_boxes;
+  int boxes_left = most_segment_boxes;
 
   bool refuted(double low, double high) {
     if (--boxes_left < 0) return false;
@@ -155,14 +122,6 @@ struct segment_search {
 };
 
 }  // namespace
-
-uncertain_bool exists(const insertion_question<interval>& question, std::optional<double> witness) {
-  arc_search search{question};
-  if (witness && std::isfinite(*witness))
-    if (search.holds({interval(1), interval(*witness)}).certainly(true)) return true;
-  if (search.refuted(-1, 0) && search.refuted(0, 1)) return false;
-  return {};
-}
 
 uncertain_bool exists(const encroachment_question<interval>& question,
                       std::optional<double> witness) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Certified answers by intervals: roots of quartics isolated by subdivision, existence along an
-// arc shown by one verified witness or refuted by covering the arc with boxes on each of which a
-// condition certainly fails. What is neither is undecided.
+// Certified answers by intervals: roots of quartics isolated by subdivision, existence on a segment
+// shown by one verified witness or refuted by covering it with boxes on each of which a condition
+// certainly fails (existence on an arc: kernels/arc_search.hpp). What is neither is undecided.
 //
 // Everything here stands in a floating_point_scope(rounding::upward). Source of the scheme:
 // Moore's interval branch and prune; bounds on the number of boxes are budgets, not tolerances:
@@ -15,7 +15,7 @@
 
 #include "asterism/core/interval.hpp"
 #include "asterism/predicates/encroachment.hpp"
-#include "asterism/predicates/insertion_test.hpp"
+#include "asterism/predicates/visible_arc.hpp"
 
 namespace asterism::certified {
 
@@ -49,8 +49,7 @@ std::optional<std::vector<enclosed_root>> real_roots(const polynomial<interval, 
   return isolate(c, static_cast<int>(Degree));
 }
 
-// Is there a good point on the arc? `witness` is a parameter to try, from anywhere.
-uncertain_bool exists(const insertion_question<interval>& question, std::optional<double> witness);
+// Is there a point as asked? `witness` is a parameter to try first, from anywhere.
 uncertain_bool exists(const encroachment_question<interval>& question,
                       std::optional<double> witness);
 

@@ -3,6 +3,7 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/interval.hpp"
+#include "asterism/kernels/arc_search.hpp"
 #include "asterism/kernels/double_arithmetic.hpp"
 #include "asterism/kernels/interval_arithmetic.hpp"
 #include "asterism/kernels/magnitude.hpp"
@@ -55,14 +56,28 @@ uncertain_bool equal_metric_answer(const site& v, const site& w, const site& x, 
                                       [tie] { return uncertain_bool(tie); });
 }
 
+// The point p of the arc at parameter m, by its weighted displacement from v.
+struct interval_arc_point {
+  displacement<interval> from_v;
+  interval weight;
+
+  interval_arc_point(const visible_arc<interval>& on, const interval& m)
+      : from_v(on.c * on.direction(interval(1), m)),
+        weight(on.h(m) + square_root_of_non_negative(on.e(m))) {}
+};
+
+constexpr int most_ranges = 48;
+
 uncertain_bool insertion_answer(const site& v, const site& w, const site& x, const site& y) {
   const double turn = turn_scale(v);
-  const std::optional<double> witness = numeric::find_witness(
-      insertion_question<double>(v, w, x, y, turn), numeric::cuts::equidistance_only);
+  const numeric::search_hints hints =
+      numeric::find_hints(insertion_question<double>(v, w, x, y, turn));
   const insertion_question<interval> question(convert<interval>(v), convert<interval>(w),
                                               convert<interval>(x), convert<interval>(y),
                                               interval(turn));
-  return certified::exists(question, witness);
+  arc_search<interval, interval_arc_point> search(
+      question, std::span(hints.samples.data(), hints.count), most_ranges);
+  return search.exists(hints.witness);
 }
 
 // Runs `ask` on the scaled input under upward rounding, out of line: the compiler must not move

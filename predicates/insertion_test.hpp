@@ -43,32 +43,51 @@ struct neighbour_condition {
     return arc->restrict(distance_difference(arc->v, x));
   }
 
-  // Every other function at whose zeros the condition can change.
+  // Every function but equidistance() at whose zeros the condition can change.
   template <class Visitor>
   void visit_other_critical_functions(Visitor&& visit) const {
     const auto &v = arc->v, &w = arc->w;
-    visit(arc->restrict(tangent_lines(v.position, v, x)));
-    visit(arc->restrict(tangent_lines(v.position, x, v)));
-    visit(arc->restrict(tangent_lines(v.position, w, x)));
-    visit(arc->restrict(tangent_lines(v.position, x, w)));
-    visit(arc->restrict(line_through(v.position, v.position, x.position)));
-    visit(arc->restrict(line_through(v.position, w.position, x.position)));
+    const auto& origin = v.position;
+    visit(arc->restrict(tangent_lines(origin, v, x)));
+    visit(arc->restrict(tangent_lines(origin, w, x)));
+    visit(arc->restrict(tangent_lines(origin, x, v)));
+    visit(arc->restrict(tangent_lines(origin, x, w)));
+    visit(arc->restrict(line_through(origin, v.position, x.position)));
+    visit(arc->restrict(line_through(origin, w.position, x.position)));
   }
+
+  // What makes the condition hold, one by one.
+  struct verdict {
+    uncertain_sign x_farther;  // sign of f_x - f_v
+    uncertain_bool v_dominates, w_dominates, contains_x;
+
+    uncertain_bool holds() const { return v_dominates & w_dominates & !contains_x; }
+  };
 
   // At the point with weighted displacement from_v = weight (p - v); Surd holds sqrt E.
   template <class Surd>
-  uncertain_bool holds(const displacement<Surd>& from_v, const Surd& weight) const {
-    const auto& v = arc->v;
-    const auto& w = arc->w;
+  verdict examine(const displacement<Surd>& from_v, const Surd& weight) const {
+    const basic_site<Surd> v = lift<Surd>(arc->v), w = lift<Surd>(arc->w), at = lift<Surd>(x);
     const displacement<Surd> from_x = from_v - weight * lift<Surd>(v_to_x);
-    const uncertain_bool v_dominates =
-        is_positive(dominates(lift<Surd>(v), lift<Surd>(x), from_v, from_x, weight));
-    if (v_dominates.certainly(false)) return false;
     const displacement<Surd> from_w = from_v - weight * lift<Surd>(arc->d);
-    const uncertain_bool w_dominates =
-        is_positive(dominates(lift<Surd>(w), lift<Surd>(x), from_w, from_x, weight));
-    if (w_dominates.certainly(false)) return false;
-    return v_dominates & w_dominates & !x_in_triangle(from_v, from_x);
+    return {sign_of(squared_length(at.metric, from_x) - squared_length(v.metric, from_v)),
+            is_positive(dominates(v, at, from_v, from_x, weight)),
+            is_positive(dominates(w, at, from_w, from_x, weight)), x_in_triangle(from_v, from_x)};
+  }
+
+  // examine(...).holds(), no further than needed.
+  template <class Surd>
+  uncertain_bool holds(const displacement<Surd>& from_v, const Surd& weight) const {
+    const basic_site<Surd> at = lift<Surd>(x);
+    const displacement<Surd> from_x = from_v - weight * lift<Surd>(v_to_x);
+    const uncertain_bool by_v =
+        is_positive(dominates(lift<Surd>(arc->v), at, from_v, from_x, weight));
+    if (by_v.certainly(false)) return false;
+    const displacement<Surd> from_w = from_v - weight * lift<Surd>(arc->d);
+    const uncertain_bool by_w =
+        is_positive(dominates(lift<Surd>(arc->w), at, from_w, from_x, weight));
+    if (by_w.certainly(false)) return false;
+    return by_v & by_w & !x_in_triangle(from_v, from_x);
   }
 
  private:

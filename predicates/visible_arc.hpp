@@ -140,6 +140,27 @@ plane_quadratic<Number> tangent_lines(const basic_point<Number>& origin,
   return {form, -(form_offset + form_offset), dot(offset, form_offset)};
 }
 
+// Half the slope of f_i - f_j along the ray from i, where it passes p.
+template <class Number>
+plane_quadratic<Number> ray_slope(const basic_point<Number>& origin, const basic_site<Number>& i,
+                                  const basic_site<Number>& j) {
+  const auto to_i = between(origin, i.position), to_j = between(origin, j.position);
+  const auto metric_i = apply(i.metric, to_i), metric_j_i = apply(j.metric, to_i),
+             metric_j_j = apply(j.metric, to_j);
+  // (r - i)^T M_i (r - i) - (r - i)^T M_j (r - j)
+  return {i.metric - j.metric, metric_j_i + metric_j_j - (metric_i + metric_i),
+          dot(to_i, metric_i) - dot(to_i, metric_j_j)};
+}
+
+// (p - i)^T M_j (j - i): not positive when i sees the bisector Vor{i,j} at most once towards p.
+template <class Number>
+plane_quadratic<Number> ray_approach(const basic_point<Number>& origin, const basic_site<Number>& i,
+                                     const basic_site<Number>& j) {
+  const auto t = apply(j.metric, between(i.position, j.position));
+  const Number zero(0);
+  return {{zero, zero, zero}, t, zero - dot(t, between(origin, i.position))};
+}
+
 // The line through i and j, as orientation(i, j, p) about `origin`.
 template <class Number>
 plane_quadratic<Number> line_through(const basic_point<Number>& origin,
