@@ -1,1 +1,16 @@
-# asterism_test(name SOURCES ... LINK ...)
+# Domains, metric fields, file formats and pictures.
+find_package(Threads REQUIRED)
+
+asterism_test(test_domain
+  SOURCES mesh/domain_check_test.cpp mesh/domain_sources_test.cpp)
+asterism_test(test_metric_field SOURCES mesh/metric_field_test.cpp LINK Threads::Threads)
+asterism_test(test_io SOURCES io/medit_test.cpp io/poly_test.cpp io/write_mesh_test.cpp)
+asterism_test(test_draw SOURCES draw/picture_test.cpp)
+
+# meshio comes as a Debian package, which the system's own Python finds.
+add_executable(write_sample io/write_sample.cpp)
+asterism_configure(write_sample)
+target_link_libraries(write_sample PRIVATE asterism)
+add_test(NAME "io: files read back by meshio"
+         COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/io/read_with_meshio.py
+                 $<TARGET_FILE:write_sample>)
