@@ -3,6 +3,7 @@
 // The insertion test and the edge test by the sweep of arc_sections.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -41,6 +42,16 @@ four_sites pushed_away(const std::array<const site*, 4>& sites, long k) {
   return pushed;
 }
 
+// Whole multiples of 2^-10 below 2^10: the roots then stay further apart than the offsets can move
+// them (tried at two scales, not proven).
+bool has_few_digits(const site& s) {
+  const std::array<double, 5> numbers = {s.position.x, s.position.y, s.metric.m11, s.metric.m12,
+                                         s.metric.m22};
+  return std::all_of(numbers.begin(), numbers.end(), [](double number) {
+    return std::fabs(number) <= 0x1p10 && std::nearbyint(number * 0x1p10) == number * 0x1p10;
+  });
+}
+
 // The run opened where one bisector with x and one with y met: the contact the tie rule is about.
 bool is_between_x_and_y(const good_run& run) {
   const unsigned low = run.kinds_at_low_end, high = run.kinds_at_high_end;
@@ -66,8 +77,10 @@ std::optional<bool> edge_test(const site& v, const site& w, const site& x, const
   const swept_arc arc = sweep(to_exact(v), to_exact(w), to_exact(x), to_exact(y));
   if (!arc.good_runs.empty()) return true;
   if (!arc.may_have_point_equidistant_from_four) return false;
-  // Two scales that disagree are not both below the separation of the roots: no answer then.
   const std::array<const site*, 4> sites = {&v, &w, &x, &y};
+  if (!std::all_of(sites.begin(), sites.end(), [](const site* s) { return has_few_digits(*s); }))
+    return std::nullopt;
+  // Two scales that disagree are not both below the separation of the roots: no answer then.
   const std::optional<bool> coarse = perturbed_answer(sites, 100),
                             fine = perturbed_answer(sites, 130);
   return coarse == fine ? fine : std::nullopt;

@@ -59,6 +59,14 @@ std::vector<solution> solve(const algebraic_kernel_2& kernel, const polynomial_2
   return solutions;
 }
 
+// CGAL 5.5 evaluates the canonical form of the polynomial, whose leading coefficient is positive,
+// so its sign is for that one and not for p.
+bool is_positive_at(const algebraic_kernel_2& kernel, const polynomial_2& p, const solution& at) {
+  const CGAL::Sign canonical = kernel.sign_at_2_object()(CGAL::canonicalize(p), at.first);
+  const CGAL::Sign unit = CGAL::sign(CGAL::innermost_leading_coefficient(p));
+  return canonical * unit == CGAL::POSITIVE;
+}
+
 // a X + b Y + c
 struct line {
   rational a, b, c;
@@ -143,12 +151,9 @@ int arc_intersection_count(const site& v, const site& w, const site& x) {
   const std::array<polynomial_2, 2> wedge = {with_integer_coefficients(as_conic(sides[0])),
                                              with_integer_coefficients(as_conic(sides[1]))};
   const algebraic_kernel_2 kernel;  // its functions keep pointers to it
-  const auto sign_at = kernel.sign_at_2_object();
   int count = 0;
   for (const solution& s : solve(kernel, f.rest_first, f.rest_second))
-    if (sign_at(wedge[0], s.first) == CGAL::POSITIVE &&
-        sign_at(wedge[1], s.first) == CGAL::POSITIVE)
-      ++count;
+    if (is_positive_at(kernel, wedge[0], s) && is_positive_at(kernel, wedge[1], s)) ++count;
   return count;
 }
 

@@ -276,27 +276,27 @@ four_sites mixed_sizes(random_source& random) {
   });
 }
 
-constexpr std::array all_kinds = {kind{"smooth metrics", smooth_metrics, false},
-                                  kind{"independent metrics", independent_metrics, false},
-                                  kind{"equal metrics", equal_metrics, false},
-                                  kind{"three equal metrics", three_equal_metrics, false},
-                                  kind{"proportional metrics", proportional_metrics, true},
-                                  kind{"small integers", small_integers, true},
-                                  kind{"tiny integers", tiny_integers, true},
-                                  kind{"grid", grid, true},
-                                  kind{"cocircular", cocircular, true},
-                                  kind{"nearly grid", nearly_grid, true},
-                                  kind{"collinear", collinear, true},
-                                  kind{"crossing line pairs", crossing_line_pairs, true},
-                                  kind{"parallel line pairs", parallel_line_pairs, true},
-                                  kind{"shared line", shared_line, true},
-                                  kind{"common point", common_point, true},
-                                  kind{"tangency at common point", tangency_at_common_point, true},
-                                  kind{"mirror images", mirror_images, true},
-                                  kind{"one ulp away", one_ulp_away, false},
-                                  kind{"far from origin", far_from_origin, false},
-                                  kind{"ill conditioned", ill_conditioned, false},
-                                  kind{"mixed sizes", mixed_sizes, false}};
+constexpr std::array all_kinds = {kind{"smooth metrics", smooth_metrics},
+                                  kind{"independent metrics", independent_metrics},
+                                  kind{"equal metrics", equal_metrics},
+                                  kind{"three equal metrics", three_equal_metrics},
+                                  kind{"proportional metrics", proportional_metrics},
+                                  kind{"small integers", small_integers},
+                                  kind{"tiny integers", tiny_integers},
+                                  kind{"grid", grid},
+                                  kind{"cocircular", cocircular},
+                                  kind{"nearly grid", nearly_grid},
+                                  kind{"collinear", collinear},
+                                  kind{"crossing line pairs", crossing_line_pairs},
+                                  kind{"parallel line pairs", parallel_line_pairs},
+                                  kind{"shared line", shared_line},
+                                  kind{"common point", common_point},
+                                  kind{"tangency at common point", tangency_at_common_point},
+                                  kind{"mirror images", mirror_images},
+                                  kind{"one ulp away", one_ulp_away},
+                                  kind{"far from origin", far_from_origin},
+                                  kind{"ill conditioned", ill_conditioned},
+                                  kind{"mixed sizes", mixed_sizes}};
 
 bool valid(const four_sites& sites) {
   for (std::size_t i = 0; i < 4; ++i) {

@@ -22,8 +22,6 @@ struct kind {
   std::string_view name;
   // May return metrics that are not positive definite or sites that coincide: draw() tries again.
   four_sites (*attempt)(random_source&);
-  // Coordinates and metrics have so few digits that ties can be perturbed literally.
-  bool few_digits;
 };
 
 std::span<const kind> kinds();

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+//
+// The predicates about given points: every kernel against the oracle.
+#include <array>
+
+#include "agreement.hpp"
+#include "asterism/tests/oracle/oracle.hpp"
+
+namespace asterism::property {
+namespace {
+
+// Nearly or exactly collinear triples: multiples of a difference, moved by a unit in the last
+// place.
+std::array<point, 3> draw_triple(random_source& random) {
+  const auto coordinate = [&random] {
+    return random.chance(2) ? double(random.integer(-9, 9)) : random.real(-1, 1);
+  };
+  const point p = {coordinate(), coordinate()}, q = {coordinate(), coordinate()};
+  const double t = random.integer(-3, 3) * (random.chance(2) ? 1 : 0.1);
+  point r = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+  if (random.chance(3)) r.x += r.x * 0x1p-52;
+  return {p, q, r};
+}
+
+TEST_CASE("orientation agrees with the oracle", "[property]") {
+  random_source random(11);
+  for (int i = 0; i < 20000; ++i) {
+    const auto points = draw_triple(random);
+    const auto& [p, q, r] = points;
+    expect_agreement(
+        oracle::orientation(p, q, r),
+        [&](const auto& kernel) { return kernel.orientation(p, q, r); },
+        record("orientation", {}, points));
+  }
+}
+
+TEST_CASE("positive definiteness agrees with the oracle", "[property]") {
+  random_source random(12);
+  for (int i = 0; i < 20000; ++i) {
+    metric_tensor m = {double(random.integer(-2, 9)), double(random.integer(-4, 4)),
+                       double(random.integer(-2, 9))};
+    if (random.chance(2)) {  // on or next to the semidefinite cone
+      const double a = random.real(-2, 2), b = random.real(-2, 2);
+      m = {a * a, a * b, b * b};
+    }
+    const int exponent = random.chance(2) ? 0 : random.integer(-400, 400);
+    const site s = scaled({{0, 0}, m}, 0, exponent);
+    const std::array<point, 1> numbers = {point{s.metric.m11, s.metric.m12}};
+    expect_agreement(
+        oracle::is_positive_definite(s.metric),
+        [&](const auto& kernel) { return kernel.is_positive_definite(s.metric); },
+        record("is_spd", {}, numbers) + " and m22 " + std::to_string(s.metric.m22));
+  }
+}
+
+TEST_CASE("predicates about a point and two sites agree with the oracle", "[property]") {
+  for_each_case(300, [](const four_sites& sites, random_source& random) {
+    const auto& [v, w, x, y] = sites;
+    const std::array<point, 1> points = {draw_point(sites, random)};
+    const point& p = points[0];
+    const std::span<const site> pair(sites.data(), 2);
+    expect_agreement(
+        oracle::compare_distance(v, w, p),
+        [&](const auto& kernel) { return kernel.compare_distance(v, w, p); },
+        record("compare_distance", pair, points));
+    expect_agreement(
+        oracle::in_wedge(v, w, p), [&](const auto& kernel) { return kernel.in_wedge(v, w, p); },
+        record("in_wedge", pair, points));
+    expect_agreement(
+        oracle::dominates(v, w, p), [&](const auto& kernel) { return kernel.dominates(v, w, p); },
+        record("dominates", pair, points));
+  });
+}
+
+TEST_CASE("encroachment agrees with the oracle", "[property]") {
+  for_each_case(300, [](const four_sites& sites, random_source&) {
+    const auto& [a, b, w, unused] = sites;
+    expect_agreement(
+        oracle::encroaches(a, b, w), [&](const auto& kernel) { return kernel.encroaches(a, b, w); },
+        record("encroaches", {sites.data(), 3}));
+  });
+}
+
+}  // namespace
+}  // namespace asterism::property
