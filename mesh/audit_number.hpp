@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+#include "asterism/core/site.hpp"
+
 namespace asterism::audit_detail {
 
 using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
@@ -78,6 +80,14 @@ class bounded {
 
 inline bool certainly_less(bounded a, bounded b) { return (b - a).certainly_positive(); }
 
+// The greater of two upper bounds and a lower bound kept only if positive: what is not a number,
+// because something overflowed, bounds nothing.
+inline double greatest_bound(double a, double b) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return a < infinity && b < infinity ? std::fmax(a, b) : infinity;
+}
+inline double positive_bound(double a) { return a > 0 ? a : 0; }
+
 template <class Number>
 struct vector2 {
   Number x, y;
@@ -97,6 +107,10 @@ struct tensor {
     return {m11 * a.x + m12 * a.y, m12 * a.x + m22 * a.y};
   }
 };
+
+inline tensor<bounded> tensor_of_doubles(const metric_tensor& m) {
+  return {bounded(m.m11), bounded(m.m12), bounded(m.m22)};
+}
 
 template <class Number>
 Number dot(const vector2<Number>& a, const vector2<Number>& b) {

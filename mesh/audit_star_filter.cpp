@@ -12,17 +12,6 @@ vector2<bounded> offset_of(const site& v, const site& z) {
           bounded(z.position.y) - bounded(v.position.y)};
 }
 
-tensor<bounded> bounded_metric(const site& s) {
-  return {bounded(s.metric.m11), bounded(s.metric.m12), bounded(s.metric.m22)};
-}
-
-// Bounds of a coefficient that must not be ignored when they overflowed to something not a number.
-double greatest(double a, double b) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return a < infinity && b < infinity ? std::max(a, b) : infinity;
-}
-double least_or_zero(double a, double b) { return a > 0 && b > 0 ? std::min(a, b) : 0; }
-
 vector2<bounded> quarter_turn(const vector2<bounded>& a) { return {-a.y, a.x}; }
 
 // The direction in which the lower bounds of both sides are about equal, in plain doubles: any
@@ -52,14 +41,15 @@ vector2<double> balanced_direction(const gap_side& x, const gap_side& y,
 }  // namespace
 
 gap_side::gap_side(const site& v, const site& z) : offset(offset_of(v, z)) {
-  const tensor<bounded> own = bounded_metric(z), metric = bounded_metric(v);
+  const tensor<bounded> own = tensor_of_doubles(z.metric), metric = tensor_of_doubles(v.metric);
   const vector2<bounded> dual = own * offset;
   const bounded length_squared = dot(offset, dual);
   v_covector = metric * offset;
+  v_length_squared = dot(offset, v_covector);
   covector = {dual.x / length_squared, dual.y / length_squared};
   inverse_length = bounded(1) / root(length_squared);
-  bend = greatest((own.determinant() / length_squared).upper(),
-                  (metric.determinant() / dot(offset, v_covector)).upper());
+  bend = greatest_bound((own.determinant() / length_squared).upper(),
+                        (metric.determinant() / v_length_squared).upper());
 }
 
 bounded gap_side::bound(const vector2<bounded>& u, const bounded& length_squared) const {
@@ -74,7 +64,7 @@ bounded gap_side::bound(const vector2<bounded>& u, const bounded& length_squared
 
 star_gap_filter::star_gap_filter(const site& v, const site& x, const site& y)
     : v_(v), x_(v, x), y_(v, y) {
-  const tensor<bounded> metric = bounded_metric(v);
+  const tensor<bounded> metric = tensor_of_doubles(v.metric);
   const vector2<double> u = balanced_direction(x_, y_, metric);
   middle_ = {bounded(u.x), bounded(u.y)};
   middle_length_squared_ = dot(middle_, metric * middle_);
@@ -84,32 +74,67 @@ star_gap_filter::star_gap_filter(const site& v, const site& x, const site& y)
   middle_bound_y_ = y_.bound(middle_, middle_length_squared_);
 }
 
-bool star_gap_filter::excludes(const site& w) const {
-  if (!usable_) return false;
-  const tensor<bounded> own = bounded_metric(w), metric = bounded_metric(v_);
-  const vector2<bounded> d = offset_of(v_, w);
-  const vector2<bounded> seen = metric * d;
-  if (!dot(middle_, seen).certainly_positive()) return false;
+star_reach star_gap_filter::reach() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!usable_) return {infinity, infinity};
+  const bounded length = root(middle_length_squared_);
+  return {greatest_bound((length / middle_bound_x_).upper(), (length / middle_bound_y_).upper()),
+          greatest_bound(root(x_.v_length_squared).upper(), root(y_.v_length_squared).upper())};
+}
 
-  const vector2<bounded> dual = own * d;
-  const bounded length_squared = dot(d, dual), v_length_squared = dot(d, seen);
-  const bounded inverse = bounded(1) / length_squared, inverse_length = root(inverse);
-  const double bend = least_or_zero((own.determinant() * inverse).lower(),
-                                    (metric.determinant() / v_length_squared).lower());
-  const auto upper = [&](const vector2<bounded>& u, const bounded& u_length_squared) {
-    const bounded turned = cross(u, d);
+namespace {
+
+// s_w from above, as a convex function of the direction.
+struct upper_bound {
+  upper_bound(const site& v, const site& w) : offset(offset_of(v, w)) {
+    const tensor<bounded> own = tensor_of_doubles(w.metric), metric = tensor_of_doubles(v.metric);
+    v_covector = metric * offset;
+    v_length_squared = dot(offset, v_covector);
+    dual = own * offset;
+    inverse = bounded(1) / dot(offset, dual);
+    inverse_length = root(inverse);
+    determinant = metric.determinant();
+    bend = std::fmin(positive_bound((own.determinant() * inverse).lower()),
+                     positive_bound((determinant / v_length_squared).lower()));
+  }
+
+  bounded operator()(const vector2<bounded>& u, const bounded& u_length_squared) const {
+    const bounded turned = cross(u, offset);
     return dot(u, dual) * inverse +
            root(u_length_squared - bounded(bend) * turned * turned) * inverse_length;
-  };
+  }
 
-  const bounded at_middle = upper(middle_, middle_length_squared_);
+  vector2<bounded> offset, v_covector, dual;
+  bounded v_length_squared, inverse, inverse_length, determinant;
+  double bend = 0;
+};
+
+// Nothing of w is left between the middle direction and `end`, the one at a right angle to w on
+// the side of z: either z alone stands in the way all along, or from z's own ray on the triangle of
+// v, w and the point contains z. `turned` is the area of z and w, positive.
+bool closed_towards(const gap_side& z, const upper_bound& w, const vector2<bounded>& end,
+                    const bounded& turned) {
+  const bounded end_length_squared = w.determinant * w.v_length_squared;
+  const bounded at_end = w(end, end_length_squared);
+  if (certainly_less(at_end, z.bound(end, end_length_squared))) return true;
+  const bounded along = dot(z.v_covector, w.offset);
+  return along.certainly_positive() &&
+         certainly_less(at_end * turned, w.v_length_squared - along) &&
+         certainly_less(w(z.offset, z.v_length_squared), bounded(1));
+}
+
+}  // namespace
+
+bool star_gap_filter::excludes(const site& w) const {
+  if (!usable_) return false;
+  const upper_bound s(v_, w);
+  if (!dot(middle_, s.v_covector).certainly_positive()) return false;
+  const bounded at_middle = s(middle_, middle_length_squared_);
   if (!certainly_less(at_middle, middle_bound_x_) || !certainly_less(at_middle, middle_bound_y_))
     return false;
-  // The ends of the half turn that w sees: perpendicular to w in the metric of v.
-  const vector2<bounded> left = quarter_turn(seen), right = {-left.x, -left.y};
-  const bounded end_length_squared = metric.determinant() * v_length_squared;
-  return certainly_less(upper(right, end_length_squared), x_.bound(right, end_length_squared)) &&
-         certainly_less(upper(left, end_length_squared), y_.bound(left, end_length_squared));
+  const vector2<bounded> left = quarter_turn(s.v_covector);
+  return closed_towards(x_, s, {-left.x, -left.y}, cross(x_.offset, s.offset)) &&
+         closed_towards(y_, s, left, cross(s.offset, y_.offset));
 }
 
 }  // namespace asterism::audit_detail

@@ -8,12 +8,14 @@
 // If w is accepted, then in some direction u with u.M_v(w-v) > 0 both s_w(u) > s_x(u) where
 // u.M_v(x-v) > 0, and s_w(u) > s_y(u) where u.M_v(y-v) > 0. An upper bound of s_w that is convex in
 // u and lower bounds of s_x and s_y that are concave refute that at the two ends of a cone each;
-// the cones meet in a direction near that of the gap's Voronoi vertex.
-// Source: docs/math/certificate.md, section 4.2, with proofs.
+// the cones meet in a direction near that of the gap's Voronoi vertex. Beyond the ray of x or y
+// the allowable region of definition 5 is the stronger bound.
+// Source: docs/math/certificate.md, sections 4.2 and 4.3, with proofs.
 #pragma once
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/audit_number.hpp"
+#include "asterism/mesh/audit_site_tree.hpp"
 
 namespace asterism::audit_detail {
 
@@ -26,6 +28,7 @@ struct gap_side {
   vector2<bounded> offset;      // z - v
   vector2<bounded> covector;    // M_z d / C
   vector2<bounded> v_covector;  // M_v d
+  bounded v_length_squared;     // |d|_v^2
   bounded inverse_length;       // 1 / sqrt(C)
   double bend = 0;              // at least det M_z / C and det M_v / |d|_v^2
 };
@@ -38,6 +41,8 @@ class star_gap_filter {
   // True: edge_test(v, w, x, y) is certainly false, ties included. w lies strictly between the rays
   // from v through x and y.
   bool excludes(const site& w) const;
+  // Beyond it no site is accepted in this gap.
+  star_reach reach() const;
 
  private:
   site v_;

@@ -61,7 +61,8 @@ struct star_gap {
 
 class star_check {
  public:
-  explicit star_check(audit_context& context) : context_(context), sight_(context) {}
+  explicit star_check(audit_context& context)
+      : context_(context), sight_(context), tree_(context.subject.sites) {}
 
   void run(index v) {
     neighbours_.clear();
@@ -70,7 +71,12 @@ class star_check {
       check_neighbours(v, fan);
     }
     std::sort(neighbours_.begin(), neighbours_.end());
-    for (const vertex_fan& fan : context_.fans[v]) check_others(v, fan);
+    for (const vertex_fan& fan : context_.fans[v]) {
+      const star_reach reach = list_gaps(v, fan);
+      for (const index w : tree_.near(at(v), reach))
+        if (w != v && !std::binary_search(neighbours_.begin(), neighbours_.end(), w))
+          check_other(v, fan, w);
+    }
   }
 
  private:
@@ -91,7 +97,9 @@ class star_check {
     }
   }
 
-  void list_gaps(index v, const vertex_fan& fan) {
+  // Fills rays_ and gaps_.
+  star_reach list_gaps(index v, const vertex_fan& fan) {
+    star_reach reach;
     rays_.clear();
     for (const index r : fan.link)
       rays_.push_back(difference<bounded>(context_.at(r), context_.at(v)));
@@ -100,9 +108,14 @@ class star_check {
     for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
       star_gap gap{fan.link[i], fan.link[(i + 1) % n], false, {}};
       gap.on_boundary = find_piece(context_, gap.x, gap.y) != context_.subject.boundary.size();
-      if (!gap.on_boundary) gap.filter.emplace(at(v), at(gap.x), at(gap.y));
+      if (!gap.on_boundary) {
+        const star_reach own = gap.filter.emplace(at(v), at(gap.x), at(gap.y)).reach();
+        reach = {greatest_bound(reach.radius, own.radius),
+                 greatest_bound(reach.longest, own.longest)};
+      }
       gaps_.push_back(std::move(gap));
     }
+    return reach;
   }
 
   // Which side of the ray from v to fan.link[i] is w on?
@@ -126,26 +139,23 @@ class star_check {
     return nullptr;
   }
 
-  void check_others(index v, const vertex_fan& fan) {
-    list_gaps(v, fan);
-    for (index w = 0; w < context_.subject.sites.size(); ++w) {
-      if (w == v || std::binary_search(neighbours_.begin(), neighbours_.end(), w)) continue;
-      const star_gap* gap = gap_of(v, fan, w);
-      if (gap == nullptr || gap->on_boundary) continue;
-      ++context_.report.star_pairs;
-      if (gap->filter->excludes(at(w))) continue;
-      ++context_.report.star_pairs_tested;
-      if (!context_.kernel.edge_test(at(v), at(w), at(gap->x), at(gap->y))) continue;
-      if (!sight_.clear(v, w)) continue;
-      context_.found(finding_kind::star_site_missing,
-                     "the star of " + vertex_text(context_, v) + " would accept " +
-                         vertex_text(context_, w) + " between " + vertex_text(context_, gap->x) +
-                         " and " + vertex_text(context_, gap->y));
-    }
+  void check_other(index v, const vertex_fan& fan, index w) {
+    const star_gap* gap = gap_of(v, fan, w);
+    if (gap == nullptr || gap->on_boundary) return;
+    ++context_.report.star_pairs;
+    if (gap->filter->excludes(at(w))) return;
+    ++context_.report.star_pairs_tested;
+    if (!context_.kernel.edge_test(at(v), at(w), at(gap->x), at(gap->y))) return;
+    if (!sight_.clear(v, w)) return;
+    context_.found(finding_kind::star_site_missing,
+                   "the star of " + vertex_text(context_, v) + " would accept " +
+                       vertex_text(context_, w) + " between " + vertex_text(context_, gap->x) +
+                       " and " + vertex_text(context_, gap->y));
   }
 
   audit_context& context_;
   sight sight_;
+  site_tree tree_;
   // Of the fan at hand; members to spare allocations.
   std::vector<vector2<bounded>> rays_;
   std::vector<star_gap> gaps_;

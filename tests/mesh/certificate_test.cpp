@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// Certificates as text, and the verification of a mesh against one.
+#include "asterism/mesh/certificate.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "audit_meshes.hpp"
+
+using namespace asterism;
+using namespace asterism::test;
+using Catch::Contains;
+
+namespace {
+
+struct certified_patch {
+  patch p = make_patch(5);
+  certificate c;
+
+  certified_patch() {
+    p.m.sites[p.at(5, 2)].position.x = std::nextafter(p.m.sites[p.at(5, 2)].position.x, 9);
+    p.d.holes = {{0.1, 1e-300}};  // text alone: nothing looks at it
+    audit_options options;
+    options.angle_bound = 30;
+    options.original = &p.d;
+    c = make_certificate(p.m, options, audit(p.m, options));
+    c.metric = "swirl:12";
+    c.options = {{"seed", "1"}, {"refine", "voronoi"}};
+    c.complete = true;
+    c.reason = "every triangle agrees and meets the bound";
+    c.mesher_counters.at(predicate::edge_test, tier::exact) = 12;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a certificate reads back as it was written") {
+  const certified_patch made;
+  const std::string text = certificate_text(made.c);
+  const auto read = parse_certificate(text, "here");
+  REQUIRE(read.ok());
+  const certificate& c = read.value();
+  CHECK(certificate_text(c) == text);
+  CHECK(c.certified);
+  CHECK(c.fingerprint == mesh_fingerprint(made.p.m));
+  CHECK(c.largest_deviation == made.c.largest_deviation);
+  CHECK(c.largest_deviation > 0);
+  REQUIRE(c.original);
+  CHECK(c.original->vertices == made.p.d.vertices);
+  CHECK(c.original->segments.size() == 4);
+  CHECK(c.original->segments[3].b == 0);
+  CHECK(c.original->segments[3].marker == 13);
+  CHECK(c.original->holes == made.p.d.holes);
+  CHECK(c.mesher_counters.at(predicate::edge_test, tier::exact) == 12);
+  CHECK(c.options.at("refine") == "voronoi");
+}
+
+TEST_CASE("through a file") {
+  const certified_patch made;
+  const auto path = std::filesystem::temp_directory_path() / "asterism_certificate_test.json";
+  REQUIRE(write_certificate(path, made.c).ok());
+  const auto read = read_certificate(path);
+  REQUIRE(read.ok());
+  CHECK(certificate_text(read.value()) == certificate_text(made.c));
+  std::filesystem::remove(path);
+  const auto missing = read_certificate(path);
+  REQUIRE_FALSE(missing.ok());
+  CHECK_THAT(missing.failure().message, Contains("asterism_certificate_test.json"));
+}
+
+TEST_CASE("text that is no certificate") {
+  const std::string text = certificate_text(certified_patch().c);
+  const auto refused = [](const std::string& bad, const std::string& why) {
+    const auto read = parse_certificate(bad, "c.json");
+    REQUIRE_FALSE(read.ok());
+    CHECK_THAT(read.failure().message, Contains("c.json: ") && Contains(why));
+  };
+  const auto with = [&](const std::string& old, const std::string& now) {
+    const auto place = text.find(old);
+    REQUIRE(place != std::string::npos);
+    return std::string(text).replace(place, old.size(), now);
+  };
+  refused("", "parse error");
+  refused("[1, 2]", "this is not");
+  refused(text.substr(0, text.size() / 2), "parse error");
+  refused(with("asterism certificate 1", "something else"), "this is not");
+  refused(with("\"triangles\": 50", "\"triangles\": -50"), "\"triangles\" is not a count");
+  refused(with("\"fingerprint\": \"", "\"fingerprint\": \"x"), "sixteen hexadecimal digits");
+  refused(with("\"exempt_corners\": []", "\"exempt_corners\": [0]"), "counts nothing from 1");
+  refused(with("\"certified\": true", "\"certified\": 1"), "\"certified\" is not what it should");
+  refused(with("\"worst_angle\"", "\"worst\""), "\"worst_angle\" is missing");
+}
+
+TEST_CASE("a mesh is verified against its certificate") {
+  const certified_patch made;
+  const verify_report report = verify(made.p.m, made.c, {});
+  INFO(kinds(report.audit));
+  CHECK(report.verified);
+  CHECK(report.audit.domain_checked);
+  CHECK(report.audit.angles_checked);
+}
+
+TEST_CASE("an altered mesh is refused, and so is the certificate of another") {
+  const certified_patch made;
+  mesh m = made.p.m;
+  SECTION("vertex moved") {
+    m.sites[made.p.at(2, 2)].position.x += 0.01;
+    const verify_report report = verify(m, made.c, {});
+    CHECK(report.audit.certified);  // still a good mesh, though not this one
+    CHECK_FALSE(report.verified);
+    REQUIRE(report.contradictions.size() == 1);
+    CHECK_THAT(report.contradictions[0], Contains("fingerprints differ"));
+  }
+  SECTION("triangle removed") {
+    m.triangles.pop_back();
+    const verify_report report = verify(m, made.c, {});
+    CHECK_FALSE(report.verified);
+    CHECK_FALSE(report.audit.certified);
+    CHECK_THAT(report.contradictions[0], Contains("a mesh with 50 triangles, this one has 49"));
+  }
+  SECTION("the domain in the certificate altered") {
+    certificate forged = made.c;
+    forged.original->vertices[2].y += 1;
+    const verify_report report = verify(m, forged, {});
+    CHECK_FALSE(report.verified);
+    CHECK(found(report.audit, finding_kind::given_changed));
+  }
+  SECTION("an incomplete mesh's certificate") {
+    certificate honest = made.c;
+    honest.complete = false;
+    honest.reason = "stuck";
+    CHECK_THAT(verify(m, honest, {}).contradictions[0], Contains("not completed: stuck"));
+  }
+}
+
+TEST_CASE("without a certificate exempt corners are looked for") {
+  const mesh narrow = make_mesh_of({{0, 0}, {1, 0}, {1, 0.2}}, {{0, 1, 2}});
+  audit_options options;
+  options.angle_bound = 20;
+  const verify_report report = verify(narrow, std::nullopt, options);
+  CHECK(report.verified);
+  CHECK(report.audit.exempt_corners == std::vector<index>{0});
+  options.angle_bound = 80;  // the right angle is 90: one corner stays above
+  CHECK(verify(narrow, std::nullopt, options).audit.exempt_corners.size() == 2);
+}
+
+TEST_CASE("a refusing audit is written down") {
+  patch p = make_patch(3);
+  p.m.triangles.pop_back();
+  const audit_options options;
+  const certificate c = make_certificate(p.m, options, audit(p.m, options));
+  const std::string text = certificate_text(c);
+  CHECK_THAT(text, Contains("\"certified\": false") && Contains("\"unmatched_edge\": 1"));
+  const auto read = parse_certificate(text, "c");
+  REQUIRE(read.ok());
+  CHECK(read.value().witnesses == c.witnesses);
+  CHECK_FALSE(read.value().original);
+}
