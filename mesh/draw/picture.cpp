@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -73,6 +75,7 @@ result<page> lay_out(const mesh& m, const picture_options& options) {
 }
 
 void trace(cairo_t* cairo, const page& p, const mesh& m, const triangle& t) {
+  cairo_new_sub_path(cairo);
   for (const index v : t) {
     const point at = p.at(m.sites[v].position);
     cairo_line_to(cairo, at.x, at.y);
@@ -136,22 +139,30 @@ std::optional<ellipse> unit_ball(const metric_tensor& m) {
   return ellipse{1 / std::sqrt(least), 1 / std::sqrt(greatest), angle};
 }
 
-// At most one site in each square of the page, the one nearest to the middle of its square.
-std::vector<index> sites_apart(const page& p, const mesh& m, double side) {
-  const auto columns = static_cast<std::size_t>(p.width / side) + 1;
-  const auto rows = static_cast<std::size_t>(p.height / side) + 1;
-  std::vector<std::pair<double, index>> nearest(columns * rows, {2 * side * side, index{0}});
+// Sites at least `distance` apart on the page, those of lower index first.
+std::vector<index> sites_apart(const page& p, const mesh& m, double distance) {
+  const auto square_of = [&](double length) { return static_cast<int>(length / distance); };
+  // At most a few chosen sites lie in each square of side `distance`, and none beyond the next
+  // squares is too near.
+  std::map<std::pair<int, int>, std::vector<point>> chosen_in;
+  const auto is_free = [&](const point& at) {
+    const int column = square_of(at.x), row = square_of(at.y);
+    for (int i = column - 1; i <= column + 1; ++i)
+      for (int j = row - 1; j <= row + 1; ++j) {
+        const auto found = chosen_in.find({i, j});
+        if (found == chosen_in.end()) continue;
+        for (const point& q : found->second)
+          if (std::hypot(q.x - at.x, q.y - at.y) < distance) return false;
+      }
+    return true;
+  };
+  std::vector<index> chosen;
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     const point at = p.at(m.sites[v].position);
-    const double column = std::floor(at.x / side), row = std::floor(at.y / side);
-    const double x = at.x - (column + 0.5) * side, y = at.y - (row + 0.5) * side;
-    auto& best =
-        nearest[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
-    best = std::min(best, {x * x + y * y, static_cast<index>(v)});
+    if (!is_free(at)) continue;
+    chosen_in[{square_of(at.x), square_of(at.y)}].push_back(at);
+    chosen.push_back(static_cast<index>(v));
   }
-  std::vector<index> chosen;
-  for (const auto& [distance, v] : nearest)
-    if (distance < 2 * side * side) chosen.push_back(v);
   return chosen;
 }
 
@@ -173,17 +184,17 @@ void draw_ellipse(cairo_t* cairo, const point& centre, const ellipse& e, double 
 }
 
 void draw_ellipses(cairo_t* cairo, const page& p, const mesh& m) {
-  const double side = p.width / 16.0;
+  const double distance = p.width / 18.0;
   std::vector<std::pair<index, ellipse>> balls;
   double longest = 0;
-  for (const index v : sites_apart(p, m, side)) {
+  for (const index v : sites_apart(p, m, distance)) {
     const auto ball = unit_ball(m.sites[v].metric);
     if (!ball) continue;
     balls.emplace_back(v, *ball);
     longest = std::max(longest, ball->longest);
   }
   for (const auto& [v, ball] : balls)
-    draw_ellipse(cairo, p.at(m.sites[v].position), ball, 0.46 * side / longest, 1.5 * p.unit());
+    draw_ellipse(cairo, p.at(m.sites[v].position), ball, 0.48 * distance / longest, 1.5 * p.unit());
 }
 
 void draw_dot(cairo_t* cairo, const point& at, double radius, const colour& c) {
@@ -193,16 +204,30 @@ void draw_dot(cairo_t* cairo, const point& at, double radius, const colour& c) {
   cairo_fill(cairo);
 }
 
-// Given sites are larger, blue, with a rim of paper that lifts them off the lines.
+// On the page; infinite for sites of no triangle.
+std::vector<double> shortest_edges(const page& p, const mesh& m) {
+  std::vector<double> shortest(m.sites.size(), std::numeric_limits<double>::infinity());
+  for (const triangle& t : m.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const index a = t[i], b = t[(i + 1) % 3];
+      const point from = p.at(m.sites[a].position), to = p.at(m.sites[b].position);
+      const double length = std::hypot(to.x - from.x, to.y - from.y);
+      shortest[a] = std::min(shortest[a], length);
+      shortest[b] = std::min(shortest[b], length);
+    }
+  return shortest;
+}
+
+// Given sites are larger, blue, with a rim of paper that lifts them off the lines. Where the mesh
+// is fine dots are smaller, or they would hide its triangles.
 void draw_sites(cairo_t* cairo, const page& p, const mesh& m) {
-  // Dots of a fine mesh would hide its triangles.
-  const double spacing = p.width / std::sqrt(static_cast<double>(m.sites.size()));
-  const double radius = std::min(2.8 * p.unit(), 0.06 * spacing);
+  const std::vector<double> room = shortest_edges(p, m);
+  const auto radius = [&](std::size_t v) { return std::min(2.8 * p.unit(), 0.13 * room[v]); };
   for (std::size_t v = m.given; v < m.sites.size(); ++v)
-    draw_dot(cairo, p.at(m.sites[v].position), radius, bold_ink);
+    draw_dot(cairo, p.at(m.sites[v].position), radius(v), bold_ink);
   for (std::size_t v = 0; v < m.given && v < m.sites.size(); ++v) {
-    draw_dot(cairo, p.at(m.sites[v].position), 2.4 * radius, paper);
-    draw_dot(cairo, p.at(m.sites[v].position), 1.8 * radius, given_fill);
+    draw_dot(cairo, p.at(m.sites[v].position), 2.3 * radius(v), paper);
+    draw_dot(cairo, p.at(m.sites[v].position), 1.8 * radius(v), given_fill);
   }
 }
 

@@ -73,6 +73,17 @@ TEST_CASE("options and the state of the mesh show in the picture") {
   REQUIRE(count(svg({800, false, false, 0}), "rgb(84%,15%,16%)") == 1);
 }
 
+TEST_CASE("tinted triangles are triangles") {
+  mesh m = sample_mesh(3);
+  const std::string svg = drawn(m, picture_format::svg, {800, false, false, 60});
+  const std::size_t begin = svg.find("fill:rgb(98%,80%,38%)");
+  REQUIRE(begin != std::string::npos);
+  const std::string path = svg.substr(begin, svg.find("/>", begin) - begin);
+  // No triangle but an equilateral one, seen from all sides, has no angle below 60 degrees.
+  REQUIRE(count(path, "Z") == m.triangles.size());
+  REQUIRE(count(path, " L ") == 2 * m.triangles.size());
+}
+
 TEST_CASE("what cannot be drawn is refused") {
   REQUIRE_FALSE(draw_picture(mesh{}, picture_format::png).ok());
   REQUIRE_FALSE(draw_picture(sample_mesh(2), picture_format::png, {0}).ok());
