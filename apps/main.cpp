@@ -12,7 +12,7 @@ int run(int argc, char** argv) {
   CLI::App program("Anisotropic triangular meshes by star stitching, on exact predicates.");
   program.name("asterism");
   program.set_version_flag("--version", "asterism " ASTERISM_VERSION);
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);  // none is told below: an unknown one is told by its name
   program.footer(
       "Exit status: 0 done; 1 not reached (what is certain is written, and says so);\n"
       "2 bad usage or input (nothing is written).\n\n"
@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   add_draw_command(program, chosen);
   try {
     program.parse(argc, argv);
+    if (!chosen) throw CLI::RequiredError("a command (mesh, verify, eval or draw)");
   } catch (const CLI::ParseError& failure) {
     if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
     std::cerr << "asterism: " << failure.what() << "\nRun with --help for more information.\n";

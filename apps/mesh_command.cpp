@@ -32,11 +32,14 @@ constexpr real_range angle_bounds = {
     0, 60, true, false,
     "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
 
+// Beyond these the square of the size leaves the range of doubles, or nearly so.
+constexpr real_range sizes = {1e-100, 1e100, true, true, "positive, from 1e-100 to 1e100"};
+
 void add_domain_options(CLI::App& app, mesh_job& job) {
   app.add_option("DOMAIN", job.domain, "What to mesh")->required();
   app.add_option("--metric", job.metric, "The metric wanted (default identity)")->type_name("SPEC");
   add_real(
-      app, "--size", positive_reals, [&job](double x) { job.size = x; },
+      app, "--size", sizes, [&job](double x) { job.size = x; },
       "Length wanted of an edge, in the metric as given")
       ->type_name("H");
   add_count(

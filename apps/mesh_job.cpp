@@ -121,6 +121,8 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
   write_options options;
   options.picture.ellipses = job.ellipses;
   options.picture.angle_bound = job.refinement.angle_bound;
+  if (!claim.complete || !claim.certified)
+    options.note = "Incomplete, not certified: " + claim.reason;
   for (const fs::path& output : job.outputs) {
     const auto written = write_mesh(output, made, options);
     if (!written) return written.failure();

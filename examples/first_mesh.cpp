@@ -33,15 +33,19 @@ int main() {
   const auto checked = asterism::check_domain(shape);
   if (!checked) return complain(checked.failure());
 
-  const auto made = asterism::make_mesh(checked.value(), layers(), {.angle_bound = 20});
+  asterism::refinement_options wanted;
+  wanted.angle_bound = 20;
+  const auto made = asterism::make_mesh(checked.value(), layers(), wanted);
   if (!made) return complain(made.failure());
   const asterism::refinement_outcome& outcome = made.value();
   std::cout << outcome.sites << " sites, " << outcome.triangles << " triangles: " << outcome.reason
             << '\n';
 
-  const auto report = asterism::audit(
-      outcome.result,
-      {.angle_bound = 20, .find_exempt_corners = true, .original = &checked.value()});
+  asterism::audit_options options;
+  options.angle_bound = 20;
+  options.find_exempt_corners = true;
+  options.original = &checked.value();
+  const asterism::audit_report report = asterism::audit(outcome.result, options);
   for (const auto& finding : report.findings) std::cout << finding.witness << '\n';
   std::cout << (report.certified ? "certified" : "not certified") << ", worst angle "
             << report.worst.degrees << " degrees\n";

@@ -48,14 +48,31 @@ std::optional<error> check_indices(const mesh& m) {
   return {};
 }
 
+// `contents` with the note as a comment after its first line, which all three text formats want to
+// be theirs. In XML a comment must not hold two hyphens in a row.
+std::string with_note(std::string contents, mesh_format format, const std::string& note) {
+  if (note.empty()) return contents;
+  std::string line;
+  for (const char c : note) {
+    if (c == '-' && !line.empty() && line.back() == '-') line += ' ';
+    line += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  line = format == mesh_format::medit ? "# " + line + "\n" : "<!-- " + line + " -->\n";
+  return contents.insert(contents.find('\n') + 1, line);
+}
+
 result<std::vector<output_file>> render(const std::filesystem::path& path, mesh_format format,
                                         const mesh& m, const write_options& options) {
   if (format == mesh_format::medit)
-    return std::vector<output_file>{{path, medit_mesh_text(m)},
+    return std::vector<output_file>{{path, with_note(medit_mesh_text(m), format, options.note)},
                                     {solution_path(path), medit_solution_text(m)}};
-  if (format == mesh_format::vtu) return std::vector<output_file>{{path, vtu_text(m)}};
+  if (format == mesh_format::vtu)
+    return std::vector<output_file>{{path, with_note(vtu_text(m), format, options.note)}};
   auto picture = draw_picture(m, picture_format_of(format), options.picture);
   if (!picture.ok()) return error{path.string() + ": " + picture.failure().message};
+  if (format == mesh_format::svg)
+    return std::vector<output_file>{
+        {path, with_note(std::move(picture).value(), format, options.note)}};
   return std::vector<output_file>{{path, std::move(picture).value()}};
 }
 

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "asterism/core/result.hpp"
@@ -30,6 +31,8 @@ result<mesh_format> check_output(const std::filesystem::path& path);
 
 struct write_options {
   picture_options picture;  // for .svg, .png and .pdf
+  // A sentence about the mesh for whoever opens the file: a comment in .mesh, .vtu and .svg.
+  std::string note = {};
 };
 
 // The files written, in order.

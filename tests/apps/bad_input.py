@@ -82,7 +82,7 @@ ARGUMENTS = [
     ("size zero", ["square", "--size", "0", "-o", "x.mesh"], r"--size.*0.*positive"),
     ("size not a number", ["square", "--size", "nan", "-o", "x.mesh"], r"--size.*nan"),
     ("size with a unit", ["square", "--size", "3cm", "-o", "x.mesh"], r"--size.*'3cm'"),
-    ("size whose square underflows", ["square", "--size", "1e-200", "-o", "x.mesh"], r"size|metric"),
+    ("size whose square underflows", ["square", "--size", "1e-200", "-o", "x.mesh"], r"--size.*1e-200"),
     ("bound of 80 degrees", ["square", "--angle-bound", "80", "--max-sites", "1000", "-o", "x.mesh"],
      r"--angle-bound.*80.*60"),
     ("bound of 60 degrees", ["square", "--angle-bound", "60", "-o", "x.mesh"], r"--angle-bound.*60"),
@@ -134,8 +134,8 @@ class BadInput(command.CommandTest):
         self.write("text.mesh", "once upon a time\n")
         self.write("empty.mesh", "")
         for arguments, pattern in [
-                ([], r"subcommand"),
-                (["knit"], r"knit|subcommand"),
+                ([], r"a command"),
+                (["knit"], r"knit"),
                 (["verify"], r"MESH"),
                 (["verify", "missing.mesh"], r"missing\.mesh"),
                 (["verify", "text.mesh"], r"text\.mesh"),

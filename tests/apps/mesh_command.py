@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: MIT
+"""The main job through the real command: files, certificate, exit statuses; and what verify finds
+in meshes that were altered."""
+import json
+import unittest
+
+import command
+
+JOB = ["mesh", "square", "--random-points", "10", "--metric", "swirl:3", "--angle-bound", "20"]
+SUMMARY = (r"\A\d+ sites, \d+ triangles, worst angle \d+\.\d\d degrees, 0 disagreeing, 0 low-angle"
+           r": certified\n\Z")
+
+
+def section(lines, keyword):
+    """Where the entries of a Medit section start, and how many there are."""
+    at = lines.index(keyword)
+    return at + 2, int(lines[at + 1])
+
+
+class Mesh(command.CommandTest):
+    def make(self, *more):
+        done = self.run_command(*JOB, "-o", "m.mesh", *more)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done
+
+    def test_the_main_job(self):
+        done = self.make("-o", "m.svg", "-o", "m.png", "-o", "m.pdf", "-o", "m.vtu", "--ellipses")
+        self.assertRegex(done.stdout, SUMMARY)
+        self.assertEqual(done.stderr, "")
+        self.assertEqual(self.files(), ["m.certificate.json", "m.mesh", "m.pdf", "m.png", "m.sol",
+                                        "m.svg", "m.vtu"])
+        claim = json.loads((self.folder / "m.certificate.json").read_text())
+        self.assertTrue(claim["outcome"]["complete"])
+        self.assertEqual(claim["asked"]["options"]["random-points"], "10")
+        lines = (self.folder / "m.mesh").read_text().splitlines()
+        start, count = section(lines, "RequiredVertices")
+        self.assertEqual(lines[start:start + count], [str(v + 1) for v in range(14)])
+
+    def test_the_same_arguments_give_the_same_bytes(self):
+        names = ["m.mesh", "m.sol", "m.svg", "m.vtu", "m.certificate.json"]
+        seen = []
+        for _ in range(2):
+            self.make("-o", "m.svg", "-o", "m.vtu", "--quiet")
+            seen.append([(self.folder / name).read_bytes() for name in names])
+        self.assertEqual(seen[0], seen[1])
+        self.assertNotEqual(seen[0], [b""] * len(names))
+
+    def test_quiet_says_nothing(self):
+        done = self.make("--quiet")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+
+    def test_what_is_not_reached_is_said_everywhere(self):
+        done = self.run_command("mesh", "square", "--metric", "swirl:12", "--random-points", "10",
+                                "--max-sites", "40", "-o", "m.mesh", "-o", "m.vtu", "-o", "m.svg",
+                                "--certificate", "c.json")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, "NOT certified, incomplete")
+        self.assertRegex(done.stderr, r"\Aasterism: not reached: .*40")
+        self.assertFalse(json.loads((self.folder / "c.json").read_text())["outcome"]["complete"])
+        for name in ("m.mesh", "m.vtu", "m.svg"):
+            head = (self.folder / name).read_text().splitlines()[1]
+            self.assertRegex(head, "Incomplete, not certified: .*40", name)
+        self.assertEqual(self.run_command("verify", "m.mesh", "--certificate", "c.json").returncode, 1)
+
+    def test_darts(self):
+        done = self.run_command(*JOB[:-1], "10", "--refine", "darts", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, SUMMARY)
+
+    def test_size(self):
+        sites = []
+        for size in ("1", "0.25"):
+            done = self.run_command("mesh", "square", "--size", size, "-o", "m.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            sites.append(int(done.stdout.split()[0]))
+        self.assertGreater(sites[1], 4 * sites[0])
+
+    def test_progress_needs_a_terminal(self):
+        self.assertNotIn("\r", self.make().stderr)
+
+    def test_draw(self):
+        self.make()
+        for picture, head in (("d.svg", b"<?xml"), ("d.png", b"\x89PNG"), ("d.pdf", b"%PDF")):
+            done = self.run_command("draw", "m.mesh", "-o", picture, "--ellipses", "--width", "300")
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+            self.assertTrue((self.folder / picture).read_bytes().startswith(head))
+        (self.folder / "m.sol").unlink()
+        self.assertEqual(self.run_command("draw", "m.mesh", "-o", "e.svg").returncode, 0)
+        self.assertEqual(self.run_command("draw", "m.mesh", "-o", "f.svg", "--ellipses").returncode, 2)
+        self.assertNotIn("f.svg", self.files())
+
+
+class Verify(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        done = self.run_command(*JOB, "-o", "m.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.mesh = (self.folder / "m.mesh").read_text()
+        self.metric = (self.folder / "m.sol").read_text()
+
+    def verdict(self, *more, mesh=None, metric=None):
+        self.write("m.mesh", mesh or self.mesh)
+        self.write("m.sol", metric or self.metric)
+        return self.run_command("verify", "m.mesh", *more)
+
+    def forget_certificate(self):
+        (self.folder / "m.certificate.json").unlink()
+
+    def altered(self, keyword, entry, change):
+        """The mesh with lines `entry` of a section replaced by what `change` makes of its words."""
+        lines = self.mesh.splitlines()
+        start, count = section(lines, keyword)
+        new = change(lines[start + entry].split())
+        lines[start + entry:start + entry + 1] = [" ".join(map(str, words)) for words in new]
+        lines[start - 1] = str(count + len(new) - 1)
+        return "\n".join(lines) + "\n"
+
+    def spoiled(self):
+        """What was done, the mesh, and what the witness must match."""
+        yield ("one index altered",
+               self.altered("Triangles", 5, lambda w: [[1 if w[0] != "1" else 2, *w[1:]]]),
+               r"triangle")
+        yield "one triangle removed", self.altered("Triangles", 5, lambda w: []), r"edge|boundary"
+        yield "one triangle doubled", self.altered("Triangles", 5, lambda w: [w, w]), r"triangle 6"
+        yield ("one triangle turned over",
+               self.altered("Triangles", 5, lambda w: [[w[1], w[0], *w[2:]]]), r"triangle 6")
+        yield ("one vertex moved across an edge",
+               self.altered("Vertices", 20, lambda w: [["0.999", "0.001", w[2]]]), r"triangle")
+        yield "one vertex moved far away", self.altered("Vertices", 0, lambda w: [[5, 5, w[2]]]), r"."
+        yield "one boundary piece removed", self.altered("Edges", 3, lambda w: []), r"edge|boundary"
+
+    def test_certified(self):
+        for more in ([], ["--domain", "square"], ["--angle-bound", "5"]):
+            done = self.verdict(*more)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertRegex(done.stdout, r"\Acertified: ")
+        self.forget_certificate()
+        for more in ([], ["--domain", "square", "--angle-bound", "20"]):
+            self.assertEqual(self.verdict(*more).returncode, 0)
+
+    def test_bound_and_domain_are_checked(self):
+        for more in (["--angle-bound", "50"], ["--domain", "airfoil"]):
+            done = self.verdict(*more)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stdout, "REFUSED")
+
+    def test_altered_meshes_are_refused_with_a_witness(self):
+        for keep_certificate in (True, False):
+            if not keep_certificate:
+                self.forget_certificate()
+            for what, mesh, witness in self.spoiled():
+                with self.subTest(what, certificate=keep_certificate):
+                    done = self.verdict(mesh=mesh)
+                    self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+                    self.assertRegex(done.stdout, witness)
+                    self.assertRegex(done.stdout, "REFUSED")
+
+    def test_an_indefinite_metric_is_refused_with_a_witness(self):
+        lines = self.metric.splitlines()
+        at = lines.index("1 3") + 8  # vertex 8
+        lines[at] = "1 2 1"
+        done = self.verdict(metric="\n".join(lines) + "\n")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r"definite.*vertex 8\b|vertex 8\b.*definite")
+
+    def test_the_last_bit_of_a_coordinate_contradicts_the_certificate(self):
+        changed = self.altered("Vertices", 20, lambda w: [[w[0] + "1", w[1], w[2]]])
+        if self.verdict(mesh=changed).returncode == 0:  # the same double
+            changed = self.altered("Vertices", 20, lambda w: [[float(w[0]) * (1 + 1e-15), *w[1:]]])
+        done = self.verdict(mesh=changed)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, "certificate: ")
+
+    def test_damaged_files_are_refused_as_input(self):
+        for mesh, metric in ((self.mesh[:200], None), (None, self.metric[:200]),
+                             (self.mesh.replace("Triangles", "Hexagons"), None)):
+            done = self.verdict(mesh=mesh, metric=metric)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertRegex(done.stderr, r"\Aasterism: m\.(mesh|sol)")
+        self.write("m.certificate.json", "{")
+        done = self.verdict()
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"m\.certificate\.json")
+
+
+if __name__ == "__main__":
+    unittest.main()
