@@ -15,6 +15,7 @@ target_sources(asterism PRIVATE
   draw/picture.cpp
   io/file_output.cpp
   io/medit_reader.cpp
+  io/medit_solution.cpp
   io/medit_writer.cpp
   io/poly.cpp
   io/text_scanner.cpp

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "asterism/kernels/parse_number.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism {
@@ -46,24 +46,23 @@ class medit_reader {
 
   // Header, then sections until End or the end of the file.
   failure read_mesh();
-  failure read_solution();
 
  private:
-  failure read_header();
   failure read_section(const word& keyword);
   failure read_vertices();
   failure read_triangles();
   failure read_edges();
   failure read_required();
   failure skip(const word& keyword, int words);
-  failure read_tensors();
 
   // The count of a section that may occur once.
   result<std::size_t> read_count(std::string_view keyword, bool& seen);
   result<double> read_number(std::string_view meaning) {
     return to_number(source_, source_.next(), meaning);
   }
-  result<int> read_reference(std::string_view meaning);
+  result<int> read_reference(std::string_view meaning) {
+    return to_marker(source_, source_.next(), meaning);
+  }
   // A vertex number of the file. Whether it exists is known when all sections have been read.
   result<index> read_vertex(std::string_view meaning);
   failure check_vertices();
@@ -77,38 +76,16 @@ class medit_reader {
 
   text_scanner& source_;
   mesh& m_;
-  long long dimension_ = 2;
+  int dimension_ = 2;
   bool vertices_seen_ = false, triangles_seen_ = false, edges_seen_ = false, required_seen_ = false;
   std::vector<use> uses_;
   std::vector<index> required_;
 };
 
-failure medit_reader::read_header() {
-  const word first = source_.next();
-  if (first.text != "MeshVersionFormatted")
-    return source_.failure(first.line, first.empty() ? std::string("the file is empty")
-                                                     : quoted_token(first.text) +
-                                                           " where MeshVersionFormatted should be");
-  const word number = source_.next();
-  const auto version = to_integer(source_, number, "MeshVersionFormatted");
-  if (!version.ok()) return version.failure();
-  if (version.value() < 1 || version.value() > 3)
-    return source_.failure(
-        number.line, "MeshVersionFormatted: " + quoted_token(number.text) + " is not 1, 2 or 3");
-  const word keyword = source_.next();
-  if (keyword.text != "Dimension")
-    return source_.failure(keyword.line, quoted_token(keyword.text) + " where Dimension should be");
-  const word size = source_.next();
-  const auto dimension = to_integer(source_, size, "Dimension");
-  if (!dimension.ok()) return dimension.failure();
-  if (dimension.value() != 2 && dimension.value() != 3)
-    return source_.failure(size.line, "Dimension: " + quoted_token(size.text) + " is not 2");
-  dimension_ = dimension.value();
-  return {};
-}
-
 failure medit_reader::read_mesh() {
-  if (auto failed = read_header()) return failed;
+  const auto dimension = read_medit_header(source_);
+  if (!dimension.ok()) return dimension.failure();
+  dimension_ = dimension.value();
   while (true) {
     const word keyword = source_.next();
     if (keyword.empty() || keyword.text == "End") break;
@@ -153,17 +130,6 @@ result<std::size_t> medit_reader::read_count(std::string_view keyword, bool& see
   if (count.ok() && count.value() > std::numeric_limits<index>::max() / 4)
     return source_.failure(w.line, std::string(keyword) + ": more than 32-bit numbers can name");
   return count;
-}
-
-result<int> medit_reader::read_reference(std::string_view meaning) {
-  const word w = source_.next();
-  const auto value = to_integer(source_, w, meaning);
-  if (!value.ok()) return value.failure();
-  if (value.value() < std::numeric_limits<int>::min() ||
-      value.value() > std::numeric_limits<int>::max())
-    return source_.failure(
-        w.line, std::string(meaning) + ": " + quoted_token(w.text) + " does not fit into 32 bits");
-  return static_cast<int>(value.value());
 }
 
 result<index> medit_reader::read_vertex(std::string_view meaning) {
@@ -283,60 +249,6 @@ void medit_reader::take_segment_numbers() {
   for (std::size_t i = 0; i < numbers.size(); ++i) m_.boundary[i].segment = numbers[i];
 }
 
-failure medit_reader::read_solution() {
-  if (auto failed = read_header()) return failed;
-  bool seen = false;
-  while (true) {
-    const word keyword = source_.next();
-    if (keyword.empty() || keyword.text == "End") break;
-    if (keyword.text != "SolAtVertices" || seen)
-      return source_.failure(
-          keyword.line, quoted_token(keyword.text) + " where one section SolAtVertices should be");
-    seen = true;
-    if (auto failed = read_tensors()) return failed;
-  }
-  if (!seen) return source_.failure(source_.line(), "there is no section SolAtVertices");
-  return {};
-}
-
-failure medit_reader::read_tensors() {
-  const word w = source_.next();
-  const auto count = to_count(source_, w, "SolAtVertices");
-  if (!count.ok()) return count.failure();
-  if (count.value() != m_.sites.size())
-    return source_.failure(w.line, "SolAtVertices: " + std::to_string(count.value()) +
-                                       " tensors for " + std::to_string(m_.sites.size()) +
-                                       " vertices");
-  const word fields = source_.next(), type = source_.next();
-  if (fields.text != "1" || type.text != "3")
-    return source_.failure(type.line, "SolAtVertices: '1 3' wanted, one symmetric tensor, not '" +
-                                          std::string(fields.text) + " " + std::string(type.text) +
-                                          "'");
-  for (site& s : m_.sites) {
-    std::array<double, 6> entries{1, 0, 1, 0, 0, 0};
-    for (std::size_t i = 0; i < (dimension_ == 2 ? 3U : 6U); ++i) {
-      const auto value = read_number("entry of a tensor");
-      if (!value.ok()) return value.failure();
-      entries[i] = value.value();
-    }
-    s.metric = {entries[0], entries[1], entries[2]};
-  }
-  return {};
-}
-
-failure read_solution_of(const std::filesystem::path& path, mesh& m,
-                         const medit_read_options& options) {
-  std::error_code status;
-  if (options.identity_without_solution && !std::filesystem::exists(path, status)) {
-    for (site& s : m.sites) s.metric = {1, 0, 1};
-    return {};
-  }
-  const auto text = read_text_file(path);
-  if (!text.ok()) return text.failure();
-  text_scanner source(path.string(), text.value());
-  return medit_reader(source, m).read_solution();
-}
-
 }  // namespace
 
 result<mesh> read_medit(const std::filesystem::path& path, const medit_read_options& options) {
@@ -345,7 +257,7 @@ result<mesh> read_medit(const std::filesystem::path& path, const medit_read_opti
   text_scanner source(path.string(), text.value());
   mesh m;
   if (auto failed = medit_reader(source, m).read_mesh()) return std::move(*failed);
-  if (auto failed = read_solution_of(solution_path(path), m, options)) return std::move(*failed);
+  if (auto failed = read_medit_solution(solution_path(path), m, options)) return std::move(*failed);
   return m;
 }
 

@@ -213,13 +213,9 @@ failure poly_reader::read_segment(const words& record, std::size_t expected_size
   }
   int marker = 0;
   if (expected_size > 3) {
-    const auto value = to_integer(source_, record[3], "segment marker");
+    const auto value = to_marker(source_, record[3], "segment marker");
     if (!value.ok()) return value.failure();
-    if (value.value() < std::numeric_limits<int>::min() ||
-        value.value() > std::numeric_limits<int>::max())
-      return source_.failure(record[3].line, "segment marker: " + quoted_token(record[3].text) +
-                                                 " does not fit into 32 bits");
-    marker = static_cast<int>(value.value());
+    marker = value.value();
   }
   d_.segments.push_back({ends[0], ends[1], marker});
   d_.origin.segment_lines.push_back(record[0].line);

@@ -96,6 +96,16 @@ result<long long> to_integer(const text_scanner& source, const word& w, std::str
   return value;
 }
 
+result<int> to_marker(const text_scanner& source, const word& w, std::string_view meaning) {
+  const auto value = to_integer(source, w, meaning);
+  if (!value.ok()) return value.failure();
+  if (value.value() < std::numeric_limits<int>::min() ||
+      value.value() > std::numeric_limits<int>::max())
+    return source.failure(
+        w.line, std::string(meaning) + ": " + quoted_token(w.text) + " does not fit into 32 bits");
+  return static_cast<int>(value.value());
+}
+
 result<std::size_t> to_count(const text_scanner& source, const word& w, std::string_view meaning) {
   const auto value = to_integer(source, w, meaning);
   if (!value.ok()) return value.failure();

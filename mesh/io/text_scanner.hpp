@@ -56,6 +56,8 @@ class text_scanner {
 // The value of a word, or the error `file:line: <meaning>: ...`.
 result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning);
 result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning);
+// The same for what is kept as an int: markers, references.
+result<int> to_marker(const text_scanner& source, const word& w, std::string_view meaning);
 // A number of records to come: not negative, and no more than the rest of the file can hold when
 // each takes at least two bytes.
 result<std::size_t> to_count(const text_scanner& source, const word& w, std::string_view meaning);

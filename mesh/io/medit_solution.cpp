@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/medit_solution.hpp"
+
+#include <array>
+#include <string>
+#include <system_error>
+
+#include "asterism/kernels/parse_number.hpp"
+
+namespace asterism {
+
+namespace {
+
+using failure = std::optional<error>;
+
+failure read_tensors(text_scanner& source, int dimension, mesh& m) {
+  const word w = source.next();
+  const auto count = to_count(source, w, "SolAtVertices");
+  if (!count.ok()) return count.failure();
+  if (count.value() != m.sites.size())
+    return source.failure(w.line, "SolAtVertices: " + std::to_string(count.value()) +
+                                      " tensors for " + std::to_string(m.sites.size()) +
+                                      " vertices");
+  const word fields = source.next(), type = source.next();
+  if (fields.text != "1" || type.text != "3")
+    return source.failure(type.line, "SolAtVertices: '1 3' wanted, one symmetric tensor, not " +
+                                         quoted_token(fields.text) + " " + quoted_token(type.text));
+  for (site& s : m.sites) {
+    std::array<double, 6> entries{1, 0, 1, 0, 0, 0};
+    for (std::size_t i = 0; i < (dimension == 2 ? 3U : 6U); ++i) {
+      const auto value = to_number(source, source.next(), "entry of a tensor");
+      if (!value.ok()) return value.failure();
+      entries[i] = value.value();
+    }
+    s.metric = {entries[0], entries[1], entries[2]};
+  }
+  return {};
+}
+
+failure read_sections(text_scanner& source, mesh& m) {
+  const auto dimension = read_medit_header(source);
+  if (!dimension.ok()) return dimension.failure();
+  bool seen = false;
+  while (true) {
+    const word keyword = source.next();
+    if (keyword.empty() || keyword.text == "End") break;
+    if (keyword.text != "SolAtVertices" || seen)
+      return source.failure(
+          keyword.line, quoted_token(keyword.text) + " where one section SolAtVertices should be");
+    seen = true;
+    if (auto failed = read_tensors(source, dimension.value(), m)) return failed;
+  }
+  if (!seen) return source.failure(source.line(), "there is no section SolAtVertices");
+  return {};
+}
+
+}  // namespace
+
+result<int> read_medit_header(text_scanner& source) {
+  const word first = source.next();
+  if (first.text != "MeshVersionFormatted")
+    return source.failure(first.line, first.empty() ? std::string("the file is empty")
+                                                    : quoted_token(first.text) +
+                                                          " where MeshVersionFormatted should be");
+  const word number = source.next();
+  const auto version = to_integer(source, number, "MeshVersionFormatted");
+  if (!version.ok()) return version.failure();
+  if (version.value() < 1 || version.value() > 3)
+    return source.failure(
+        number.line, "MeshVersionFormatted: " + quoted_token(number.text) + " is not 1, 2 or 3");
+  const word keyword = source.next();
+  if (keyword.text != "Dimension")
+    return source.failure(keyword.line, quoted_token(keyword.text) + " where Dimension should be");
+  const word size = source.next();
+  const auto dimension = to_integer(source, size, "Dimension");
+  if (!dimension.ok()) return dimension.failure();
+  if (dimension.value() != 2 && dimension.value() != 3)
+    return source.failure(size.line, "Dimension: " + quoted_token(size.text) + " is not 2");
+  return static_cast<int>(dimension.value());
+}
+
+std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh& m,
+                                         const medit_read_options& options) {
+  std::error_code status;
+  if (options.identity_without_solution && !std::filesystem::exists(path, status)) {
+    for (site& s : m.sites) s.metric = {1, 0, 1};
+    return {};
+  }
+  const auto text = read_text_file(path);
+  if (!text.ok()) return text.failure();
+  text_scanner source(path.string(), text.value());
+  return read_sections(source, m);
+}
+
+}  // namespace asterism

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// What the files NAME.mesh and NAME.sol have in common, and the reader of the second. Works inside
+// read_medit.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
+#include "asterism/mesh/mesh.hpp"
+
+namespace asterism {
+
+// `MeshVersionFormatted 1..3`, `Dimension 2 or 3`: returns the dimension.
+result<int> read_medit_header(text_scanner& source);
+
+// One tensor a site of `m`, from a .sol file; nothing is returned when all went well.
+std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh& m,
+                                         const medit_read_options& options);
+
+}  // namespace asterism
