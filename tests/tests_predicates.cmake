@@ -1,1 +1,8 @@
-# asterism_test(name SOURCES ... LINK ...)
+find_package(CGAL REQUIRED)
+# Looks inside the kernels, so it links what their headers include.
+asterism_test(core_test
+  SOURCES core/numbers_test.cpp kernels/exact_roots_test.cpp
+  LINK CGAL::CGAL gmp)
+target_compile_options(core_test PRIVATE -frounding-math)
+asterism_test(kernels_test
+  SOURCES kernels/tiers_test.cpp kernels/environment_test.cpp)

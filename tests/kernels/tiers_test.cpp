@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+//
+// Which tier must decide: clear cases never reach exact arithmetic, exact ties always do, and on a
+// fixed sample of smooth metrics the share that falls through is bounded.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "asterism/kernels/double_kernel.hpp"
+#include "asterism/kernels/exact_kernel.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/kernels/interval_kernel.hpp"
+
+using namespace asterism;
+
+namespace {
+
+constexpr metric_tensor round_metric{1, 0, 1};
+
+site swirl_site(double x, double y) {
+  return {{x, y}, {1 + 12 * x * x, 12 * x * y, 1 + 12 * y * y}};
+}
+
+// The same sequence everywhere (splitmix64).
+struct sequence {
+  std::uint64_t state;
+  double next() {  // in [-1, 1)
+    std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("clear signs are the interval tier's", "[tiers]") {
+  const filtered_kernel kernel;
+  CHECK(kernel.orientation({0, 0}, {1, 0}, {0, 1}) == sign::positive);
+  CHECK(kernel.edge_test(swirl_site(0.1, 0), swirl_site(-0.1, 0), swirl_site(0, 0.3),
+                         swirl_site(0, -0.3)));
+  CHECK(kernel.counters().at(predicate::orientation, tier::interval) == 1);
+  CHECK(kernel.counters().at(predicate::edge_test, tier::interval) == 1);
+  CHECK(kernel.counters().at(predicate::edge_test, tier::exact) == 0);
+}
+
+TEST_CASE("collinear points that doubles cannot tell are the exact tier's", "[tiers]") {
+  const filtered_kernel kernel;
+  const double third = 1.0 / 3;
+  CHECK(kernel.orientation({0, 0}, {third, third}, {0.1, std::nextafter(0.1, 1)}) ==
+        sign::positive);
+  CHECK(kernel.orientation({0.1, 0.1}, {0.7, 0.7}, {0.3, 0.3}) == sign::zero);
+  CHECK(kernel.counters().at(predicate::orientation, tier::exact) >= 1);
+}
+
+TEST_CASE("a tie of four different metrics is the exact tier's and goes to one diagonal",
+          "[tiers][ties]") {
+  const filtered_kernel kernel;
+  const site a = swirl_site(0.5, 0.5), b = swirl_site(-0.5, 0.5), c = swirl_site(-0.5, -0.5),
+             d = swirl_site(0.5, -0.5);
+  CHECK_FALSE(kernel.insertion_test(a, c, b, d));
+  CHECK_FALSE(kernel.insertion_test(b, d, a, c));
+  const bool ac = kernel.edge_test(a, c, b, d), bd = kernel.edge_test(b, d, a, c);
+  CHECK(ac != bd);
+  CHECK(bd);  // the greatest site, (0.5, 0.5), is not on the diagonal
+  CHECK(kernel.edge_test(c, a, d, b) == ac);
+  CHECK(kernel.edge_test(d, b, c, a) == bd);
+  CHECK(kernel.counters().at(predicate::edge_test, tier::interval) == 0);
+}
+
+TEST_CASE("among random smooth metrics few edge tests fall through", "[tiers]") {
+  const filtered_kernel kernel;
+  sequence random{20};
+  for (int k = 0; k < 20000; ++k) {
+    const double x = random.next(), y = random.next();
+    site s[4];
+    for (site& one : s) one = swirl_site(x + 0.05 * random.next(), y + 0.05 * random.next());
+    kernel.edge_test(s[0], s[1], s[2], s[3]);
+  }
+  CHECK(kernel.counters().at(predicate::edge_test, tier::exact) <= 2);
+}
+
+TEST_CASE("in-circle of equal metrics: certain unless cocircular", "[tiers]") {
+  const interval_kernel kernel;
+  const site v{{0, 0}, round_metric}, w{{1, 1}, round_metric}, x{{1, 0}, round_metric};
+  CHECK(kernel.edge_test(v, w, x, {{0, 2}, round_metric}).certainly(true));
+  CHECK(kernel.edge_test(v, w, x, {{0.25, 0.5}, round_metric}).certainly(false));
+  // Small integers are exact in intervals too: a certain zero, broken by the order of sites.
+  CHECK(kernel.insertion_test(v, w, x, {{0, 1}, round_metric}).certainly(false));
+  CHECK(kernel.edge_test(v, w, x, {{0, 1}, round_metric}).certainly(false));
+  CHECK(kernel.edge_test(x, {{0, 1}, round_metric}, v, w).certainly(true));
+}
+
+TEST_CASE("magnitudes beyond the range of intervals fall to exact, not to a wrong sign",
+          "[tiers][range]") {
+  const exact_kernel exact;
+  const filtered_kernel filtered;
+  for (const int shift : {-1000, -400, -60, 0, 60, 400, 900}) {
+    const auto at = [&](double x, double y) {
+      site s = swirl_site(x, y);
+      s.position = {std::ldexp(x, shift), std::ldexp(y, shift)};
+      return s;
+    };
+    const site v = at(0.25, 0.5), w = at(-0.25, 0.375), x = at(0.125, -0.25), y = at(0.0625, 1);
+    CHECK(filtered.edge_test(v, w, x, y) == exact.edge_test(v, w, x, y));
+    CHECK(filtered.edge_test(v, w, x, y) == exact.edge_test(w, v, y, x));
+    CHECK(filtered.voronoi_vertex_count(v, w, x) == exact.voronoi_vertex_count(x, v, w));
+  }
+  // A mixture of sizes no one scaling serves.
+  const site tiny{{0x1p-1060, 0}, {1, 0, 1}}, huge{{0x1p900, 0}, {1, 0, 0x1p-900}},
+      middle{{1, 1}, {1, 0.5, 1}}, other{{-1, 3}, {2, 0.5, 1}};
+  CHECK(filtered.edge_test(tiny, middle, huge, other) ==
+        exact.edge_test(middle, tiny, other, huge));
+}
+
+TEST_CASE("a double kernel is wrong where the others are not", "[double_kernel]") {
+  const double_kernel plain;
+  const exact_kernel exact;
+  int wrong = 0;
+  const double ulp = 0x1p-53;
+  for (int i = 0; i < 64; ++i)
+    for (int j = 0; j < 64; ++j) {
+      const point p{0.5 + i * ulp, 0.5 + j * ulp};
+      wrong += plain.orientation(p, {12, 12}, {24, 24}) != exact.orientation(p, {12, 12}, {24, 24});
+    }
+  CHECK(wrong > 100);
+}
