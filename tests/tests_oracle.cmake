@@ -21,6 +21,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(asterism_oracle PRIVATE -Wno-use-after-free -Wno-maybe-uninitialized)
 endif()
 
+asterism_test(oracle_test SOURCES oracle/oracle_test.cpp LINK asterism_oracle CGAL::CGAL gmp mpfr)
+target_compile_definitions(oracle_test PRIVATE CGAL_NDEBUG)
+
 asterism_test(property_test
   SOURCES property/pointwise_test.cpp property/counts_test.cpp property/insertion_test.cpp
           property/laws_test.cpp property/ties_test.cpp property/counters_test.cpp

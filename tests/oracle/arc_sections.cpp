@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "conic.hpp"
+#include "unit_interval_roots.hpp"
 
 namespace asterism::oracle {
 namespace {
@@ -127,23 +128,6 @@ std::vector<sample_point> points_at(const conic& curve, const rational& abscissa
 }
 
 int sign_of(const root_number& value) { return static_cast<int>(CGAL::sign(value)); }
-
-// The distinct t in [0, 1] with c0 + c1 t + c2 t^2 = 0, for c0 != 0.
-int roots_in_closed_unit_interval(const root_number& c0, const root_number& c1,
-                                  const root_number& c2) {
-  const root_number at_one = c0 + c1 + c2;
-  const int start = sign_of(c0), end = sign_of(at_one);
-  if (start * end < 0) return 1;
-  const int leading = sign_of(c2);
-  // The second root is c0 / c2 when the first is 1: inside iff 0 < c0 / c2 < 1.
-  if (end == 0) return leading == start && sign_of(c2 - c0) == leading ? 2 : 1;
-  // No change of sign: both roots inside or none; inside needs the extremum inside.
-  const bool extremum_inside =
-      sign_of(c1) * leading < 0 && sign_of(c1 + root_number(rational(2)) * c2) * leading > 0;
-  if (!extremum_inside) return 0;
-  const int discriminant_sign = sign_of(c1 * c1 - root_number(rational(4)) * c0 * c2);
-  return discriminant_sign > 0 ? 2 : discriminant_sign == 0 ? 1 : 0;
-}
 
 // |segment from the site to p intersected with the curve|; the site is not on the curve.
 int points_on_segment(const conic& g, const exact_site& from, const sample_point& p) {
