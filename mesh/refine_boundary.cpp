@@ -19,6 +19,23 @@ constexpr double shell_slack = 1e-6;
 // The power of two nearest to half the length, as a ratio: within a factor sqrt(2) of it.
 double shell_radius(double length) { return std::exp2(std::round(std::log2(length / 2))); }
 
+// A certain no, cheaply. Nowhere on a b are both f_a and f_b above r^2, their value at the bisector
+// point; if f_w is above it all along a b, w does not encroach. The margin covers rounding, which
+// is at most some epsilon of the magnitude added up.
+bool surely_does_not_encroach(const site& a, const site& b, const site& w) {
+  const point d{b.position.x - a.position.x, b.position.y - a.position.y};
+  const point e{w.position.x - a.position.x, w.position.y - a.position.y};
+  const double from_a = std::sqrt(inner_product(a.metric, d, d));
+  const double from_b = std::sqrt(inner_product(b.metric, d, d));
+  const double r = from_a * from_b / (from_a + from_b);
+  const double t =
+      std::clamp(inner_product(w.metric, d, e) / inner_product(w.metric, d, d), 0.0, 1.0);
+  const point u{e.x - t * d.x, e.y - t * d.y};
+  const double reach_x = std::abs(e.x) + std::abs(d.x), reach_y = std::abs(e.y) + std::abs(d.y);
+  const double magnitude = w.metric.m11 * reach_x * reach_x + w.metric.m22 * reach_y * reach_y;
+  return inner_product(w.metric, u, u) - 1e-12 * magnitude > (1 + 1e-9) * r * r;
+}
+
 bool in_closed_triangle(const star_kernel& kernel, const point& a, const point& b, const point& c,
                         const point& q) {
   return kernel.orientation(a, b, q) != sign::negative &&
@@ -84,7 +101,7 @@ bool refine_state::is_encroached(std::size_t piece, const site& s,
   const site &a = sites_[p.a], &b = sites_[p.b];
   if (kernel_->orientation(a.position, b.position, s.position) != sign::positive) return false;
   if (self && is_excused(p, *self)) return false;
-  return kernel_->encroaches(a, b, s);
+  return !surely_does_not_encroach(a, b, s) && kernel_->encroaches(a, b, s);
 }
 
 std::vector<std::size_t> refine_state::encroached_by(const site& s) const {

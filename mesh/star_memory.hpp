@@ -35,7 +35,7 @@ class edge_test_memory {
   }
 
  private:
-  static constexpr std::size_t place_count = std::size_t{1} << 18;
+  static constexpr std::size_t place_count = std::size_t{1} << 15;
   struct place {
     std::array<index, 4> question{};  // four zeros: none
     bool answer = false;

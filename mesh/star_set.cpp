@@ -36,6 +36,11 @@ sector with_ends(const site_oracle& oracle, index v, const sector& old, index fi
 
 }  // namespace
 
+star_set::star_set(std::vector<star> stars, const std::vector<index>& unsettled)
+    : stars_(std::move(stars)), condition_(stars_.size(), condition::stale) {
+  for (const index v : unsettled) condition_[v] = condition::unsettled;
+}
+
 void star_set::construct_all(const site_oracle& oracle) {
   stars_.assign(oracle.size(), {});
   condition_.assign(oracle.size(), condition::stale);

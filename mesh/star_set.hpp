@@ -18,6 +18,10 @@ namespace asterism {
 
 class star_set {
  public:
+  star_set() = default;
+  // Stars from elsewhere, taken as they are: all stale, but those named, which count as unsettled.
+  explicit star_set(std::vector<star> stars, const std::vector<index>& unsettled = {});
+
   index size() const { return static_cast<index>(stars_.size()); }
   const star& operator[](index v) const { return stars_[v]; }
   bool is_stale(index v) const { return condition_[v] == condition::stale; }
