@@ -49,6 +49,7 @@ std::vector<vertex_fan> fans_around(const audit_context& context, std::size_t fi
                                     std::size_t last) {
   std::vector<fan_step> steps = steps_around(context, first, last);
   std::vector<index> arrivals;
+  arrivals.reserve(steps.size());
   for (const fan_step& s : steps) arrivals.push_back(s.to);
   std::sort(arrivals.begin(), arrivals.end());
   std::vector<vertex_fan> fans;

@@ -113,7 +113,7 @@ class star_check {
         reach = {greatest_bound(reach.radius, own.radius),
                  greatest_bound(reach.longest, own.longest)};
       }
-      gaps_.push_back(std::move(gap));
+      gaps_.push_back(gap);
     }
     return reach;
   }

@@ -27,6 +27,7 @@ struct malformed : std::runtime_error {
 
 std::vector<std::size_t> from_one(const std::vector<index>& numbers) {
   std::vector<std::size_t> result;
+  result.reserve(numbers.size());
   for (const index i : numbers) result.push_back(std::size_t{i} + 1);
   return result;
 }
