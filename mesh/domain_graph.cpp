@@ -100,7 +100,7 @@ std::vector<graph_edge> cut_segments(const domain& d, const std::vector<index>& 
 }
 
 // Keeps the first of the pieces between the same two vertices.
-std::vector<graph_edge> unite_pieces(const domain& d, std::vector<graph_edge> pieces,
+std::vector<graph_edge> unite_pieces(const domain& d, const std::vector<graph_edge>& pieces,
                                      domain_repairs& repairs) {
   const domain_names names(d);
   repair_tally repeated(repairs.repeated_pieces);

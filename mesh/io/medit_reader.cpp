@@ -126,7 +126,7 @@ result<std::size_t> medit_reader::read_count(std::string_view keyword, bool& see
   const word w = source_.next();
   if (seen) return source_.failure(w.line, "a second section " + std::string(keyword));
   seen = true;
-  const auto count = to_count(source_, w, keyword);
+  auto count = to_count(source_, w, keyword);
   if (count.ok() && count.value() > std::numeric_limits<index>::max() / 4)
     return source_.failure(w.line, std::string(keyword) + ": more than 32-bit numbers can name");
   return count;

@@ -87,7 +87,7 @@ result<mesh_format> mesh_format_of(const std::filesystem::path& path) {
 }
 
 result<mesh_format> check_output(const std::filesystem::path& path) {
-  const auto format = mesh_format_of(path);
+  auto format = mesh_format_of(path);
   if (!format.ok()) return format;
   if (const auto writable = check_writable(path); !writable.ok()) return writable.failure();
   if (format.value() == mesh_format::medit)
