@@ -152,6 +152,12 @@ int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit
   return complain({"the audit refuses the mesh" + witness}, not_reached);
 }
 
+result<refinement_outcome> mesh_with_progress(const mesh_job& job, const prepared_input& input) {
+  progress_line line(!job.quiet);
+  return make_mesh(input.shape, *input.field, job.refinement,
+                   [&line](const refinement_progress& progress) { line.show(progress); });
+}
+
 }  // namespace
 
 int run_mesh_job(const mesh_job& job) {
@@ -161,13 +167,9 @@ int run_mesh_job(const mesh_job& job) {
   if (const auto failure = check_files(job, certificate_path)) return complain(*failure, refused);
   const auto input = prepare(job);
   if (!input) return complain(input.failure(), refused);
-  const auto& [shape, field] = input.value();
+  const domain& shape = input.value().shape;
 
-  const auto made = [&] {
-    progress_line line(!job.quiet);
-    return make_mesh(shape, *field, job.refinement,
-                     [&line](const refinement_progress& progress) { line.show(progress); });
-  }();
+  const auto made = mesh_with_progress(job, input.value());
   if (!made) return complain(made.failure(), refused);
   const refinement_outcome& outcome = made.value();
 
