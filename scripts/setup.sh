@@ -7,7 +7,7 @@ build=$project/build/release
 
 packages=(
   g++ cmake ninja-build pkg-config
-  libcgal-dev libgmp-dev libmpfr-dev libboost-dev libtbb-dev libeigen3-dev
+  libcgal-dev libgmp-dev libmpfr-dev libboost-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libcairo2-dev
   catch2 python3 python3-meshio
 )

@@ -6,7 +6,7 @@ set(folders core predicates kernels mesh apps)
 set(header_sources)
 foreach(folder IN LISTS folders)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
-       ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
+       ${PROJECT_SOURCE_DIR}/${folder}/*.hpp ${PROJECT_SOURCE_DIR}/${folder}/*.h)
   foreach(header IN LISTS headers)
     string(REPLACE "/" "_" unit ${header})
     set(unit ${CMAKE_CURRENT_BINARY_DIR}/headers/${unit}.cpp)
@@ -21,12 +21,11 @@ asterism_configure(headers_compile_alone)
 target_compile_options(headers_compile_alone PRIVATE -O0)
 target_link_libraries(headers_compile_alone PRIVATE asterism CLI11::CLI11)
 
-add_test(NAME "build: layers are one way"
-         COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/build/check_layering.py
-                 ${PROJECT_SOURCE_DIR})
-add_test(NAME "build: licences"
-         COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/build/check_licenses.py
-                 ${PROJECT_SOURCE_DIR})
+foreach(check layering licenses documents)
+  add_test(NAME "build: check_${check}"
+           COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/build/check_${check}.py
+                   ${PROJECT_SOURCE_DIR})
+endforeach()
 
 # What others build with the library: installed and moved elsewhere, or as a subdirectory.
 function(asterism_program_test name project)
