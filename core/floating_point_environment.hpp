@@ -8,7 +8,7 @@
 // a function that is not inlined into the one that holds the scope.
 #pragma once
 
-#ifdef __FAST_MATH__
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "asterism: exact predicates cannot be compiled with -ffast-math"
 #endif
 

@@ -33,7 +33,7 @@ displacement<Number> between(const basic_point<Number>& a, const basic_point<Num
 }
 
 // An interval that straddles zero has a square that does not.
-inline interval square(const interval& x) { return CGAL::square(x); }
+inline interval square(const interval& x) { return squared(x); }
 template <class Number>
 Number square(const Number& x) {
   return x * x;

@@ -15,47 +15,12 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f";
 
-// The shape of each predicate's record, in the order of `predicate`: sites first, then points.
-struct record_shape {
-  std::size_t sites, points;
-  constexpr std::size_t numbers() const { return 5 * sites + 2 * points; }
-};
-constexpr std::array<record_shape, predicate_count> shapes = {{
-    {0, 3},  // orientation
-    {0, 0},  // is_spd: three numbers that are neither
-    {2, 1},  // compare_distance
-    {2, 1},  // in_wedge
-    {2, 1},  // dominates
-    {3, 0},  // voronoi_vertex_count
-    {3, 0},  // arc_intersection_count
-    {3, 0},  // encroaches
-    {4, 0},  // insertion_test
-    {4, 0},  // edge_test
-}};
-
-constexpr record_shape shape_of(predicate question) {
-  return shapes[static_cast<std::size_t>(question)];
-}
-constexpr std::size_t numbers_of(predicate question) {
-  return question == predicate::is_spd ? 3 : shape_of(question).numbers();
-}
-
 std::string_view next_token(std::string_view& rest) {
   const std::size_t begin = std::min(rest.find_first_not_of(blanks), rest.size());
   const std::size_t end = std::min(rest.find_first_of(blanks, begin), rest.size());
   const std::string_view token = rest.substr(begin, end - begin);
   rest.remove_prefix(end);
   return token;
-}
-
-point point_at(const batch_record& record, std::size_t first) {
-  return {record.numbers[first], record.numbers[first + 1]};
-}
-metric_tensor metric_at(const batch_record& record, std::size_t first) {
-  return {record.numbers[first], record.numbers[first + 1], record.numbers[first + 2]};
-}
-site site_at(const batch_record& record, std::size_t which) {
-  return {point_at(record, 5 * which), metric_at(record, 5 * which + 2)};
 }
 
 // Field 1 is the name, so number i (from 0) is field i + 2.
@@ -109,46 +74,6 @@ result<std::optional<batch_record>> parse_record(std::string_view line) {
   if (const auto failure = check_sites(record)) return *failure;
   return std::optional<batch_record>(record);
 }
-
-namespace {
-
-uncertain_int integer(sign s) { return to_int(s); }
-uncertain_int integer(bool yes) { return yes ? 1 : 0; }
-uncertain_int integer(int count) { return count; }
-template <class T>
-uncertain_int integer(uncertain<T> answer) {
-  return answer.certain() ? integer(answer.value()) : uncertain_int();
-}
-
-template <class Kernel>
-uncertain_int ask(const Kernel& kernel, const batch_record& r) {
-  const auto s = [&r](std::size_t which) { return site_at(r, which); };
-  switch (r.question) {
-    case predicate::orientation:
-      return integer(kernel.orientation(point_at(r, 0), point_at(r, 2), point_at(r, 4)));
-    case predicate::is_spd:
-      return integer(kernel.is_positive_definite(metric_at(r, 0)));
-    case predicate::compare_distance:
-      return integer(kernel.compare_distance(s(0), s(1), point_at(r, 10)));
-    case predicate::in_wedge:
-      return integer(kernel.in_wedge(s(0), s(1), point_at(r, 10)));
-    case predicate::dominates:
-      return integer(kernel.dominates(s(0), s(1), point_at(r, 10)));
-    case predicate::voronoi_vertex_count:
-      return integer(kernel.voronoi_vertex_count(s(0), s(1), s(2)));
-    case predicate::arc_intersection_count:
-      return integer(kernel.arc_intersection_count(s(0), s(1), s(2)));
-    case predicate::encroaches:
-      return integer(kernel.encroaches(s(0), s(1), s(2)));
-    case predicate::insertion_test:
-      return integer(kernel.insertion_test(s(0), s(1), s(2), s(3)));
-    case predicate::edge_test:
-      return integer(kernel.edge_test(s(0), s(1), s(2), s(3)));
-  }
-  return {};
-}
-
-}  // namespace
 
 uncertain_int batch_evaluator::filtered_answer(const batch_record& record, settled_by& how) {
   const std::uint64_t before = filtered_.counters().at(record.question, tier::exact);

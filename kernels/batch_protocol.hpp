@@ -33,6 +33,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/core/sign.hpp"
+#include "asterism/kernels/batch_question.hpp"
 #include "asterism/kernels/double_kernel.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
@@ -40,14 +41,6 @@
 #include "asterism/kernels/tier_counters.hpp"
 
 namespace asterism {
-
-inline constexpr std::size_t longest_record = 20;  // four sites
-
-// A question as read, accepted by the checks above. `numbers` beyond those of the predicate are 0.
-struct batch_record {
-  predicate question = predicate::orientation;
-  std::array<double, longest_record> numbers{};
-};
 
 // Empty for a comment or blank line. `line` comes without its end of line; a final CR is a blank.
 result<std::optional<batch_record>> parse_record(std::string_view line);

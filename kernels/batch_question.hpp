@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+//
+// A record of the batch protocol as a question that can be put to any kernel: what the batch
+// evaluator, the kernel checker and the tests that compare kernels have in common.
+//
+// Answers are integers as in the batch protocol; empty where a kernel is undecided.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "asterism/core/sign.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/kernels/tier_counters.hpp"
+
+namespace asterism {
+
+inline constexpr std::size_t longest_record = 20;  // four sites
+
+// A question and its numbers, sites first, then points. Those beyond the predicate's own are 0.
+struct batch_record {
+  predicate question = predicate::orientation;
+  std::array<double, longest_record> numbers{};
+};
+
+// The shape of a predicate's record.
+struct record_shape {
+  std::size_t sites, points;
+};
+inline constexpr std::array<record_shape, predicate_count> record_shapes = {{
+    {0, 3},  // orientation
+    {0, 0},  // is_spd: three numbers that are neither
+    {2, 1},  // compare_distance
+    {2, 1},  // in_wedge
+    {2, 1},  // dominates
+    {3, 0},  // voronoi_vertex_count
+    {3, 0},  // arc_intersection_count
+    {3, 0},  // encroaches
+    {4, 0},  // insertion_test
+    {4, 0},  // edge_test
+}};
+constexpr record_shape shape_of(predicate question) {
+  return record_shapes[static_cast<std::size_t>(question)];
+}
+constexpr std::size_t numbers_of(predicate question) {
+  const record_shape shape = shape_of(question);
+  return question == predicate::is_spd ? 3 : 5 * shape.sites + 2 * shape.points;
+}
+
+// `first` is the index of the first number, `which` that of a site.
+constexpr point point_at(const batch_record& record, std::size_t first) {
+  return {record.numbers[first], record.numbers[first + 1]};
+}
+constexpr metric_tensor metric_at(const batch_record& record, std::size_t first) {
+  return {record.numbers[first], record.numbers[first + 1], record.numbers[first + 2]};
+}
+constexpr site site_at(const batch_record& record, std::size_t which) {
+  return {point_at(record, 5 * which), metric_at(record, 5 * which + 2)};
+}
+
+constexpr uncertain_int as_integer(sign s) { return to_int(s); }
+constexpr uncertain_int as_integer(bool yes) { return yes ? 1 : 0; }
+constexpr uncertain_int as_integer(int count) { return count; }
+template <class T>
+constexpr uncertain_int as_integer(uncertain<T> answer) {
+  return answer.certain() ? as_integer(answer.value()) : uncertain_int();
+}
+
+// Requires a record that the kernel accepts: finite, positive definite, sites distinct.
+template <class Kernel>
+uncertain_int ask(const Kernel& kernel, const batch_record& r) {
+  const auto s = [&r](std::size_t which) { return site_at(r, which); };
+  switch (r.question) {
+    case predicate::orientation:
+      return as_integer(kernel.orientation(point_at(r, 0), point_at(r, 2), point_at(r, 4)));
+    case predicate::is_spd:
+      return as_integer(kernel.is_positive_definite(metric_at(r, 0)));
+    case predicate::compare_distance:
+      return as_integer(kernel.compare_distance(s(0), s(1), point_at(r, 10)));
+    case predicate::in_wedge:
+      return as_integer(kernel.in_wedge(s(0), s(1), point_at(r, 10)));
+    case predicate::dominates:
+      return as_integer(kernel.dominates(s(0), s(1), point_at(r, 10)));
+    case predicate::voronoi_vertex_count:
+      return as_integer(kernel.voronoi_vertex_count(s(0), s(1), s(2)));
+    case predicate::arc_intersection_count:
+      return as_integer(kernel.arc_intersection_count(s(0), s(1), s(2)));
+    case predicate::encroaches:
+      return as_integer(kernel.encroaches(s(0), s(1), s(2)));
+    case predicate::insertion_test:
+      return as_integer(kernel.insertion_test(s(0), s(1), s(2), s(3)));
+    case predicate::edge_test:
+      return as_integer(kernel.edge_test(s(0), s(1), s(2), s(3)));
+  }
+  return {};
+}
+
+}  // namespace asterism

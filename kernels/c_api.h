@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The predicates for C and for everything that calls C. The answers are those of filtered_kernel
+ * (kernels/filtered_kernel.hpp): exact for the doubles given, whatever the caller's rounding mode,
+ * FTZ and DAZ, which are the same after the call.
+ *
+ * Arguments: a point is x y, a metric tensor m11 m12 m22, a site x y m11 m12 m22. Any finite double
+ * is allowed, from subnormal to the largest.
+ * Checks, in this order: no null pointer, every number finite, every site's metric positive
+ * definite (decided exactly), no two sites of one call at one position. The first that fails gives
+ * the status; *answer is then left as it was.
+ * Errors: nothing is thrown, nothing aborts; ASTERISM_INTERNAL_FAILURE stands for everything else,
+ * which is running out of memory in exact arithmetic if GMP is set to throw (GMP itself, left to
+ * its default, ends the program then).
+ * State: none. Every function may be called from any thread at any time.
+ */
+#ifndef ASTERISM_KERNELS_C_API_H
+#define ASTERISM_KERNELS_C_API_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum asterism_status { /* NOLINT(modernize-use-using): C */
+                               ASTERISM_OK = 0,
+                               ASTERISM_NULL_POINTER = 1,
+                               ASTERISM_NOT_FINITE = 2,
+                               ASTERISM_NOT_POSITIVE_DEFINITE = 3,
+                               ASTERISM_EQUAL_SITES = 4,
+                               ASTERISM_INTERNAL_FAILURE = 5
+} asterism_status;
+
+/* A sentence for a person, never null, also for a number that is no status. Owned by the library.
+ */
+const char* asterism_status_message(asterism_status status);
+
+/* Does r lie to the left (1) or right (-1) of the directed line from p to q, or on it (0)?
+ * Source and laws: predicates/orientation.hpp. Equal points give 0. */
+asterism_status asterism_orientation(const double p[2], const double q[2], const double r[2],
+                                     int* answer);
+
+/* Is the metric tensor positive definite? 1 or 0; semidefinite is 0. Never gives
+ * ASTERISM_NOT_POSITIVE_DEFINITE. Source: predicates/positive_definite.hpp. */
+asterism_status asterism_is_spd(const double metric[3], int* answer);
+
+/* Which of v, w is nearer to q, each by its own metric? -1: v; 1: w; 0: q is on their bisector.
+ * Source: predicates/compare_distance.hpp. */
+asterism_status asterism_compare_distance(const double v[5], const double w[5], const double q[2],
+                                          int* answer);
+
+/* Is q in the wedge of v and w? 1 or 0; the border is outside. Source: predicates/wedge.hpp. */
+asterism_status asterism_in_wedge(const double v[5], const double w[5], const double q[2],
+                                  int* answer);
+
+/* Does v (1) or w (-1) dominate p over the other, or neither (0: p is on the border)? Not the same
+ * as being nearer. Source: predicates/domination.hpp. */
+asterism_status asterism_dominates(const double v[5], const double w[5], const double p[2],
+                                   int* answer);
+
+/* In how many points are u, v, w equally near? 0 to 4; -1: infinitely many. A tangency is one
+ * point. Source: predicates/voronoi_vertices.hpp. */
+asterism_status asterism_voronoi_vertex_count(const double u[5], const double v[5],
+                                              const double w[5], int* answer);
+
+/* In how many points of the visible arc of v, w is x as near as they are? 0 to 4; -1: infinitely
+ * many. Source: predicates/arc_intersections.hpp. */
+asterism_status asterism_arc_intersection_count(const double v[5], const double w[5],
+                                                const double x[5], int* answer);
+
+/* Is w nearer than a and than b somewhere on the open segment ab? 1 or 0; touching is 0.
+ * Source: predicates/encroachment.hpp. */
+asterism_status asterism_encroaches(const double a[5], const double b[5], const double w[5],
+                                    int* answer);
+
+/* May w stand in the star of v between its neighbours x and y? 1 or 0; touching is 0. Four distinct
+ * sites. Source: predicates/insertion_test.hpp. */
+asterism_status asterism_insertion_test(const double v[5], const double w[5], const double x[5],
+                                        const double y[5], int* answer);
+
+/* The same with ties broken alike from every side: what a mesh generator should ask.
+ * Source: predicates/tie_breaking.hpp. */
+asterism_status asterism_edge_test(const double v[5], const double w[5], const double x[5],
+                                   const double y[5], int* answer);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* ASTERISM_KERNELS_C_API_H */

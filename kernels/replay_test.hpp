@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// A question with a doubtful answer, as the source text of a Catch2 test that asks it again.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "asterism/kernels/batch_question.hpp"
+
+namespace asterism {
+
+// One TEST_CASE for the batch protocol's numbers (hexadecimal doubles: bit for bit), ready to be
+// pasted into a file that includes <catch2/catch.hpp> and the kernel's header. It passes when
+// `kernel_type`, the C++ name of a class to be default constructed, answers `expected`; `answered`
+// is only mentioned. The case's name ends in a hash of the record, so that names differ.
+std::string replay_test(std::string_view kernel_type, const batch_record& record, int expected,
+                        int answered);
+
+// The record as a line of the batch protocol, without an end of line.
+std::string record_line(const batch_record& record);
+
+}  // namespace asterism
