@@ -27,5 +27,5 @@ target_compile_definitions(oracle_test PRIVATE CGAL_NDEBUG)
 asterism_test(property_test
   SOURCES property/pointwise_test.cpp property/counts_test.cpp property/insertion_test.cpp
           property/laws_test.cpp property/ties_test.cpp property/counters_test.cpp
-          adversarial/known_cases_test.cpp
+          adversarial/known_cases_test.cpp adversarial/ranges_test.cpp
   LINK asterism_oracle)

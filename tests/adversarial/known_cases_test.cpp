@@ -100,6 +100,24 @@ TEST_CASE("the unit square keeps the diagonal without its greatest corner", "[ad
   edge({c, a, d, b}, false);
 }
 
+// The four meet in a point q of the arc of v, w that y sees only through v's cell: next to q, v and
+// w dominate over y where y is the nearer one (its segment crosses Vor{v,y} twice). A tie rule that
+// takes "farther" for "dominated" answers one thing for (x, y) and another for (y, x).
+TEST_CASE("a tie behind a cell", "[adversarial]") {
+  const site v = {{-6, 4}, {3, 5, 10}}, w = {{3, -1}, {38, 50, 66}};
+  const site x = {{2, 0}, {18, 26, 38}}, y = {{-2, 4}, {18, 10, 6}};
+  const auto expect_edge = [](const four_sites& s, bool expected) {
+    expect_agreement(
+        expected, [&](const auto& kernel) { return kernel.edge_test(s[0], s[1], s[2], s[3]); },
+        record("edge_test", s));
+  };
+  for (const auto& [a, b] : {std::array{v, w}, std::array{w, v}}) {
+    expect_edge({a, b, x, y}, false);
+    expect_edge({a, b, y, x}, false);
+  }
+  expect_edge({x, y, v, w}, true);
+}
+
 TEST_CASE("a corner moved by one unit in the last place decides the square", "[adversarial]") {
   const site a = {{0, 0}, euclidean}, b = {{1, 0}, euclidean}, d = {{0, 1}, euclidean};
   for (const double away : {0x1p-52, -0x1p-53}) {

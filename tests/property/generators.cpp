@@ -123,16 +123,35 @@ four_sites grid(random_source& random) {
   return each([&] { return site{integer_point(random, 2), m}; });
 }
 
-// Of twelve integer points on a circle, with equal metrics; seen through a random integer map.
-four_sites cocircular(random_source& random) {
+// Of the twelve integer points of a circle.
+four_sites integer_points_on_circle(random_source& random) {
   constexpr std::array<std::array<int, 2>, 3> legs = {{{5, 0}, {3, 4}, {4, 3}}};
-  four_sites sites = each([&] {
+  return each([&] {
     const auto [a, b] = legs[static_cast<std::size_t>(random.integer(0, 2))];
     const int x = random.chance(2) ? a : -a, y = random.chance(2) ? b : -b;
     const bool exchange = random.chance(2);
     return make_site(exchange ? y : x, exchange ? x : y, 1, 0, 1);
   });
-  return sheared_and_moved(sites, random);
+}
+
+four_sites cocircular(random_source& random) {
+  return sheared_and_moved(integer_points_on_circle(random), random);
+}
+
+// On a circle around the middle of a field that stretches along circles or along rays: the middle
+// is equidistant from all four though no two metrics are equal.
+four_sites symmetric_field(random_source& random) {
+  four_sites sites = integer_points_on_circle(random);
+  const double strength = random.chance(2) ? 3 : 12;
+  const bool along_circles = random.chance(2);
+  for (site& s : sites) {
+    s.position = {s.position.x / 4, s.position.y / 4};
+    const auto [x, y] = s.position;
+    s.metric = along_circles
+                   ? metric_tensor{1 + strength * x * x, strength * x * y, 1 + strength * y * y}
+                   : metric_tensor{1 + strength * y * y, -strength * x * y, 1 + strength * x * x};
+  }
+  return sites;
 }
 
 four_sites nearly_grid(random_source& random) {
@@ -239,7 +258,7 @@ four_sites mirror_images(random_source& random) {
 // Of any other kind, with one number moved by one unit in the last place.
 four_sites one_ulp_away(random_source& random) {
   const auto all = kinds();
-  four_sites sites = draw(all[static_cast<std::size_t>(random.integer(4, 16))], random);
+  four_sites sites = draw(all[static_cast<std::size_t>(random.integer(4, 17))], random);
   site& s = sites[static_cast<std::size_t>(random.integer(0, 3))];
   const std::array<double*, 5> numbers = {&s.position.x, &s.position.y, &s.metric.m11,
                                           &s.metric.m12, &s.metric.m22};
@@ -285,6 +304,7 @@ constexpr std::array all_kinds = {kind{"smooth metrics", smooth_metrics},
                                   kind{"tiny integers", tiny_integers},
                                   kind{"grid", grid},
                                   kind{"cocircular", cocircular},
+                                  kind{"symmetric field", symmetric_field},
                                   kind{"nearly grid", nearly_grid},
                                   kind{"collinear", collinear},
                                   kind{"crossing line pairs", crossing_line_pairs},

@@ -129,5 +129,28 @@ TEST_CASE("ties among points of one circle", "[property][ties]") {
   }
 }
 
+// Mirror images in both axes in a field that is symmetric too: one tie, at the middle.
+TEST_CASE("rectangles around the middle of a symmetric field", "[property][ties]") {
+  const exact_kernel exact;
+  const filtered_kernel filtered;
+  for (const double strength : {3.0, 12.0})
+    for (int a = 1; a <= 7; a += 2)
+      for (int b = 1; b <= 7; ++b) {
+        const auto corner = [&](double x, double y) {
+          return site{
+              {x / 8, y / 8},
+              {1 + strength * x * x / 64, strength * x * y / 64, 1 + strength * y * y / 64}};
+        };
+        const four_sites s = {corner(-a, -b), corner(a, -b), corner(a, b), corner(-a, b)};
+        const std::string replay = record("edge_test", std::array{s[0], s[2], s[1], s[3]});
+        if (exact.insertion_test(s[0], s[2], s[1], s[3]) ||
+            exact.insertion_test(s[1], s[3], s[2], s[0]))
+          continue;  // so far from round that a diagonal passes elsewhere
+        expect_equal(false, exact.edge_test(s[0], s[2], s[1], s[3]), replay, "through greatest");
+        expect_equal(true, exact.edge_test(s[1], s[3], s[2], s[0]), replay, "the other diagonal");
+        expect_equal(true, filtered.edge_test(s[3], s[1], s[2], s[0]), replay, "filtered");
+      }
+}
+
 }  // namespace
 }  // namespace asterism::property
