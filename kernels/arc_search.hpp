@@ -19,46 +19,66 @@
 #include <span>
 
 #include "asterism/core/sign.hpp"
+#include "asterism/kernels/double_arithmetic.hpp"
 #include "asterism/predicates/insertion_test.hpp"
 
 namespace asterism {
 
-// Signs of the coefficients of p along the cone from ray (lambda1, mu1) to (lambda2, mu2): when
-// none differ, p has that sign everywhere strictly between the rays (Descartes, Bernstein), and on
-// the rays too, except that p may vanish at a ray at infinity (lambda = 0). Certain only then.
+// A range of parameters: the open interval (low, high), ends may be infinite, not both.
+struct parameter_range {
+  double low, high;
+};
+
+// p(x + shift)
 template <class Number, std::size_t Degree>
-uncertain_sign sign_between(const polynomial<Number, Degree>& p, const std::array<Number, 2>& ray1,
-                            const std::array<Number, 2>& ray2) {
-  std::array<Number, Degree + 1> form;    // of (lambda, mu) along the cone
-  std::array<Number, Degree + 1> powers;  // of lambda along the cone
-  form.fill(Number(0));
-  powers.fill(Number(0));
-  form[0] = p.coefficient[Degree];
-  powers[0] = Number(1);
-  for (std::size_t k = 1; k <= Degree; ++k) {
-    for (std::size_t j = k + 1; j-- > 0;) {
-      const bool last = j == k, first = j == 0;
-      Number form_j = last ? form[j - 1] * ray2[1] : form[j] * ray1[1];
-      Number power_j = last ? powers[j - 1] * ray2[0] : powers[j] * ray1[0];
-      if (!last && !first) {
-        form_j = form_j + form[j - 1] * ray2[1];
-        power_j = power_j + powers[j - 1] * ray2[0];
-      }
-      form[j] = form_j;
-      powers[j] = power_j;
-    }
-    for (std::size_t j = 0; j <= k; ++j) form[j] = form[j] + p.coefficient[Degree - k] * powers[j];
+polynomial<Number, Degree> taylor_shift(polynomial<Number, Degree> p, const Number& shift) {
+  for (std::size_t i = 0; i < Degree; ++i)
+    for (std::size_t j = Degree; j-- > i;)
+      p.coefficient[j] = p.coefficient[j] + shift * p.coefficient[j + 1];
+  return p;
+}
+
+// p in coordinates that are positive on the range: coefficients of the same sign then show that p
+// keeps that sign on it (Descartes; up to binomial factors these are Bernstein coefficients). The
+// first one is p at a finite end, the last one p at the other end or the leading coefficient.
+template <class Number, std::size_t Degree>
+polynomial<Number, Degree> over_range(const polynomial<Number, Degree>& p,
+                                      const parameter_range& range) {
+  if (std::isinf(range.low)) {
+    // p(high - t), t > 0
+    polynomial<Number, Degree> q = taylor_shift(p, Number(range.high));
+    for (std::size_t k = 1; k <= Degree; k += 2) q.coefficient[k] = Number(0) - q.coefficient[k];
+    return q;
   }
-  const auto finite = [](const std::array<Number, 2>& ray) {
-    return !sign_of(ray[0]).certainly(sign::zero);
-  };
+  polynomial<Number, Degree> q = taylor_shift(p, Number(range.low));
+  if (std::isinf(range.high)) return q;  // p(low + t), t > 0
+  // p(low + width / (1 + t)) (1 + t)^Degree, t > 0
+  const Number width = Number(range.high) - Number(range.low);
+  polynomial<Number, Degree> reversed;
+  Number power(1);
+  for (std::size_t k = 0; k <= Degree; ++k) {
+    reversed.coefficient[Degree - k] = q.coefficient[k] * power;
+    if (k < Degree) power = power * width;
+  }
+  for (std::size_t i = 0; i < Degree; ++i)
+    for (std::size_t j = Degree; j-- > i;)
+      reversed.coefficient[j] = reversed.coefficient[j] + reversed.coefficient[j + 1];
+  return reversed;
+}
+
+// The sign of p on the range and at its finite ends; certain only when p has no zero there.
+template <class Number, std::size_t Degree>
+uncertain_sign sign_between(const polynomial<Number, Degree>& p, const parameter_range& range) {
+  const polynomial<Number, Degree> form = over_range(p, range);
+  // The last coefficient belongs to an infinite end or to the finite end `low`.
+  const bool both_finite = !std::isinf(range.low) && !std::isinf(range.high);
   sign common = sign::zero;
   for (std::size_t j = 0; j <= Degree; ++j) {
-    const uncertain_sign s = sign_of(form[j]);
+    const uncertain_sign s = sign_of(form.coefficient[j]);
     if (!s.certain()) return {};
     if (s.value() == sign::zero) {
       // A zero at a finite end may be the point where good and bad touch: a tie is not a "no".
-      if ((j == 0 && finite(ray1)) || (j == Degree && finite(ray2))) return {};
+      if (j == 0 || (j == Degree && both_finite)) return {};
       continue;
     }
     if (common != sign::zero && common != s.value()) return {};
@@ -73,14 +93,15 @@ enum class pair_function {
   tangents_from_x,
   slope_to_x,
   slope_from_x,
-  approach_from_x
+  approach_from_x,
+  steepness_from_x
 };
 
 // One neighbour's condition, with the functions it depends on made when first asked for.
 template <class Number>
 class lasting_reasons {
  public:
-  using range = std::array<std::array<Number, 2>, 2>;
+  using range = parameter_range;
   using verdict = typename neighbour_condition<Number>::verdict;
 
   explicit lasting_reasons(const neighbour_condition<Number>& condition) : condition_(condition) {}
@@ -100,9 +121,8 @@ class lasting_reasons {
 
  private:
   struct cached {
+    std::optional<arc_function<Number>> function;
     std::optional<polynomial<Number, 4>> norm;
-    polynomial<Number, 2> rational_part;
-    polynomial<Number, 1> beta;
   };
 
   // Site i does not dominate p over x at `at`. Does that last?
@@ -124,7 +144,8 @@ class lasting_reasons {
       // Nothing but a tangency changes how often the two segments meet the bisector.
       if (farther) return no_zero_of_pair(pair_function::tangents_to_x);
       // x is nearer; i dominates only where the segment xp meets the bisector twice.
-      return sign_of_pair(pair_function::approach_from_x).certainly(sign::negative) ||
+      return sign_of_pair(pair_function::steepness_from_x).certainly(sign::positive) ||
+             sign_of_pair(pair_function::approach_from_x).certainly(sign::negative) ||
              sign_of_pair(pair_function::slope_from_x).certainly(sign::positive) ||
              no_zero_of_pair(pair_function::tangents_from_x);
     }
@@ -147,46 +168,39 @@ class lasting_reasons {
         return ray_slope(origin, i, x);
       case pair_function::slope_from_x:
         return ray_slope(origin, x, i);
+      case pair_function::steepness_from_x:
+        return ray_steepness(origin, x, i);
       default:
         return ray_approach(origin, x, i);
     }
   }
 
+  // The sign of alpha + beta s, s > 0, on the part of the arc in the range: certain when alpha and
+  // beta have one sign, or when the norm shows no zero, or when P and beta have one sign (the norm
+  // also vanishes where the conjugate P - beta sqrt E does, but the function not there).
+  // With `any`, "no zero" alone is asked and the sign may be either.
   template <class Make>
-  void fill(cached& f, const Make& make) {
-    if (f.norm) return;
+  uncertain_sign sign_throughout(cached& f, const range& over, const Make& make, bool any = false) {
     const auto& arc = *condition_.arc;
-    const arc_function<Number> g = arc.restrict(make());
-    f = {arc.norm(g), arc.rational_part(g), g.beta};
+    if (!f.function) f.function = arc.restrict(make());
+    const uncertain_sign beta = sign_between(f.function->beta, over);
+    if (beta.certain() && sign_between(f.function->alpha, over).certainly(beta.value()))
+      return beta;
+    if (!f.norm) f.norm = arc.norm(*f.function);
+    const uncertain_sign norm = sign_between(*f.norm, over);
+    if (norm.certain() && any) return sign::positive;
+    if (norm.certainly(sign::negative)) return beta;
+    const uncertain_sign p = sign_between(arc.rational_part(*f.function), over);
+    return norm.certain() || (p.certain() && beta.certainly(p.value())) ? p : uncertain_sign();
   }
-  // The function is P + beta sqrt E, its norm (P^2 - beta^2 E) / C. The norm also vanishes where
-  // the conjugate does, but the function not where P and beta have one sign.
-  static uncertain_sign common_sign(const cached& f, const range& over) {
-    const uncertain_sign beta = sign_between(f.beta, over[0], over[1]);
-    if (!beta.certain()) return {};
-    const uncertain_sign p = sign_between(f.rational_part, over[0], over[1]);
-    return p.certainly(beta.value()) ? p : uncertain_sign();
-  }
-
-  // Certainly no zero on the part of the arc in the range?
   template <class Make>
   bool no_zero(cached& f, const range& over, const Make& make) {
-    fill(f, make);
-    return sign_between(*f.norm, over[0], over[1]).certain() || common_sign(f, over).certain();
-  }
-  // The sign of the function on the part of the arc in the range.
-  template <class Make>
-  uncertain_sign sign_throughout(cached& f, const range& over, const Make& make) {
-    fill(f, make);
-    const uncertain_sign norm = sign_between(*f.norm, over[0], over[1]);
-    if (!norm.certain()) return common_sign(f, over);
-    return norm.value() == sign::positive ? sign_between(f.rational_part, over[0], over[1])
-                                          : sign_between(f.beta, over[0], over[1]);
+    return sign_throughout(f, over, make, true).certain();
   }
 
   const neighbour_condition<Number>& condition_;
   cached equidistance_;
-  std::array<std::array<cached, 5>, 2> pairs_;
+  std::array<std::array<cached, 6>, 2> pairs_;
   std::array<cached, 2> lines_;
 };
 
@@ -194,35 +208,33 @@ class lasting_reasons {
 template <class Number, class PointOnArc>
 class arc_search {
  public:
-  // `hints` are parameters in increasing order, ideally one in each section of the arc.
-  arc_search(const insertion_question<Number>& question, std::span<const double> hints, int budget)
+  // Hints may be anything; they decide how soon the search ends, never how.
+  arc_search(const insertion_question<Number>& question, const numeric::search_hints& hints,
+             int budget)
       : question_(question),
-        hints_(hints),
+        hints_(hints.samples.data(), hints.count),
+        witness_hint_(hints.witness),
+        extent_(hints.extent),
         budget_(budget),
         at_x_(question.at_x),
         at_y_(question.at_y) {}
 
-  // `witness` is a parameter to try first, from anywhere.
-  uncertain_bool exists(std::optional<double> witness) {
+  uncertain_bool exists() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (witness && std::isfinite(*witness) && good_point(*witness)) return true;
+    if (witness_hint_ && std::isfinite(*witness_hint_) && good_point(*witness_hint_)) return true;
     const double start = hints_.empty() ? 0.0 : hints_[hints_.size() / 2];
-    const bool refuted = refute(-infinity, start) && refute(start, infinity);
+    if (!std::isfinite(start)) return {};
+    const auto [low, high] = extent_;
+    const bool ends_below = low > -infinity && low < start,
+               ends_above = high < infinity && high > start;
+    const bool refuted =
+        (!ends_below || refute(-infinity, low)) && (!ends_above || refute(high, infinity)) &&
+        refute(ends_below ? low : -infinity, start) && refute(start, ends_above ? high : infinity);
     if (witness_) return true;
     return refuted ? uncertain_bool(false) : uncertain_bool();
   }
 
  private:
-  using range = std::array<std::array<Number, 2>, 2>;
-
-  static range cone(double low, double high) {
-    const auto ray = [](double m) -> std::array<Number, 2> {
-      if (std::isinf(m)) return {Number(0), Number(m > 0 ? 1 : -1)};
-      return {Number(1), Number(m)};
-    };
-    return {ray(low), ray(high)};
-  }
-
   bool good_point(double m) {
     const visible_arc<Number>& arc = question_.arc;
     if (!arc.contains(Number(1), Number(m)).certainly(true)) return false;
@@ -236,7 +248,7 @@ class arc_search {
     if (--budget_ < 0 || witness_) return false;
     const double middle = sample(low, high);
     if (!(middle > low && middle < high)) return false;
-    const range over = cone(low, high);
+    const parameter_range over{low, high};
     const uncertain_bool inside = question_.arc.contains(Number(1), Number(middle));
     if (inside.certainly(true)) {
       const PointOnArc p(question_.arc, Number(middle));
@@ -264,15 +276,17 @@ class arc_search {
     return 0.5 * low + 0.5 * high;
   }
 
-  bool off_arc_throughout(const range& over) const {
+  bool off_arc_throughout(const parameter_range& over) const {
     const visible_arc<Number>& arc = question_.arc;
-    if (sign_between(arc.e, over[0], over[1]).certainly(sign::negative)) return true;
-    return sign_between(arc.a, over[0], over[1]).certainly(sign::negative) &&
-           sign_between(arc.h, over[0], over[1]).certainly(sign::negative);
+    if (sign_between(arc.e, over).certainly(sign::negative)) return true;
+    return sign_between(arc.a, over).certainly(sign::negative) &&
+           sign_between(arc.h, over).certainly(sign::negative);
   }
 
   const insertion_question<Number>& question_;
-  std::span<const double> hints_;
+  std::span<const double> hints_;  // in increasing order
+  std::optional<double> witness_hint_;
+  numeric::arc_extent extent_;
   int budget_;
   bool witness_ = false;
   lasting_reasons<Number> at_x_, at_y_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "asterism/kernels/numeric_roots.hpp"
@@ -91,16 +92,57 @@ inline std::optional<double> find_witness(const insertion_question<double>& ques
   });
 }
 
+// Where the arc, which contains 0, ends: a little beyond, or infinite.
+struct arc_extent {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+inline arc_extent find_extent(const visible_arc<double>& arc) {
+  std::array<double, 4> ends;
+  std::size_t count = 0;
+  const auto insert = [&](double x) {
+    std::size_t k = count++;
+    for (; k > 0 && ends[k - 1] > x; --k) ends[k] = ends[k - 1];
+    ends[k] = x;
+  };
+  const auto add_roots = [&](const polynomial<double, 2>& p) {
+    const auto& [c, b, a] = p.coefficient;
+    const double discriminant = b * b - 4 * a * c;
+    if (!(discriminant >= 0)) return;
+    const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+    if (a != 0) insert(q / a);
+    if (q != 0) insert(c / q);
+  };
+  add_roots(arc.e);
+  add_roots(arc.a);
+  constexpr double beyond = 1 + 0x1p-5;
+  arc_extent extent;
+  for (std::size_t k = 0; k < count; ++k)
+    if (ends[k] > 0 && !arc.contains(1.0, ends[k] * beyond).value()) {
+      extent.high = ends[k] * beyond;
+      break;
+    }
+  for (std::size_t k = count; k-- > 0;)
+    if (ends[k] < 0 && !arc.contains(1.0, ends[k] * beyond).value()) {
+      extent.low = ends[k] * beyond;
+      break;
+    }
+  return extent;
+}
+
 // One parameter in each section of the arc between the equidistance cuts, in increasing order, and
 // the first of them, if any, that looks like a good point.
 struct search_hints {
   std::array<double, 14> samples;
   std::size_t count = 0;
   std::optional<double> witness;
+  arc_extent extent;
 };
 
 inline search_hints find_hints(const insertion_question<double>& question) {
   search_hints hints;
+  hints.extent = find_extent(question.arc);
   critical_cuts(question, cuts::equidistance_only).first_sample([&](double m) {
     if (!question.arc.contains(1.0, m).value()) return false;
     if (hints.count < hints.samples.size()) hints.samples[hints.count++] = m;

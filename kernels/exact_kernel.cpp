@@ -6,10 +6,9 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/square_root_sum.hpp"
-#include "asterism/kernels/arc_search.hpp"
-#include "asterism/kernels/double_arithmetic.hpp"
 #include "asterism/kernels/magnitude.hpp"
 #include "asterism/kernels/root_line.hpp"
+#include "asterism/kernels/staged_search.hpp"
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/predicates/arc_intersections.hpp"
 #include "asterism/predicates/compare_distance.hpp"
@@ -152,24 +151,14 @@ struct insertion_sections {
   }
 };
 
-constexpr int most_ranges = 64;
-
 // The search by witness or cover, in exact numbers; undecided on ties and tangencies, and where the
 // magnitudes do not let doubles propose parameters.
 uncertain_bool search_arc(const site& v, const site& w, const site& x, const site& y) {
+  constexpr int most_ranges = 64;
   const floating_point_scope scope(rounding::nearest);
   const scaled_input<4, 0> input({&v, &w, &x, &y}, {});
   if (!input.usable) return {};
-  const auto& s = input.sites;
-  const double turn = std::ldexp(1.0, turn_scale_exponent(s[0].metric));
-  const numeric::search_hints hints =
-      numeric::find_hints(insertion_question<double>(s[0], s[1], s[2], s[3], turn));
-  const insertion_question<dyadic> question(convert<dyadic>(s[0]), convert<dyadic>(s[1]),
-                                            convert<dyadic>(s[2]), convert<dyadic>(s[3]),
-                                            dyadic(turn));
-  arc_search<dyadic, exact_arc_point> search(question, std::span(hints.samples.data(), hints.count),
-                                             most_ranges);
-  return search.exists(hints.witness);
+  return search_in_stages<dyadic, exact_arc_point>(input.sites, most_ranges);
 }
 
 bool equal_metrics(const site& v, const site& w, const site& x, const site& y) {

@@ -3,10 +3,10 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/interval.hpp"
-#include "asterism/kernels/arc_search.hpp"
 #include "asterism/kernels/double_arithmetic.hpp"
 #include "asterism/kernels/interval_arithmetic.hpp"
 #include "asterism/kernels/magnitude.hpp"
+#include "asterism/kernels/staged_search.hpp"
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/predicates/arc_intersections.hpp"
 #include "asterism/predicates/compare_distance.hpp"
@@ -67,18 +67,6 @@ struct interval_arc_point {
 };
 
 constexpr int most_ranges = 48;
-
-uncertain_bool insertion_answer(const site& v, const site& w, const site& x, const site& y) {
-  const double turn = turn_scale(v);
-  const numeric::search_hints hints =
-      numeric::find_hints(insertion_question<double>(v, w, x, y, turn));
-  const insertion_question<interval> question(convert<interval>(v), convert<interval>(w),
-                                              convert<interval>(x), convert<interval>(y),
-                                              interval(turn));
-  arc_search<interval, interval_arc_point> search(
-      question, std::span(hints.samples.data(), hints.count), most_ranges);
-  return search.exists(hints.witness);
-}
 
 // Runs `ask` on the scaled input under upward rounding, out of line: the compiler must not move
 // arithmetic across the change of the rounding mode.
@@ -170,13 +158,13 @@ uncertain_bool interval_kernel::encroaches(const site& a, const site& b, const s
 
 uncertain_bool interval_kernel::insertion_test(const site& v, const site& w, const site& x,
                                                const site& y) const {
-  return ask_interval<uncertain_bool>(std::array{&v, &w, &x, &y}, no_points{},
-                                      [](const auto& in) -> uncertain_bool {
-                                        const auto& s = in.sites;
-                                        if (equal_metrics(s[0], s[1], s[2], s[3]))
-                                          return equal_metric_answer(s[0], s[1], s[2], s[3], false);
-                                        return insertion_answer(s[0], s[1], s[2], s[3]);
-                                      });
+  return ask_interval<uncertain_bool>(
+      std::array{&v, &w, &x, &y}, no_points{}, [](const auto& in) -> uncertain_bool {
+        const auto& s = in.sites;
+        if (equal_metrics(s[0], s[1], s[2], s[3]))
+          return equal_metric_answer(s[0], s[1], s[2], s[3], false);
+        return search_in_stages<interval, interval_arc_point>(s, most_ranges);
+      });
 }
 
 uncertain_bool interval_kernel::edge_test(const site& v, const site& w, const site& x,
@@ -191,7 +179,7 @@ uncertain_bool interval_kernel::edge_test(const site& v, const site& w, const si
         // A tie needs a point where f_v = f_w = f_x = f_y. There no condition certainly fails by
         // domination, and none by containment if good points are near: a certain "no" covers no
         // tie (docs/math/insertion-test.md).
-        return insertion_answer(s[0], s[1], s[2], s[3]);
+        return search_in_stages<interval, interval_arc_point>(s, most_ranges);
       });
 }
 

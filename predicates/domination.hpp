@@ -22,35 +22,43 @@
 
 namespace asterism {
 
-// Distinct points of the closed segment from v to p on Vor{v,w}: 0, 1 or 2.
-// u = weight * (p - v), d = w - v.
+// The difference f_v - f_w on the ray from v through p, as A t^2 + 2 H t - C with p at t = 1, after
+// multiplication by weight^2: A, H weight, C weight^2. u = weight (p - v), d = w - v.
 template <class Number>
-uncertain_int bisector_crossings(const basic_metric_tensor<Number>& metric_v,
-                                 const basic_metric_tensor<Number>& metric_w,
-                                 const displacement<Number>& d, const displacement<Number>& u,
-                                 const Number& weight) {
-  const auto metric_w_d = apply(metric_w, d);
-  const Number a = squared_length(metric_v - metric_w, u);
-  const Number half_b = dot(u, metric_w_d);
-  const Number b = half_b + half_b;
-  const Number c = dot(d, metric_w_d);
-  const Number b_weighted = b * weight;
-  const uncertain_sign at_p = sign_of(a + b_weighted - c * square(weight));
-  if (!at_p.certain()) return {};
-  if (at_p.value() == sign::positive) return 1;  // a quadratic that changes sign once
-  if (at_p.value() == sign::zero) {
-    // t = 1 is one root; the other one, -C/A, lies in (0, 1) iff A + C < 0.
+struct ray_difference {
+  Number a, half_b, c, weight;
+
+  ray_difference(const basic_metric_tensor<Number>& metric_v,
+                 const basic_metric_tensor<Number>& metric_w, const displacement<Number>& d,
+                 const displacement<Number>& u, const Number& w)
+      : a(squared_length(metric_v - metric_w, u)), weight(w) {
+    const auto metric_w_d = apply(metric_w, d);
+    half_b = dot(u, metric_w_d);
+    c = dot(d, metric_w_d);
+  }
+
+  // Roots in (0, 1), knowing that the difference is negative at t = 1: 0, 1 (tangent) or 2.
+  uncertain_int roots_before_negative_end() const {
+    // Two roots in (0, 1) have a product -C/A below 1. This settles nearly everything.
+    const uncertain_bool steep = is_negative(sign_of(a + c * square(weight)));
+    if (steep.certainly(false)) return 0;
+    const uncertain_bool top_inside = is_negative(sign_of(a + half_b * weight));
+    if (top_inside.certainly(false)) return 0;
+    const uncertain_bool bulge =
+        top_inside & is_negative(sign_of(a)) & is_positive(sign_of(half_b));
+    if (bulge.certainly(false)) return 0;
+    const uncertain_sign discriminant = sign_of(square(half_b) + a * c);
+    if (discriminant.certainly(sign::negative)) return 0;
+    if (!bulge.certain() || !discriminant.certain()) return {};
+    return discriminant.value() == sign::zero ? 1 : 2;
+  }
+
+  // Roots in (0, 1], knowing that t = 1 is one: the other, -C/A, lies in (0, 1) iff A + C < 0.
+  uncertain_int roots_up_to_zero_end() const {
     const uncertain_bool second = is_negative(sign_of(a + c * square(weight)));
     return second.certain() ? uncertain_int(second.value() ? 2 : 1) : uncertain_int();
   }
-  const uncertain_bool bulge = is_negative(sign_of(a)) & is_positive(sign_of(half_b)) &
-                               is_negative(sign_of(a + a + b_weighted));
-  if (bulge.certainly(false)) return 0;
-  const uncertain_sign discriminant = sign_of(square(half_b) + a * c);
-  if (discriminant.certainly(sign::negative)) return 0;
-  if (!bulge.certain() || !discriminant.certain()) return {};
-  return discriminant.value() == sign::zero ? 1 : 2;
-}
+};
 
 // p by its weighted displacements from both sites: from_v = weight (p - v), from_w likewise.
 template <class Number>
@@ -58,10 +66,24 @@ uncertain_sign dominates(const basic_site<Number>& v, const basic_site<Number>& 
                          const displacement<Number>& from_v, const displacement<Number>& from_w,
                          const Number& weight) {
   const auto d = between(v.position, w.position);
-  const uncertain_int of_v = bisector_crossings(v.metric, w.metric, d, from_v, weight);
-  if (!of_v.certain()) return {};
-  const uncertain_int of_w = bisector_crossings(w.metric, v.metric, -d, from_w, weight);
-  if (!of_w.certain()) return {};
+  const auto seen_from_v = [&] {
+    return ray_difference<Number>(v.metric, w.metric, d, from_v, weight);
+  };
+  const auto seen_from_w = [&] {
+    return ray_difference<Number>(w.metric, v.metric, -d, from_w, weight);
+  };
+  const uncertain_sign nearer =
+      sign_of(squared_length(v.metric, from_v) - squared_length(w.metric, from_w));
+  if (!nearer.certain()) return {};
+  // Along the ray of the farther site the difference changes sign once: one point.
+  uncertain_int of_v = 1, of_w = 1;
+  if (nearer.value() == sign::negative) of_v = seen_from_v().roots_before_negative_end();
+  if (nearer.value() == sign::positive) of_w = seen_from_w().roots_before_negative_end();
+  if (nearer.value() == sign::zero) {
+    of_v = seen_from_v().roots_up_to_zero_end();
+    of_w = seen_from_w().roots_up_to_zero_end();
+  }
+  if (!of_v.certain() || !of_w.certain()) return {};
   return to_sign(of_w.value() - of_v.value());
 }
 

@@ -152,6 +152,18 @@ plane_quadratic<Number> ray_slope(const basic_point<Number>& origin, const basic
           dot(to_i, metric_i) - dot(to_i, metric_j_j)};
 }
 
+// A + C of the ray from i through p: not negative where i meets the bisector Vor{i,j} at most once
+// before p, since two meetings at t_1, t_2 < 1 have t_1 t_2 = -C/A.
+template <class Number>
+plane_quadratic<Number> ray_steepness(const basic_point<Number>& origin,
+                                      const basic_site<Number>& i, const basic_site<Number>& j) {
+  const auto form = i.metric - j.metric;
+  const auto offset = between(origin, i.position);
+  const auto form_offset = apply(form, offset);
+  return {form, -(form_offset + form_offset),
+          dot(offset, form_offset) + squared_length(j.metric, between(i.position, j.position))};
+}
+
 // (p - i)^T M_j (j - i): not positive when i sees the bisector Vor{i,j} at most once towards p.
 template <class Number>
 plane_quadratic<Number> ray_approach(const basic_point<Number>& origin, const basic_site<Number>& i,
