@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "asterism/mesh/constructions.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double arc_fraction = 0.2;
 constexpr double arc_ladder = 1024;  // from start to floor
+constexpr double dart_fraction = 0.5;
 constexpr double dart_ladder = 1024;
 
 // Squared distance from s to the segment a b, as s measures it.
@@ -36,6 +38,23 @@ double shortest_distance(const refine_state& state) {
   return std::sqrt(least);
 }
 
+// The median over all sites of the distance to the nearest other one, as measured by both; at most
+// 1. Half the sites are crowded no more than this, so darts that far apart can land.
+double median_distance(const refine_state& state) {
+  const auto& sites = state.sites();
+  std::vector<double> nearest(sites.size(), 1);
+  for (index v = 0; v < sites.size(); ++v)
+    for (index w = 0; w < sites.size(); ++w) {
+      if (v == w) continue;
+      const double d = squared_distance(sites[v], sites[w].position);
+      nearest[v] = std::min(nearest[v], d);
+      nearest[w] = std::min(nearest[w], d);
+    }
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return std::sqrt(*middle);
+}
+
 }  // namespace
 
 tolerance_range choose_tolerance(const refine_state& state, const refinement_options& options) {
@@ -45,7 +64,10 @@ tolerance_range choose_tolerance(const refine_state& state, const refinement_opt
     return {given, darts ? given / dart_ladder : given};
   }
   const double shortest = shortest_distance(state);
-  if (darts) return {shortest, shortest / dart_ladder};
+  if (darts) {
+    const double start = dart_fraction * median_distance(state);
+    return {start, std::min(start, shortest) / dart_ladder};
+  }
   return {arc_fraction * shortest, arc_fraction * shortest / arc_ladder};
 }
 
