@@ -24,10 +24,12 @@ struct refinement_options {
   double angle_bound = 20;  // degrees, 0 <= bound < 60; measured from all three vertices
   refinement_strategy strategy = refinement_strategy::voronoi_arcs;
   // No site is inserted nearer than this to another one, in metric length, both ways. Darts start
-  // from it and shrink it. Empty: chosen from the domain and reported in the outcome.
+  // from it and shrink it. Empty: chosen from the domain (refine_tolerance.hpp) and reported in the
+  // outcome.
   std::optional<double> tolerance;
-  // A triangle is too large when its circumradius-like Voronoi distance exceeds 1 metric unit;
-  // checked only when set (the command line sets it when --size is given).
+  // A triangle is too large when its sites are farther than 0.75 metric units from their nearest
+  // common Voronoi vertex, a boundary piece when it is longer than 1.2: edges then come out around
+  // length 1. Checked only when set (the command line sets it when --size is given).
   bool limit_size = false;
   std::size_t max_sites = 100000;
   int max_rejected = 100;  // darts in a row before the tolerance shrinks

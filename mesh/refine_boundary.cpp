@@ -145,6 +145,7 @@ bool refine_state::can_split_at(const boundary_edge& piece, const site& m, doubl
 }
 
 bool refine_state::split(std::size_t piece, double shortest) {
+  if (is_full()) return false;
   const boundary_edge whole = edges_.pieces()[piece];
   const auto m = site_at(split_point(whole));
   if (!m || !can_split_at(whole, *m, shortest)) return false;
@@ -159,21 +160,21 @@ bool refine_state::split(std::size_t piece, double shortest) {
   return true;
 }
 
-void refine_state::clear_encroachments(double shortest, std::size_t most_sites) {
-  while (!suspects_.empty() && sites_.size() < most_sites) {
+void refine_state::clear_encroachments(double shortest) {
+  while (!suspects_.empty() && !is_full()) {
     const std::size_t piece = suspects_.back();
     suspects_.pop_back();
     if (find_encroacher(piece)) split(piece, shortest);
   }
 }
 
-void refine_state::shorten_pieces(double longest, std::size_t most_sites) {
+void refine_state::shorten_pieces(double longest) {
   for (std::size_t piece = 0; piece < edges_.pieces().size(); ++piece) {
     const auto too_long = [&] {
       const boundary_edge& p = edges_.pieces()[piece];
       return std::max(piece_length(piece, p.a), piece_length(piece, p.b)) > longest;
     };
-    while (sites_.size() < most_sites && too_long() && split(piece, 0)) {
+    while (too_long() && split(piece, 0)) {
     }
   }
 }

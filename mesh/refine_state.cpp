@@ -11,8 +11,8 @@
 namespace asterism {
 
 result<refine_state> refine_state::start(const domain& d, const metric_field& field,
-                                         const star_kernel& kernel) {
-  refine_state state(field, kernel);
+                                         const star_kernel& kernel, std::size_t most_sites) {
+  refine_state state(field, kernel, most_sites);
   for (const point& q : d.vertices) {
     const auto metric = field.at(q);
     if (!metric) return metric.failure();

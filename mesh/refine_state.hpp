@@ -40,9 +40,9 @@ struct domain_corner {
 class refine_state {
  public:
   // `field` and `kernel` must outlive the state. Fails where the field does, and for a boundary
-  // that check_domain would have refused.
+  // that check_domain would have refused. No piece is split once there are `most_sites`.
   static result<refine_state> start(const domain& d, const metric_field& field,
-                                    const star_kernel& kernel);
+                                    const star_kernel& kernel, std::size_t most_sites);
 
   const std::vector<site>& sites() const { return sites_; }
   const boundary& edges() const { return edges_; }
@@ -53,6 +53,7 @@ class refine_state {
   // Valid until the state is moved.
   site_oracle oracle() const { return {sites_, edges_, *kernel_, memory_.get()}; }
   std::size_t splits() const { return splits_; }
+  bool is_full() const { return sites_.size() >= most_sites_; }
 
   // Set when the metric field failed at a point that was tried; nothing can go on then.
   const std::optional<error>& field_failure() const { return field_failure_; }
@@ -65,17 +66,17 @@ class refine_state {
   // The pieces a site at this place would encroach on.
   std::vector<std::size_t> encroached_by(const site& s) const;
 
-  // Requires a site strictly inside the domain and distinct from the others.
+  // Requires a site strictly inside the domain and distinct from the others, and !is_full().
   void add_interior(const site& s);
-  // Splits one piece at its bisector point or shell. False, and nothing changed, when a new piece
-  // would be shorter than `shortest` (metric length, as any of its ends measures) or when doubles
-  // cannot split it: no double between its ends, or rounding would put a site or another piece on
-  // the wrong side.
+  // Splits one piece at its bisector point or shell. False, and nothing changed, when the mesh is
+  // full, a new piece would be shorter than `shortest` (metric length, as any of its ends
+  // measures), or doubles cannot split it: no double between its ends, or rounding would put a site
+  // or another piece on the wrong side.
   bool split(std::size_t piece, double shortest);
-  // Splits pieces until none is encroached by a site, as far as `shortest` and `most_sites` allow.
-  void clear_encroachments(double shortest, std::size_t most_sites);
-  // Splits pieces longer than `longest`, as far as `most_sites` allows.
-  void shorten_pieces(double longest, std::size_t most_sites);
+  // Splits pieces until none is encroached by a site, as far as split() allows.
+  void clear_encroachments(double shortest);
+  // Splits pieces longer than `longest`, as far as split() allows.
+  void shorten_pieces(double longest);
 
   // The two pieces at a corner: leaving it, and entering it.
   std::array<std::size_t, 2> pieces_at(const domain_corner& c) const;
@@ -83,8 +84,8 @@ class refine_state {
   double piece_length(std::size_t piece, index from) const;
 
  private:
-  refine_state(const metric_field& field, const star_kernel& kernel)
-      : field_(&field), kernel_(&kernel) {}
+  refine_state(const metric_field& field, const star_kernel& kernel, std::size_t most_sites)
+      : field_(&field), kernel_(&kernel), most_sites_(most_sites) {}
 
   void find_corners();
   bool is_encroached(std::size_t piece, const site& s, std::optional<index> self) const;
@@ -103,6 +104,7 @@ class refine_state {
   std::unique_ptr<edge_test_memory> memory_ = std::make_unique<edge_test_memory>();
   std::vector<domain_corner> corners_;
   std::vector<std::size_t> suspects_;  // pieces that may be encroached
+  std::size_t most_sites_;
   std::size_t splits_ = 0;
   std::optional<error> field_failure_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <vector>
 
 #include "asterism/mesh/constructions.hpp"
@@ -24,9 +25,9 @@ double squared_distance_to_segment(const site& s, const point& a, const point& b
   return squared_distance(s, {a.x + t * d.x, a.y + t * d.y});
 }
 
-double shortest_distance(const refine_state& state) {
+double shortest_distance(const refine_state& state, double most) {
   const auto& sites = state.sites();
-  double least = 1;
+  double least = most * most;
   for (index v = 0; v < sites.size(); ++v) {
     for (index w = 0; w < sites.size(); ++w)
       if (w != v) least = std::min(least, squared_distance(sites[v], sites[w].position));
@@ -38,11 +39,11 @@ double shortest_distance(const refine_state& state) {
   return std::sqrt(least);
 }
 
-// The median over all sites of the distance to the nearest other one, as measured by both; at most
-// 1. Half the sites are crowded no more than this, so darts that far apart can land.
-double median_distance(const refine_state& state) {
+// The median over all sites of the distance to the nearest other one, as measured by both. Half
+// the sites are crowded no more than this, so darts that far apart can land.
+double median_distance(const refine_state& state, double most) {
   const auto& sites = state.sites();
-  std::vector<double> nearest(sites.size(), 1);
+  std::vector<double> nearest(sites.size(), most * most);
   for (index v = 0; v < sites.size(); ++v)
     for (index w = 0; w < sites.size(); ++w) {
       if (v == w) continue;
@@ -63,9 +64,11 @@ tolerance_range choose_tolerance(const refine_state& state, const refinement_opt
     const double given = *options.tolerance;
     return {given, darts ? given / dart_ladder : given};
   }
-  const double shortest = shortest_distance(state);
+  // With a size limit edges will be about 1 long, however far apart the given sites are.
+  const double most = options.limit_size ? 1 : std::numeric_limits<double>::infinity();
+  const double shortest = shortest_distance(state, most);
   if (darts) {
-    const double start = dart_fraction * median_distance(state);
+    const double start = dart_fraction * median_distance(state, most);
     return {start, std::min(start, shortest) / dart_ladder};
   }
   return {arc_fraction * shortest, arc_fraction * shortest / arc_ladder};

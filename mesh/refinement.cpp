@@ -29,7 +29,7 @@ class refinement {
         in_force_(tolerance_.start) {}
 
   result<refinement_outcome> run() {
-    if (options_.limit_size) state_.shorten_pieces(longest_piece, options_.max_sites);
+    if (options_.limit_size) state_.shorten_pieces(longest_piece);
     while (!ended_) step();
     if (state_.field_failure()) return *state_.field_failure();
     return outcome();
@@ -39,7 +39,7 @@ class refinement {
   // Ends because each call inserts a site (bounded by max_sites), or settles a stale star (there
   // are finitely many between insertions), or shrinks the tolerance towards its floor, or ends.
   void step() {
-    state_.clear_encroachments(tolerance_.floor, options_.max_sites);
+    state_.clear_encroachments(tolerance_.floor);
     survey_ = take_survey(state_, angle_, options_.limit_size, survey_);
     report_progress();
     if (state_.field_failure()) return end("the metric field failed");
@@ -49,7 +49,7 @@ class refinement {
       complete_ = true;
       return end("all stars agree and every triangle meets the bound");
     }
-    if (state_.sites().size() >= options_.max_sites) {
+    if (state_.is_full()) {
       if (rebuild_all_stale()) return;
       return end("the limit of " + std::to_string(options_.max_sites) + " sites was reached");
     }
@@ -103,7 +103,7 @@ class refinement {
   // insertions. Triangles that have gone meanwhile are passed over.
   void insert_for_large() {
     for (const bad_triangle& b : survey_.bad) {
-      if (state_.sites().size() >= options_.max_sites || state_.field_failure()) return;
+      if (state_.is_full() || state_.field_failure()) return;
       const auto [v, y, x] = b.where;
       if (has_triangle(state_.oracle(), v, state_.stars()[v], y, x))
         refine_by_arcs(state_, b.where, in_force_, rejected_);
@@ -195,7 +195,7 @@ result<refinement_outcome> refine_on(
     const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
   if (const auto refused = check_options(d, options)) return *refused;
-  auto state = refine_state::start(d, field, kernel);
+  auto state = refine_state::start(d, field, kernel, options.max_sites);
   if (!state) return state.failure();
   return refinement(std::move(state).value(), options, progress).run();
 }
