@@ -85,6 +85,7 @@ std::vector<exempt_corner> exempt_corners(const refine_state& state,
     if (!added) at->second = std::min(at->second, c.angle);
   }
   std::vector<exempt_corner> corners;
+  corners.reserve(smallest.size());
   for (const auto& [vertex, degrees] : smallest) corners.push_back({vertex, degrees});
   return corners;
 }

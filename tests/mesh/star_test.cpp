@@ -14,6 +14,7 @@ namespace {
 
 std::vector<site> isotropic(const std::vector<point>& points) {
   std::vector<site> sites;
+  sites.reserve(points.size());
   for (const point& q : points) sites.push_back({q, {1, 0, 1}});
   return sites;
 }
