@@ -220,14 +220,19 @@ bool exact_kernel::encroaches(const site& a, const site& b, const site& w) const
   return false;
 }
 
-bool exact_kernel::insertion_test(const site& v, const site& w, const site& x,
-                                  const site& y) const {
+namespace {
+
+// Doubles are compared here, and a processor told to flush compares subnormal numbers as zeros: in
+// a scope, and out of line (core/floating_point_environment.hpp).
+[[gnu::noinline]] bool insertion_test_in_scope(const site& v, const site& w, const site& x,
+                                               const site& y) {
   if (equal_metrics(v, w, x, y)) return equal_metric_answer(v, w, x, y, [] { return false; });
   const uncertain_bool found = search_arc(v, w, x, y);
   return found.certain() ? found.value() : insertion_sections(v, w, x, y).any_good_section();
 }
 
-bool exact_kernel::edge_test(const site& v, const site& w, const site& x, const site& y) const {
+[[gnu::noinline]] bool edge_test_in_scope(const site& v, const site& w, const site& x,
+                                          const site& y) {
   if (equal_metrics(v, w, x, y))
     return equal_metric_answer(v, w, x, y, [&] {
       return equal_metric_tie_goes_to_edge(v.position, w.position, x.position, y.position);
@@ -249,6 +254,19 @@ bool exact_kernel::edge_test(const site& v, const site& w, const site& x, const 
       return true;
   }
   return false;
+}
+
+}  // namespace
+
+bool exact_kernel::insertion_test(const site& v, const site& w, const site& x,
+                                  const site& y) const {
+  const floating_point_scope scope(rounding::nearest);
+  return insertion_test_in_scope(v, w, x, y);
+}
+
+bool exact_kernel::edge_test(const site& v, const site& w, const site& x, const site& y) const {
+  const floating_point_scope scope(rounding::nearest);
+  return edge_test_in_scope(v, w, x, y);
 }
 
 }  // namespace asterism

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// A caller of the predicates: one translation unit (abuse_caller.cpp) compiled many times, with
+// other compilers and options than the library's.
+#pragma once
+
+#include "asterism/kernels/batch_question.hpp"
+
+namespace asterism::abuse {
+
+struct caller_answer {
+  int by_class = 0;           // filtered_kernel
+  int by_c_api = 0;           // the C function, when its status is ASTERISM_OK
+  int status = 0;             // of the C function
+  bool kept_by_class = true;  // the environment was the same after the call
+  bool kept_by_c_api = true;
+};
+
+// Asks under the environment that is set.
+using caller = caller_answer (*)(const batch_record&);
+
+struct named_caller {
+  const char* name;
+  caller ask;
+};
+
+}  // namespace asterism::abuse

@@ -1,0 +1,89 @@
+# The predicates in hostile surroundings, from C, from threads, under fuzzing; the examples that
+# embed them. Everything here links the predicates alone.
+enable_language(C)
+find_package(CGAL REQUIRED)
+find_package(Threads REQUIRED)
+find_program(ASTERISM_CLANGXX NAMES clang++ clang++-14)
+
+# asterism_predicates_test(NAME SOURCES... [LINK libraries...]): as asterism_test.
+function(asterism_predicates_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  asterism_configure(${name})
+  target_link_libraries(${name} PRIVATE asterism_test_main asterism_predicates ${arg_LINK})
+  catch_discover_tests(${name} TEST_PREFIX "${name}: ")
+endfunction()
+
+add_library(asterism_abuse_inputs STATIC abuse/abuse_inputs.cpp)
+asterism_configure(asterism_abuse_inputs)
+target_link_libraries(asterism_abuse_inputs PUBLIC asterism_predicates)
+
+add_executable(c_api_test abuse/c_api_test.c)
+set_target_properties(c_api_test PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
+target_compile_options(c_api_test PRIVATE -Wall -Wextra -pedantic -Werror)
+target_link_libraries(c_api_test PRIVATE asterism_predicates)
+add_test(NAME "abuse: the C functions from C11" COMMAND c_api_test)
+
+asterism_predicates_test(checked_kernel_test
+  SOURCES abuse/checked_kernel_test.cpp LINK asterism_abuse_inputs)
+asterism_predicates_test(threads_test
+  SOURCES abuse/threads_test.cpp LINK asterism_abuse_inputs Threads::Threads)
+
+# In the self-check build the library brings shadowed_interval.cpp itself.
+asterism_predicates_test(self_check_test SOURCES abuse/self_check_test.cpp LINK CGAL::CGAL gmp)
+target_compile_options(self_check_test PRIVATE -frounding-math)
+if(ASTERISM_SELF_CHECK)
+  add_executable(self_check_violation abuse/self_check_violation.cpp)
+  asterism_configure(self_check_violation)
+  target_compile_options(self_check_violation PRIVATE -frounding-math)
+  target_link_libraries(self_check_violation PRIVATE asterism_predicates CGAL::CGAL gmp)
+  add_test(NAME "abuse: the self-check aborts on a wrong enclosure" COMMAND self_check_violation)
+  set_tests_properties("abuse: the self-check aborts on a wrong enclosure" PROPERTIES
+    WILL_FAIL TRUE)
+else()
+  target_sources(self_check_test PRIVATE ${PROJECT_SOURCE_DIR}/core/shadowed_interval.cpp)
+endif()
+
+# Callers: one object file for each compiler and set of options, whatever this build's own are.
+set(callers)
+set(caller_objects)
+function(asterism_abuse_caller compiler options)
+  string(MAKE_C_IDENTIFIER "caller_${compiler} ${options}" function)
+  set(object ${CMAKE_CURRENT_BINARY_DIR}/abuse/${function}.o)
+  separate_arguments(option_list UNIX_COMMAND "${options}")
+  add_custom_command(OUTPUT ${object}
+    COMMAND ${${compiler}_path} -std=c++20 ${option_list} -DASTERISM_CALLER=${function}
+            -I${PROJECT_BINARY_DIR}/include -MD -MF ${object}.d
+            -c ${CMAKE_CURRENT_SOURCE_DIR}/abuse/abuse_caller.cpp -o ${object}
+    DEPENDS abuse/abuse_caller.cpp DEPFILE ${object}.d VERBATIM)
+  set(callers "${callers}ASTERISM_CALLER_ENTRY(${function}, \"${compiler} ${options}\")\n"
+      PARENT_SCOPE)
+  set(caller_objects ${caller_objects} ${object} PARENT_SCOPE)
+endfunction()
+set(native "-march=native")
+if(CMAKE_CROSSCOMPILING)
+  set(native "")
+endif()
+find_program(ASTERISM_GXX NAMES g++)
+file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/abuse)
+foreach(compiler IN ITEMS GXX CLANGXX)
+  if(ASTERISM_${compiler})
+    set(${compiler}_path ${ASTERISM_${compiler}})
+    foreach(options IN ITEMS "-O0" "-O2" "-O3 ${native}" "-O2 -ffast-math")
+      asterism_abuse_caller(${compiler} "${options}")
+    endforeach()
+  endif()
+endforeach()
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/abuse/abuse_callers.inc CONTENT "${callers}" @ONLY)
+
+add_executable(abuse_matrix abuse/abuse_matrix.cpp abuse/caller_environment.cpp ${caller_objects})
+asterism_configure(abuse_matrix)
+target_include_directories(abuse_matrix PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/abuse)
+target_link_libraries(abuse_matrix PRIVATE asterism_abuse_inputs)
+add_test(NAME "abuse: matrix, modest" COMMAND abuse_matrix 1)
+
+set(compilers ${ASTERISM_GXX} ${ASTERISM_CLANGXX})
+list(FILTER compilers EXCLUDE REGEX "NOTFOUND")
+add_test(NAME "abuse: fast-math is refused where it would be wrong"
+         COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/abuse/fast_math.py
+                 ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include ${compilers})
