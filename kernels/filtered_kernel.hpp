@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The product: every predicate decided exactly, by interval arithmetic when that is enough and by
-// exact arithmetic when it is not.
+// The product: every predicate decided exactly, by plain doubles with an error bound when that is
+// enough, by interval arithmetic when that is, and else by exact arithmetic (docs/math/tiers.md).
 //
 // Input: finite doubles; metric tensors positive definite; the sites of one call distinct. Other
 // input is a caller's error: check with is_positive_definite first (kernels/input_check.hpp).

@@ -36,9 +36,11 @@ inline constexpr std::array<std::string_view, predicate_count> predicate_names =
     "insertion_test",
     "edge_test"};
 
-enum class tier : std::size_t { interval, exact };
-inline constexpr std::size_t tier_count = 2;
-inline constexpr std::array<std::string_view, tier_count> tier_names = {"interval", "exact"};
+// In the order they are tried (docs/math/tiers.md).
+enum class tier : std::size_t { semi_static, interval, exact };
+inline constexpr std::size_t tier_count = 3;
+inline constexpr std::array<std::string_view, tier_count> tier_names = {"semi-static", "interval",
+                                                                        "exact"};
 
 struct tier_counters {
   std::array<std::array<std::uint64_t, tier_count>, predicate_count> decided{};

@@ -17,10 +17,16 @@
 namespace asterism {
 
 template <class Number>
+Number compare_distance_value(const basic_site<Number>& v, const basic_site<Number>& w,
+                              const basic_point<Number>& q) {
+  return squared_length(v.metric, between(v.position, q)) -
+         squared_length(w.metric, between(w.position, q));
+}
+
+template <class Number>
 uncertain_sign compare_distance(const basic_site<Number>& v, const basic_site<Number>& w,
                                 const basic_point<Number>& q) {
-  return sign_of(squared_length(v.metric, between(v.position, q)) -
-                 squared_length(w.metric, between(w.position, q)));
+  return sign_of(compare_distance_value(v, w, q));
 }
 
 }  // namespace asterism

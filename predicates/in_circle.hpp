@@ -18,12 +18,19 @@
 namespace asterism {
 
 template <class Number>
+Number in_circle_value(const basic_metric_tensor<Number>& m, const basic_point<Number>& v,
+                       const basic_point<Number>& w, const basic_point<Number>& x,
+                       const basic_point<Number>& y) {
+  const auto a = between(y, v), b = between(y, w), c = between(y, x);
+  return squared_length(m, a) * cross(b, c) + squared_length(m, b) * cross(c, a) +
+         squared_length(m, c) * cross(a, b);
+}
+
+template <class Number>
 uncertain_sign in_circle(const basic_metric_tensor<Number>& m, const basic_point<Number>& v,
                          const basic_point<Number>& w, const basic_point<Number>& x,
                          const basic_point<Number>& y) {
-  const auto a = between(y, v), b = between(y, w), c = between(y, x);
-  return sign_of(squared_length(m, a) * cross(b, c) + squared_length(m, b) * cross(c, a) +
-                 squared_length(m, c) * cross(a, b));
+  return sign_of(in_circle_value(m, v, w, x, y));
 }
 
 }  // namespace asterism

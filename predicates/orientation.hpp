@@ -16,9 +16,15 @@
 namespace asterism {
 
 template <class Number>
+Number orientation_value(const basic_point<Number>& p, const basic_point<Number>& q,
+                         const basic_point<Number>& r) {
+  return cross(between(p, q), between(p, r));
+}
+
+template <class Number>
 uncertain_sign orientation(const basic_point<Number>& p, const basic_point<Number>& q,
                            const basic_point<Number>& r) {
-  return sign_of(cross(between(p, q), between(p, r)));
+  return sign_of(orientation_value(p, q, r));
 }
 
 }  // namespace asterism

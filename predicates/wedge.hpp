@@ -16,13 +16,18 @@
 
 namespace asterism {
 
+// (q - v)^T M_v (w - v): positive where v sees q at less than 90 degrees from w.
+template <class Number>
+Number wedge_value(const basic_site<Number>& v, const basic_point<Number>& w,
+                   const basic_point<Number>& q) {
+  return dot(between(v.position, q), apply(v.metric, between(v.position, w)));
+}
+
 template <class Number>
 uncertain_bool in_wedge(const basic_site<Number>& v, const basic_site<Number>& w,
                         const basic_point<Number>& q) {
-  const auto d = between(v.position, w.position);
-  const Number seen_from_v = dot(between(v.position, q), apply(v.metric, d));
-  const Number seen_from_w = dot(between(w.position, q), apply(w.metric, -d));
-  return is_positive(sign_of(seen_from_v)) & is_positive(sign_of(seen_from_w));
+  return is_positive(sign_of(wedge_value(v, w.position, q))) &
+         is_positive(sign_of(wedge_value(w, v.position, q)));
 }
 
 }  // namespace asterism

@@ -34,12 +34,12 @@ struct sequence {
 
 }  // namespace
 
-TEST_CASE("clear signs are the interval tier's", "[tiers]") {
+TEST_CASE("clear signs never reach exact arithmetic", "[tiers]") {
   const filtered_kernel kernel;
   CHECK(kernel.orientation({0, 0}, {1, 0}, {0, 1}) == sign::positive);
   CHECK(kernel.edge_test(swirl_site(0.1, 0), swirl_site(-0.1, 0), swirl_site(0, 0.3),
                          swirl_site(0, -0.3)));
-  CHECK(kernel.counters().at(predicate::orientation, tier::interval) == 1);
+  CHECK(kernel.counters().at(predicate::orientation, tier::semi_static) == 1);
   CHECK(kernel.counters().at(predicate::edge_test, tier::interval) == 1);
   CHECK(kernel.counters().at(predicate::edge_test, tier::exact) == 0);
 }
