@@ -5,15 +5,6 @@ find_package(CGAL REQUIRED)
 find_package(Threads REQUIRED)
 find_program(ASTERISM_CLANGXX NAMES clang++ clang++-14)
 
-# asterism_predicates_test(NAME SOURCES... [LINK libraries...]): as asterism_test.
-function(asterism_predicates_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
-  add_executable(${name} ${arg_SOURCES})
-  asterism_configure(${name})
-  target_link_libraries(${name} PRIVATE asterism_test_main asterism_predicates ${arg_LINK})
-  catch_discover_tests(${name} TEST_PREFIX "${name}: ")
-endfunction()
-
 add_library(asterism_abuse_inputs STATIC abuse/abuse_inputs.cpp)
 asterism_configure(asterism_abuse_inputs)
 target_link_libraries(asterism_abuse_inputs PUBLIC asterism_predicates)
@@ -87,3 +78,38 @@ list(FILTER compilers EXCLUDE REGEX "NOTFOUND")
 add_test(NAME "abuse: fast-math is refused where it would be wrong"
          COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/abuse/fast_math.py
                  ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include ${compilers})
+
+# The committed corpus without a fuzzer; and a minute with one, where clang brings it.
+add_executable(replay_corpus
+  fuzz/replay_corpus.cpp fuzz/fuzz_predicates.cpp fuzz/decode_record.cpp)
+asterism_configure(replay_corpus)
+target_link_libraries(replay_corpus PRIVATE asterism_predicates)
+add_test(NAME "fuzz: the corpus again"
+         COMMAND replay_corpus ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus)
+if(ASTERISM_CLANGXX AND NOT ASTERISM_SANITIZE)
+  execute_process(COMMAND ${ASTERISM_CLANGXX} -print-file-name=libclang_rt.fuzzer-x86_64.a
+                  OUTPUT_VARIABLE fuzzer OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  execute_process(COMMAND ${ASTERISM_CLANGXX} -print-runtime-dir
+                  OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(EXISTS "${fuzzer}" OR EXISTS "${runtime}/libclang_rt.fuzzer-x86_64.a")
+    add_test(NAME "fuzz: one minute"
+             COMMAND ${PROJECT_SOURCE_DIR}/scripts/fuzz 60 ${PROJECT_BINARY_DIR}/fuzz)
+    set_tests_properties("fuzz: one minute" PROPERTIES LABELS fuzz TIMEOUT 900)
+  endif()
+endif()
+
+# The examples that embed the predicates.
+add_executable(example_foreign_mesher
+  ${PROJECT_SOURCE_DIR}/examples/foreign_mesher/foreign_mesher.cpp)
+asterism_configure(example_foreign_mesher)
+target_link_libraries(example_foreign_mesher PRIVATE asterism_predicates)
+add_test(NAME "examples: foreign_mesher" COMMAND example_foreign_mesher)
+if(TARGET asterism_command)
+  set(suite ${PROJECT_SOURCE_DIR}/examples/adversarial_suite)
+  foreach(pair IN ITEMS "filtered;exact;0" "interval;exact;0" "double;exact;some")
+    list(GET pair 0 kernel)
+    add_test(NAME "examples: adversarial_suite, ${kernel}"
+             COMMAND ${Python3_EXECUTABLE} ${suite}/compare_kernels.py
+                     $<TARGET_FILE:asterism_command> ${suite}/records.txt ${pair})
+  endforeach()
+endif()

@@ -1,8 +1,8 @@
 find_package(CGAL REQUIRED)
 # Looks inside the kernels, so it links what their headers include.
-asterism_test(core_test
+asterism_predicates_test(core_test
   SOURCES core/numbers_test.cpp kernels/exact_roots_test.cpp
   LINK CGAL::CGAL gmp)
 target_compile_options(core_test PRIVATE -frounding-math)
-asterism_test(kernels_test
+asterism_predicates_test(kernels_test
   SOURCES kernels/tiers_test.cpp kernels/environment_test.cpp kernels/filter_bounds_test.cpp)

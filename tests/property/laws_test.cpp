@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Laws the answers obey whatever the arithmetic: symmetry, invariance, agreement among predicates.
-// No oracle here, so many more cases.
+// Laws of all predicates together: maps of the plane that keep every answer. The laws of each
+// predicate are in laws_pointwise_test.cpp and laws_arc_test.cpp.
 #include <array>
 
 #include "agreement.hpp"
@@ -10,70 +10,6 @@ namespace asterism::property {
 namespace {
 
 const exact_kernel exact;
-
-TEST_CASE("orientation changes sign with every exchange", "[property][laws]") {
-  random_source random(21);
-  for (int i = 0; i < 20000; ++i) {
-    const double unit = random.chance(2) ? 1 : 0.1;
-    const std::array<point, 3> points = {
-        point{unit * random.integer(-9, 9), unit * random.integer(-9, 9)},
-        point{unit * random.integer(-9, 9), unit * random.integer(-9, 9)},
-        point{unit * random.integer(-9, 9), unit * random.integer(-9, 9)}};
-    const auto& [p, q, r] = points;
-    const sign s = exact.orientation(p, q, r);
-    const std::string replay = record("orientation", {}, points);
-    expect_equal(s, exact.orientation(q, r, p), replay, "turned");
-    expect_equal(-s, exact.orientation(q, p, r), replay, "exchanged");
-    expect_equal(-s, exact.orientation(p, r, q), replay, "exchanged");
-  }
-}
-
-TEST_CASE("pairs: exchanging the sites", "[property][laws]") {
-  for_each_case(500, [](const four_sites& sites, random_source& random) {
-    const auto& [v, w, x, y] = sites;
-    const std::array<point, 1> points = {draw_point(sites, random)};
-    const point& p = points[0];
-    const std::string replay = record("dominates", {sites.data(), 2}, points);
-    expect_equal(exact.compare_distance(v, w, p), -exact.compare_distance(w, v, p), replay,
-                 "compare_distance");
-    expect_equal(exact.in_wedge(v, w, p), exact.in_wedge(w, v, p), replay, "in_wedge");
-    expect_equal(exact.dominates(v, w, p), -exact.dominates(w, v, p), replay, "dominates");
-    expect_equal(sign::positive, exact.dominates(v, w, v.position), replay, "at its own site");
-    expect_equal(exact.encroaches(v, w, x), exact.encroaches(w, v, x),
-                 record("encroaches", {sites.data(), 3}), "encroaches");
-  });
-}
-
-TEST_CASE("counts: any order of the sites, and each other", "[property][laws]") {
-  for_each_case(150, [](const four_sites& sites, random_source&) {
-    const auto& [v, w, x, y] = sites;
-    const std::string replay = record("voronoi_vertex_count", {sites.data(), 3});
-    const int vertices = exact.voronoi_vertex_count(v, w, x);
-    expect_equal(vertices, exact.voronoi_vertex_count(v, x, w), replay, "vxw");
-    expect_equal(vertices, exact.voronoi_vertex_count(w, v, x), replay, "wvx");
-    expect_equal(vertices, exact.voronoi_vertex_count(x, w, v), replay, "xwv");
-    const int on_arc = exact.arc_intersection_count(v, w, x);
-    expect_equal(on_arc, exact.arc_intersection_count(w, v, x), replay, "arc of w, v");
-    expect(vertices == -1 || (0 <= on_arc && on_arc <= vertices && vertices <= 4), replay,
-           "finitely many vertices bound the count on the arc");
-    expect(vertices >= -1 && vertices <= 4 && on_arc >= -1 && on_arc <= 4, replay, "range");
-  });
-}
-
-TEST_CASE("insertion and edge tests: both symmetries, and a raw yes stays yes",
-          "[property][laws]") {
-  for_each_case(150, [](const four_sites& sites, random_source&) {
-    const auto& [v, w, x, y] = sites;
-    const std::string replay = record("insertion_test", sites);
-    const bool raw = exact.insertion_test(v, w, x, y);
-    expect_equal(raw, exact.insertion_test(w, v, x, y), replay, "insertion_test(w, v, x, y)");
-    expect_equal(raw, exact.insertion_test(v, w, y, x), replay, "insertion_test(v, w, y, x)");
-    const bool decided = exact.edge_test(v, w, x, y);
-    expect_equal(decided, exact.edge_test(w, v, x, y), replay, "edge_test(w, v, x, y)");
-    expect_equal(decided, exact.edge_test(v, w, y, x), replay, "edge_test(v, w, y, x)");
-    expect(decided || !raw, replay, "edge_test no where insertion_test is yes");
-  });
-}
 
 // Four sites seen through a map that keeps every answer.
 void expect_same_answers(const four_sites& before, const four_sites& after, const char* what) {
