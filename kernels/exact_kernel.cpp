@@ -138,6 +138,14 @@ struct insertion_sections {
             exact_arithmetic::sign_at(on.a, root) == sign::positive);
   }
 
+  // At contact k: positive when the section of z (x or y) allowed there is the one where z is
+  // farther than v, as usual; negative when z is nearer there but hidden behind v's and w's cells.
+  sign side_allowed(const neighbour_condition<dyadic>& z, const arc_function<dyadic>& equidistance,
+                    std::size_t k) const {
+    const std::size_t section = allowed(z, k) ? k : k + 1;
+    return -exact_arithmetic::function_sign(question.arc, equidistance, samples[section]);
+  }
+
   // Do the sections allowed by x and by y touch at cut k, with all four sites equally near there?
   bool is_four_site_contact(std::size_t k) {
     constexpr std::uint64_t both = (1U << tag_x) | (1U << tag_y);
@@ -250,7 +258,10 @@ namespace {
     };
     if (tie_goes_to_edge<dyadic>(
             {convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(x), convert<dyadic>(y)},
-            {v.position, w.position, x.position, y.position}, sign_at_contact))
+            {v.position, w.position, x.position, y.position},
+            {sections.side_allowed(sections.question.at_x, sections.equidistance_x, k),
+             sections.side_allowed(sections.question.at_y, sections.equidistance_y, k)},
+            sign_at_contact))
       return true;
   }
   return false;

@@ -55,10 +55,14 @@ plane_quadratic<Number> gradient_orientation(const basic_point<Number>& origin,
           ij.constant + jk.constant + ki.constant};
 }
 
-// `sites` are v, w, x, y; sign_at_contact(quadratic about v) is the exact sign at the contact q.
+// `sites` are v, w, x, y. `side_allowed` says for x and for y on which side of its bisector the
+// section lies that it allows: positive where it is farther than v; negative in the rare case that
+// it is nearer there but hidden behind the cells of v and w, so that pushing it away closes what
+// it opens elsewhere. sign_at_contact(quadratic about v) is the exact sign at the contact q.
 template <class Number, class SignAtContact>
 bool tie_goes_to_edge(const std::array<basic_site<Number>, 4>& sites,
-                      const std::array<point, 4>& positions, SignAtContact&& sign_at_contact) {
+                      const std::array<point, 4>& positions,
+                      const std::array<sign, 2>& side_allowed, SignAtContact&& sign_at_contact) {
   std::array<std::size_t, 4> row = {0, 1, 2, 3};
   const auto without = [&](std::size_t left_out) {
     std::array<const basic_site<Number>*, 3> kept{};
@@ -81,7 +85,7 @@ bool tie_goes_to_edge(const std::array<basic_site<Number>, 4>& sites,
     const sign minor = without(r);
     if (minor == sign::zero) continue;
     const sign cofactor = r % 2 == 1 ? minor : -minor;  // (-1)^(r + 3)
-    return cofactor * base == sign::positive;
+    return cofactor * base * side_allowed[row[3] - 2] == sign::positive;
   }
   return false;
 }
