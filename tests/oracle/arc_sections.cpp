@@ -80,9 +80,9 @@ void add_critical_curves_of(const exact_site& v, const exact_site& w, const exac
   for (const exact_site* owner : {&v, &w}) {
     const conic g = bisector(*owner, x);
     curves.push_back({g, equidistant});
-    curves.push_back({tangent_pair(g, owner->position), another_event});
-    curves.push_back({tangent_pair(g, x.position), another_event});
-    curves.push_back({line_through(owner->position, x.position), another_event});
+    curves.push_back({tangent_pair(g, owner->position), tangency});
+    curves.push_back({tangent_pair(g, x.position), tangency});
+    curves.push_back({line_through(owner->position, x.position), line_event});
   }
 }
 
@@ -101,7 +101,7 @@ std::vector<cut> sorted_cuts(const conic& curve, const std::vector<critical_curv
       add_zeros(p, critical.kind);
   // Vertical tangents and double points; a double line has only the one branch.
   if (sign_of(curve.yy) != 0)
-    if (const univariate d = discriminant(curve); !is_zero(d)) add_zeros(d, another_event);
+    if (const univariate d = discriminant(curve); !is_zero(d)) add_zeros(d, tangency);
   std::stable_sort(cuts.begin(), cuts.end(),
                    [](const cut& a, const cut& b) { return a.abscissa < b.abscissa; });
   std::vector<cut> distinct;
@@ -189,10 +189,18 @@ std::array<exact_site, 4> brought_upright(const std::array<const exact_site*, 4>
   return moved;
 }
 
-bool may_share_a_zero(const conic& curve, const conic& with_x, const conic& with_y) {
+void look_for_ties(const conic& curve, const conic& with_x, const conic& with_y,
+                   const std::vector<cut>& cuts, swept_arc& answer) {
   const auto in_x = abscissas_of_zeros(curve, with_x), in_y = abscissas_of_zeros(curve, with_y);
-  if (in_x.size() != 1 || in_y.size() != 1) return true;
-  return !are_coprime(in_x.front(), in_y.front());
+  const bool isolated = in_x.size() == 1 && in_y.size() == 1;
+  answer.may_have_point_equidistant_from_four =
+      !isolated || !are_coprime(in_x.front(), in_y.front());
+  answer.tie_may_be_beyond_first_order =
+      !isolated || !is_square_free(in_x.front()) || !is_square_free(in_y.front()) ||
+      std::any_of(cuts.begin(), cuts.end(), [](const cut& c) {
+        constexpr unsigned all = equidistant_from_x | equidistant_from_y | tangency;
+        return (c.kinds & all) == all;
+      });
 }
 
 std::vector<good_run> runs_of_branch(const std::vector<bool>& good, const std::vector<cut>& cuts) {
@@ -215,9 +223,9 @@ swept_arc sweep(const exact_site& v, const exact_site& w, const exact_site& x,
   const auto [sv, sw, sx, sy] = brought_upright({&v, &w, &x, &y});
   const conic curve = bisector(sv, sw);
   // Visibility changes at the points of tangency, where the curve meets its polars.
-  std::vector<critical_curve> criticals = {{polar_line(curve, sv.position), another_event},
-                                           {polar_line(curve, sw.position), another_event},
-                                           {line_through(sv.position, sw.position), another_event}};
+  std::vector<critical_curve> criticals = {{polar_line(curve, sv.position), tangency},
+                                           {polar_line(curve, sw.position), tangency},
+                                           {line_through(sv.position, sw.position), line_event}};
   add_critical_curves_of(sv, sw, sx, equidistant_from_x, criticals);
   add_critical_curves_of(sv, sw, sy, equidistant_from_y, criticals);
   const std::vector<cut> cuts = sorted_cuts(curve, criticals);
@@ -234,8 +242,7 @@ swept_arc sweep(const exact_site& v, const exact_site& w, const exact_site& x,
   swept_arc answer;
   for (const std::vector<bool>& branch : good)
     for (const good_run& run : runs_of_branch(branch, cuts)) answer.good_runs.push_back(run);
-  answer.may_have_point_equidistant_from_four =
-      may_share_a_zero(curve, bisector(sv, sx), bisector(sv, sy));
+  look_for_ties(curve, bisector(sv, sx), bisector(sv, sy), cuts, answer);
   return answer;
 }
 

@@ -14,7 +14,8 @@ namespace asterism::oracle {
 enum critical_kind : unsigned {
   equidistant_from_x = 1,  // f_v = f_w = f_x
   equidistant_from_y = 2,
-  another_event = 4,
+  tangency = 4,    // a segment from a site touches a bisector, or the curve turns around
+  line_event = 8,  // a line through two sites
 };
 
 // A maximal run of good sections along one branch; 0 where it has no end.
@@ -26,6 +27,9 @@ struct swept_arc {
   std::vector<good_run> good_runs;
   // False only if certainly no point, real or complex, is equidistant from all four.
   bool may_have_point_equidistant_from_four = false;
+  // Such a point may not be isolated, or a bisector may touch the curve or a segment from a site
+  // there: first order says nothing.
+  bool tie_may_be_beyond_first_order = false;
 };
 
 // Requires four distinct sites.

@@ -81,6 +81,10 @@ bool are_coprime(const univariate& p, const univariate& q) {
                                                     with_integer_coefficients(q));
 }
 
+bool is_square_free(const univariate& p) {
+  return algebraic_kernel_1().is_square_free_1_object()(with_integer_coefficients(p));
+}
+
 std::vector<rational> samples_between(const std::vector<algebraic_number>& ascending) {
   if (ascending.empty()) return {rational(0)};
   const algebraic_kernel_1 kernel;

@@ -45,6 +45,8 @@ rational evaluate(const univariate& p, const rational& at);
 std::vector<algebraic_number> distinct_real_roots(const univariate& p);
 // The greatest common divisor is a constant (so there is no common root, real or complex).
 bool are_coprime(const univariate& p, const univariate& q);
+// No root, real or complex, is multiple.
+bool is_square_free(const univariate& p);
 // One rational strictly between each two neighbours of a strictly ascending list, one below the
 // first and one above the last: n numbers give n+1 samples.
 std::vector<rational> samples_between(const std::vector<algebraic_number>& ascending);

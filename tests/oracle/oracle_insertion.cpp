@@ -77,6 +77,7 @@ std::optional<bool> edge_test(const site& v, const site& w, const site& x, const
   const swept_arc arc = sweep(to_exact(v), to_exact(w), to_exact(x), to_exact(y));
   if (!arc.good_runs.empty()) return true;
   if (!arc.may_have_point_equidistant_from_four) return false;
+  if (arc.tie_may_be_beyond_first_order) return std::nullopt;
   const std::array<const site*, 4> sites = {&v, &w, &x, &y};
   if (!std::all_of(sites.begin(), sites.end(), [](const site* s) { return has_few_digits(*s); }))
     return std::nullopt;
