@@ -29,6 +29,9 @@ asterism_predicates_test(property_test
           property/ties_test.cpp property/counters_test.cpp
           adversarial/known_cases_test.cpp adversarial/ranges_test.cpp
   LINK asterism_oracle)
+if(ASTERISM_SELF_CHECK)
+  target_compile_definitions(property_test PRIVATE ASTERISM_SHARE_OF_CASES=20)
+endif()
 
 # Evaluates formulas itself, so it links what their headers include.
 asterism_predicates_test(laws_test
