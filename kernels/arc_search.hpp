@@ -97,14 +97,31 @@ enum class pair_function {
   steepness_from_x
 };
 
-// One neighbour's condition, with the functions it depends on made when first asked for.
+// The same number over another type, or enclosed in it. Overloaded for the pairs in use.
 template <class Number>
+const Number& number_as(const Number& x) {
+  return x;
+}
+
+template <class Number, class Source, std::size_t Degree>
+polynomial<Number, Degree> polynomial_as(const polynomial<Source, Degree>& p) {
+  polynomial<Number, Degree> result;
+  for (std::size_t k = 0; k <= Degree; ++k)
+    result.coefficient[k] = number_as<Number>(p.coefficient[k]);
+  return result;
+}
+
+// One neighbour's condition, with the functions it depends on made when first asked for: their
+// coefficients in Source arithmetic, their signs on ranges in Number. Intervals from exact
+// coefficients are a unit in the last place wide and keep exact zeros, which symmetric metric
+// fields put at the infinite ends.
+template <class Number, class Source>
 class lasting_reasons {
  public:
   using range = parameter_range;
-  using verdict = typename neighbour_condition<Number>::verdict;
+  using verdict = neighbour_verdict;
 
-  explicit lasting_reasons(const neighbour_condition<Number>& condition) : condition_(condition) {}
+  explicit lasting_reasons(const neighbour_condition<Source>& condition) : condition_(condition) {}
 
   // Does the condition, failing at `at` inside the range, fail on the whole range of the arc?
   bool fail_throughout(const verdict& at, const range& over) {
@@ -121,12 +138,14 @@ class lasting_reasons {
 
  private:
   struct cached {
-    std::optional<arc_function<Number>> function;
+    std::optional<arc_function<Source>> function;
+    polynomial<Number, 2> alpha, rational_part;
+    polynomial<Number, 1> beta;
     std::optional<polynomial<Number, 4>> norm;
   };
 
   // Site i does not dominate p over x at `at`. Does that last?
-  bool undominated_throughout(std::size_t side, const basic_site<Number>& i, const verdict& at,
+  bool undominated_throughout(std::size_t side, const basic_site<Source>& i, const verdict& at,
                               const range& over) {
     const auto cache = [&](pair_function f) -> cached& {
       return pairs_[side][static_cast<std::size_t>(f)];
@@ -139,7 +158,7 @@ class lasting_reasons {
     };
     if (!at.x_farther.certain() || at.x_farther.value() == sign::zero) return false;
     const bool farther = at.x_farther.value() == sign::positive;
-    const auto distance = [&] { return distance_difference(condition_.arc->v, condition_.x); };
+    const auto distance = [&] { return condition_.distance(); };
     if (no_zero(equidistance_, over, distance)) {
       // Nothing but a tangency changes how often the two segments meet the bisector.
       if (farther) return no_zero_of_pair(pair_function::tangents_to_x);
@@ -156,7 +175,7 @@ class lasting_reasons {
            no_zero_of_pair(pair_function::tangents_to_x);
   }
 
-  plane_quadratic<Number> quadratic(pair_function f, const basic_site<Number>& i) const {
+  plane_quadratic<Source> quadratic(pair_function f, const basic_site<Source>& i) const {
     const auto& origin = condition_.arc->v.position;
     const auto& x = condition_.x;
     switch (f) {
@@ -182,15 +201,21 @@ class lasting_reasons {
   template <class Make>
   uncertain_sign sign_throughout(cached& f, const range& over, const Make& make, bool any = false) {
     const auto& arc = *condition_.arc;
-    if (!f.function) f.function = arc.restrict(make());
-    const uncertain_sign beta = sign_between(f.function->beta, over);
-    if (beta.certain() && sign_between(f.function->alpha, over).certainly(beta.value()))
-      return beta;
-    if (!f.norm) f.norm = arc.norm(*f.function);
+    if (!f.function) {
+      f.function = arc.restrict(make());
+      f.alpha = polynomial_as<Number>(f.function->alpha);
+      f.beta = polynomial_as<Number>(f.function->beta);
+    }
+    const uncertain_sign beta = sign_between(f.beta, over);
+    if (beta.certain() && sign_between(f.alpha, over).certainly(beta.value())) return beta;
+    if (!f.norm) {
+      f.norm = polynomial_as<Number>(arc.norm(*f.function));
+      f.rational_part = polynomial_as<Number>(arc.rational_part(*f.function));
+    }
     const uncertain_sign norm = sign_between(*f.norm, over);
     if (norm.certain() && any) return sign::positive;
     if (norm.certainly(sign::negative)) return beta;
-    const uncertain_sign p = sign_between(arc.rational_part(*f.function), over);
+    const uncertain_sign p = sign_between(f.rational_part, over);
     return norm.certain() || (p.certain() && beta.certainly(p.value())) ? p : uncertain_sign();
   }
   template <class Make>
@@ -198,26 +223,30 @@ class lasting_reasons {
     return sign_throughout(f, over, make, true).certain();
   }
 
-  const neighbour_condition<Number>& condition_;
+  const neighbour_condition<Source>& condition_;
   cached equidistance_;
   std::array<std::array<cached, 6>, 2> pairs_;
   std::array<cached, 2> lines_;
 };
 
-// PointOnArc<Number>(arc, m): the displacement and weight of p(m) over a type that holds sqrt E.
-template <class Number, class PointOnArc>
+// PointOnArc(arc, m): the displacement and weight of p(m) over a type that holds sqrt E.
+template <class Number, class PointOnArc, class Source = Number>
 class arc_search {
  public:
-  // Hints may be anything; they decide how soon the search ends, never how.
-  arc_search(const insertion_question<Number>& question, const numeric::search_hints& hints,
-             int budget)
+  // `source` is the same question, whose polynomials are used. Hints may be anything; they decide
+  // how soon the search ends, never how.
+  arc_search(const insertion_question<Number>& question, const insertion_question<Source>& source,
+             const numeric::search_hints& hints, int budget)
       : question_(question),
+        e_(polynomial_as<Number>(source.arc.e)),
+        a_(polynomial_as<Number>(source.arc.a)),
+        h_(polynomial_as<Number>(source.arc.h)),
         hints_(hints.samples.data(), hints.count),
         witness_hint_(hints.witness),
         extent_(hints.extent),
         budget_(budget),
-        at_x_(question.at_x),
-        at_y_(question.at_y) {}
+        at_x_(source.at_x),
+        at_y_(source.at_y) {}
 
   uncertain_bool exists() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -236,9 +265,8 @@ class arc_search {
 
  private:
   bool good_point(double m) {
-    const visible_arc<Number>& arc = question_.arc;
-    if (!arc.contains(Number(1), Number(m)).certainly(true)) return false;
-    const PointOnArc p(arc, Number(m));
+    if (!on_arc(m).certainly(true)) return false;
+    const PointOnArc p(question_.arc, Number(m));
     return (question_.at_x.holds(p.from_v, p.weight) & question_.at_y.holds(p.from_v, p.weight))
         .certainly(true);
   }
@@ -249,7 +277,7 @@ class arc_search {
     const double middle = sample(low, high);
     if (!(middle > low && middle < high)) return false;
     const parameter_range over{low, high};
-    const uncertain_bool inside = question_.arc.contains(Number(1), Number(middle));
+    const uncertain_bool inside = on_arc(middle);
     if (inside.certainly(true)) {
       const PointOnArc p(question_.arc, Number(middle));
       const auto at_x = question_.at_x.examine(p.from_v, p.weight);
@@ -271,25 +299,39 @@ class arc_search {
     while (last > first && !(hints_[last - 1] < high)) --last;
     if (first < last) return hints_[(first + last) / 2];
     if (std::isinf(low) && std::isinf(high)) return 0;
-    if (std::isinf(low)) return high - 1 - std::abs(high);
-    if (std::isinf(high)) return low + 1 + std::abs(low);
+    // Towards an infinite end in growing strides, and geometrically within long ranges.
+    if (std::isinf(low)) return high < 0 ? -(high * high + 1 - high) : -1 - high;
+    if (std::isinf(high)) return low > 0 ? low * low + 1 + low : 1 - low;
+    constexpr double long_range = 16;
+    if (high > long_range * (1 + std::abs(low)))
+      return std::sqrt(high) * std::sqrt(1 + std::abs(low));
+    if (-low > long_range * (1 + std::abs(high)))
+      return -std::sqrt(-low) * std::sqrt(1 + std::abs(high));
     return 0.5 * low + 0.5 * high;
   }
 
+  uncertain_bool on_arc(double m) const {
+    const Number at(m);
+    const uncertain_bool real = is_positive(sign_of(e_(at)));
+    if (real.certainly(false)) return false;
+    return real & (is_positive(sign_of(h_(at))) | is_positive(sign_of(a_(at))));
+  }
+
   bool off_arc_throughout(const parameter_range& over) const {
-    const visible_arc<Number>& arc = question_.arc;
-    if (sign_between(arc.e, over).certainly(sign::negative)) return true;
-    return sign_between(arc.a, over).certainly(sign::negative) &&
-           sign_between(arc.h, over).certainly(sign::negative);
+    if (sign_between(e_, over).certainly(sign::negative)) return true;
+    return sign_between(a_, over).certainly(sign::negative) &&
+           sign_between(h_, over).certainly(sign::negative);
   }
 
   const insertion_question<Number>& question_;
+  polynomial<Number, 2> e_, a_;
+  polynomial<Number, 1> h_;
   std::span<const double> hints_;  // in increasing order
   std::optional<double> witness_hint_;
   numeric::arc_extent extent_;
   int budget_;
   bool witness_ = false;
-  lasting_reasons<Number> at_x_, at_y_;
+  lasting_reasons<Number, Source> at_x_, at_y_;
 };
 
 }  // namespace asterism

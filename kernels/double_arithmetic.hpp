@@ -111,8 +111,10 @@ inline arc_extent find_extent(const visible_arc<double>& arc) {
     const double discriminant = b * b - 4 * a * c;
     if (!(discriminant >= 0)) return;
     const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-    if (a != 0) insert(q / a);
-    if (q != 0) insert(c / q);
+    // A leading coefficient that is mere rounding puts an end far out: there is none.
+    constexpr double far_out = 0x1p12;
+    for (const double end : {q / a, c / q})
+      if (std::abs(end) < far_out) insert(end);
   };
   add_roots(arc.e);
   add_roots(arc.a);

@@ -6,6 +6,8 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/square_root_sum.hpp"
+#include "asterism/kernels/exact_to_interval.hpp"
+#include "asterism/kernels/interval_arc_point.hpp"
 #include "asterism/kernels/magnitude.hpp"
 #include "asterism/kernels/root_line.hpp"
 #include "asterism/kernels/staged_search.hpp"
@@ -159,13 +161,24 @@ struct insertion_sections {
   }
 };
 
-// The search by witness or cover, in exact numbers; undecided on ties and tangencies, and where the
-// magnitudes do not let doubles propose parameters.
+// The search by witness or cover. First with exact coefficients whose signs intervals read, which
+// is what mere rounding and exact zeros leave over; then in exact numbers alone. Undecided on ties
+// and tangencies, and where the magnitudes do not let doubles propose parameters.
+[[gnu::noinline]] uncertain_bool search_upward(const std::array<site, 4>& sites) {
+  constexpr int most_ranges = 64;
+  return search_in_stages<interval, interval_arc_point, dyadic>(sites, most_ranges);
+}
+
 uncertain_bool search_arc(const site& v, const site& w, const site& x, const site& y) {
   constexpr int most_ranges = 64;
   const floating_point_scope scope(rounding::nearest);
   const scaled_input<4, 0> input({&v, &w, &x, &y}, {});
   if (!input.usable) return {};
+  {
+    const floating_point_scope upward(rounding::upward);
+    const uncertain_bool found = search_upward(input.sites);
+    if (found.certain()) return found;
+  }
   return search_in_stages<dyadic, exact_arc_point>(input.sites, most_ranges);
 }
 

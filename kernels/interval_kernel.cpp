@@ -4,6 +4,7 @@
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/interval.hpp"
 #include "asterism/kernels/double_arithmetic.hpp"
+#include "asterism/kernels/interval_arc_point.hpp"
 #include "asterism/kernels/interval_arithmetic.hpp"
 #include "asterism/kernels/magnitude.hpp"
 #include "asterism/kernels/staged_search.hpp"
@@ -55,16 +56,6 @@ uncertain_bool equal_metric_answer(const site& v, const site& w, const site& x, 
                                       position(x), position(y),
                                       [tie] { return uncertain_bool(tie); });
 }
-
-// The point p of the arc at parameter m, by its weighted displacement from v.
-struct interval_arc_point {
-  displacement<interval> from_v;
-  interval weight;
-
-  interval_arc_point(const visible_arc<interval>& on, const interval& m)
-      : from_v(on.c * on.direction(interval(1), m)),
-        weight(on.h(m) + square_root_of_non_negative(on.e(m))) {}
-};
 
 constexpr int most_ranges = 48;
 

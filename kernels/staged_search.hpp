@@ -4,29 +4,47 @@
 // first the two Voronoi vertices that usually decide, then every equidistance cut.
 #pragma once
 
+#include <array>
+#include <type_traits>
+
 #include "asterism/kernels/arc_search.hpp"
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/kernels/vertex_hints.hpp"
 
 namespace asterism {
 
-// Requires sites of harmless magnitude (kernels/magnitude.hpp). `most_ranges` bounds the cover.
-template <class Number, class PointOnArc>
-uncertain_bool search_in_stages(const std::array<site, 4>& s, int most_ranges) {
+// `proposing` is the same question in plain doubles. `most_ranges` bounds the cover.
+template <class PointOnArc, class Number, class Source>
+uncertain_bool search_in_stages(const insertion_question<Number>& question,
+                                const insertion_question<Source>& source,
+                                const insertion_question<double>& proposing, int most_ranges) {
   constexpr int most_quick_ranges = 8;
-  const double turn = std::ldexp(1.0, turn_scale_exponent(s[0].metric));
-  const insertion_question<double> proposing(s[0], s[1], s[2], s[3], turn);
-  const insertion_question<Number> question(convert<Number>(s[0]), convert<Number>(s[1]),
-                                            convert<Number>(s[2]), convert<Number>(s[3]),
-                                            Number(turn));
   const auto search = [&](const numeric::search_hints& hints, int budget) {
-    return arc_search<Number, PointOnArc>(question, hints, budget).exists();
+    return arc_search<Number, PointOnArc, Source>(question, source, hints, budget).exists();
   };
   if (const auto hints = numeric::find_quick_hints(proposing)) {
     const uncertain_bool answer = search(*hints, most_quick_ranges);
     if (answer.certain()) return answer;
   }
   return search(numeric::find_hints(proposing), most_ranges);
+}
+
+// Requires sites of harmless magnitude (kernels/magnitude.hpp).
+// Source as in arc_search: the arithmetic of the coefficients.
+template <class Number, class PointOnArc, class Source = Number>
+uncertain_bool search_in_stages(const std::array<site, 4>& s, int most_ranges) {
+  const double turn = std::ldexp(1.0, turn_scale_exponent(s[0].metric));
+  const insertion_question<double> proposing(s[0], s[1], s[2], s[3], turn);
+  const auto ask_in = [&]<class Type>(std::type_identity<Type>) {
+    return insertion_question<Type>(convert<Type>(s[0]), convert<Type>(s[1]), convert<Type>(s[2]),
+                                    convert<Type>(s[3]), Type(turn));
+  };
+  const auto question = ask_in(std::type_identity<Number>{});
+  if constexpr (std::is_same_v<Number, Source>)
+    return search_in_stages<PointOnArc>(question, question, proposing, most_ranges);
+  else
+    return search_in_stages<PointOnArc>(question, ask_in(std::type_identity<Source>{}), proposing,
+                                        most_ranges);
 }
 
 }  // namespace asterism

@@ -21,6 +21,14 @@
 
 namespace asterism {
 
+// What makes a neighbour's condition hold at a point, one by one.
+struct neighbour_verdict {
+  uncertain_sign x_farther;  // sign of f_x - f_v
+  uncertain_bool v_dominates, w_dominates, contains_x;
+
+  uncertain_bool holds() const { return v_dominates & w_dominates & !contains_x; }
+};
+
 // What one of the two neighbours demands of a point of the arc.
 template <class Number>
 struct neighbour_condition {
@@ -38,10 +46,14 @@ struct neighbour_condition {
         side_of_x(sign_of(cross(a.d, v_to_x))),
         x_between_v_w(is_negative(sign_of(dot(v_to_x, w_to_x)))) {}
 
-  // The zeros of f_v - f_x: where x becomes as near as v and w.
-  arc_function<Number> equidistance() const {
-    return arc->restrict(distance_difference(arc->v, x));
+  // f_v - f_x or f_w - f_x, which agree on the arc: the linear one if there is one.
+  plane_quadratic<Number> distance() const {
+    return is_certainly_zero(arc->w.metric - x.metric)
+               ? distance_difference(arc->v.position, arc->w, x)
+               : distance_difference(arc->v, x);
   }
+  // Its zeros are where x becomes as near as v and w.
+  arc_function<Number> equidistance() const { return arc->restrict(distance()); }
 
   // Every function but equidistance() at whose zeros the condition can change.
   template <class Visitor>
@@ -56,17 +68,9 @@ struct neighbour_condition {
     visit(arc->restrict(line_through(origin, w.position, x.position)));
   }
 
-  // What makes the condition hold, one by one.
-  struct verdict {
-    uncertain_sign x_farther;  // sign of f_x - f_v
-    uncertain_bool v_dominates, w_dominates, contains_x;
-
-    uncertain_bool holds() const { return v_dominates & w_dominates & !contains_x; }
-  };
-
   // At the point with weighted displacement from_v = weight (p - v); Surd holds sqrt E.
   template <class Surd>
-  verdict examine(const displacement<Surd>& from_v, const Surd& weight) const {
+  neighbour_verdict examine(const displacement<Surd>& from_v, const Surd& weight) const {
     const basic_site<Surd> v = lift<Surd>(arc->v), w = lift<Surd>(arc->w), at = lift<Surd>(x);
     const displacement<Surd> from_x = from_v - weight * lift<Surd>(v_to_x);
     const displacement<Surd> from_w = from_v - weight * lift<Surd>(arc->d);

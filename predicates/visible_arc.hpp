@@ -34,6 +34,12 @@ Number evaluate(const polynomial<Number, Degree>& p, const Number& lambda, const
   return value;
 }
 
+template <class Number>
+bool is_certainly_zero(const basic_metric_tensor<Number>& m) {
+  return sign_of(m.m11).certainly(sign::zero) && sign_of(m.m12).certainly(sign::zero) &&
+         sign_of(m.m22).certainly(sign::zero);
+}
+
 // Is p the zero polynomial?
 template <class Number, std::size_t Degree>
 uncertain_bool vanishes(const polynomial<Number, Degree>& p) {
@@ -50,7 +56,8 @@ struct plane_quadratic {
   Number constant;
 };
 
-// alpha + beta s along a visible arc: a plane quadratic there, times C s^2.
+// alpha + beta s along a visible arc: a plane quadratic there, times C s^2, or a linear function,
+// times s.
 template <class Number>
 struct arc_function {
   polynomial<Number, 2> alpha;
@@ -88,8 +95,14 @@ struct visible_arc {
     return {{squared_length(form, d), mixed + mixed, squared_length(form, n)}};
   }
 
+  // A linear q is multiplied by s alone: degrees are one less, and there is no zero where the arc
+  // runs to infinity (s = 0) unless the line does.
   arc_function<Number> restrict(const plane_quadratic<Number>& q) const {
     const polynomial<Number, 1> linear{{dot(q.linear, d), dot(q.linear, n)}};
+    if (is_certainly_zero(q.form)) {
+      const Number zero(0);
+      return {{{linear.coefficient[0], linear.coefficient[1], zero}}, {{q.constant, zero}}};
+    }
     return {c * restrict_form(q.form) + q.constant * a, c * linear + (q.constant + q.constant) * h};
   }
 
@@ -120,6 +133,17 @@ plane_quadratic<Number> distance_difference(const basic_site<Number>& v,
   const auto metric_offset = apply(x.metric, offset);
   return {v.metric - x.metric, metric_offset + metric_offset,
           Number(0) - dot(offset, metric_offset)};
+}
+
+// f_i - f_j as a quadratic about `origin`.
+template <class Number>
+plane_quadratic<Number> distance_difference(const basic_point<Number>& origin,
+                                            const basic_site<Number>& i,
+                                            const basic_site<Number>& j) {
+  const auto to_i = between(origin, i.position), to_j = between(origin, j.position);
+  const auto metric_i = apply(i.metric, to_i), metric_j = apply(j.metric, to_j);
+  const auto half = metric_j - metric_i;
+  return {i.metric - j.metric, half + half, dot(to_i, metric_i) - dot(to_j, metric_j)};
 }
 
 // The two lines through site i that touch Vor{i,j}, as one quadratic about `origin`: the

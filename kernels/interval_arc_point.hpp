@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// A point of a visible arc enclosed by intervals, for arc_search. Stands in a
+// floating_point_scope(rounding::upward).
+#pragma once
+
+#include "asterism/core/interval.hpp"
+#include "asterism/predicates/visible_arc.hpp"
+
+namespace asterism {
+
+// The point p at parameter m, by its weighted displacement from v.
+struct interval_arc_point {
+  displacement<interval> from_v;
+  interval weight;
+
+  interval_arc_point(const visible_arc<interval>& on, const interval& m)
+      : from_v(on.c * on.direction(interval(1), m)),
+        weight(on.h(m) + square_root_of_non_negative(on.e(m))) {}
+};
+
+}  // namespace asterism
