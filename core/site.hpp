@@ -40,8 +40,8 @@ using point = basic_point<double>;
 using metric_tensor = basic_metric_tensor<double>;
 using site = basic_site<double>;
 
-// Equal bit for bit, whatever the floating-point environment: to a processor told to flush, == takes
-// subnormal numbers for zeros. Says no to 0 and -0.
+// Equal bit for bit, whatever the floating-point environment: to a processor told to flush, ==
+// takes subnormal numbers for zeros. Says no to 0 and -0.
 constexpr bool identical(const metric_tensor& a, const metric_tensor& b) {
   using bits = std::array<std::uint64_t, 3>;
   return std::bit_cast<bits>(a) == std::bit_cast<bits>(b);
