@@ -75,7 +75,7 @@ void star_set::split_piece(const site_oracle& oracle, index a, index m, index b)
 bool star_set::rebuild(const site_oracle& oracle, index v) {
   constructed_star built = construct_star(oracle, v);
   condition_[v] = built.settled ? condition::settled : condition::unsettled;
-  const bool changed = stars_[v] != built.content;
+  const bool changed = stars_[v] != built.content || !built.settled;
   stars_[v] = std::move(built.content);
   return changed;
 }

@@ -35,7 +35,8 @@ class star_set {
   void add_last(const site_oracle& oracle);
   // The oracle's last site m has just split the piece a -> b of the boundary, which already knows.
   void split_piece(const site_oracle& oracle, index a, index m, index b);
-  // Constructs the star of v anew. Returns whether its neighbours changed.
+  // Constructs the star of v anew. Returns whether there is anything new to know of it: its
+  // neighbours changed, or it did not settle.
   bool rebuild(const site_oracle& oracle, index v);
 
  private:
