@@ -154,6 +154,26 @@ TEST_CASE("Poisson darts reach 10 degrees") {
   }
 }
 
+// A star whose neighbours replace each other in a circle is found out only when it is built anew at
+// the very end, with the neighbours it had before.
+TEST_CASE("a star that does not settle at the end is mended, not passed over") {
+  domain d = square();
+  d.vertices.insert(d.vertices.end(), {{-0.8400401032127593, 0.4218608754161983},
+                                       {-0.6642490113382689, 0.6151950681860909},
+                                       {0.64133644387605, 0.8081181316317065},
+                                       {0.5172772156672469, 0.5123309420812894},
+                                       {0.8517706879488287, -0.3722699924757167},
+                                       {-0.46610158314692773, -0.38047268176908133},
+                                       {-0.8972265139555557, 0.7193210208384104},
+                                       {-0.8249323843996075, -0.37319869066361555},
+                                       {-0.4987431452121394, 0.7545644234069422},
+                                       {-0.6621015063304818, -0.369857463631071}});
+  refinement_options options = with_bound(5);
+  options.strategy = refinement_strategy::poisson_darts;
+  options.seed = 10;
+  check_certified(d, sink_field(12), options);
+}
+
 TEST_CASE("an impossible bound ends within the limit and says so") {
   refinement_options options = with_bound(59);
   options.max_sites = 300;
