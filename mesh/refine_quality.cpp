@@ -44,9 +44,10 @@ double angle_between(const metric_tensor& m, const point& a, const point& b) {
 angle_requirement::angle_requirement(double degrees)
     : degrees_(degrees), cotangent_(1 / std::tan(degrees * (1 + 1e-9) / to_degrees)) {}
 
-bool angle_requirement::is_low(const triangle_sites& t) const {
+bool angle_requirement::is_low(const triangle_sites& t, const std::array<bool, 3>& left_out) const {
   if (degrees_ == 0) return false;
   for (std::size_t i = 0; i < 3; ++i) {
+    if (left_out[i]) continue;
     const point a = difference(t[(i + 1) % 3].position, t[i].position);
     const point b = difference(t[(i + 2) % 3].position, t[i].position);
     for (const site& from : t)

@@ -23,7 +23,9 @@ class angle_requirement {
   // corner and some M. Errs only towards "low": the doubles carry error terms and the bound a guard
   // of 1e-9 relative, so that a triangle called good meets the bound exactly. Never low when the
   // bound is zero. Requires a counter-clockwise triangle.
-  bool is_low(const triangle_sites& t) const;
+  bool is_low(const triangle_sites& t) const { return is_low(t, {}); }
+  // The same with the angles at some of the corners left out.
+  bool is_low(const triangle_sites& t, const std::array<bool, 3>& left_out) const;
 
  private:
   double degrees_;

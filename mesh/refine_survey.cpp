@@ -56,10 +56,25 @@ bool touches(const triangle& t, const std::vector<exempt_corner>& corners) {
   });
 }
 
-void judge(const triangle& t, const triangle_shape& shape, const std::vector<exempt_corner>& exempt,
-           survey& s) {
+// The triangle's corners that lie at an exempt corner of the domain and fill it from one piece to
+// the other. A part of a divided corner could be wider.
+std::array<bool, 3> unavoidable(const refine_state& state, const triangle& t,
+                                const std::vector<exempt_corner>& corners) {
+  std::array<bool, 3> at{};
+  for (std::size_t i = 0; i < 3; ++i)
+    at[i] = std::any_of(corners.begin(), corners.end(),
+                        [&](const exempt_corner& c) { return c.vertex == t[i]; }) &&
+            state.edges().is_piece(t[i], t[(i + 1) % 3]) &&
+            state.edges().is_piece(t[(i + 2) % 3], t[i]);
+  return at;
+}
+
+void judge(const refine_state& state, const angle_requirement& angle, const triangle& t,
+           const triangle_shape& shape, const std::vector<exempt_corner>& exempt, survey& s) {
   if (shape.is_low && touches(t, exempt)) {
     s.exempt.push_back(t);
+    if (angle.is_low(sites_of(state, t), unavoidable(state, t, exempt)))
+      s.improvable.push_back({badness::low_angle, shape.smallest_angle, t});
   } else if (shape.is_low) {
     s.bad.push_back({badness::low_angle, shape.smallest_angle, t});
     ++s.low_angle;
@@ -98,8 +113,9 @@ survey take_survey(const refine_state& state, const angle_requirement& angle, bo
   measure_shapes(state, angle, limit_size, previous, s);
   const auto exempt = exempt_corners(state, angle);
   for (std::size_t i = 0; i < s.shapes.size(); ++i)
-    judge(s.consistency.agreeing[i], s.shapes[i], exempt, s);
+    judge(state, angle, s.consistency.agreeing[i], s.shapes[i], exempt, s);
   sort_worst_first(s.bad);
+  sort_worst_first(s.improvable);
   return s;
 }
 

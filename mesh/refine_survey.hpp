@@ -40,6 +40,8 @@ struct survey {
   std::vector<bad_triangle> bad;       // disagreeing, then low angles, then large; deterministic
   std::size_t disagreeing = 0, low_angle = 0, too_large = 0;
   std::vector<triangle> exempt;
+  // Those of them that are low elsewhere than at the exempt corner: worth trying, not demanded.
+  std::vector<bad_triangle> improvable;
 };
 
 // `previous` saves measuring what has not changed since: a survey of the same state, taken earlier

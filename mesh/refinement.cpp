@@ -45,6 +45,7 @@ class refinement {
     if (state_.field_failure()) return end("the metric field failed");
     if (rebuild_disagreeing()) return;
     if (survey_.bad.empty()) {
+      if (improve_at_exempt_corners()) return;
       if (rebuild_all_stale()) return;
       complete_ = true;
       return end("all stars agree and every triangle meets the bound");
@@ -97,6 +98,19 @@ class refinement {
       if (in_force_ <= tolerance_.floor) return false;
       in_force_ = std::max(tolerance_.floor, tolerance_.shrink * in_force_);
     }
+  }
+
+  // A sharp corner excuses its own angle; the others of its triangles are mended where the arcs
+  // offer something not far below the tolerance of the beginning, so that this cannot run away.
+  bool improve_at_exempt_corners() {
+    if (state_.is_full()) return false;
+    constexpr double modest = 0x1p-4;
+    const double tolerance = std::max(tolerance_.floor, modest * tolerance_.start);
+    for (const bad_triangle& b : survey_.improvable)
+      if (shorten_tight_corner(state_, b.where, angle_, tolerance) ||
+          refine_by_arcs(state_, b.where, tolerance, rejected_))
+        return true;
+    return false;
   }
 
   // Where nothing but size is left to mend, the order matters little: one survey serves many

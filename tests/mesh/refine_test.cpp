@@ -108,6 +108,19 @@ TEST_CASE("a corner below the bound is exempt, named and certified as such") {
   CHECK(audited(d, made, 20).certified);
 }
 
+TEST_CASE("a square whose corners are all exempt is refined nevertheless") {
+  // At K = 60 the corners measure 10.4 degrees: both triangles of the bare square touch exempt
+  // ones.
+  const domain d = square();
+  const auto field = make_metric_field("swirl:60", d.box());
+  const auto made = make_mesh(d, *field.value(), {.angle_bound = 15});
+  REQUIRE(made.ok());
+  CHECK(made.value().complete);
+  CHECK(made.value().triangles > 100);
+  CHECK(made.value().exempt.size() == 4);
+  CHECK(made.value().exempt_triangles.size() <= 4);
+}
+
 TEST_CASE("domains that are not convex, and holes") {
   const domain ell = polygon({{-1, -1}, {1, -1}, {1, 0}, {0, 0}, {0, 1}, {-1, 1}});
   const domain crooked = polygon({{0, 0}, {1, 0.1}, {2, -0.2}, {2.3, 1.1}, {1.2, 0.6}, {0.3, 1.3}});
