@@ -109,16 +109,12 @@ TEST_CASE("a corner below the bound is exempt, named and certified as such") {
 }
 
 TEST_CASE("a square whose corners are all exempt is refined nevertheless") {
-  // At K = 60 the corners measure 10.4 degrees: both triangles of the bare square touch exempt
-  // ones.
-  const domain d = square();
-  const auto field = make_metric_field("swirl:60", d.box());
-  const auto made = make_mesh(d, *field.value(), {.angle_bound = 15});
-  REQUIRE(made.ok());
-  CHECK(made.value().complete);
-  CHECK(made.value().triangles > 100);
-  CHECK(made.value().exempt.size() == 4);
-  CHECK(made.value().exempt_triangles.size() <= 4);
+  // At K = 60 the corners measure 10.4 degrees: both triangles of the bare square touch exempt ones.
+  const refinement_outcome made = mesh_of(square(), swirl_field(60), with_bound(15));
+  CHECK(made.complete);
+  CHECK(made.triangles > 100);
+  CHECK(made.exempt.size() == 4);
+  CHECK(made.exempt_triangles.size() <= 4);
 }
 
 TEST_CASE("domains that are not convex, and holes") {
