@@ -231,6 +231,7 @@ swept_arc sweep(const exact_site& v, const exact_site& w, const exact_site& x,
   const std::vector<cut> cuts = sorted_cuts(curve, criticals);
 
   std::vector<algebraic_number> abscissas;
+  abscissas.reserve(cuts.size());
   for (const cut& c : cuts) abscissas.push_back(c.abscissa);
   const definition insertion(sv, sw, sx, sy);
   std::array<std::vector<bool>, 2> good;

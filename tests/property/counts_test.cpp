@@ -8,7 +8,7 @@ namespace asterism::property {
 namespace {
 
 void expect_counts_agree(const four_sites& sites) {
-  const auto& [v, w, x, y] = sites;
+  const site &v = sites[0], &w = sites[1], &x = sites[2];
   expect_agreement(
       oracle::voronoi_vertex_count(v, w, x),
       [&](const auto& kernel) { return kernel.voronoi_vertex_count(v, w, x); },

@@ -28,6 +28,8 @@ std::span<const kind> kinds();
 // Looks a kind up by name; the first kind if there is none.
 const kind& kind_named(std::string_view name);
 
+four_sites shuffled(four_sites sites, random_source& random);
+
 // A valid case of this kind.
 four_sites draw(const kind& k, random_source& random);
 

@@ -10,7 +10,7 @@ namespace asterism::property {
 namespace {
 
 void expect_insertion_agrees(const four_sites& sites) {
-  const auto& [v, w, x, y] = sites;
+  const site &v = sites[0], &w = sites[1], &x = sites[2], &y = sites[3];
   expect_agreement(
       oracle::insertion_test(v, w, x, y),
       [&](const auto& kernel) { return kernel.insertion_test(v, w, x, y); },
@@ -19,7 +19,7 @@ void expect_insertion_agrees(const four_sites& sites) {
 
 // Returns whether the oracle had an answer.
 bool expect_edge_agrees(const four_sites& sites) {
-  const auto& [v, w, x, y] = sites;
+  const site &v = sites[0], &w = sites[1], &x = sites[2], &y = sites[3];
   const std::optional<bool> expected = oracle::edge_test(v, w, x, y);
   if (expected)
     expect_agreement(

@@ -26,7 +26,7 @@ TEST_CASE("orientation agrees with the oracle", "[property]") {
   random_source random(11);
   for (int i = 0; i < 20000; ++i) {
     const auto points = draw_triple(random);
-    const auto& [p, q, r] = points;
+    const point &p = points[0], &q = points[1], &r = points[2];
     expect_agreement(
         oracle::orientation(p, q, r),
         [&](const auto& kernel) { return kernel.orientation(p, q, r); },
@@ -55,7 +55,7 @@ TEST_CASE("positive definiteness agrees with the oracle", "[property]") {
 
 TEST_CASE("predicates about a point and two sites agree with the oracle", "[property]") {
   for_each_case(300, [](const four_sites& sites, random_source& random) {
-    const auto& [v, w, x, y] = sites;
+    const site &v = sites[0], &w = sites[1];
     const std::array<point, 1> points = {draw_point(sites, random)};
     const point& p = points[0];
     const std::span<const site> pair(sites.data(), 2);
@@ -74,7 +74,7 @@ TEST_CASE("predicates about a point and two sites agree with the oracle", "[prop
 
 TEST_CASE("encroachment agrees with the oracle", "[property]") {
   for_each_case(300, [](const four_sites& sites, random_source&) {
-    const auto& [a, b, w, unused] = sites;
+    const site &a = sites[0], &b = sites[1], &w = sites[2];
     expect_agreement(
         oracle::encroaches(a, b, w), [&](const auto& kernel) { return kernel.encroaches(a, b, w); },
         record("encroaches", {sites.data(), 3}));

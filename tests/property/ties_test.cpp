@@ -70,7 +70,9 @@ bool no_three_collinear(const four_points& p) {
 TEST_CASE("ties on a 20 x 20 grid", "[property][ties]") {
   constexpr int block = 4;
   std::vector<point> points;
-  for (int i = 0; i < block * block; ++i) points.push_back({double(i % block), double(i / block)});
+  points.reserve(16);
+  for (int i = 0; i < block; ++i)
+    for (int j = 0; j < block; ++j) points.push_back({double(j), double(i)});
   int count = 0;
   for (std::size_t a = 0; a < points.size(); ++a)
     for (std::size_t b = a + 1; b < points.size(); ++b)
