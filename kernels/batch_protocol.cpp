@@ -76,10 +76,14 @@ result<std::optional<batch_record>> parse_record(std::string_view line) {
 }
 
 uncertain_int batch_evaluator::filtered_answer(const batch_record& record, settled_by& how) {
-  const std::uint64_t before = filtered_.counters().at(record.question, tier::exact);
+  filtered_.reset_counters();
   const uncertain_int result = ask(filtered_, record);
-  const bool exact = filtered_.counters().at(record.question, tier::exact) != before;
-  how = exact ? settled_by::exact : settled_by::interval;
+  const auto tier_decided = [&](tier t) {
+    return filtered_.counters().at(record.question, t) != 0;
+  };
+  how = tier_decided(tier::semi_static) ? settled_by::semi_static
+        : tier_decided(tier::interval)  ? settled_by::interval
+                                        : settled_by::exact;
   return result;
 }
 
@@ -128,13 +132,13 @@ void batch_evaluator::answer_all(std::istream& in, std::ostream& out) {
 
 void write_statistics(std::ostream& out, const batch_statistics& statistics) {
   out << std::left << std::setw(24) << "predicate" << std::right;
-  for (const auto name : settled_by_names) out << std::setw(12) << name;
+  for (const auto name : settled_by_names) out << std::setw(13) << name;
   out << '\n';
   for (std::size_t p = 0; p < predicate_count; ++p) {
     const auto& row = statistics.settled[p];
     if (std::all_of(row.begin(), row.end(), [](std::uint64_t n) { return n == 0; })) continue;
     out << std::left << std::setw(24) << predicate_names[p] << std::right;
-    for (const auto count : row) out << std::setw(12) << count;
+    for (const auto count : row) out << std::setw(13) << count;
     out << '\n';
   }
   out << "answers " << statistics.answers << ", errors " << statistics.errors << '\n';

@@ -48,10 +48,10 @@ result<std::optional<batch_record>> parse_record(std::string_view line);
 enum class kernel_choice { filtered, exact, interval, plain_double };
 
 // What settled a record; `undecided` only with the interval kernel.
-enum class settled_by : std::size_t { interval, exact, plain_double, undecided };
-inline constexpr std::size_t settled_by_count = 4;
+enum class settled_by : std::size_t { semi_static, interval, exact, plain_double, undecided };
+inline constexpr std::size_t settled_by_count = 5;
 inline constexpr std::array<std::string_view, settled_by_count> settled_by_names = {
-    "interval", "exact", "double", "undecided"};
+    "semi-static", "interval", "exact", "double", "undecided"};
 
 struct batch_statistics {
   std::array<std::array<std::uint64_t, settled_by_count>, predicate_count> settled{};

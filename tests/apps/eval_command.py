@@ -163,15 +163,18 @@ class Eval(command.CommandTest):
             done = self.run_command("eval", "--stats", "--kernel", kernel, text=text)
             self.assertEqual(done.returncode, 1)
             lines = [line.split() for line in done.stderr.splitlines()]
-            self.assertEqual(lines[0], ["predicate", "interval", "exact", "double", "undecided"])
+            self.assertEqual(
+                lines[0],
+                ["predicate", "semi-static", "interval", "exact", "double", "undecided"],
+            )
             counts = {line[0]: list(map(int, line[1:])) for line in lines[1:-1]}
             self.assertEqual(sum(counts["orientation"]), 2, kernel)
             self.assertEqual(sum(counts["is_spd"]), 1, kernel)
             self.assertEqual(" ".join(lines[-1]), "answers 3, errors 1")
             if kernel == "exact":
-                self.assertEqual(counts["orientation"], [0, 2, 0, 0])
+                self.assertEqual(counts["orientation"], [0, 0, 2, 0, 0])
             if kernel == "filtered":
-                self.assertEqual(counts["orientation"], [1, 1, 0, 0])
+                self.assertEqual(counts["orientation"], [1, 0, 1, 0, 0])
 
     def test_the_locale_changes_nothing(self):
         os.environ["LC_ALL"] = "de_DE.UTF-8"
