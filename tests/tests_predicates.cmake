@@ -5,4 +5,5 @@ asterism_predicates_test(core_test
   LINK CGAL::CGAL gmp)
 target_compile_options(core_test PRIVATE -frounding-math)
 asterism_predicates_test(kernels_test
-  SOURCES kernels/tiers_test.cpp kernels/environment_test.cpp kernels/filter_bounds_test.cpp)
+  SOURCES kernels/tiers_test.cpp kernels/environment_test.cpp kernels/filter_bounds_test.cpp
+          kernels/batch_test.cpp)

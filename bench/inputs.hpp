@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// What the benchmarks ask: questions of every input class, the same on every machine and in every
+// run (a seed names a list for ever).
+//
+// Classes. uniform: random in [-1,1]^2, metrics of a smooth field. one ulp: a question whose answer
+// changes, moved there as well as doubles can. degenerate: exactly on the border between two
+// answers, with numbers of 20 bits. grid: small integers. 2^400, 2^-400: uniform with all
+// coordinates scaled. offset 1e8: spacing 1e-6 about (1e8, 1e8). condition 1e12: metrics with
+// eigenvalues 1 and 1e12.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+
+namespace asterism::bench {
+
+enum class input_class { uniform, one_ulp, degenerate, grid, up, down, offset, condition };
+struct named_class {
+  input_class which;
+  std::string_view name;
+};
+inline constexpr std::array<named_class, 8> input_classes = {{
+    {input_class::uniform, "uniform"},
+    {input_class::one_ulp, "one ulp"},
+    {input_class::degenerate, "degenerate"},
+    {input_class::grid, "grid"},
+    {input_class::up, "2^400"},
+    {input_class::down, "2^-400"},
+    {input_class::offset, "offset 1e8"},
+    {input_class::condition, "condition 1e12"},
+}};
+
+struct point_question {
+  site v, w;
+  point q;
+};
+using edge_question = std::array<site, 4>;  // v, w, and the neighbours x (clockwise) and y of w
+using line_question = std::array<point, 3>;
+
+// Which border a point question is brought to: f_v = f_w inside the wedge, or the wedge's side.
+enum class border { bisector, wedge };
+
+std::vector<point_question> point_questions(input_class which, border near, std::size_t count,
+                                            std::uint64_t seed = 1);
+// Mesh-like: v's neighbours at about one edge length and 60 degrees from each other in v's metric;
+// every site has the metric of its place.
+std::vector<edge_question> edge_questions(input_class which, std::size_t count,
+                                          std::uint64_t seed = 1);
+// Four sites with the identity for a metric: in-circle questions.
+std::vector<edge_question> circle_questions(input_class which, std::size_t count,
+                                            std::uint64_t seed = 1);
+std::vector<line_question> line_questions(input_class which, std::size_t count,
+                                          std::uint64_t seed = 1);
+
+// Random questions at a relative distance `closeness` (0: as near as rounding allows) from the
+// place where the answer changes.
+std::vector<point_question> point_questions_near(border near, double closeness, std::size_t count,
+                                                 std::uint64_t seed = 1);
+std::vector<edge_question> edge_questions_near(double closeness, std::size_t count,
+                                               std::uint64_t seed = 1);
+std::vector<edge_question> circle_questions_near(double closeness, std::size_t count,
+                                                 std::uint64_t seed = 1);
+
+}  // namespace asterism::bench

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+"""Times of interleaved repetitions: medians, quartiles, and ratios of them."""
+import collections
+import statistics
+
+
+class Sample:
+    """Nanoseconds a question, one number a repetition."""
+
+    def __init__(self, times):
+        self.times = sorted(times)
+        self.median = statistics.median(self.times)
+
+    def quartiles(self):
+        if len(self.times) < 4:
+            return self.times[0], self.times[-1]
+        low, _, high = statistics.quantiles(self.times, n=4)
+        return low, high
+
+
+class Ratio:
+    """Median against median. The range is from lower over upper to upper over lower quartile: wide
+    when either was disturbed."""
+
+    def __init__(self, above, below):
+        self.value = above.median / below.median
+        (low, high), (base_low, base_high) = above.quartiles(), below.quartiles()
+        self.low, self.high = low / base_high, high / base_low
+
+    def text(self):
+        return f"**{short(self.value)}x** ({short(self.low)}-{short(self.high)})"
+
+
+def short(x):
+    """Three significant digits, no exponent."""
+    if x >= 100:
+        return f"{x:.0f}"
+    return f"{x:.1f}" if x >= 10 else f"{x:.2f}"
+
+
+def duration(nanoseconds):
+    for unit, size in (("ms", 1e6), ("us", 1e3)):
+        if nanoseconds >= size:
+            return f"{short(nanoseconds / size)} {unit}"
+    return f"{short(nanoseconds)} ns"
+
+
+def measurements(report):
+    """{predicate: {input: {contender: Sample}}}, in the order in which they were registered."""
+    times = collections.defaultdict(list)
+    family = {}
+    for entry in report["benchmarks"]:
+        if entry["run_type"] == "iteration":
+            times[entry["run_name"]].append(1e9 / entry["items_per_second"])
+            family[entry["run_name"]] = entry["family_index"]
+    result = {}
+    for name in sorted(times, key=family.get):
+        predicate, given, contender = name.split("/")
+        result.setdefault(predicate, {}).setdefault(given, {})[contender] = Sample(times[name])
+    return result

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""The tables of the performance page."""
+from measurements import Ratio, duration, short
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
+    lines += ["| " + " | ".join(row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def goals(timed):
+    """What the project asks of itself."""
+    def ratio(predicate, given, above, below):
+        samples = timed[predicate][given]
+        return Ratio(samples[above], samples[below])
+
+    rows = []
+
+    def add(what, measured, least, aim):
+        reached = "yes" if measured.value <= least else "no"
+        rows.append([what, measured.text(), f"{short(least)}x", reached, aim])
+
+    for predicate in ("compare_distance", "in_wedge", "dominates"):
+        add(f"`{predicate}`, filtered / double, random",
+            ratio(predicate, "uniform", "filtered", "double"), 1.5, "1.15x")
+    add("`edge_test`, filtered / double, random smooth metrics",
+        ratio("edge_test", "uniform", "filtered", "double"), 2, "1.3x")
+    add("`edge_test`, filtered / double at two vertices alone",
+        ratio("edge_test", "uniform", "filtered", "double, two vertices"), 2, "1.3x")
+    add("`edge_test`, exact tier / CGAL algebraic, solve and signs",
+        ratio("edge_test", "uniform", "exact", "CGAL algebraic, solve and signs"), 0.02, "20 us")
+    add("orientation, filtered / EPICK", ratio("orientation", "uniform", "filtered", "CGAL EPICK"), 1, "")
+    add("orientation, filtered / double", ratio("orientation", "uniform", "filtered", "double"), 1.75, "1.3x")
+    add("equal metrics, filtered / EPICK in-circle with orientations",
+        ratio("in_circle", "uniform", "filtered", "CGAL EPICK, with orientations"), 1, "")
+    add("equal metrics, filtered / EPICK in-circle alone",
+        ratio("in_circle", "uniform", "filtered", "CGAL EPICK, in-circle alone"), 1, "")
+    add("equal metrics, filtered / double", ratio("in_circle", "uniform", "filtered", "double"), 1.81, "1.6x")
+    circles = timed["in_circle"]
+    for given, name in (("grid", "small integers"), ("degenerate", "20 bits")):
+        add(f"cocircular ({name}) / random, equal metrics",
+            Ratio(circles[given]["filtered"], circles["uniform"]["filtered"]), 10, "3x")
+    for given, samples in timed["batch"].items():
+        add(f"batch of 8 / scalar double: {given}", Ratio(samples["batch of 8"], samples["double"]), 2, "1x")
+    note = ("Medians; in brackets, lower quartile over upper to upper over lower.\n\n")
+    return note + table(["", "measured", "at most", "reached", "aim"], rows)
+
+
+def times(timed):
+    """Median and quartiles of every contender."""
+    rows = []
+    for predicate, inputs in timed.items():
+        if predicate == "batch":
+            continue
+        for given, samples in inputs.items():
+            for contender, sample in samples.items():
+                low, high = sample.quartiles()
+                against = Ratio(sample, samples["double"])
+                rows.append([predicate, given, contender, duration(sample.median),
+                             f"{duration(low)} - {duration(high)}", f"{short(against.value)}x"])
+    return ("`in_circle` is `edge_test` with four equal metrics. `interval` and `exact` are these tiers alone, on the"
+            " same questions; the semi-static tier alone is the filtered kernel where it decides everything.\n\n"
+            + table(["predicate", "input", "contender", "median", "quartiles", "/ double"], rows))
+
+
+def batches(timed):
+    rows = []
+    for given, samples in timed["batch"].items():
+        row = samples["batch of 8"]
+        rows.append([given, duration(samples["double"].median), duration(samples["filtered"].median),
+                     duration(row.median), Ratio(row, samples["double"]).text(),
+                     Ratio(row, samples["filtered"]).text()])
+    return ("Time a row of a batch of 8, against one call a question.\n\n"
+            + table(["predicate", "double", "filtered", "batch", "batch / double", "batch / filtered"], rows))
+
+
+def percent(part, whole):
+    if part == 0:
+        return "0"
+    share = 100 * part / whole
+    return f"{share:.2f} %" if share < 10 else f"{share:.0f} %"
+
+
+def wrong(shares):
+    predicates = list(shares["classes"][0]["predicates"])
+    rows, filtered_wrong = [], 0
+    for entry in shares["classes"]:
+        counts = entry["predicates"]
+        rows.append([entry["name"]] + [percent(counts[p]["double wrong"], counts[p]["questions"])
+                                       for p in predicates])
+        filtered_wrong += sum(c["filtered wrong"] for c in counts.values())
+    questions = sum(c["questions"] for e in shares["classes"] for c in e["predicates"].values())
+    note = (f"Share of wrong answers of the double kernel. The filtered kernel gave {filtered_wrong} wrong answers to"
+            f" the same {questions} questions.\n\n")
+    return note + table(["input"] + predicates, rows)
+
+
+def tiers(shares):
+    names = list(shares["classes"][0]["predicates"]["edge_test"]["tiers"])
+    rows = []
+    for entry in shares["classes"]:
+        for predicate, counts in entry["predicates"].items():
+            rows.append([entry["name"], predicate]
+                        + [percent(counts["tiers"][n], counts["questions"]) for n in names])
+    return table(["input", "predicate"] + names, rows)
+
+
+def whole(runs):
+    rows = []
+    for run in runs:
+        base = sorted(run["kernels"]["filtered"]["milliseconds"])
+        middle = base[len(base) // 2]
+        for kernel in ("double", "filtered", "exact"):
+            entry, found = run["kernels"][kernel], run["kernels"][kernel]["outcome"]
+            spent = sorted(entry["milliseconds"])
+            verdict = "certified" if found.get("certified") else "refused: " + ", ".join(
+                f"{n} {kind}" for kind, n in found.get("findings", {}).items())
+            if not found["complete"]:
+                verdict = f"not complete ({found['reason']}); " + verdict
+            rows.append([run["name"], kernel, f"{short(spent[len(spent) // 2])} ms",
+                         f"{short(spent[0])} - {short(spent[-1])}",
+                         f"{short(spent[len(spent) // 2] / middle)}x", str(found.get("sites", "-")), verdict])
+    return ("The square in swirl:12 at 20 degrees, Voronoi arcs. Each kernel meshes with its own answers; the auditor,"
+            " exact and sharing no code with the mesher, judges what comes out.\n\n"
+            + table(["domain", "kernel", "median", "range", "/ filtered", "sites", "auditor"], rows))

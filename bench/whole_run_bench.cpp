@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+//
+// The main job on three kernels side by side: the square with ten random points in swirl:12, 20
+// degrees, Voronoi arcs; and domains whose symmetry makes ties, or nearly. The mesh each kernel
+// ends with is judged by the auditor, which trusts none of them. Rounds alternate between the
+// kernels. JSON on standard output. Argument: rounds (5).
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "asterism/kernels/double_kernel.hpp"
+#include "asterism/kernels/exact_kernel.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/audit.hpp"
+#include "asterism/mesh/domain_check.hpp"
+#include "asterism/mesh/domain_sources.hpp"
+#include "asterism/mesh/metric_field.hpp"
+#include "asterism/mesh/refinement.hpp"
+
+namespace asterism::bench {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+struct job {
+  std::string name;
+  domain shape;
+  std::unique_ptr<metric_field> field;
+  refinement_options options;
+};
+
+// n x n points inside the square, turned by `angle`: of a grid's squares every four corners are a
+// tie, and after rounding a turned grid's are nearly one.
+void add_grid(domain& shape, int n, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double x = (2.0 * i / (n - 1) - 1) * 0.625, y = (2.0 * j / (n - 1) - 1) * 0.625;
+      shape.vertices.push_back({c * x - s * y, s * x + c * y});
+    }
+}
+
+result<job> make_job(std::string name, const domain& given, std::string_view metric,
+                     std::size_t random_points, std::uint64_t seed) {
+  const auto checked = check_domain(given);
+  if (!checked) return checked.failure();
+  auto shape = add_random_points(checked.value(), random_points, seed);
+  if (!shape) return shape.failure();
+  auto field = make_metric_field(metric, shape.value().box());
+  if (!field) return field.failure();
+  refinement_options options;
+  options.angle_bound = 20;
+  options.max_sites = 3000;
+  options.seed = seed;
+  return job{std::move(name), std::move(shape).value(), std::move(field).value(), options};
+}
+
+json judge(const job& j, const refinement_outcome& outcome) {
+  audit_options options;
+  options.angle_bound = j.options.angle_bound;
+  options.original = &j.shape;
+  for (const exempt_corner& corner : outcome.exempt)
+    options.exempt_corners.push_back(corner.vertex);
+  const audit_report report = audit(outcome.result, options);
+  json findings = json::object();
+  for (std::size_t k = 0; k < finding_kind_count; ++k)
+    if (report.found[k] > 0) findings[std::string(finding_kind_names[k])] = report.found[k];
+  return {{"complete", outcome.complete},
+          {"reason", outcome.reason},
+          {"sites", outcome.sites},
+          {"triangles", outcome.triangles},
+          {"disagreeing", outcome.disagreeing},
+          {"certified", report.certified},
+          {"findings", findings}};
+}
+
+template <class Kernel>
+void run(const job& j, json& into) {
+  const Kernel kernel;
+  const auto start = std::chrono::steady_clock::now();
+  const auto outcome = refine_on(star_kernel_on(kernel), j.shape, *j.field, j.options, {});
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  into["milliseconds"].push_back(taken.count());
+  if (into.contains("outcome")) return;
+  if (outcome)
+    into["outcome"] = judge(j, outcome.value());
+  else
+    into["outcome"] = {{"complete", false}, {"reason", outcome.failure().message}};
+}
+
+json run_job(const job& j, int rounds) {
+  json result = {{"name", j.name}};
+  for (int round = 0; round < rounds; ++round) {
+    run<double_kernel>(j, result["kernels"]["double"]);
+    run<filtered_kernel>(j, result["kernels"]["filtered"]);
+    // Exact arithmetic takes long; once is enough beside the others' spread.
+    if (round == 0) run<exact_kernel>(j, result["kernels"]["exact"]);
+  }
+  return result;
+}
+
+int run_all(int rounds) {
+  json all = json::array();
+  bool good = true;
+  const auto add = [&](const std::string& name, const domain& given, std::string_view metric,
+                       std::size_t points, std::uint64_t seed) {
+    const auto j = make_job(name, given, metric, points, seed);
+    good = good && j.ok();
+    if (j)
+      all.push_back(run_job(j.value(), rounds));
+    else
+      std::cerr << "whole_run_bench: " << j.failure().message << '\n';
+  };
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    add("swirl:12, ten random points, seed " + std::to_string(seed), square(), "swirl:12", 10,
+        seed);
+  add("swirl:12, no point given", square(), "swirl:12", 0, 1);
+  domain grid = square(), turned = square();
+  add_grid(grid, 6, 0);
+  add_grid(turned, 6, 0.1);
+  add("swirl:12, 6 x 6 grid given", grid, "swirl:12", 0, 1);
+  add("identity, 6 x 6 grid given", grid, "identity", 0, 1);
+  add("identity, 6 x 6 grid given, turned by 0.1", turned, "identity", 0, 1);
+  std::cout << all.dump(1) << '\n';
+  return good && std::cout.good() ? 0 : 1;
+}
+
+}  // namespace
+
+}  // namespace asterism::bench
+
+int main(int argc, char** argv) {
+  const int rounds = argc > 1 ? std::clamp(std::atoi(argv[1]), 1, 1000) : 5;
+  return asterism::bench::run_all(rounds);
+}

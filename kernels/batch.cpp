@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/kernels/batch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+#include "asterism/kernels/batch_first_pass.hpp"
+
+namespace asterism {
+
+namespace {
+
+bool same_length(std::size_t rows, const point_columns& p) {
+  return p.x.size() == rows && p.y.size() == rows;
+}
+
+bool same_length(std::size_t rows, const site_columns& s) {
+  return same_length(rows, point_columns{s.x, s.y}) && s.m11.size() == rows &&
+         s.m12.size() == rows && s.m22.size() == rows;
+}
+
+site row(const site_columns& s, std::size_t k) {
+  return {{s.x[k], s.y[k]}, {s.m11[k], s.m12[k], s.m22[k]}};
+}
+
+point row(const point_columns& p, std::size_t k) { return {p.x[k], p.y[k]}; }
+
+// first(begin, end, answers) decides what it can; ask(k) answers a row that it leaves.
+template <class First, class Ask>
+void run(std::span<signed char> answers, std::uint64_t& decided_at_once, const First& first,
+         const Ask& ask) {
+  first(answers.data());
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    if (answers[k] != batch::undecided) continue;
+    answers[k] = static_cast<signed char>(ask(k));
+    ++left;
+  }
+  decided_at_once += answers.size() - left;
+}
+
+}  // namespace
+
+batch_status batch_kernel::compare_distance(const site_columns& v, const site_columns& w,
+                                            const point_columns& q,
+                                            std::span<signed char> answers) const {
+  const std::size_t rows = answers.size();
+  if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, q))
+    return batch_status::length_mismatch;
+  run(
+      answers, first_pass_.at(predicate::compare_distance, tier::semi_static),
+      [&](signed char* first) { batch::compare_distance(v, w, q, rows, first); },
+      [&](std::size_t k) {
+        return to_int(row_by_row_.compare_distance(row(v, k), row(w, k), row(q, k)));
+      });
+  return batch_status::ok;
+}
+
+batch_status batch_kernel::in_wedge(const site_columns& v, const site_columns& w,
+                                    const point_columns& q, std::span<signed char> answers) const {
+  const std::size_t rows = answers.size();
+  if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, q))
+    return batch_status::length_mismatch;
+  run(
+      answers, first_pass_.at(predicate::in_wedge, tier::semi_static),
+      [&](signed char* first) { batch::in_wedge(v, w, q, rows, first); },
+      [&](std::size_t k) { return row_by_row_.in_wedge(row(v, k), row(w, k), row(q, k)); });
+  return batch_status::ok;
+}
+
+batch_status batch_kernel::dominates(const site_columns& v, const site_columns& w,
+                                     const point_columns& p, std::span<signed char> answers) const {
+  const std::size_t rows = answers.size();
+  if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, p))
+    return batch_status::length_mismatch;
+  run(
+      answers, first_pass_.at(predicate::dominates, tier::semi_static),
+      [&](signed char* first) { batch::dominates(v, w, p, rows, first); },
+      [&](std::size_t k) {
+        return to_int(row_by_row_.dominates(row(v, k), row(w, k), row(p, k)));
+      });
+  return batch_status::ok;
+}
+
+batch_status batch_kernel::edge_test(const site_columns& v, const site_columns& w,
+                                     const site_columns& x, const site_columns& y,
+                                     std::span<signed char> answers) const {
+  const std::size_t rows = answers.size();
+  if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, x) ||
+      !same_length(rows, y))
+    return batch_status::length_mismatch;
+  run(
+      answers, first_pass_.at(predicate::edge_test, tier::semi_static),
+      [&](signed char* first) { batch::edge_test(v, w, x, y, rows, first); },
+      [&](std::size_t k) {
+        return row_by_row_.edge_test(row(v, k), row(w, k), row(x, k), row(y, k));
+      });
+  return batch_status::ok;
+}
+
+tier_counters batch_kernel::counters() const {
+  tier_counters all = first_pass_;
+  return all += row_by_row_.counters();
+}
+
+void batch_kernel::reset_counters() {
+  first_pass_ = {};
+  row_by_row_.reset_counters();
+}
+
+}  // namespace asterism

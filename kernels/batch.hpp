@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Many questions in one call: structure of arrays, one column a number, question k in row k of
+// every column. The semi-static tier runs over all rows at once, several to a vector register; the
+// rows it leaves undecided are asked of a filtered_kernel.
+//
+// Answers, into a column of signed char: those of filtered_kernel, -1, 0 or 1 for a sign, 0 or 1
+// for yes and no; always the same as row by row, whatever vectors the processor has.
+// Errors: batch_status::length_mismatch when two columns, or the answers, differ in length; nothing
+// is written then. No row is a valid batch. The columns of one call may overlap each other, but not
+// the answers.
+// Input, floating-point environment, state: as for filtered_kernel; use one object a thread.
+#pragma once
+
+#include <span>
+
+#include "asterism/kernels/filtered_kernel.hpp"
+
+namespace asterism {
+
+struct point_columns {
+  std::span<const double> x, y;
+};
+
+struct site_columns {
+  std::span<const double> x, y, m11, m12, m22;
+};
+
+enum class [[nodiscard]] batch_status{ok, length_mismatch};
+
+class batch_kernel {
+ public:
+  batch_status compare_distance(const site_columns& v, const site_columns& w,
+                                const point_columns& q, std::span<signed char> answers) const;
+  batch_status in_wedge(const site_columns& v, const site_columns& w, const point_columns& q,
+                        std::span<signed char> answers) const;
+  batch_status dominates(const site_columns& v, const site_columns& w, const point_columns& p,
+                         std::span<signed char> answers) const;
+  // The first pass decides rows of four equal metrics; the others are filtered_kernel's.
+  batch_status edge_test(const site_columns& v, const site_columns& w, const site_columns& x,
+                         const site_columns& y, std::span<signed char> answers) const;
+
+  tier_counters counters() const;
+  void reset_counters();
+
+ private:
+  filtered_kernel row_by_row_;
+  mutable tier_counters first_pass_;
+};
+
+}  // namespace asterism

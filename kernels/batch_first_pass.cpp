@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/kernels/batch_first_pass.hpp"
+
+#include <bit>
+#include <cstdint>
+
+#include "asterism/kernels/semi_static_filter.hpp"
+
+// The same body for every instruction set: inlined into functions that differ in their target.
+#define ASTERISM_INLINE [[gnu::always_inline]] inline
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define ASTERISM_HAS_VECTOR_TARGETS 1
+#else
+#define ASTERISM_HAS_VECTOR_TARGETS 0
+#endif
+
+namespace asterism::batch {
+
+namespace {
+
+using semi_static::bound_factor;
+using vector = displacement<double>;
+
+// What decide() of the semi-static tier says, as numbers of 64 bits: a vector of comparisons has
+// the width of what was compared.
+using number = std::int64_t;
+
+struct verdict {
+  number positive, negative;  // 1 when certain
+};
+
+ASTERISM_INLINE verdict decide(double value, double magnitude, double factor) {
+  const double bound = factor * magnitude + semi_static::smallest_decided;
+  return {value > bound, value < -bound};
+}
+
+ASTERISM_INLINE double absolute(double x) { return std::abs(x); }
+
+// The helpers of core/ and of the semi-static tier again, for the compiler must inline them.
+ASTERISM_INLINE double length(const metric_tensor& m, const vector& u) {
+  const double mixed = m.m12 * (u.x * u.y);
+  return m.m11 * (u.x * u.x) + m.m22 * (u.y * u.y) + (mixed + mixed);
+}
+ASTERISM_INLINE double length_magnitude(const metric_tensor& m, const vector& u) {
+  return 2 * (m.m11 * (u.x * u.x) + m.m22 * (u.y * u.y));
+}
+ASTERISM_INLINE number harmless(const metric_tensor& m) {
+  return m.m11 + m.m22 <= semi_static::largest_operand;
+}
+ASTERISM_INLINE number harmless(const vector& u) {
+  return u.x * u.x + u.y * u.y <= semi_static::largest_operand * semi_static::largest_operand;
+}
+ASTERISM_INLINE vector to(const point& a, const point& b) { return {b.x - a.x, b.y - a.y}; }
+
+ASTERISM_INLINE site row(const site_columns& s, std::size_t k) {
+  return {{s.x[k], s.y[k]}, {s.m11[k], s.m12[k], s.m22[k]}};
+}
+ASTERISM_INLINE point row(const point_columns& p, std::size_t k) { return {p.x[k], p.y[k]}; }
+
+// 1, -1, or undecided; `usable` is 0 where the bound does not hold.
+ASTERISM_INLINE number sign_answer(const verdict& s, number usable) {
+  return undecided - usable * (s.positive + 3 * s.negative);
+}
+// 1, 0, or undecided.
+ASTERISM_INLINE number truth_answer(number yes, number no, number usable) {
+  return undecided - usable * (yes + 2 * no);
+}
+
+ASTERISM_INLINE number compare_distance_row(const site& v, const site& w, const point& q) {
+  const vector from_v = to(v.position, q), from_w = to(w.position, q);
+  const number usable =
+      harmless(v.metric) & harmless(w.metric) & harmless(from_v) & harmless(from_w);
+  return sign_answer(decide(length(v.metric, from_v) - length(w.metric, from_w),
+                            length_magnitude(v.metric, from_v) + length_magnitude(w.metric, from_w),
+                            bound_factor(semi_static::compare_distance_depth)),
+                     usable);
+}
+
+ASTERISM_INLINE verdict wedge(const metric_tensor& m, const vector& u, const vector& d) {
+  const double value = u.x * (m.m11 * d.x + m.m12 * d.y) + u.y * (m.m12 * d.x + m.m22 * d.y);
+  const double magnitude =
+      (absolute(u.x) + absolute(u.y)) * ((absolute(d.x) + absolute(d.y)) * (m.m11 + m.m22));
+  return decide(value, magnitude, bound_factor(semi_static::wedge_depth));
+}
+
+ASTERISM_INLINE number in_wedge_row(const site& v, const site& w, const point& q) {
+  const vector d = to(v.position, w.position), from_v = to(v.position, q),
+               from_w = to(w.position, q);
+  const number usable =
+      harmless(v.metric) & harmless(w.metric) & harmless(from_v) & harmless(from_w) & harmless(d);
+  const verdict at_v = wedge(v.metric, from_v, d), at_w = wedge(w.metric, from_w, {-d.x, -d.y});
+  return truth_answer(at_v.positive & at_w.positive, at_v.negative | at_w.negative, usable);
+}
+
+ASTERISM_INLINE double choose(number first, double a, double b) { return first != 0 ? a : b; }
+ASTERISM_INLINE metric_tensor choose(number first, const metric_tensor& a, const metric_tensor& b) {
+  return {choose(first, a.m11, b.m11), choose(first, a.m12, b.m12), choose(first, a.m22, b.m22)};
+}
+
+ASTERISM_INLINE number dominates_row(const site& v, const site& w, const point& p) {
+  const vector d = to(v.position, w.position), from_v = to(v.position, p),
+               from_w = to(w.position, p);
+  const number usable =
+      harmless(v.metric) & harmless(w.metric) & harmless(from_v) & harmless(from_w) & harmless(d);
+  const double of_v = length(v.metric, from_v), of_w = length(w.metric, from_w);
+  const verdict nearer =
+      decide(of_v - of_w, length_magnitude(v.metric, from_v) + length_magnitude(w.metric, from_w),
+             bound_factor(semi_static::compare_distance_depth));
+  // d is v to w or w to v, which no squared length tells apart.
+  const metric_tensor near = choose(nearer.negative, v.metric, w.metric),
+                      far = choose(nearer.negative, w.metric, v.metric);
+  const vector u = {choose(nearer.negative, from_v.x, from_w.x),
+                    choose(nearer.negative, from_v.y, from_w.y)};
+  const double seen_near = length(near, u), seen_far = length(far, u), apart = length(far, d);
+  const double magnitude =
+      length_magnitude(near, u) + length_magnitude(far, u) + length_magnitude(far, d);
+  const verdict room =
+      decide((seen_near - seen_far) + apart, magnitude, bound_factor(semi_static::steepness_depth));
+  return sign_answer({nearer.negative & room.positive, nearer.positive & room.positive}, usable);
+}
+
+ASTERISM_INLINE verdict side(const vector& a, const vector& b) {
+  const double left = a.x * b.y, right = a.y * b.x;
+  return decide(left - right, absolute(left) + absolute(right),
+                bound_factor(semi_static::orientation_depth));
+}
+
+// Equal bit for bit, whatever the processor is told of subnormal numbers.
+ASTERISM_INLINE number same_metric(const metric_tensor& a, const metric_tensor& b) {
+  const auto difference = [](double x, double y) __attribute__((always_inline)) {
+    return std::bit_cast<number>(x) ^ std::bit_cast<number>(y);
+  };
+  return (difference(a.m11, b.m11) | difference(a.m12, b.m12) | difference(a.m22, b.m22)) == 0;
+}
+
+ASTERISM_INLINE verdict in_circle(const metric_tensor& m, const vector& a, const vector& b,
+                                  const vector& c) {
+  const double bxcy = b.x * c.y, bycx = b.y * c.x, cxay = c.x * a.y, cyax = c.y * a.x,
+               axby = a.x * b.y, aybx = a.y * b.x;
+  const double value =
+      length(m, a) * (bxcy - bycx) + length(m, b) * (cxay - cyax) + length(m, c) * (axby - aybx);
+  const double magnitude = length_magnitude(m, a) * (absolute(bxcy) + absolute(bycx)) +
+                           length_magnitude(m, b) * (absolute(cxay) + absolute(cyax)) +
+                           length_magnitude(m, c) * (absolute(axby) + absolute(aybx));
+  return decide(value, magnitude, bound_factor(semi_static::in_circle_depth));
+}
+
+ASTERISM_INLINE number edge_test_row(const site& v, const site& w, const site& x, const site& y) {
+  const vector d = to(v.position, w.position), to_x = to(v.position, x.position),
+               to_y = to(v.position, y.position), from_v = to(y.position, v.position),
+               from_w = to(y.position, w.position), from_x = to(y.position, x.position);
+  const number usable = same_metric(v.metric, w.metric) & same_metric(v.metric, x.metric) &
+                        same_metric(v.metric, y.metric) & harmless(v.metric) & harmless(d) &
+                        harmless(to_x) & harmless(to_y) & harmless(from_w) & harmless(from_x);
+  const verdict of_x = side(d, to_x), of_y = side(d, to_y),
+                inside = in_circle(v.metric, from_v, from_w, from_x);
+  const number same = (of_x.positive & of_y.positive) | (of_x.negative & of_y.negative);
+  const number apart = (of_x.positive & of_y.negative) | (of_x.negative & of_y.positive);
+  const number blocked = (inside.positive & of_x.positive) | (inside.negative & of_x.negative);
+  const number clear = (inside.positive & of_x.negative) | (inside.negative & of_x.positive);
+  return truth_answer(same | (apart & clear), apart & blocked, usable);
+}
+
+// Blocks of rows side by side as the instruction set allows. Within a block every number has 64
+// bits, or compilers would fill a vector with answers of 8 bits and ask for 32 rows. Contraction is
+// off, so every instruction set computes the same numbers.
+template <class Row>
+ASTERISM_INLINE void loop(std::size_t rows, signed char* answers, const Row& ask) {
+  constexpr std::size_t block = 8;
+  std::size_t k = 0;
+  for (; k + block <= rows; k += block) {
+    number wide[block];
+    for (std::size_t j = 0; j < block; ++j) wide[j] = ask(k + j);
+    for (std::size_t j = 0; j < block; ++j) answers[k + j] = static_cast<signed char>(wide[j]);
+  }
+  for (; k < rows; ++k) answers[k] = static_cast<signed char>(ask(k));
+}
+
+#if ASTERISM_HAS_VECTOR_TARGETS
+template <class Row>
+[[gnu::target("avx512f,avx512dq,avx512vl")]] void loop_avx512(std::size_t rows,
+                                                              signed char* answers,
+                                                              const Row& ask) {
+  loop(rows, answers, ask);
+}
+template <class Row>
+[[gnu::target("avx2")]] void loop_avx2(std::size_t rows, signed char* answers, const Row& ask) {
+  loop(rows, answers, ask);
+}
+#endif
+
+template <class Row>
+void over_rows(std::size_t rows, signed char* answers, const Row& ask) {
+#if ASTERISM_HAS_VECTOR_TARGETS
+  if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return loop_avx512(rows, answers, ask);
+  if (__builtin_cpu_supports("avx2")) return loop_avx2(rows, answers, ask);
+#endif
+  loop(rows, answers, ask);
+}
+
+struct compare_distance_rows {
+  const site_columns &v, &w;
+  const point_columns& q;
+  [[gnu::always_inline]] number operator()(std::size_t k) const {
+    return compare_distance_row(row(v, k), row(w, k), row(q, k));
+  }
+};
+struct in_wedge_rows {
+  const site_columns &v, &w;
+  const point_columns& q;
+  [[gnu::always_inline]] number operator()(std::size_t k) const {
+    return in_wedge_row(row(v, k), row(w, k), row(q, k));
+  }
+};
+struct dominates_rows {
+  const site_columns &v, &w;
+  const point_columns& p;
+  [[gnu::always_inline]] number operator()(std::size_t k) const {
+    return dominates_row(row(v, k), row(w, k), row(p, k));
+  }
+};
+struct edge_test_rows {
+  const site_columns &v, &w, &x, &y;
+  [[gnu::always_inline]] number operator()(std::size_t k) const {
+    return edge_test_row(row(v, k), row(w, k), row(x, k), row(y, k));
+  }
+};
+
+}  // namespace
+
+void compare_distance(const site_columns& v, const site_columns& w, const point_columns& q,
+                      std::size_t rows, signed char* answers) {
+  over_rows(rows, answers, compare_distance_rows{v, w, q});
+}
+
+void in_wedge(const site_columns& v, const site_columns& w, const point_columns& q,
+              std::size_t rows, signed char* answers) {
+  over_rows(rows, answers, in_wedge_rows{v, w, q});
+}
+
+void dominates(const site_columns& v, const site_columns& w, const point_columns& p,
+               std::size_t rows, signed char* answers) {
+  over_rows(rows, answers, dominates_rows{v, w, p});
+}
+
+void edge_test(const site_columns& v, const site_columns& w, const site_columns& x,
+               const site_columns& y, std::size_t rows, signed char* answers) {
+  over_rows(rows, answers, edge_test_rows{v, w, x, y});
+}
+
+}  // namespace asterism::batch
