@@ -14,3 +14,12 @@ target_link_libraries(write_sample PRIVATE asterism)
 add_test(NAME "io: files read back by meshio"
          COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/io/read_with_meshio.py
                  $<TARGET_FILE:write_sample>)
+
+find_program(ASTERISM_FREEFEM FreeFem++-nw)
+if(ASTERISM_FREEFEM)
+  add_test(NAME "io: files read back by FreeFEM"
+           COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/io/read_with_freefem.py
+                   $<TARGET_FILE:write_sample> ${ASTERISM_FREEFEM})
+else()
+  message(STATUS "FreeFem++-nw (Debian: freefem++) not found: its read-back test is left out")
+endif()
