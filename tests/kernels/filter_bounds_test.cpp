@@ -2,8 +2,8 @@
 //
 // Recomputes the constants of the semi-static tier by running the predicates' own formulas on a
 // number that counts roundings, and holds the tier against exact arithmetic where it is tight.
-#include <catch2/catch.hpp>
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
 
@@ -53,9 +53,9 @@ TEST_CASE("the depths of the semi-static bounds are those of the formulas", "[fi
   CHECK(compare_distance_value(s, s, p).depth <= semi_static::compare_distance_depth);
   CHECK(wedge_value(s, p, p).depth <= semi_static::wedge_depth);
   CHECK(in_circle_value(counted_metric{}, p, p, p, p).depth <= semi_static::in_circle_depth);
-  const rounding_count steepness = (squared_length(s.metric, between(p, p)) -
-                                    squared_length(s.metric, between(p, p))) +
-                                   squared_length(s.metric, between(p, p));
+  const rounding_count steepness =
+      (squared_length(s.metric, between(p, p)) - squared_length(s.metric, between(p, p))) +
+      squared_length(s.metric, between(p, p));
   CHECK(steepness.depth <= semi_static::steepness_depth);
 }
 
