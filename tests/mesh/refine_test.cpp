@@ -109,7 +109,8 @@ TEST_CASE("a corner below the bound is exempt, named and certified as such") {
 }
 
 TEST_CASE("a square whose corners are all exempt is refined nevertheless") {
-  // At K = 24 the corners measure 16.3 degrees: both triangles of the bare square touch exempt ones.
+  // At K = 24 the corners measure 16.3 degrees: both triangles of the bare square touch exempt
+  // ones.
   const refinement_outcome made = mesh_of(square(), swirl_field(24), with_bound(20));
   CHECK(made.complete);
   CHECK(made.triangles > 100);
