@@ -32,10 +32,12 @@ class Ratio:
 
 
 def short(x):
-    """Three significant digits, no exponent."""
+    """Three significant digits, two of small numbers, no exponent."""
     if x >= 100:
         return f"{x:.0f}"
-    return f"{x:.1f}" if x >= 10 else f"{x:.2f}"
+    if x >= 0.1:
+        return f"{x:.1f}" if x >= 10 else f"{x:.2f}"
+    return f"{x:.4f}"
 
 
 def duration(nanoseconds):

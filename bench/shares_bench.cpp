@@ -5,6 +5,7 @@
 // a question is measured as well, the median of interleaved rounds. JSON on standard output.
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -123,16 +124,20 @@ json count_by_closeness() {
   return result;
 }
 
-}  // namespace
-
-}  // namespace asterism::bench
-
-int main() {
-  using namespace asterism::bench;
+int run_all() {
   json result;
   for (const named_class& c : input_classes)
     result["classes"].push_back({{"name", c.name}, {"predicates", count_class(c.which)}});
   result["closeness"] = count_by_closeness();
   std::cout << result.dump(1) << '\n';
   return std::cout.good() ? 0 : 1;
+}
+
+}  // namespace
+
+}  // namespace asterism::bench
+
+int main() try { return asterism::bench::run_all(); } catch (const std::exception& failure) {
+  std::cerr << "shares_bench: " << failure.what() << '\n';
+  return 1;
 }

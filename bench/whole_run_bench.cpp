@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -134,7 +135,10 @@ int run_all(int rounds) {
 
 }  // namespace asterism::bench
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const int rounds = argc > 1 ? std::clamp(std::atoi(argv[1]), 1, 1000) : 5;
   return asterism::bench::run_all(rounds);
+} catch (const std::exception& failure) {
+  std::cerr << "whole_run_bench: " << failure.what() << '\n';
+  return 1;
 }
