@@ -56,7 +56,7 @@ inline uncertain_sign decide(double value, double magnitude, double factor) {
 inline uncertain_sign orientation(const point& p, const point& q, const point& r) {
   const auto a = between(p, q), b = between(p, r);
   const double left = a.x * b.y, right = a.y * b.x;
-  if (!(std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y) <= largest_operand))
+  if (!(std::abs(a.x) + std::abs(a.y) + (std::abs(b.x) + std::abs(b.y)) <= largest_operand))
     return {};
   return decide(left - right, std::abs(left) + std::abs(right), bound_factor(orientation_depth));
 }
@@ -67,14 +67,14 @@ inline double length_magnitude(const metric_tensor& m, const displacement<double
   return 2 * (m.m11 * (u.x * u.x) + m.m22 * (u.y * u.y));
 }
 
-inline bool harmless(const metric_tensor& m) { return m.m11 + m.m22 <= largest_operand; }
-inline bool harmless(const displacement<double>& u) {
-  return u.x * u.x + u.y * u.y <= largest_operand * largest_operand;
-}
+// Operands in range: sums, so that one comparison serves several.
+inline double extent(const metric_tensor& m) { return m.m11 + m.m22; }
+inline double extent(const displacement<double>& u) { return std::abs(u.x) + std::abs(u.y); }
+inline bool in_range(double sum_of_extents) { return sum_of_extents <= largest_operand; }
 
 inline uncertain_sign compare_distance(const site& v, const site& w, const point& q) {
   const auto from_v = between(v.position, q), from_w = between(w.position, q);
-  if (!(harmless(v.metric) && harmless(w.metric) && harmless(from_v) && harmless(from_w)))
+  if (!in_range((extent(v.metric) + extent(w.metric)) + (extent(from_v) + extent(from_w))))
     return {};
   return decide(squared_length(v.metric, from_v) - squared_length(w.metric, from_w),
                 length_magnitude(v.metric, from_v) + length_magnitude(w.metric, from_w),
@@ -83,44 +83,62 @@ inline uncertain_sign compare_distance(const site& v, const site& w, const point
 
 // |u^T M d| <= (|ux| + |uy|) (|dx| + |dy|) (m11 + m22), term by term, since |m12| is below the mean
 // of m11 and m22.
-inline uncertain_sign wedge(const metric_tensor& m, const displacement<double>& u,
-                            const displacement<double>& d) {
-  const double magnitude =
-      (std::abs(u.x) + std::abs(u.y)) * ((std::abs(d.x) + std::abs(d.y)) * (m.m11 + m.m22));
-  return decide(dot(u, apply(m, d)), magnitude, bound_factor(wedge_depth));
+inline double inner_magnitude(const metric_tensor& m, const displacement<double>& u,
+                              const displacement<double>& d) {
+  return extent(u) * (extent(d) * extent(m));
 }
 
 inline uncertain_bool in_wedge(const site& v, const site& w, const point& q) {
   const auto d = between(v.position, w.position);
   const auto from_v = between(v.position, q), from_w = between(w.position, q);
-  if (!(harmless(v.metric) && harmless(w.metric) && harmless(from_v) && harmless(from_w) &&
-        harmless(d)))
+  if (!in_range((extent(v.metric) + extent(w.metric)) +
+                ((extent(from_v) + extent(from_w)) + extent(d))))
     return {};
-  return is_positive(wedge(v.metric, from_v, d)) & is_positive(wedge(w.metric, from_w, -d));
+  constexpr double factor = bound_factor(wedge_depth);
+  const double seen_from_v = dot(from_v, apply(v.metric, d)),
+               seen_from_w = -dot(from_w, apply(w.metric, d));
+  return is_positive(decide(seen_from_v, inner_magnitude(v.metric, from_v, d), factor)) &
+         is_positive(decide(seen_from_w, inner_magnitude(w.metric, from_w, d), factor));
 }
 
-// Decides the usual case: the nearer site dominates because its view cannot be crossed twice
-// (A + C >= 0, predicates/domination.hpp). Anything else is undecided.
+// Does the view of `near` to a point at u from it, known to be nearer to it than to `far`,
+// certainly not cross the bisector twice? Three sufficient conditions (predicates/domination.hpp):
+// A + C > 0, H < 0, A + H > 0.
+inline bool crossed_less_than_twice(const site& near, const site& far,
+                                    const displacement<double>& u, const displacement<double>& d) {
+  constexpr double factor = bound_factor(steepness_depth);
+  const double a = squared_length(near.metric, u) - squared_length(far.metric, u);
+  const double lengths = length_magnitude(near.metric, u) + length_magnitude(far.metric, u);
+  if (decide(a + squared_length(far.metric, d), lengths + length_magnitude(far.metric, d), factor)
+          .certainly(sign::positive))
+    return true;
+  const double h = dot(u, apply(far.metric, d)), mixed = inner_magnitude(far.metric, u, d);
+  return decide(h, mixed, bound_factor(wedge_depth)).certainly(sign::negative) ||
+         decide(a + h, lengths + mixed, factor).certainly(sign::positive);
+}
+
+// Decides where the nearer site's view is crossed less than twice; it dominates then, unless a
+// tangency, which none of the conditions allows, counts one point.
 inline uncertain_sign dominates(const site& v, const site& w, const point& p) {
-  const uncertain_sign nearer = compare_distance(v, w, p);
+  const auto d = between(v.position, w.position);
+  const auto from_v = between(v.position, p), from_w = between(w.position, p);
+  if (!in_range((extent(v.metric) + extent(w.metric)) +
+                ((extent(from_v) + extent(from_w)) + extent(d))))
+    return {};
+  const uncertain_sign nearer =
+      decide(squared_length(v.metric, from_v) - squared_length(w.metric, from_w),
+             length_magnitude(v.metric, from_v) + length_magnitude(w.metric, from_w),
+             bound_factor(compare_distance_depth));
   if (!nearer.certain()) return {};
-  const bool first = nearer.value() == sign::negative;
-  const site &near = first ? v : w, &far = first ? w : v;
-  const auto u = between(near.position, p), d = between(near.position, far.position);
-  if (!harmless(d)) return {};
-  const double seen_near = squared_length(near.metric, u), seen_far = squared_length(far.metric, u),
-               apart = squared_length(far.metric, d);
-  const double magnitude = length_magnitude(near.metric, u) + length_magnitude(far.metric, u) +
-                           length_magnitude(far.metric, d);
-  const uncertain_sign room =
-      decide((seen_near - seen_far) + apart, magnitude, bound_factor(steepness_depth));
-  return room.certainly(sign::positive) ? uncertain_sign(-nearer.value()) : uncertain_sign();
+  const bool decided = nearer.value() == sign::negative ? crossed_less_than_twice(v, w, from_v, d)
+                                                        : crossed_less_than_twice(w, v, from_w, -d);
+  return decided ? uncertain_sign(-nearer.value()) : uncertain_sign();
 }
 
 inline uncertain_sign in_circle(const metric_tensor& m, const point& v, const point& w,
                                 const point& x, const point& y) {
   const auto a = between(y, v), b = between(y, w), c = between(y, x);
-  if (!(harmless(m) && harmless(a) && harmless(b) && harmless(c))) return {};
+  if (!in_range(extent(m) + ((extent(a) + extent(b)) + extent(c)))) return {};
   const double bxcy = b.x * c.y, bycx = b.y * c.x, cxay = c.x * a.y, cyax = c.y * a.x,
                axby = a.x * b.y, aybx = a.y * b.x;
   const double value = squared_length(m, a) * (bxcy - bycx) + squared_length(m, b) * (cxay - cyax) +

@@ -57,6 +57,10 @@ TEST_CASE("the depths of the semi-static bounds are those of the formulas", "[fi
       (squared_length(s.metric, between(p, p)) - squared_length(s.metric, between(p, p))) +
       squared_length(s.metric, between(p, p));
   CHECK(steepness.depth <= semi_static::steepness_depth);
+  const rounding_count slope =
+      (squared_length(s.metric, between(p, p)) - squared_length(s.metric, between(p, p))) +
+      wedge_value(s, p, p);
+  CHECK(slope.depth <= semi_static::steepness_depth);
 }
 
 TEST_CASE("the factors cover the depths with room for the computed magnitude", "[filter]") {
