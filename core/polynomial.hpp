@@ -5,6 +5,7 @@
 // coefficients of a default polynomial are those of a default number: unspecified for intervals.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -42,7 +43,7 @@ polynomial<Number, N> operator*(const Number& factor, const polynomial<Number, N
 
 template <class Number, std::size_t N, std::size_t M>
 auto operator+(const polynomial<Number, N>& p, const polynomial<Number, M>& q) {
-  polynomial<Number, (N > M ? N : M)> sum;
+  polynomial<Number, std::max(N, M)> sum;
   sum.coefficient.fill(Number(0));
   for (std::size_t i = 0; i <= N; ++i) sum.coefficient[i] = p.coefficient[i];
   for (std::size_t i = 0; i <= M; ++i) sum.coefficient[i] = sum.coefficient[i] + q.coefficient[i];
@@ -51,7 +52,7 @@ auto operator+(const polynomial<Number, N>& p, const polynomial<Number, M>& q) {
 
 template <class Number, std::size_t N, std::size_t M>
 auto operator-(const polynomial<Number, N>& p, const polynomial<Number, M>& q) {
-  polynomial<Number, (N > M ? N : M)> difference;
+  polynomial<Number, std::max(N, M)> difference;
   difference.coefficient.fill(Number(0));
   for (std::size_t i = 0; i <= N; ++i) difference.coefficient[i] = p.coefficient[i];
   for (std::size_t i = 0; i <= M; ++i)
