@@ -192,8 +192,13 @@ class Eval(command.CommandTest):
         self.assertLess(len(done.stdout), 200)
 
     def test_each_answer_comes_before_the_next_question(self):
-        master, slave = pty.openpty()
-        for end in (subprocess.PIPE, slave):
+        ends = [subprocess.PIPE]
+        try:
+            master, slave = pty.openpty()
+            ends.append(slave)
+        except OSError:  # a machine without terminals to give; the pipe is tested all the same
+            slave = None
+        for end in ends:
             asked = subprocess.Popen([command.PROGRAM, "eval"], stdin=end, stdout=subprocess.PIPE)
             write = os.dup(master) if end is slave else asked.stdin.fileno()
             for record, answer in KNOWN[:3]:
