@@ -14,33 +14,12 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/parse_number.hpp"
 #include "asterism/mesh/metric_field_expression.hpp"
+#include "asterism/mesh/metric_field_layered.hpp"
+#include "asterism/mesh/metric_field_sized.hpp"
 
 namespace asterism {
 
 namespace {
-
-// Divides by size^2 and lets no tensor pass that no metric is.
-class sized_field : public metric_field {
- public:
-  explicit sized_field(double size) : size_squared_(size * size) {}
-
-  result<metric_tensor> at(const point& q) const final {
-    const auto raw = unsized(q);
-    if (!raw.ok()) return raw.failure();
-    const metric_tensor m{raw.value().m11 / size_squared_, raw.value().m12 / size_squared_,
-                          raw.value().m22 / size_squared_};
-    const bool finite = std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
-    if (finite && filtered_kernel().is_positive_definite(m)) return m;
-    return error{fmt::format(
-        "the metric at ({:.17g}, {:.17g}) is not {}: m11 = {:.17g}, m12 = {:.17g}, m22 = {:.17g}",
-        q.x, q.y, finite ? "positive definite" : "finite", m.m11, m.m12, m.m22)};
-  }
-
- private:
-  virtual result<metric_tensor> unsized(const point& q) const = 0;
-
-  double size_squared_;
-};
 
 class identity_field : public sized_field {
  public:
@@ -56,12 +35,12 @@ class identity_field : public sized_field {
 class rotating_field : public sized_field {
  public:
   enum class kind { swirl, sink };
-  rotating_field(double size, kind k, double strength, const point& centre, double radius)
-      : sized_field(size), kind_(k), strength_(strength), centre_(centre), radius_(radius) {}
+  rotating_field(double size, kind k, double strength, const field_frame& frame)
+      : sized_field(size), kind_(k), strength_(strength), frame_(frame) {}
 
  private:
   result<metric_tensor> unsized(const point& q) const override {
-    const point p{(q.x - centre_.x) / radius_, (q.y - centre_.y) / radius_};
+    const point p = frame_.local(q);
     const point u = kind_ == kind::swirl ? p : point{-p.y, p.x};
     return metric_tensor{1 + strength_ * (u.x * u.x), strength_ * (u.x * u.y),
                          1 + strength_ * (u.y * u.y)};
@@ -69,8 +48,7 @@ class rotating_field : public sized_field {
 
   kind kind_;
   double strength_;
-  point centre_;
-  double radius_;
+  field_frame frame_;
 };
 
 class expression_field : public sized_field {
@@ -95,12 +73,6 @@ class expression_field : public sized_field {
   mutable std::mutex mutex_;
 };
 
-using made_field = result<std::unique_ptr<metric_field>>;
-
-error bad_metric(std::string_view specification, const std::string& what) {
-  return {"metric '" + std::string(specification) + "': " + what};
-}
-
 made_field make_rotating(std::string_view specification, rotating_field::kind kind,
                          std::optional<std::string_view> parameter, const bounding_box& box,
                          double size) {
@@ -112,12 +84,9 @@ made_field make_rotating(std::string_view specification, rotating_field::kind ki
       return bad_metric(specification, "K must not be negative, not " + std::string(*parameter));
     strength = value.value();
   }
-  // Halves first: the extent of the box may overflow.
-  const point centre{box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2};
-  const double radius = std::max(box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2);
-  if (!(radius > 0) || !std::isfinite(radius) || !std::isfinite(centre.x + centre.y))
-    return bad_metric(specification, "the domain has no extent to scale it to");
-  return made_field(std::make_unique<rotating_field>(size, kind, strength, centre, radius));
+  const auto frame = frame_in_the_middle(box);
+  if (!frame) return bad_metric(specification, "the domain has no extent to scale it to");
+  return made_field(std::make_unique<rotating_field>(size, kind, strength, *frame));
 }
 
 made_field make_expression(std::string_view specification, std::string_view text, double size) {
@@ -142,7 +111,47 @@ made_field make_expression(std::string_view specification, std::string_view text
                                             std::move(entries[2])}));
 }
 
+bool has_extent(double half_unit, const point& origin) {
+  return half_unit > 0 && std::isfinite(half_unit) && std::isfinite(origin.x + origin.y);
+}
+
+double half_of_longer_side(const bounding_box& box) {
+  return std::max(box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2);
+}
+
 }  // namespace
+
+result<metric_tensor> checked_tensor(const point& q, const metric_tensor& m) {
+  const bool finite = std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
+  if (finite && filtered_kernel().is_positive_definite(m)) return m;
+  return error{fmt::format(
+      "the metric at ({:.17g}, {:.17g}) is not {}: m11 = {:.17g}, m12 = {:.17g}, m22 = {:.17g}",
+      q.x, q.y, finite ? "positive definite" : "finite", m.m11, m.m12, m.m22)};
+}
+
+result<metric_tensor> sized_field::at(const point& q) const {
+  const auto raw = unsized(q);
+  if (!raw.ok()) return raw.failure();
+  const metric_tensor& m = raw.value();
+  return checked_tensor(q, {m.m11 / size_squared_, m.m12 / size_squared_, m.m22 / size_squared_});
+}
+
+error bad_metric(std::string_view specification, const std::string& what) {
+  return {"metric '" + std::string(specification) + "': " + what};
+}
+
+std::optional<field_frame> frame_in_the_middle(const bounding_box& box) {
+  const point centre{box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2};
+  const field_frame frame{centre, half_of_longer_side(box) / 2};
+  if (!has_extent(frame.half_unit, frame.origin)) return std::nullopt;
+  return frame;
+}
+
+std::optional<field_frame> frame_at_the_corner(const bounding_box& box) {
+  const field_frame frame{box.low, half_of_longer_side(box)};
+  if (!has_extent(frame.half_unit, frame.origin)) return std::nullopt;
+  return frame;
+}
 
 result<std::unique_ptr<metric_field>> make_metric_field(std::string_view specification,
                                                         const bounding_box& box, double size) {
@@ -162,8 +171,11 @@ result<std::unique_ptr<metric_field>> make_metric_field(std::string_view specifi
   if (name == "sink")
     return make_rotating(specification, rotating_field::kind::sink, parameter, box, size);
   if (name == "expr") return make_expression(specification, parameter.value_or(""), size);
+  if (auto layered = make_layered_field(specification, name, parameter, box, size))
+    return std::move(*layered);
   return bad_metric(specification,
-                    "unknown; there are identity, swirl[:K], sink[:K] and expr:M11;M12;M22");
+                    "unknown; there are identity, swirl[:K], sink[:K], layer[:H0,H1], shock[:A], "
+                    "linear, polar-1, polar-2, circle-1 and expr:M11;M12;M22");
 }
 
 }  // namespace asterism

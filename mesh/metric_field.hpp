@@ -21,8 +21,9 @@ class metric_field {
   virtual result<metric_tensor> at(const point& q) const = 0;
 };
 
-// `specification` is what --metric takes: identity, swirl[:K], sink[:K] or expr:M11;M12;M22.
-// `box` is that of the domain: swirl and sink are centred on it and scaled by half its longer side.
+// `specification` is what --metric takes: identity, swirl[:K], sink[:K], layer[:H0,H1], shock[:A],
+// linear, polar-1, polar-2, circle-1 or expr:M11;M12;M22; docs/manual/metrics.md has the formulas.
+// `box` is that of the domain: all but the first and the last are placed in it and scaled to it.
 // `size` divides the metric by size^2, so that an edge of length `size` measured in the field as
 // given gets metric length 1; it must be positive and finite.
 result<std::unique_ptr<metric_field>> make_metric_field(std::string_view specification,

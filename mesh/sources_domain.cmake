@@ -23,5 +23,6 @@ target_sources(asterism PRIVATE
   io/write_mesh.cpp
   metric_angle.cpp
   metric_field.cpp
-  metric_field_expression.cpp)
+  metric_field_expression.cpp
+  metric_field_layered.cpp)
 target_link_libraries(asterism PRIVATE fmt::fmt muparser::muparser PkgConfig::cairo)

@@ -75,6 +75,12 @@ class Mesh(command.CommandTest):
             sites.append(int(done.stdout.split()[0]))
         self.assertGreater(sites[1], 4 * sites[0])
 
+    def test_fields_given_by_lengths(self):
+        for metric in ("layer:0.02,0.2", "shock:5", "linear"):
+            done = self.run_command("mesh", "square", "--metric", metric, "--size", "1", "-o", "m.mesh")
+            self.assertEqual(done.returncode, 0, metric + done.stderr)
+            self.assertRegex(done.stdout, SUMMARY)
+
     def test_progress_needs_a_terminal(self):
         self.assertNotIn("\r", self.make().stderr)
 

@@ -127,3 +127,72 @@ TEST_CASE("an expression field may be asked from several threads") {
   for (std::thread& t : threads) t.join();
   REQUIRE(wrong == std::vector<int>(4, 0));
 }
+
+TEST_CASE("layers are flat along the lower side of the box and grow upwards") {
+  const bounding_box box{{2, -1}, {4, 1}};
+  REQUIRE(value("layer:0.25,0.5", {2, -1}, box) == metric_tensor{4, 0, 16});
+  REQUIRE(value("layer:0.25,0.5", {3.3, 1}, box) == metric_tensor{4, 0, 4});
+  REQUIRE(value("layer:0.5,1", {3, 0}, box).m22 == 1 / (0.75 * 0.75));
+  REQUIRE(value("layer", {2, 0.1}, box) == value("layer:0.001,1e-1", {2, 0.1}, box));
+  REQUIRE(value("layer:0.25,0.5", {2, -1}, box, 2) == metric_tensor{1, 0, 4});
+}
+
+TEST_CASE("the curved shock is thin on its curve and round away from it") {
+  const metric_tensor on = value("shock:10", {0, 0});  // normal (-1, 1) / sqrt 2, slope 1
+  REQUIRE(on.m11 == Approx(50.5));
+  REQUIRE(on.m12 == Approx(-49.5));
+  REQUIRE(on.m22 == Approx(50.5));
+  const metric_tensor away = value("shock", {0, 0.99});
+  REQUIRE(away.m11 == Approx(1).epsilon(1e-5));
+  REQUIRE(away.m12 == Approx(0).margin(1e-5));
+  REQUIRE(value("shock", {0.1, 0.2}) == value("shock:50", {0.1, 0.2}));
+}
+
+TEST_CASE("the benchmarks have their published values on the unit square") {
+  const bounding_box square{{0, 0}, {1, 1}};
+  const auto inverse_square = [](double h) { return Approx(1 / (h * h)); };
+  REQUIRE(value("linear", {0.3, 0.5}, square).m22 == inverse_square(0.001));
+  REQUIRE(value("linear", {0.3, 1}, square).m22 == inverse_square(0.1));
+  REQUIRE(value("linear", {0.3, 0.25}, square).m22 == inverse_square(0.0505));
+  REQUIRE(value("linear", {0.9, 0.25}, square).m11 == inverse_square(0.1));
+
+  REQUIRE(value("polar-1", {0.5, 0}, square).m11 == inverse_square(0.001));
+  REQUIRE(value("polar-1", {0.5, 0}, square).m22 == inverse_square(0.1));
+  REQUIRE(value("polar-1", {0, 0}, square) == value("polar-2", {0, 0}, square));
+  REQUIRE(value("polar-1", {0, 0}, square).m11 == inverse_square(0.1));
+  REQUIRE(value("polar-1", {0, 0.8}, square).m22 == inverse_square(0.001 + 0.198 * 0.3));
+  // On the diagonal both entries are the mean of the eigenvalues.
+  const metric_tensor diagonal = value("polar-1", {0.3, 0.3}, square);
+  const double r = std::sqrt(0.18), across = 1 / std::pow(0.001 + 0.198 * (0.5 - r), 2);
+  REQUIRE(diagonal.m11 == Approx((across + 100) / 2));
+  REQUIRE(diagonal.m12 == Approx((across - 100) / 2));
+
+  REQUIRE(value("polar-2", {0, 0.5}, square).m11 == inverse_square(0.025));
+  REQUIRE(value("polar-2", {0, 0.55}, square).m11 == inverse_square(0.0625));
+  REQUIRE(value("polar-2", {0, 0.6}, square).m11 == inverse_square(0.1));
+  REQUIRE(value("polar-2", {0.45, 0}, square).m22 == inverse_square(0.0625));
+
+  REQUIRE(value("circle-1", {0.5, 0.5}, square).m11 == inverse_square(0.0005));
+  REQUIRE(value("circle-1", {0.5, 0.5}, square).m22 == inverse_square(0.1));
+  REQUIRE(value("circle-1", {0, 0.5}, square).m11 == inverse_square(0.7505));
+  REQUIRE(value("circle-1", {0, 0.5}, square).m22 == inverse_square(0.8));
+}
+
+TEST_CASE("the benchmarks scale with the box") {
+  // Twice the square: lengths are twice as long, tensors a quarter.
+  REQUIRE(value("linear", {-0.4, 0}).m22 == Approx(250000));
+  REQUIRE(value("polar-1", {0, -1}).m11 == Approx(250000));
+  REQUIRE(value("circle-1", {0, 0}, unit_box, 0.5).m11 == Approx(4000000));
+}
+
+TEST_CASE("layered fields with bad parameters are refused with the reason") {
+  REQUIRE_THAT(refusal("layer:0.1"), Catch::Contains("two lengths are wanted, H0,H1"));
+  REQUIRE_THAT(refusal("layer:0,1"), Catch::Contains("H0 must be positive, not 0"));
+  REQUIRE_THAT(refusal("layer:0.1,much"), Catch::Contains("H1: 'much' is not a number"));
+  REQUIRE_THAT(refusal("layer:0.1,1,2"), Catch::Contains("H1: '1,2' is not a number"));
+  REQUIRE_THAT(refusal("shock:-3"), Catch::Contains("A must be positive, not -3"));
+  REQUIRE_THAT(refusal("linear:2"), Catch::Contains("linear takes no parameter"));
+  REQUIRE_FALSE(make_metric_field("polar-1", {{1, 1}, {1, 1}}).ok());
+  // A tensor beyond the range of doubles is told when it is met.
+  REQUIRE_FALSE(make_metric_field("layer:1e-200,1", unit_box).value()->at({0, -1}).ok());
+}
