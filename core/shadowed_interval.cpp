@@ -49,13 +49,14 @@ dyadic_range square_root(const dyadic& x) {
   constexpr long bits = 800;
   long shift = std::max(0L, bits - (x.magnitude() - x.exponent()));
   if ((x.exponent() - shift) % 2 != 0) ++shift;
-  dyadic::integer radicand = x.mantissa(), root, rest;
-  radicand <<= static_cast<unsigned long>(shift);
-  mpz_sqrtrem(root.backend().data(), rest.backend().data(), radicand.backend().data());
+  integer radicand = x.mantissa();
+  radicand.shift_up(static_cast<unsigned long>(shift));
+  bool exact = false;
+  const integer root = square_root(radicand, exact);
   const long exponent = (x.exponent() - shift) / 2;
   const dyadic low(root, exponent);
-  if (rest.is_zero()) return exactly(low);
-  return {low, dyadic(root + 1, exponent), false};
+  if (exact) return exactly(low);
+  return {low, low + dyadic(1).scaled(exponent), false};
 }
 
 // Of x, or of 0 where it is negative.

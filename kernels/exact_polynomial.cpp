@@ -31,11 +31,15 @@ dense_polynomial dense_polynomial::derivative() const {
 
 void dense_polynomial::make_primitive() {
   if (is_zero()) return;
-  dyadic::integer content = 0;
+  // Of the odd parts; the powers of two are dealt with below.
+  integer content;
   for (dyadic& c : coefficients_) {
     c.shorten();
-    if (!c.is_zero()) content = gcd(content, c.mantissa());
+    if (c.is_zero()) continue;
+    content = content.is_zero() ? c.mantissa()
+                                : greatest_common_divisor_of_odd(content, c.mantissa());
   }
+  if (content.sign_value() == sign::negative) content.negate();
   long shift = 0;
   bool first = true;
   for (const dyadic& c : coefficients_) {
@@ -44,7 +48,7 @@ void dense_polynomial::make_primitive() {
     first = false;
   }
   for (dyadic& c : coefficients_)
-    if (!c.is_zero()) c = dyadic(c.mantissa() / content, c.exponent() - shift);
+    if (!c.is_zero()) c = dyadic(exact_quotient(c.mantissa(), content), c.exponent() - shift);
 }
 
 dense_polynomial remainder(dense_polynomial a, const dense_polynomial& b) {

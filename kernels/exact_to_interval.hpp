@@ -4,7 +4,8 @@
 // else one unit in the last place wide, or wider beyond the exponents of normal doubles.
 #pragma once
 
-#include <cmath>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include "asterism/core/dyadic.hpp"
@@ -14,24 +15,32 @@ namespace asterism {
 
 inline interval enclose(const dyadic& x) {
   if (x.is_zero()) return interval(0);
-  long exponent = 0;
-  // Truncated towards zero, half <= |fraction| < 1.
-  const double fraction = mpz_get_d_2exp(&exponent, x.mantissa().backend().data());
-  exponent += x.exponent();
+  constexpr int double_bits = 53, limb_bits = 64;
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool negative = x.sign_value() == sign::negative;
+  const auto between = [negative](double near, double away) {
+    return negative ? interval(-away, -near) : interval(near, away);
+  };
+  // 2^(exponent - 1) <= |x| < 2^exponent
+  const long exponent = x.magnitude();
   constexpr long largest = 1000;
-  if (exponent > largest)
-    return fraction > 0 ? interval(0x1p999, infinity) : interval(-infinity, -0x1p999);
-  if (exponent < -largest) return fraction > 0 ? interval(0, 0x1p-999) : interval(-0x1p-999, 0);
-  const int shift = static_cast<int>(exponent);
-  const double near_zero = std::ldexp(fraction, shift);
-  constexpr long double_bits = 53;
-  const auto* mantissa = x.mantissa().backend().data();
+  if (exponent > largest) return between(0x1p999, infinity);
+  if (exponent < -largest) return between(0, 0x1p-999);
+  const auto limbs = x.mantissa().limbs();
+  const int zeros = std::countl_zero(limbs.back());
+  std::uint64_t leading = limbs.back() << zeros;
+  if (zeros > 0 && limbs.size() > 1) leading |= limbs[limbs.size() - 2] >> (limb_bits - zeros);
+  // The leading bits as the fraction of a normal double; the next double has the next pattern.
+  constexpr long bias = 1022;
+  constexpr std::uint64_t fraction_mask = (std::uint64_t{1} << (double_bits - 1)) - 1;
+  const std::uint64_t pattern =
+      (static_cast<std::uint64_t>(exponent + bias) << (double_bits - 1)) |
+      ((leading >> (limb_bits - double_bits)) & fraction_mask);
+  const double near_zero = std::bit_cast<double>(pattern);
   const long bits =
-      static_cast<long>(mpz_sizeinbase(mantissa, 2)) - static_cast<long>(mpz_scan1(mantissa, 0));
-  if (bits <= double_bits) return interval(near_zero);
-  const double away = std::ldexp(fraction + (fraction > 0 ? 0x1p-53 : -0x1p-53), shift);
-  return fraction > 0 ? interval(near_zero, away) : interval(away, near_zero);
+      x.mantissa().bit_length() - static_cast<long>(x.mantissa().trailing_zeros());
+  return between(near_zero,
+                 bits <= double_bits ? near_zero : std::bit_cast<double>(pattern + 1));
 }
 
 // Used by arc_search for exact coefficients with interval signs.

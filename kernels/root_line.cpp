@@ -10,10 +10,8 @@ namespace {
 // The largest multiple of 2^exponent that is not above x.
 dyadic round_down(const dyadic& x, long exponent) {
   if (x.exponent() >= exponent || x.is_zero()) return x;
-  dyadic::integer quotient = x.mantissa();
-  // An arithmetic shift: floors negative numbers too.
-  mpz_fdiv_q_2exp(quotient.backend().data(), quotient.backend().data(),
-                  static_cast<mp_bitcnt_t>(exponent - x.exponent()));
+  integer quotient = x.mantissa();
+  quotient.shift_down(static_cast<unsigned long>(exponent - x.exponent()));
   return {std::move(quotient), exponent};
 }
 

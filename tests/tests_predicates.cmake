@@ -1,7 +1,7 @@
 find_package(CGAL REQUIRED)
 # Looks inside the kernels, so it links what their headers include.
 asterism_predicates_test(core_test
-  SOURCES core/numbers_test.cpp kernels/exact_roots_test.cpp
+  SOURCES core/numbers_test.cpp core/integer_test.cpp kernels/exact_roots_test.cpp
   LINK CGAL::CGAL gmp)
 target_compile_options(core_test PRIVATE -frounding-math)
 asterism_predicates_test(kernels_test

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/core/integer.hpp"
+
+#include <cassert>
+
+namespace asterism {
+
+namespace {
+
+mp_size_t signed_size(std::size_t limbs) { return static_cast<mp_size_t>(limbs); }
+// mpn functions take unsigned long, which std::uint64_t is here.
+static_assert(std::is_same_v<mp_limb_t, integer::limb>);
+
+}  // namespace
+
+integer::limb* integer::room_on_heap(std::size_t limbs) {
+  if (heap_ != nullptr && limbs <= capacity_) return heap_;
+  const std::size_t wanted = limbs + limbs / 2;
+  limb* larger = new limb[wanted];
+  delete[] heap_;
+  heap_ = larger;
+  capacity_ = wanted;
+  return heap_;
+}
+
+void integer::set_long_product(const integer& a, const integer& b) {
+  const integer& longer = a.size_ >= b.size_ ? a : b;
+  const integer& shorter = a.size_ >= b.size_ ? b : a;
+  const std::size_t n = longer.size_, m = shorter.size_;
+  if (m == 0) {
+    size_ = 0;
+    return;
+  }
+  limb* to = room_for(n + m);
+  const limb top = m == 1 ? to[n] = mpn_mul_1(to, longer.data(), signed_size(n), shorter.data()[0])
+                          : mpn_mul(to, longer.data(), signed_size(n), shorter.data(),
+                                    signed_size(m));
+  size_ = n + m - (top == 0);
+}
+
+void integer::set_long_sum(const integer& a, unsigned long shift, const integer& b,
+                           bool subtract) {
+  const bool negate_b = b.negative_ != subtract;
+  const std::size_t whole = a.size_ == 0 ? 0 : shift / limb_bits;
+  const auto part = static_cast<unsigned>(shift % limb_bits);
+  std::size_t n = a.size_ + whole;
+  const std::size_t m = b.size_;
+  limb* to = room_for(std::max(n + 1, m) + 1);
+  std::fill(to, to + whole, limb{0});
+  if (part == 0 || a.size_ == 0) {
+    std::copy(a.data(), a.data() + a.size_, to + whole);
+  } else {
+    to[n] = mpn_lshift(to + whole, a.data(), signed_size(a.size_), part);
+    n += to[n] != 0;
+  }
+  // |a| 2^shift stands in n limbs of `to`.
+  if (m == 0) {
+    negative_ = a.negative_;
+    size_ = n;
+    return;
+  }
+  if (n == 0) {
+    std::copy(b.data(), b.data() + m, to);
+    negative_ = negate_b;
+    size_ = m;
+    return;
+  }
+  const limb* other = b.data();
+  if (a.negative_ == negate_b) {
+    const std::size_t most = std::max(n, m);
+    to[most] = n >= m ? mpn_add(to, to, signed_size(n), other, signed_size(m))
+                      : mpn_add(to, other, signed_size(m), to, signed_size(n));
+    negative_ = negate_b;
+    size_ = most + (to[most] != 0);
+    return;
+  }
+  const bool left_is_less =
+      n != m ? n < m : mpn_cmp(to, other, signed_size(n)) < 0;
+  if (left_is_less)
+    mpn_sub(to, other, signed_size(m), to, signed_size(n));
+  else
+    mpn_sub(to, to, signed_size(n), other, signed_size(m));
+  negative_ = left_is_less ? negate_b : a.negative_;
+  trim(std::max(n, m));
+}
+
+void integer::shift_up(unsigned long shift) {
+  integer result;
+  result.set_long_sum(*this, shift, integer(), false);
+  *this = std::move(result);
+}
+
+void integer::shift_down(unsigned long shift) {
+  if (size_ == 0) return;
+  // Of a negative number with bits to lose the magnitude grows to the next multiple.
+  const bool away = negative_ && trailing_zeros() < shift;
+  const std::size_t whole = shift / limb_bits;
+  const auto part = static_cast<unsigned>(shift % limb_bits);
+  const std::size_t left = whole < size_ ? size_ - whole : 0;
+  limb* at = data();
+  if (left > 0 && part != 0)
+    mpn_rshift(at, at + whole, signed_size(left), part);
+  else
+    std::copy(at + whole, at + whole + left, at);
+  trim(left);
+  if (!away) return;
+  integer result;
+  result.set_sum(*this, 0, integer(1), true);
+  if (size_ == 0) result = integer(-1);
+  *this = std::move(result);
+}
+
+integer exact_quotient(const integer& a, const integer& b) {
+  integer quotient;
+  if (a.size_ < b.size_) return quotient;  // 0
+  const std::size_t n = a.size_, m = b.size_;
+  integer rest;
+  integer::limb* to = quotient.room_for(n - m + 1);
+  mpn_tdiv_qr(to, rest.room_for(m), 0, a.data(), signed_size(n), b.data(), signed_size(m));
+  quotient.trim(n - m + 1);
+  quotient.negative_ = a.negative_ != b.negative_;
+  return quotient;
+}
+
+integer greatest_common_divisor_of_odd(const integer& a, const integer& b) {
+  assert(a.trailing_zeros() == 0 && b.trailing_zeros() == 0);
+  // Both are overwritten.
+  integer longer = a.bit_length() >= b.bit_length() ? a : b,
+          shorter = a.bit_length() >= b.bit_length() ? b : a;
+  integer divisor;
+  integer::limb* to = divisor.room_for(shorter.size_);
+  divisor.size_ = static_cast<std::size_t>(mpn_gcd(to, longer.data(), signed_size(longer.size_),
+                                                   shorter.data(), signed_size(shorter.size_)));
+  return divisor;
+}
+
+integer square_root(const integer& a, bool& exact) {
+  integer root, rest;
+  const std::size_t n = a.size_;
+  integer::limb* to = root.room_for((n + 1) / 2);
+  exact = mpn_sqrtrem(to, rest.room_for(n), a.data(), signed_size(n)) == 0;
+  root.trim((n + 1) / 2);
+  return root;
+}
+
+}  // namespace asterism
