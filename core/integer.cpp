@@ -32,14 +32,13 @@ void integer::set_long_product(const integer& a, const integer& b) {
     return;
   }
   limb* to = room_for(n + m);
-  const limb top = m == 1 ? to[n] = mpn_mul_1(to, longer.data(), signed_size(n), shorter.data()[0])
-                          : mpn_mul(to, longer.data(), signed_size(n), shorter.data(),
-                                    signed_size(m));
+  const limb top = m == 1
+                       ? to[n] = mpn_mul_1(to, longer.data(), signed_size(n), shorter.data()[0])
+                       : mpn_mul(to, longer.data(), signed_size(n), shorter.data(), signed_size(m));
   size_ = n + m - (top == 0);
 }
 
-void integer::set_long_sum(const integer& a, unsigned long shift, const integer& b,
-                           bool subtract) {
+void integer::set_long_sum(const integer& a, unsigned long shift, const integer& b, bool subtract) {
   const bool negate_b = b.negative_ != subtract;
   const std::size_t whole = a.size_ == 0 ? 0 : shift / limb_bits;
   const auto part = static_cast<unsigned>(shift % limb_bits);
@@ -74,8 +73,7 @@ void integer::set_long_sum(const integer& a, unsigned long shift, const integer&
     size_ = most + (to[most] != 0);
     return;
   }
-  const bool left_is_less =
-      n != m ? n < m : mpn_cmp(to, other, signed_size(n)) < 0;
+  const bool left_is_less = n != m ? n < m : mpn_cmp(to, other, signed_size(n)) < 0;
   if (left_is_less)
     mpn_sub(to, other, signed_size(m), to, signed_size(n));
   else

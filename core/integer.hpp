@@ -59,9 +59,8 @@ class integer {
   std::span<const limb> limbs() const { return {data(), size_}; }
   // b with 2^(b-1) <= |value| < 2^b; 0 for 0.
   long bit_length() const {
-    return size_ == 0
-               ? 0
-               : static_cast<long>(size_ * limb_bits) - std::countl_zero(data()[size_ - 1]);
+    return size_ == 0 ? 0
+                      : static_cast<long>(size_ * limb_bits) - std::countl_zero(data()[size_ - 1]);
   }
   // Requires a value that is not zero.
   unsigned long trailing_zeros() const {
@@ -86,10 +85,9 @@ class integer {
       const wide left = a.size_ == 0 ? 0 : wide{a.data()[0]} << shift,
                  right = b.size_ == 0 ? 0 : b.data()[0];
       const bool negate_b = b.negative_ != subtract;
-      const signed_wide sum = (a.negative_ ? -static_cast<signed_wide>(left)
-                                           : static_cast<signed_wide>(left)) +
-                              (negate_b ? -static_cast<signed_wide>(right)
-                                        : static_cast<signed_wide>(right));
+      const signed_wide sum =
+          (a.negative_ ? -static_cast<signed_wide>(left) : static_cast<signed_wide>(left)) +
+          (negate_b ? -static_cast<signed_wide>(right) : static_cast<signed_wide>(right));
       negative_ = sum < 0;
       set_magnitude(sum < 0 ? -static_cast<wide>(sum) : static_cast<wide>(sum));
       return;

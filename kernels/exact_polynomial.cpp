@@ -36,8 +36,8 @@ void dense_polynomial::make_primitive() {
   for (dyadic& c : coefficients_) {
     c.shorten();
     if (c.is_zero()) continue;
-    content = content.is_zero() ? c.mantissa()
-                                : greatest_common_divisor_of_odd(content, c.mantissa());
+    content =
+        content.is_zero() ? c.mantissa() : greatest_common_divisor_of_odd(content, c.mantissa());
   }
   if (content.sign_value() == sign::negative) content.negate();
   long shift = 0;

@@ -33,14 +33,11 @@ inline interval enclose(const dyadic& x) {
   // The leading bits as the fraction of a normal double; the next double has the next pattern.
   constexpr long bias = 1022;
   constexpr std::uint64_t fraction_mask = (std::uint64_t{1} << (double_bits - 1)) - 1;
-  const std::uint64_t pattern =
-      (static_cast<std::uint64_t>(exponent + bias) << (double_bits - 1)) |
-      ((leading >> (limb_bits - double_bits)) & fraction_mask);
+  const std::uint64_t pattern = (static_cast<std::uint64_t>(exponent + bias) << (double_bits - 1)) |
+                                ((leading >> (limb_bits - double_bits)) & fraction_mask);
   const double near_zero = std::bit_cast<double>(pattern);
-  const long bits =
-      x.mantissa().bit_length() - static_cast<long>(x.mantissa().trailing_zeros());
-  return between(near_zero,
-                 bits <= double_bits ? near_zero : std::bit_cast<double>(pattern + 1));
+  const long bits = x.mantissa().bit_length() - static_cast<long>(x.mantissa().trailing_zeros());
+  return between(near_zero, bits <= double_bits ? near_zero : std::bit_cast<double>(pattern + 1));
 }
 
 // Used by arc_search for exact coefficients with interval signs.
