@@ -9,7 +9,8 @@ namespace {
 
 struct ray {
   index end;
-  bool leaving;  // the piece leaves the vertex along this ray; otherwise it enters along it
+  // The piece leaves the vertex along this ray, or enters along it; both if it is internal.
+  bool leaving = false, entering = false;
 };
 
 bool in_upper_half(const point& v, const point& a) {
@@ -28,15 +29,15 @@ void sort_rays(std::vector<ray>& rays, const point& v, const std::vector<point>&
   });
 }
 
-// The inside follows each leaving ray counter-clockwise, up to the next ray, which must enter.
+// The inside follows each leaving ray counter-clockwise, up to the next ray, which must enter. A
+// single ray is its own next one.
 bool pair_rays(const std::vector<ray>& rays, std::vector<boundary_corner>& corners) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (!rays[i].leaving) continue;
     const ray& next = rays[(i + 1) % rays.size()];
-    if (next.leaving) return false;
-    corners.push_back({rays[i].end, next.end});
+    if (rays[i].leaving != next.entering) return false;
+    if (rays[i].leaving) corners.push_back({rays[i].end, next.end});
   }
-  return 2 * corners.size() == rays.size();
+  return true;
 }
 
 }  // namespace
@@ -44,11 +45,17 @@ bool pair_rays(const std::vector<ray>& rays, std::vector<boundary_corner>& corne
 result<boundary> boundary::build(const domain& d, const star_kernel& kernel) {
   boundary b;
   std::vector<std::vector<ray>> rays(d.vertices.size());
-  for (std::size_t s = 0; s < d.segments.size(); ++s) {
-    const segment& piece = d.segments[s];
-    b.pieces_.push_back({piece.a, piece.b, static_cast<index>(s), piece.marker});
-    rays[piece.a].push_back({piece.b, true});
-    rays[piece.b].push_back({piece.a, false});
+  for (std::size_t i = 0; i < d.segments.size(); ++i) {
+    const segment& s = d.segments[i];
+    const boundary_edge piece{s.a, s.b, static_cast<index>(i), s.marker, s.internal};
+    b.add_piece(piece, false);
+    rays[s.a].push_back({s.b, true, s.internal});
+    rays[s.b].push_back({s.a, s.internal, true});
+    if (!s.internal) continue;
+    b.add_piece({piece.b, piece.a, piece.segment, piece.marker, true}, true);
+    const std::size_t last = b.pieces_.size() - 1;
+    b.companions_[last - 1].twin = last;
+    b.companions_[last].twin = last - 1;
   }
   b.corners_.resize(d.vertices.size());
   for (std::size_t v = 0; v < rays.size(); ++v) {
@@ -58,6 +65,16 @@ result<boundary> boundary::build(const domain& d, const star_kernel& kernel) {
                    ": the segments at it do not separate inside from outside"};
   }
   return b;
+}
+
+void boundary::add_piece(const boundary_edge& piece, bool backward) {
+  companions_.push_back({pieces_.size(), backward});
+  pieces_.push_back(piece);
+}
+
+std::optional<std::size_t> boundary::twin(std::size_t piece) const {
+  if (!pieces_[piece].internal) return std::nullopt;
+  return companions_[piece].twin;
 }
 
 const std::vector<boundary_corner>& boundary::corners(index v) const {
@@ -73,19 +90,36 @@ bool boundary::is_piece(index a, index b) const {
 
 void boundary::split(std::size_t piece, index m) {
   const boundary_edge whole = pieces_[piece];
-  pieces_[piece].b = m;
-  pieces_.push_back({m, whole.b, whole.segment, whole.marker});
   if (corners_.size() <= m) corners_.resize(m + 1);
+  corners_[m] = {{whole.b, whole.a}};
+  const std::size_t second = pieces_.size();
+  split_one(piece, m);
+  if (!whole.internal) return;
+  // a -> b and b -> a became a -> m, m -> b and b -> m, m -> a.
+  const std::size_t back = companions_[piece].twin;
+  split_one(back, m);
+  corners_[m].push_back({whole.a, whole.b});
+  companions_[piece].twin = second + 1;
+  companions_[second + 1].twin = piece;
+  companions_[back].twin = second;
+  companions_[second].twin = back;
+}
+
+void boundary::split_one(std::size_t piece, index m) {
+  const boundary_edge whole = pieces_[piece];
+  pieces_[piece].b = m;
+  add_piece({m, whole.b, whole.segment, whole.marker, whole.internal}, companions_[piece].backward);
   for (boundary_corner& c : corners_[whole.a])
     if (c.first == whole.b) c.first = m;
   for (boundary_corner& c : corners_[whole.b])
     if (c.last == whole.a) c.last = m;
-  corners_[m] = {{whole.b, whole.a}};
 }
 
 std::vector<boundary_edge> boundary::in_order() const {
   std::vector<boundary_edge> ordered;
-  std::vector<boundary_edge> by_start(pieces_);
+  std::vector<boundary_edge> by_start;
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    if (!companions_[i].backward) by_start.push_back(pieces_[i]);
   std::sort(by_start.begin(), by_start.end(), [](const boundary_edge& p, const boundary_edge& q) {
     return p.segment != q.segment ? p.segment < q.segment : p.a < q.a;
   });
@@ -108,7 +142,7 @@ std::vector<boundary_edge> boundary::in_order() const {
 
 bool strictly_inside(const boundary& b, const std::vector<site>& sites, const star_kernel& kernel,
                      const point& q) {
-  bool inside = false;
+  bool inside = false;  // an internal piece is crossed twice
   for (const boundary_edge& piece : b.pieces()) {
     const point &p = sites[piece.a].position, &r = sites[piece.b].position;
     if (std::max(p.y, r.y) < q.y || std::min(p.y, r.y) > q.y) continue;

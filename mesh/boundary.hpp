@@ -2,11 +2,14 @@
 //
 // The boundary of the domain as it is now: the input segments, split into pieces.
 //
-// Pieces are directed with the domain on their left. Splitting keeps every earlier vertex; when a
-// split point is rounded off its segment, the split polygon is the domain from then on.
+// Pieces are directed with the domain on their left. A piece of an internal segment is two of them,
+// a -> b and b -> a, each the other's twin: the boundary of the domain slit open along it. Twins
+// are split together. Splitting keeps every earlier vertex; when a split point is rounded off its
+// segment, the split polygon is the domain from then on.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "asterism/core/result.hpp"
@@ -18,7 +21,8 @@
 namespace asterism {
 
 // One interior angle of the domain at a boundary vertex v, swept counter-clockwise from the ray
-// v -> first to the ray v -> last: the pieces v -> first and last -> v bound it.
+// v -> first to the ray v -> last: the pieces v -> first and last -> v bound it. At the free end of
+// an internal segment first and last are the same, and the corner is the full turn.
 struct boundary_corner {
   index first = 0, last = 0;
 };
@@ -27,28 +31,43 @@ class boundary {
  public:
   boundary() = default;
 
-  // `d` must have been accepted by check_domain; a vertex whose segments do not alternate between
-  // leaving and entering it is reported as an error all the same.
+  // `d` must have been accepted by check_domain; a vertex around which inside and outside do not
+  // alternate is reported as an error all the same.
   static result<boundary> build(const domain& d, const star_kernel& kernel);
 
+  // With both directions of internal pieces.
   const std::vector<boundary_edge>& pieces() const { return pieces_; }
-  // Empty for a site that is not on the boundary.
+  // Index of the same piece the other way; none unless it is internal.
+  std::optional<std::size_t> twin(std::size_t piece) const;
+  // Counter-clockwise. Empty for a site that is not on the boundary.
   const std::vector<boundary_corner>& corners(index v) const;
   bool is_piece(index a, index b) const;
 
-  // Replaces pieces()[piece] = a -> b by a -> m (same place) and m -> b (at the end). `m` is the
-  // index of a site not yet on the boundary.
+  // Replaces pieces()[piece] = a -> b by a -> m (same place) and m -> b (at the end), and likewise
+  // its twin, whose second part then is the last piece. `m` is the index of a site not yet on the
+  // boundary.
   void split(std::size_t piece, index m);
 
-  // The pieces segment by segment, each chain in the direction of its segment.
+  // The pieces segment by segment, each chain in the direction of its segment, internal ones once.
   std::vector<boundary_edge> in_order() const;
 
  private:
+  // Of each piece: where its twin is (itself if none), and whether it runs against its segment.
+  struct companion {
+    std::size_t twin = 0;
+    bool backward = false;
+  };
+
+  void add_piece(const boundary_edge& piece, bool backward);
+  void split_one(std::size_t piece, index m);
+
   std::vector<boundary_edge> pieces_;
+  std::vector<companion> companions_;
   std::vector<std::vector<boundary_corner>> corners_;  // by site
 };
 
-// Whether q lies strictly inside the split polygon; a point on it does not. Exact.
+// Whether q lies strictly inside the split polygon; a point on a piece, internal or not, does not.
+// Exact.
 bool strictly_inside(const boundary& b, const std::vector<site>& sites, const star_kernel& kernel,
                      const point& q);
 

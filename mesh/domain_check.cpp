@@ -6,9 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "asterism/mesh/domain_closure.hpp"
 #include "asterism/mesh/domain_faces.hpp"
 #include "asterism/mesh/domain_graph.hpp"
 #include "asterism/mesh/domain_names.hpp"
+#include "asterism/mesh/domain_parts.hpp"
 #include "asterism/mesh/domain_repair_tally.hpp"
 
 namespace asterism {
@@ -31,87 +33,51 @@ failure check_values(const domain& d) {
       return error{names.at_segment(s) + names.segment(s) + " uses a vertex that does not exist"};
   for (std::size_t h = 0; h < d.holes.size(); ++h)
     if (!is_finite(d.holes[h])) return error{names.at_hole(h) + names.hole(h) + " is not finite"};
+  for (std::size_t r = 0; r < d.regions.size(); ++r)
+    if (!is_finite(d.regions[r].at))
+      return error{names.at_region(r) + names.region(r) + " is not finite"};
   if (d.segments.empty())
     return error{names.at_start() + "the domain is empty: it has no segments"};
   return {};
 }
 
-failure check_closed(const domain& d, const plane_graph& graph) {
-  std::vector<std::size_t> degree(d.vertices.size(), 0);
-  for (const graph_edge& e : graph.edges) {
-    ++degree[e.a];
-    ++degree[e.b];
-  }
-  const domain_names names(d);
-  for (std::size_t v = 0; v < degree.size(); ++v) {
-    if (degree[v] != 1) continue;
-    for (const graph_edge& e : graph.edges)
-      if (e.a == v || e.b == v)
-        return error{names.at_segment(e.source) + "the boundary is not closed at " +
-                     names.vertex(v) + ", the end of " + names.segment(e.source) + " alone"};
-  }
-  return {};
-}
-
-// Which faces are removed: the outside, and those around hole points.
-result<std::vector<bool>> removed_faces(const domain& d, const plane_graph& graph,
-                                        const face_map& faces) {
-  const domain_names names(d);
-  std::vector<bool> removed(2 * graph.edges.size() + 1, false);
-  removed[face_map::outside] = true;
-  for (std::size_t h = 0; h < d.holes.size(); ++h) {
-    const std::size_t edge = faces.edge_through(d.holes[h]);
-    if (edge < graph.edges.size()) {
-      const std::size_t s = graph.edges[edge].source;
-      return error{names.at_hole(h) + names.hole(h) + " lies on " + names.segment(s) +
-                   names.line_of_segment(s)};
-    }
-    const std::size_t face = faces.face_around(d.holes[h]);
-    if (face == face_map::outside)
-      return error{names.at_hole(h) + names.hole(h) + " lies outside of the domain"};
-    removed[face] = true;
-  }
-  return removed;
-}
-
-// Turns the edges with the domain on one side so that it is on their left; drops those without.
-result<std::vector<graph_edge>> boundary_edges(const domain& d, const plane_graph& graph,
-                                               const face_map& faces,
-                                               const std::vector<bool>& removed,
-                                               domain_repairs& repairs) {
+// The edges of the boundary, turned so that the domain is on their left, and the internal ones; the
+// others are counted.
+std::vector<segment> kept_edges(const domain& d, const plane_graph& graph, const face_map& faces,
+                                const domain_parts& parts, domain_repairs& repairs) {
   const domain_names names(d);
   repair_tally outer(repairs.outer_pieces);
-  std::vector<graph_edge> kept;
+  std::vector<segment> kept;
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    graph_edge e = graph.edges[i];
-    const bool inside_left = !removed[faces.left_of(2 * i)];
-    const bool inside_right = !removed[faces.left_of(2 * i + 1)];
-    if (inside_left && inside_right)
-      return error{names.at_segment(e.source) + names.segment(e.source) +
-                   " lies inside the domain: internal segments are not supported yet (or a hole "
-                   "point is missing)"};
-    if (!inside_left && !inside_right) {
+    const graph_edge& e = graph.edges[i];
+    std::size_t left = faces.left_of(2 * i), right = faces.left_of(2 * i + 1);
+    if (parts.removed[left] && parts.removed[right]) {
       outer.add([&] { return names.at_segment(e.source); },
                 [&] { return names.segment(e.source); });
       continue;
     }
-    if (inside_right) std::swap(e.a, e.b);
-    kept.push_back(e);
+    segment s{e.a, e.b, e.marker};
+    if (parts.removed[left]) {
+      std::swap(s.a, s.b);
+      std::swap(left, right);
+    }
+    s.internal = !parts.removed[right];
+    s.left_region = parts.region[left];
+    if (s.internal) s.right_region = parts.region[right];
+    kept.push_back(s);
   }
   outer.report("segments outside of the domain dropped", repairs.messages);
-  if (kept.empty())
-    return error{names.at_start() + "the domain is empty: the holes leave nothing of it"};
   return kept;
 }
 
-// Vertices of the boundary, and loose ones inside, in their order; the rest is counted.
+// Vertices of the segments, and loose ones inside, in their order; the rest is counted.
 std::vector<bool> kept_vertices(const domain& d, const plane_graph& graph, const face_map& faces,
                                 const std::vector<bool>& removed,
-                                const std::vector<graph_edge>& boundary, domain_repairs& repairs) {
+                                const std::vector<segment>& segments, domain_repairs& repairs) {
   const domain_names names(d);
   std::vector<bool> kept(d.vertices.size(), false), on_segment(d.vertices.size(), false);
   for (const graph_edge& e : graph.edges) on_segment[e.a] = on_segment[e.b] = true;
-  for (const graph_edge& e : boundary) kept[e.a] = kept[e.b] = true;
+  for (const segment& s : segments) kept[s.a] = kept[s.b] = true;
   repair_tally dropped(repairs.dropped_vertices);
   for (std::size_t v = 0; v < kept.size(); ++v) {
     if (kept[v] || graph.first_alike[v] != v) continue;
@@ -123,19 +89,26 @@ std::vector<bool> kept_vertices(const domain& d, const plane_graph& graph, const
 }
 
 domain assemble(const domain& d, const std::vector<bool>& kept,
-                const std::vector<graph_edge>& boundary) {
+                const std::vector<segment>& segments) {
   domain accepted;
   accepted.name = d.name;
+  accepted.regions = d.regions;
+  accepted.number_all_regions = d.number_all_regions;
   std::vector<index> renumbered(d.vertices.size(), 0);
   for (std::size_t v = 0; v < kept.size(); ++v) {
     if (!kept[v]) continue;
     renumbered[v] = static_cast<index>(accepted.vertices.size());
     accepted.vertices.push_back(d.vertices[v]);
   }
-  for (const graph_edge& e : boundary)
-    accepted.segments.push_back({renumbered[e.a], renumbered[e.b], e.marker});
+  std::vector<graph_edge> edges;
+  for (segment s : segments) {
+    s.a = renumbered[s.a];
+    s.b = renumbered[s.b];
+    accepted.segments.push_back(s);
+    edges.push_back({s.a, s.b, edges.size(), s.marker});
+  }
   // A hole that shared a segment with the outside is a part of it now, and needs no point.
-  const face_map faces(d.vertices, boundary);
+  const face_map faces(accepted.vertices, edges);
   for (const point& hole : d.holes)
     if (faces.face_around(hole) != face_map::outside) accepted.holes.push_back(hole);
   return accepted;
@@ -150,15 +123,22 @@ result<domain> check_domain(const domain& input, domain_repairs* repairs) {
   if (auto failed = check_values(input)) return std::move(*failed);
   const auto graph = build_plane_graph(input, report);
   if (!graph.ok()) return graph.failure();
-  if (auto failed = check_closed(input, graph.value())) return std::move(*failed);
   const face_map faces(input.vertices, graph.value().edges);
-  const auto removed = removed_faces(input, graph.value(), faces);
-  if (!removed.ok()) return removed.failure();
-  const auto boundary = boundary_edges(input, graph.value(), faces, removed.value(), report);
-  if (!boundary.ok()) return boundary.failure();
-  return assemble(
-      input, kept_vertices(input, graph.value(), faces, removed.value(), boundary.value(), report),
-      boundary.value());
+  // First what is open towards the outside, or a hole or region point in it would be blamed.
+  std::vector<bool> outside(2 * graph.value().edges.size() + 1, false);
+  outside[face_map::outside] = true;
+  if (auto failed = check_closed(input, graph.value(), faces, outside)) return std::move(*failed);
+  const auto parts = find_parts(input, graph.value(), faces);
+  if (!parts.ok()) return parts.failure();
+  const std::vector<bool>& removed = parts.value().removed;
+  if (auto failed = check_closed(input, graph.value(), faces, removed)) return std::move(*failed);
+  const auto segments = kept_edges(input, graph.value(), faces, parts.value(), report);
+  if (segments.empty())
+    return error{
+        domain_names(input).at_start() + "the domain is empty: " +
+        (input.holes.empty() ? "its segments enclose nothing" : "the holes leave nothing of it")};
+  const auto kept = kept_vertices(input, graph.value(), faces, removed, segments, report);
+  return assemble(input, kept, segments);
 }
 
 }  // namespace asterism

@@ -9,19 +9,24 @@
 //  - a segment with vertices exactly on it is split there, so that segments which overlap share
 //    pieces; pieces that occur several times are kept once, with the first marker that is not 0;
 //  - the outside is removed from the plane, and so is every face with a hole point in it (faces of
-//    the arrangement, as Triangle does; not the even-odd rule); segments with the domain on neither
-//    side are dropped, the others are oriented with the domain on their left;
-//  - vertices on no segment are kept when strictly inside the domain, and dropped otherwise.
+//    the arrangement, as Triangle does; not the even-odd rule: a ring inside another one, with no
+//    hole point in it, divides the domain); segments with the domain on neither side are dropped,
+//    those with the domain on one side are oriented with the domain on their left, those with the
+//    domain on both are internal and keep their direction;
+//  - vertices on no segment are kept when strictly inside the domain, and dropped otherwise;
+//  - the faces that are left are given the numbers of the region points in them (domain.hpp).
 //
 // Refused, by name, in the numbers and lines of the file the domain came from:
 //  - coordinates that are not finite, segments whose vertices do not exist;
 //  - two segments that cross in a point inside both: the point is in general no double;
-//  - a vertex with exactly one segment: the boundary is not closed there;
-//  - a hole point on a segment, or outside;
-//  - a segment with the domain on both sides (not supported yet);
+//  - a chain of segments that ends alone in a hole or outside: a ring that is not closed. (A chain
+//    may end alone inside the domain. A segment that is traced there and back, as a ring with a
+//    spike does, ends nothing.)
+//  - a hole or region point on a segment or outside, a region point in a hole, two region points
+//    with different numbers in one face;
 //  - a domain of which nothing is left.
 //
-// Hole points whose hole has become one with the outside that way are dropped silently.
+// Hole points whose hole has become one with the outside are dropped silently.
 // A domain that was accepted once is accepted again, unchanged. Rings may touch in vertices and the
 // domain may fall into several parts. Time: O(n log n + n k) for n segments in k rings, holes and
 // loose vertices, plus the pairs of segments whose x ranges overlap.

@@ -17,7 +17,7 @@ bool contains(const domain& d, const point& q) {
     const bool between_y = std::min(a.y, b.y) <= q.y && q.y <= std::max(a.y, b.y);
     if (!between_y || std::max(a.x, b.x) < q.x) continue;
     // The ray from q towards greater x, moved up by an infinitesimal: it misses every vertex.
-    const bool spans = (a.y <= q.y) != (b.y <= q.y);
+    const bool spans = !s.internal && (a.y <= q.y) != (b.y <= q.y);
     if (std::min(a.x, b.x) > q.x) {
       inside ^= spans;
       continue;

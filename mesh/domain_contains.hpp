@@ -9,8 +9,8 @@
 namespace asterism {
 
 // `d` must have been accepted by check_domain: only then does the number of segments on the way to
-// infinity tell inside from outside. A point on a segment or vertex is not inside. `q` finite.
-// Time: O(number of segments).
+// infinity, internal ones apart, tell inside from outside. A point on a segment, internal or not,
+// or on a vertex of one is not inside. `q` finite. Time: O(number of segments).
 bool contains(const domain& d, const point& q);
 
 }  // namespace asterism

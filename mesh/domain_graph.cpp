@@ -113,6 +113,7 @@ std::vector<graph_edge> unite_pieces(const domain& d, const std::vector<graph_ed
       continue;
     }
     graph_edge& first = kept[at->second];
+    ++first.covered;
     if (first.marker == 0) first.marker = e.marker;
     repeated.add([&] { return names.at_segment(e.source); },
                  [&] {

@@ -17,7 +17,8 @@ namespace asterism {
 struct graph_edge {
   index a = 0, b = 0;
   std::size_t source = 0;
-  int marker = 0;  // the first of the covering segments' that is not 0
+  int marker = 0;           // the first of the covering segments' that is not 0
+  std::size_t covered = 1;  // by how many segments
 };
 
 struct plane_graph {

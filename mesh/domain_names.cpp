@@ -36,6 +36,11 @@ std::string domain_names::hole(std::size_t h) const {
                      coordinates(d_.holes[h]));
 }
 
+std::string domain_names::region(std::size_t r) const {
+  return fmt::format("region {} {}", static_cast<long long>(r) + d_.origin.first_number,
+                     coordinates(d_.regions[r].at));
+}
+
 std::string domain_names::at_vertex(std::size_t v) const {
   return place(d_.name, d_.origin.vertex_file, d_.origin.vertex_lines, v);
 }
@@ -46,6 +51,10 @@ std::string domain_names::at_segment(std::size_t s) const {
 
 std::string domain_names::at_hole(std::size_t h) const {
   return place(d_.name, d_.origin.file, d_.origin.hole_lines, h);
+}
+
+std::string domain_names::at_region(std::size_t r) const {
+  return place(d_.name, d_.origin.file, d_.origin.region_lines, r);
 }
 
 std::string domain_names::at_start() const { return place(d_.name, d_.origin.file, {}, 0); }

@@ -15,15 +15,18 @@ class domain_names {
  public:
   explicit domain_names(const domain& d) : d_(d) {}
 
-  // "vertex 5 (0.25, 1)", "segment 3 (vertices 5-6)", "hole 1 (0.5, 0)". Indices in range.
+  // "vertex 5 (0.25, 1)", "segment 3 (vertices 5-6)", "hole 1 (0.5, 0)", "region 2 (3, 3)".
+  // Indices in range.
   std::string vertex(std::size_t v) const;
   std::string segment(std::size_t s) const;
   std::string hole(std::size_t h) const;
+  std::string region(std::size_t r) const;
 
   // "file:line: ", or "name: " where no line is known: what a message starts with.
   std::string at_vertex(std::size_t v) const;
   std::string at_segment(std::size_t s) const;
   std::string at_hole(std::size_t h) const;
+  std::string at_region(std::size_t r) const;
   std::string at_start() const;
 
   // " on line 12", or nothing.

@@ -11,11 +11,13 @@
 
 namespace asterism {
 
-// A piece of the split boundary; the domain lies to the left of a -> b.
+// A piece of a split segment; the domain lies to the left of a -> b, and on the right too when the
+// segment is internal.
 struct boundary_edge {
   index a = 0, b = 0;
   index segment = 0;  // index into domain::segments of the segment it is a piece of
   int marker = 0;
+  bool internal = false;
 };
 
 using triangle = std::array<index, 3>;  // counter-clockwise
@@ -26,6 +28,10 @@ struct mesh {
   std::vector<site> sites;
   index given = 0;
   std::vector<triangle> triangles;
+  // Of each triangle; empty: all are in region 1. 0 is also the number of a triangle which no
+  // others join to a segment, in a mesh with gaps.
+  std::vector<int> regions;
+  // Each piece once, internal ones in the direction of their segment.
   std::vector<boundary_edge> boundary;
   std::vector<triangle> disagreeing;  // empty when refinement was complete
 };

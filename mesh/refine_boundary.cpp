@@ -3,6 +3,7 @@
 // The half of refine_state that splits the boundary: encroachment, sharp corners, safe splits.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "asterism/mesh/constructions.hpp"
 #include "asterism/mesh/refine_state.hpp"
@@ -91,6 +92,14 @@ const domain_corner* refine_state::sharp_corner(index v, const boundary_edge& pi
   return nullptr;
 }
 
+// Whether the angle beside the piece at its end v is sharp, on either side if it is internal.
+bool refine_state::has_sharp_end(const boundary_edge& piece, index v) const {
+  if (sharp_corner(v, piece) != nullptr) return true;
+  boundary_edge other_way = piece;
+  std::swap(other_way.a, other_way.b);
+  return piece.internal && sharp_corner(v, other_way) != nullptr;
+}
+
 // The far end of the piece across a sharp corner, when it is no nearer to the corner.
 bool refine_state::is_excused(const boundary_edge& piece, index w) const {
   for (const index v : {piece.a, piece.b}) {
@@ -137,8 +146,7 @@ void refine_state::note_encroached_by(index w) {
 
 point refine_state::split_point(const boundary_edge& piece) const {
   const site &a = sites_[piece.a], &b = sites_[piece.b];
-  const bool sharp_a = sharp_corner(piece.a, piece) != nullptr;
-  const bool sharp_b = sharp_corner(piece.b, piece) != nullptr;
+  const bool sharp_a = has_sharp_end(piece, piece.a), sharp_b = has_sharp_end(piece, piece.b);
   if (sharp_a == sharp_b) return bisector_point(a, b);
   const site &corner = sharp_a ? a : b, &other = sharp_a ? b : a;
   const double length = std::sqrt(squared_distance(corner, other.position));
@@ -163,12 +171,15 @@ bool refine_state::split(std::size_t piece, double shortest) {
   const auto m = site_at(split_point(whole));
   if (!m || !can_split_at(whole, *m, shortest)) return false;
   const auto added = static_cast<index>(sites_.size());
+  const auto twin = edges_.twin(piece);
+  std::size_t new_piece = edges_.pieces().size();
   sites_.push_back(*m);
   edges_.split(piece, added);
   stars_.split_piece(oracle(), whole.a, added, whole.b);
   ++splits_;
   suspects_.push_back(piece);
-  suspects_.push_back(edges_.pieces().size() - 1);
+  if (twin) suspects_.push_back(*twin);
+  for (; new_piece < edges_.pieces().size(); ++new_piece) suspects_.push_back(new_piece);
   note_encroached_by(added);
   return true;
 }

@@ -2,11 +2,13 @@
 //
 // A mesh being refined: sites, split boundary and stars, kept in step, and the ways to add a site.
 //
-// Encroachment (thesis, definition 8) is counted only from the domain's side of a piece.
+// Encroachment (thesis, definition 8) is counted only from the domain's side of a piece: an
+// internal piece and its twin have a side each.
 //
 // Corners whose angle in their own metric is below 60 degrees are *sharp*. Two pieces at a sharp
 // corner could encroach on each other for ever; therefore pieces with one sharp end are split at
-// power-of-two distances from it, in the corner's metric (concentric shells, after Ruppert), and
+// power-of-two distances from it, in the corner's metric (concentric shells, after Ruppert; an
+// internal piece when the corner on either side of it is sharp), and
 // the far end of the piece across the corner does not count as encroaching unless it is nearer to
 // the corner: of two such pieces only the longer is ever split because of the other.
 #pragma once
@@ -29,8 +31,8 @@
 
 namespace asterism {
 
-// An interior angle below 180 degrees between two input segments at a domain vertex. Its
-// directions never change, so neither does its angle.
+// An angle of the domain below 180 degrees between two neighbouring input segments at a domain
+// vertex. Its directions never change, so neither does its angle.
 struct domain_corner {
   index vertex = 0;
   std::size_t sector = 0;  // which of the vertex's corners and sectors
@@ -92,6 +94,7 @@ class refine_state {
   bool is_excused(const boundary_edge& piece, index w) const;
   std::optional<index> find_encroacher(std::size_t piece) const;
   const domain_corner* sharp_corner(index v, const boundary_edge& piece) const;
+  bool has_sharp_end(const boundary_edge& piece, index v) const;
   point split_point(const boundary_edge& piece) const;
   bool can_split_at(const boundary_edge& piece, const site& m, double shortest) const;
   void note_encroached_by(index w);

@@ -6,10 +6,12 @@ pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 target_sources(asterism PRIVATE
   domain.cpp
   domain_check.cpp
+  domain_closure.cpp
   domain_contains.cpp
   domain_faces.cpp
   domain_graph.cpp
   domain_names.cpp
+  domain_parts.cpp
   domain_sources.cpp
   draw/canvas.cpp
   draw/picture.cpp

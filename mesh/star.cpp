@@ -53,7 +53,9 @@ placement locate(const site_oracle& oracle, index v, const sector& s, index w) {
   const index first = s.neighbours.front();
   const half half_of_w = half_of(oracle, v, first, w);
   if (half_of_w == half::on_first_ray) return {placement_kind::on_ray, 0};
-  std::size_t low = 0, high = s.size();  // w is after neighbour `low` and before `high`
+  // w is after neighbour `low` and before `high`. The last neighbour of a slit, which is the first
+  // one again, is after everything.
+  std::size_t low = 0, high = s.is_slit() ? s.size() - 1 : s.size();
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
     switch (compare_direction(oracle, v, first, s.neighbours[middle], half_of_w, w)) {

@@ -3,9 +3,10 @@
 // The star of a site v: its neighbours in exact counter-clockwise order.
 //
 // A site inside the domain has one closed sector, the full turn. A site on the boundary has one
-// open sector per interior angle of the domain at it (more than one where rings touch); its first
-// and last neighbours are the ends of the two boundary pieces there. They are *forced*: the
-// boundary is part of every mesh, so no test removes them.
+// open sector per interior angle of the domain at it (more than one where rings touch or internal
+// segments meet); its first and last neighbours are the ends of the two boundary pieces there. They
+// are *forced*: the boundary is part of every mesh, so no test removes them. At the free end of an
+// internal segment both are the same site: the sector is a full turn, cut open along the piece.
 //
 // Two neighbours y, x in a row (counter-clockwise) make the triangle v, y, x when the gap between
 // them is less than 180 degrees, that is orientation(v, y, x) > 0. A wider gap holds no triangle.
@@ -26,6 +27,8 @@ struct sector {
   bool closed = true;
 
   std::size_t size() const { return neighbours.size(); }
+  // Open, but all around: it starts and ends at the same neighbour.
+  bool is_slit() const { return !closed && neighbours.front() == neighbours.back(); }
   bool is_forced(std::size_t i) const { return !closed && (i == 0 || i + 1 == size()); }
   // Positions around a closed sector wrap; in an open one the caller stays off the ends.
   std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }

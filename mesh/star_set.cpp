@@ -19,10 +19,10 @@ std::vector<index> candidate_stars(const site_oracle& oracle, index w) {
   return all;
 }
 
-// The corner of a boundary star with one end replaced: neighbours that the moved ray leaves
+// The corner of a boundary star with ends replaced: neighbours that the moved ray leaves
 // outside are dropped, the others keep their places.
 sector with_ends(const site_oracle& oracle, index v, const sector& old, index first, index last) {
-  sector moved{{first, last}, false};
+  sector moved{{first, last}, false};  // may be a slit
   for (std::size_t i = 1; i + 1 < old.size(); ++i) {
     const index u = old.neighbours[i];
     if (u == first || u == last) continue;
@@ -32,6 +32,18 @@ sector with_ends(const site_oracle& oracle, index v, const sector& old, index fi
                               u);
   }
   return moved;
+}
+
+// The piece from v to `whole` now ends in `part`. It is at the start of a corner, at the end of
+// one, or both.
+void replace_end(const site_oracle& oracle, index v, star& at_v, index whole, index part) {
+  for (sector& s : at_v.sectors) {
+    if (s.closed) continue;
+    const bool starts = s.neighbours.front() == whole, ends = s.neighbours.back() == whole;
+    if (starts || ends)
+      s = with_ends(oracle, v, s, starts ? part : s.neighbours.front(),
+                    ends ? part : s.neighbours.back());
+  }
 }
 
 }  // namespace
@@ -57,15 +69,14 @@ void star_set::add_last(const site_oracle& oracle) {
 }
 
 void star_set::split_piece(const site_oracle& oracle, index a, index m, index b) {
-  for (sector& s : stars_[a].sectors)
-    if (!s.closed && s.neighbours.front() == b) s = with_ends(oracle, a, s, m, s.neighbours.back());
-  for (sector& s : stars_[b].sectors)
-    if (!s.closed && s.neighbours.back() == a) s = with_ends(oracle, b, s, s.neighbours.front(), m);
+  replace_end(oracle, a, stars_[a], b, m);
+  replace_end(oracle, b, stars_[b], a, m);
   condition_[a] = condition_[b] = condition::stale;
   // Rounded to the inner side, m can only hide sites from each other. Rounded to the outer side it
   // reveals nothing but a and b to each other, whose stars are stale already: a segment that
-  // enters the sliver a, m, b through a b can only end in m.
-  if (oracle.orientation(a, b, m) == sign::positive) {
+  // enters the sliver a, m, b through a b can only end in m. Both happen to an internal piece.
+  const sign turn = oracle.orientation(a, b, m);
+  if (turn == sign::positive || (turn == sign::negative && oracle.edges().is_piece(m, a))) {
     remove_hidden(oracle, a, m);
     remove_hidden(oracle, m, b);
   }

@@ -33,7 +33,8 @@ class star_set {
   // The oracle's last site is new: offers it to the other stars and constructs its own. If it
   // splits a boundary piece, call split_piece instead.
   void add_last(const site_oracle& oracle);
-  // The oracle's last site m has just split the piece a -> b of the boundary, which already knows.
+  // The oracle's last site m has just split the piece a -> b of the boundary, which already knows,
+  // and its twin if there is one.
   void split_piece(const site_oracle& oracle, index a, index m, index b);
   // Constructs the star of v anew. Returns whether there is anything new to know of it: its
   // neighbours changed, or it did not settle.

@@ -36,7 +36,7 @@ bool sees(const boundary& b, const std::vector<site>& sites, const star_kernel& 
   for (const boundary_edge& piece : b.pieces()) {
     const point &r = sites[piece.a].position, &s = sites[piece.b].position;
     if (boxes_apart(p, q, r, s)) continue;
-    // Every boundary vertex starts one piece, so looking at the starts looks at all of them.
+    // Every boundary vertex starts a piece, so looking at the starts looks at all of them.
     if (piece.a != v && piece.a != w && on_open_segment(kernel, p, q, r)) return false;
     const bool shares_end = piece.a == v || piece.a == w || piece.b == v || piece.b == w;
     if (!shares_end && properly_cross(kernel, p, q, r, s)) return false;

@@ -185,26 +185,18 @@ TEST_CASE("impossible domains are refused by name") {
           "test: segment 3 (vertices 3-4) crosses segment 1 (vertices 1-2)");
   domain open = square();
   open.segments.pop_back();
-  REQUIRE(refusal(open) ==
-          "square: the boundary is not closed at vertex 1 (-1, -1), the end of segment 1 "
-          "(vertices 1-2) alone");
-  domain dangling = square();
-  dangling.vertices.push_back({0, 0});
-  dangling.segments.push_back({0, 4, 0});
-  REQUIRE_THAT(refusal(dangling), Catch::Contains("not closed at vertex 5 (0, 0)"));
-  domain divided = square();
-  divided.segments.push_back({0, 2, 0});
-  REQUIRE_THAT(refusal(divided),
-               Catch::Contains("segment 5 (vertices 1-3) lies inside the domain"));
-  REQUIRE_THAT(refusal(rings({box(0, 0, 4, 4), box(1, 1, 3, 3)})),
-               Catch::Contains("a hole point is missing"));
+  REQUIRE(
+      refusal(open) ==
+      "square: the boundary is not closed: it ends at vertex 1 (-1, -1), the end of segment 1 "
+      "(vertices 1-2) alone, and at vertex 4 (-1, 1), the end of segment 3 (vertices 3-4) alone");
   REQUIRE(refusal(rings({box(0, 0, 4, 4)}, {{5, 5}})) ==
           "test: hole 1 (5, 5) lies outside of the domain");
   REQUIRE(refusal(rings({box(0, 0, 4, 4)}, {{4, 1}})) ==
           "test: hole 1 (4, 1) lies on segment 2 (vertices 2-3)");
   REQUIRE_THAT(refusal(rings({box(0, 0, 4, 4)}, {{1, 1}})), Catch::Contains("leave nothing"));
   REQUIRE(refusal(domain{}) == "the domain is empty: it has no segments");
-  REQUIRE_THAT(refusal(rings({{{0, 0}, {1, 0}}})), Catch::Contains("is not closed"));
+  REQUIRE(refusal(rings({{{0, 0}, {1, 0}}})) ==
+          "test: the domain is empty: its segments enclose nothing");
   domain infinite = square();
   infinite.vertices[2].x = std::numeric_limits<double>::infinity();
   REQUIRE(refusal(infinite) == "square: vertex 3 (inf, 1) is not finite");
