@@ -31,7 +31,9 @@ const std::array<std::string_view, finding_kind_count> finding_kind_names = {
     "given_changed",
     "segment_not_covered",
     "marker_changed",
+    "side_changed",
     "boundary_deviation",
+    "wrong_region",
     "angle_below_bound",
     "exemption_not_proven",
     "star_neighbour_rejected",
@@ -63,6 +65,7 @@ audit_report audit(const mesh& subject, const audit_options& options) {
   }
   const bool triangulation = report.total_found() == 0;
   if (options.original != nullptr) check_domain_kept(context);
+  check_regions(context);
   check_angles(context);
   if (options.check_stars && triangulation) check_stars(context);
 

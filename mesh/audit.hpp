@@ -7,7 +7,8 @@
 //  0. hold finite, distinct sites with positive definite metric tensors;
 //  1. have only counter-clockwise triangles;
 //  2. be a triangulation of the region its boundary encloses, every site a vertex, and, when the
-//     domain is given, of that domain with its segments split;
+//     domain is given, of that domain with its segments split, those inside it being edges with a
+//     triangle on each side; and every triangle has the number of its region;
 //  3. have no angle below the bound, at any corner, in the metric of any of the triangle's three
 //     vertices, hence of any convex combination of them; triangles at an exempt corner excepted;
 //  4. have every triangle in the star of each of its vertices: each star is a fixed point of the
@@ -48,8 +49,8 @@ enum class finding_kind : std::size_t {
   orientation,                   // clockwise or flat triangle
   repeated_edge,                 // a directed edge of two triangles
   unmatched_edge,                // no triangle across, and no boundary piece
-  boundary_without_triangle,     // a piece with no triangle on its left
-  boundary_inside,               // a piece with a triangle on its right
+  boundary_without_triangle,     // no triangle on the left of a piece, or right of an internal one
+  boundary_inside,               // a piece that is not internal with a triangle on its right
   repeated_boundary,             // two equal pieces
   open_boundary,                 // pieces arriving at a vertex and leaving it differ in number
   boundary_contact,              // two pieces cross or touch other than in a common end
@@ -59,13 +60,15 @@ enum class finding_kind : std::size_t {
   given_changed,                 // sites[0 .. given) are not the domain's vertices
   segment_not_covered,           // the pieces of a segment do not lead from its start to its end
   marker_changed,                // a piece has another marker than its segment
+  side_changed,                  // a piece is internal and its segment is not, or the reverse
   boundary_deviation,            // a split point too far from its segment for rounding
+  wrong_region,                  // a triangle does not have the number of its region
   angle_below_bound,             //
   exemption_not_proven,          // the corner's own angle is not below the bound
   star_neighbour_rejected,       // a neighbour the star would not accept again
   star_site_missing,             // a visible site the star would accept
 };
-inline constexpr std::size_t finding_kind_count = 28;
+inline constexpr std::size_t finding_kind_count = 30;
 // As certificates spell them, in the order of `finding_kind`.
 extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
 

@@ -119,9 +119,9 @@ struct narrow_sector {
 // reaches it, where that is less than a half turn.
 std::vector<corner> sectors_at(const audit_context& context, index v) {
   std::vector<index> out, in;
-  for (const index piece : context.pieces) {
-    if (context.subject.boundary[piece].a == v) out.push_back(context.subject.boundary[piece].b);
-    if (context.subject.boundary[piece].b == v) in.push_back(context.subject.boundary[piece].a);
+  for (const directed_piece& side : context.sides) {
+    if (side.a == v) out.push_back(side.b);
+    if (side.b == v) in.push_back(side.a);
   }
   std::vector<corner> sectors;
   for (const index n : out)
@@ -150,11 +150,9 @@ std::vector<narrow_sector> narrow_sectors(audit_context& context, index v,
 std::vector<index> corners_to_prove(const audit_context& context) {
   std::vector<index> corners = context.options.exempt_corners;
   if (context.options.find_exempt_corners)
-    for (const index piece : context.pieces) {
-      const boundary_edge& e = context.subject.boundary[piece];
+    for (const directed_piece& side : context.sides)
       // Only an input vertex is a corner; elsewhere the boundary is straight but for rounding.
-      if (e.a < context.subject.given) corners.push_back(e.a);
-    }
+      if (side.a < context.subject.given) corners.push_back(side.a);
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Point 2, the geometric part: the boundary is simple and encloses its left side exactly once.
+// Internal edges are no part of the boundary here: they bound nothing, their two sides cancel out.
 #include <algorithm>
 
 #include "asterism/mesh/audit_context.hpp"
@@ -63,6 +64,7 @@ int winding_left_of(const audit_context& context, index piece) {
   };
   int winding = 0;
   for (const index other : context.pieces) {
+    if (boundary[other].internal) continue;
     const point& c = context.at(boundary[other].a);
     const point& d = context.at(boundary[other].b);
     const double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
@@ -119,7 +121,8 @@ void check_boundary_contacts(audit_context& context) {
 void check_winding(audit_context& context) {
   const auto& boundary = context.subject.boundary;
   std::vector<std::vector<index>> leaving(context.subject.sites.size());
-  for (const index piece : context.pieces) leaving[boundary[piece].a].push_back(piece);
+  for (const index piece : context.pieces)
+    if (!boundary[piece].internal) leaving[boundary[piece].a].push_back(piece);
   std::vector<char> seen(boundary.size(), 0);
   const auto walk = [&](index piece) {
     check_piece_winding(context, piece);
@@ -134,7 +137,7 @@ void check_winding(audit_context& context) {
     if (pieces.size() > 1)
       for (const index piece : pieces) walk(piece);
   for (const index piece : context.pieces)
-    if (!seen[piece]) walk(piece);
+    if (!seen[piece] && !boundary[piece].internal) walk(piece);
 }
 
 }  // namespace asterism::audit_detail

@@ -23,15 +23,14 @@ std::size_t find_edge(const audit_context& context, index a, index b) {
 }
 
 std::size_t find_piece(const audit_context& context, index a, index b) {
-  const auto& boundary = context.subject.boundary;
-  const auto& order = context.sorted_pieces;
+  const auto& sides = context.sides;
   const auto place =
-      std::lower_bound(order.begin(), order.end(), std::array{a, b}, [&](index piece, auto key) {
-        return std::array{boundary[piece].a, boundary[piece].b} < key;
+      std::lower_bound(sides.begin(), sides.end(), std::array{a, b}, [](const auto& s, auto key) {
+        return std::array{s.a, s.b} < key;
       });
-  if (place == order.end() || boundary[*place].a != a || boundary[*place].b != b)
-    return boundary.size();
-  return *place;
+  if (place == sides.end() || place->a != a || place->b != b)
+    return context.subject.boundary.size();
+  return place->piece;
 }
 
 index apex(const audit_context& context, const directed_edge& edge) {
@@ -68,8 +67,9 @@ std::string triangle_text(const audit_context& context, index t) {
 
 std::string piece_text(const audit_context& context, index piece) {
   const boundary_edge& e = context.subject.boundary[piece];
-  return "boundary edge " + std::to_string(std::size_t{piece} + 1) + " from " +
-         vertex_text(context, e.a) + " to " + vertex_text(context, e.b);
+  return (e.internal ? "internal edge " : "boundary edge ") +
+         std::to_string(std::size_t{piece} + 1) + " from " + vertex_text(context, e.a) + " to " +
+         vertex_text(context, e.b);
 }
 
 }  // namespace asterism::audit_detail

@@ -3,6 +3,7 @@
 // What the checks of one audit share; inside the auditor alone.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,17 @@ struct directed_edge {
   index triangle = 0;
 };
 
-// The triangles around a vertex, counter-clockwise: triangle i has the vertex, link[i] and
-// link[i + 1]; a closed fan comes back to link[0], an open one has one more neighbour than
-// triangles.
+// The boundary edge `piece` as seen from a domain on the left of a -> b. An internal one is seen
+// both ways.
+struct directed_piece {
+  index a = 0, b = 0;
+  index piece = 0;
+};
+
+// The triangles around a vertex, counter-clockwise, as far as the next boundary edge: triangle i
+// has the vertex, link[i] and link[i + 1]; a closed fan comes back to link[0], an open one has one
+// more neighbour than triangles. At the free end of an internal edge the open fan starts and ends
+// with the same neighbour.
 struct vertex_fan {
   bool closed = false;
   std::vector<index> link;
@@ -41,8 +50,10 @@ struct audit_context {
   std::vector<index> triangles;  // in range, three distinct placed corners
   std::vector<index> pieces;     // of the boundary: in range, two distinct placed ends
   // Filled by check_edges.
-  std::vector<directed_edge> edges;  // of `triangles`, sorted by (a, b)
-  std::vector<index> sorted_pieces;  // `pieces` sorted by (a, b)
+  std::vector<directed_edge> edges;   // of `triangles`, sorted by (a, b)
+  std::vector<directed_piece> sides;  // of `pieces`, sorted by (a, b)
+  // Filled by check_domain_kept: of each boundary edge the segment of the domain it is a piece of.
+  std::vector<std::optional<index>> segment_of;
   // Filled by check_fans, only when the edges match.
   std::vector<std::vector<vertex_fan>> fans;
 
@@ -61,12 +72,14 @@ void check_boundary_contacts(audit_context& context);
 void check_winding(audit_context& context);
 void check_fans(audit_context& context);
 void check_domain_kept(audit_context& context);
+void check_regions(audit_context& context);
 void check_angles(audit_context& context);
 void check_stars(audit_context& context);
 
 // Index into context.edges, or the size of it.
 std::size_t find_edge(const audit_context& context, index a, index b);
-// Index into subject.boundary, or the size of it.
+// The boundary edge with the domain on the left of a -> b: index into subject.boundary, or the size
+// of it.
 std::size_t find_piece(const audit_context& context, index a, index b);
 // The third corner of the triangle on the left of `edge`.
 index apex(const audit_context& context, const directed_edge& edge);

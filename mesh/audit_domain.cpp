@@ -102,13 +102,17 @@ void check_split_points(audit_context& context, const chain& c) {
   }
 }
 
-void check_markers(audit_context& context, const chain& c, int marker) {
-  for (const index piece : c.pieces)
-    if (context.subject.boundary[piece].marker != marker)
-      context.found(finding_kind::marker_changed,
-                    piece_text(context, piece) + " has marker " +
-                        std::to_string(context.subject.boundary[piece].marker) +
-                        ", its segment has " + std::to_string(marker));
+void check_piece(audit_context& context, index piece, const segment& s) {
+  const boundary_edge& e = context.subject.boundary[piece];
+  if (e.marker != s.marker)
+    context.found(finding_kind::marker_changed,
+                  piece_text(context, piece) + " has marker " + std::to_string(e.marker) +
+                      ", its segment has " + std::to_string(s.marker));
+  if (e.internal != s.internal)
+    context.found(finding_kind::side_changed, piece_text(context, piece) + " has the domain on " +
+                                                  (e.internal ? "both sides" : "one side") +
+                                                  ", its segment on " +
+                                                  (s.internal ? "both" : "one"));
 }
 
 std::string segment_text(const audit_context& context, index s) {
@@ -138,7 +142,10 @@ void match_chains(audit_context& context, std::vector<chain> chains) {
     }
     taken[place] = 1;
     check_split_points(context, *c);
-    check_markers(context, *c, segments[s].marker);
+    for (const index piece : c->pieces) {
+      check_piece(context, piece, segments[s]);
+      context.segment_of[piece] = s;
+    }
   }
   for (std::size_t i = 0; i < chains.size(); ++i)
     if (!taken[i])
@@ -151,6 +158,7 @@ void match_chains(audit_context& context, std::vector<chain> chains) {
 
 void check_domain_kept(audit_context& context) {
   context.report.domain_checked = true;
+  context.segment_of.assign(context.subject.boundary.size(), std::nullopt);
   const domain& original = *context.options.original;
   if (!check_given(context)) return;
   for (const segment& s : original.segments)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Point 2, the combinatorial part: every directed edge once, its reverse once or the boundary.
+// Point 2, the combinatorial part: every directed edge once, its reverse once or the boundary; both
+// at an internal edge.
 #include <algorithm>
 
 #include "asterism/mesh/audit_context.hpp"
@@ -22,11 +23,16 @@ void list_edges(audit_context& context) {
   std::sort(context.edges.begin(), context.edges.end(), [](const auto& l, const auto& r) {
     return std::array{l.a, l.b, l.triangle} < std::array{r.a, r.b, r.triangle};
   });
-  context.sorted_pieces = context.pieces;
-  const auto& boundary = context.subject.boundary;
-  std::sort(context.sorted_pieces.begin(), context.sorted_pieces.end(), [&](index l, index r) {
-    return std::array{boundary[l].a, boundary[l].b, l} <
-           std::array{boundary[r].a, boundary[r].b, r};
+}
+
+void list_sides(audit_context& context) {
+  for (const index piece : context.pieces) {
+    const boundary_edge& e = context.subject.boundary[piece];
+    context.sides.push_back({e.a, e.b, piece});
+    if (e.internal) context.sides.push_back({e.b, e.a, piece});
+  }
+  std::sort(context.sides.begin(), context.sides.end(), [](const auto& l, const auto& r) {
+    return std::array{l.a, l.b, l.piece} < std::array{r.a, r.b, r.piece};
   });
 }
 
@@ -46,19 +52,20 @@ void check_triangle_edges(audit_context& context) {
 }
 
 void check_pieces(audit_context& context) {
-  const auto& boundary = context.subject.boundary;
-  const auto& order = context.sorted_pieces;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const boundary_edge& piece = boundary[order[i]];
-    const std::string text = piece_text(context, order[i]);
-    if (i > 0 && boundary[order[i - 1]].a == piece.a && boundary[order[i - 1]].b == piece.b)
+  const auto& sides = context.sides;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const directed_piece& side = sides[i];
+    const boundary_edge& piece = context.subject.boundary[side.piece];
+    const std::string text = piece_text(context, side.piece);
+    if (i > 0 && sides[i - 1].a == side.a && sides[i - 1].b == side.b)
       context.found(
           finding_kind::repeated_boundary,
-          text + " repeats boundary edge " + std::to_string(std::size_t{order[i - 1]} + 1));
-    if (find_edge(context, piece.a, piece.b) == context.edges.size())
-      context.found(finding_kind::boundary_without_triangle, text + " has no triangle on its left");
-    const std::size_t other_side = find_edge(context, piece.b, piece.a);
-    if (other_side != context.edges.size())
+          text + " repeats boundary edge " + std::to_string(std::size_t{sides[i - 1].piece} + 1));
+    if (find_edge(context, side.a, side.b) == context.edges.size())
+      context.found(finding_kind::boundary_without_triangle,
+                    text + " has no triangle on its " + (side.a == piece.a ? "left" : "right"));
+    const std::size_t other_side = find_edge(context, side.b, side.a);
+    if (!piece.internal && other_side != context.edges.size())
       context.found(finding_kind::boundary_inside,
                     text + " has " + triangle_text(context, context.edges[other_side].triangle) +
                         " on its right");
@@ -67,9 +74,9 @@ void check_pieces(audit_context& context) {
 
 void check_closed_curves(audit_context& context) {
   std::vector<int> balance(context.subject.sites.size(), 0);
-  for (const index e : context.pieces) {
-    ++balance[context.subject.boundary[e].a];
-    --balance[context.subject.boundary[e].b];
+  for (const directed_piece& side : context.sides) {  // internal ones cancel out
+    ++balance[side.a];
+    --balance[side.b];
   }
   for (index v = 0; v < balance.size(); ++v)
     if (balance[v] != 0)
@@ -91,6 +98,7 @@ void check_used(audit_context& context) {
 
 void check_edges(audit_context& context) {
   list_edges(context);
+  list_sides(context);
   check_triangle_edges(context);
   check_pieces(context);
   check_closed_curves(context);

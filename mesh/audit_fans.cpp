@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Point 2, seen from each vertex: its triangles surround it once, or fill each sector of the domain
-// once. Implied by the other checks of point 2; made all the same, as it names the vertex, and
-// because the star check walks these fans. Requires matched edges.
+// once; internal edges separate sectors like any others. Implied by the other checks of point 2;
+// made all the same, as it names the vertex, and because the star check walks these fans. Requires
+// matched edges.
 #include <algorithm>
 
 #include "asterism/mesh/audit_context.hpp"
@@ -24,16 +25,24 @@ std::vector<fan_step> steps_around(const audit_context& context, std::size_t fir
   return steps;
 }
 
-vertex_fan follow(std::vector<fan_step>& steps, fan_step& start) {
+// Has the domain at v a sector that starts with the ray to `to`?
+bool starts_fan(const audit_context& context, index v, index to) {
+  return find_piece(context, v, to) != context.subject.boundary.size();
+}
+
+// Ends where no triangle follows, or at an internal edge.
+vertex_fan follow(const audit_context& context, index v, std::vector<fan_step>& steps,
+                  fan_step& start) {
   vertex_fan fan;
   fan_step* step = &start;
   while (true) {
     step->used = true;
     fan.link.push_back(step->from);
     const index to = step->to;
-    const auto next = std::lower_bound(steps.begin(), steps.end(), to,
-                                       [](const fan_step& s, index v) { return s.from < v; });
-    if (next == steps.end() || next->from != to) {
+    const auto next =
+        std::lower_bound(steps.begin(), steps.end(), to,
+                         [](const fan_step& s, index other) { return s.from < other; });
+    if (next == steps.end() || next->from != to || starts_fan(context, v, to)) {
       fan.link.push_back(to);
       return fan;
     }
@@ -45,7 +54,7 @@ vertex_fan follow(std::vector<fan_step>& steps, fan_step& start) {
   }
 }
 
-std::vector<vertex_fan> fans_around(const audit_context& context, std::size_t first,
+std::vector<vertex_fan> fans_around(const audit_context& context, index v, std::size_t first,
                                     std::size_t last) {
   std::vector<fan_step> steps = steps_around(context, first, last);
   std::vector<index> arrivals;
@@ -54,10 +63,11 @@ std::vector<vertex_fan> fans_around(const audit_context& context, std::size_t fi
   std::sort(arrivals.begin(), arrivals.end());
   std::vector<vertex_fan> fans;
   for (fan_step& s : steps)
-    if (!std::binary_search(arrivals.begin(), arrivals.end(), s.from))
-      fans.push_back(follow(steps, s));
+    if (!std::binary_search(arrivals.begin(), arrivals.end(), s.from) ||
+        starts_fan(context, v, s.from))
+      fans.push_back(follow(context, v, steps, s));
   for (fan_step& s : steps)
-    if (!s.used) fans.push_back(follow(steps, s));
+    if (!s.used) fans.push_back(follow(context, v, steps, s));
   return fans;
 }
 
@@ -65,11 +75,12 @@ bool in_lower_half(const point& v, const point& p) {
   return p.y < v.y || (p.y == v.y && p.x < v.x);
 }
 
-// Full turns of a closed fan: each triangle turns by less than a half turn, so a turn is completed
-// exactly where a step leads from the lower half plane into the upper one.
+// Full turns of a fan that comes back to its start: each triangle turns by less than a half turn,
+// so a turn is completed exactly where a step leads from the lower half plane into the upper one.
 int turns(const audit_context& context, index v, const vertex_fan& fan) {
   int count = 0;
-  for (std::size_t i = 0; i < fan.link.size(); ++i) {
+  const std::size_t steps = fan.closed ? fan.link.size() : fan.link.size() - 1;
+  for (std::size_t i = 0; i < steps; ++i) {
     const index to = fan.link[(i + 1) % fan.link.size()];
     count += in_lower_half(context.at(v), context.at(fan.link[i])) &&
              !in_lower_half(context.at(v), context.at(to));
@@ -98,8 +109,11 @@ void check_vertex(audit_context& context, index v, std::size_t leaving) {
                       " open fans, with " + std::to_string(leaving) + " boundary edges leaving it");
     return;
   }
+  const auto comes_back = [](const vertex_fan& fan) {
+    return fan.closed || fan.link.front() == fan.link.back();
+  };
   for (const vertex_fan& fan : fans)
-    if (fan.closed ? turns(context, v, fan) != 1 : overturned(context, v, fan))
+    if (comes_back(fan) ? turns(context, v, fan) != 1 : overturned(context, v, fan))
       context.found(finding_kind::broken_fan, "the triangles at " + vertex_text(context, v) +
                                                   " turn around it more than once");
 }
@@ -109,14 +123,14 @@ void check_vertex(audit_context& context, index v, std::size_t leaving) {
 void check_fans(audit_context& context) {
   const std::size_t n = context.subject.sites.size();
   std::vector<std::size_t> leaving(n, 0);
-  for (const index piece : context.pieces) ++leaving[context.subject.boundary[piece].a];
+  for (const directed_piece& side : context.sides) ++leaving[side.a];
   context.fans.resize(n);
   const auto& edges = context.edges;
   for (std::size_t first = 0; first < edges.size();) {
     std::size_t last = first;
     while (last < edges.size() && edges[last].a == edges[first].a) ++last;
     const index v = edges[first].a;
-    context.fans[v] = fans_around(context, first, last);
+    context.fans[v] = fans_around(context, v, first, last);
     check_vertex(context, v, leaving[v]);
     first = last;
   }

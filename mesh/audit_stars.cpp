@@ -3,7 +3,7 @@
 // Point 4: the triangles of the mesh around v are the star of v. Not built again but recognised: a
 // star is final when (a) each of its neighbours, taken out, would be accepted again, and (b) no
 // other site that v sees inside the domain would be. The two ends of an open fan are boundary
-// pieces and stay.
+// pieces or internal ones, and stay.
 // Requires what points 0 to 2 prove: no site lies on an edge or inside a triangle, so that a site
 // on the ray of a neighbour is farther than it, and a site in a gap is beyond the gap's edge.
 // Source: the thesis, section 3.3 (INSERTIONTEST) and definition 9.
@@ -55,7 +55,7 @@ class sight {
 // One gap of a fan, from x counter-clockwise to y.
 struct star_gap {
   index x = 0, y = 0;
-  bool on_boundary = false;  // x -> y is a boundary piece: nothing beyond it is seen
+  bool on_boundary = false;  // x -> y is a boundary piece or internal: nothing beyond it is seen
   std::optional<star_gap_filter> filter;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/certificate.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace asterism {
@@ -21,6 +22,12 @@ class fnv1a {
   std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
 
+// Other than 1 everywhere, which is the same as none.
+bool has_regions(const mesh& subject) {
+  return std::any_of(subject.regions.begin(), subject.regions.end(),
+                     [](int region) { return region != 1; });
+}
+
 }  // namespace
 
 std::uint64_t mesh_fingerprint(const mesh& subject) {
@@ -38,6 +45,8 @@ std::uint64_t mesh_fingerprint(const mesh& subject) {
     hash.add(std::uint64_t{e.b});
     hash.add(static_cast<std::uint64_t>(e.marker));
   }
+  if (has_regions(subject))
+    for (const int region : subject.regions) hash.add(static_cast<std::uint64_t>(region));
   return hash.value();
 }
 

@@ -51,8 +51,8 @@ struct certificate {
 };
 
 // A 64-bit FNV-1a hash of everything a .mesh and its .sol hold: numbers of each, positions and
-// metrics bit for bit, triangles, boundary edges with their markers. It tells files apart; it is no
-// protection against forgery, for which verify() repeats the audit.
+// metrics bit for bit, triangles and their regions, boundary edges with their markers. It tells
+// files apart; it is no protection against forgery, for which verify() repeats the audit.
 std::uint64_t mesh_fingerprint(const mesh& subject);
 
 // `report` must be of an audit of `subject` with `options`.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Certificates as JSON. nlohmann's library reports by exceptions; none leaves this file.
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -49,10 +50,18 @@ json points_json(const std::vector<point>& points) {
   return result;
 }
 
+// Three numbers; six where there is something to say of sides and regions.
+json segment_json(const segment& s) {
+  json written = {std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker};
+  if (s.internal || s.left_region != 1 || s.right_region != 1)
+    for (const int more : {s.internal ? 1 : 0, s.left_region, s.right_region})
+      written.push_back(more);
+  return written;
+}
+
 json domain_json(const domain& d) {
   json segments = json::array();
-  for (const segment& s : d.segments)
-    segments.push_back({std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker});
+  for (const segment& s : d.segments) segments.push_back(segment_json(s));
   return {{"name", d.name},
           {"vertices", points_json(d.vertices)},
           {"segments", std::move(segments)},
@@ -141,16 +150,26 @@ std::vector<point> points_of(const json& object, const std::string& key) {
   return result;
 }
 
+segment segment_of(const json& s) {
+  const bool usable = s.is_array() && (s.size() == 3 || s.size() == 6) &&
+                      std::all_of(s.begin(), s.end(),
+                                  [](const json& number) { return number.is_number_integer(); });
+  if (!usable) throw malformed("\"segments\" holds " + s.dump() + ", which is no segment");
+  segment made{index_of(s[0], "segments"), index_of(s[1], "segments"), s[2].get<int>()};
+  if (s.size() == 3) return made;
+  made.internal = s[3].get<int>() != 0;
+  made.left_region = s[4].get<int>();
+  made.right_region = s[5].get<int>();
+  return made;
+}
+
 domain domain_of(const json& object) {
   domain d;
   d.name = read<std::string>(object, "name");
   d.vertices = points_of(object, "vertices");
   d.holes = points_of(object, "holes");
   for (const json& s : array_of(object, "segments")) {
-    if (!s.is_array() || s.size() != 3 || !s[2].is_number_integer())
-      throw malformed("\"segments\" holds " + s.dump() + ", which is no segment");
-    const segment read_segment{index_of(s[0], "segments"), index_of(s[1], "segments"),
-                               s[2].get<int>()};
+    const segment read_segment = segment_of(s);
     if (read_segment.a >= d.vertices.size() || read_segment.b >= d.vertices.size())
       throw malformed("segment " + s.dump() + " names a vertex the domain does not have");
     d.segments.push_back(read_segment);

@@ -2,6 +2,7 @@
 #include "asterism/mesh/mesher.hpp"
 
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/mesh_regions.hpp"
 #include "asterism/mesh/refinement.hpp"
 
 namespace asterism {
@@ -11,7 +12,9 @@ result<refinement_outcome> make_mesh(
     const std::function<void(const refinement_progress&)>& progress) {
   const filtered_kernel kernel;
   auto outcome = refine_on(star_kernel_on(kernel), d, field, options, progress);
-  if (outcome) outcome.value().counters = kernel.counters();
+  if (!outcome) return outcome;
+  outcome.value().counters = kernel.counters();
+  assign_regions(outcome.value().result, d);
   return outcome;
 }
 

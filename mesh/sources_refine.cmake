@@ -3,6 +3,7 @@ target_sources(asterism PRIVATE
   consistency.cpp
   constructions.cpp
   constructions_polynomial.cpp
+  mesh_regions.cpp
   mesher.cpp
   refine_arcs.cpp
   refine_boundary.cpp

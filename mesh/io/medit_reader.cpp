@@ -67,6 +67,7 @@ class medit_reader {
   result<index> read_vertex(std::string_view meaning);
   failure check_vertices();
   void take_segment_numbers();
+  void find_internal_edges();
 
   struct use {
     index vertex;
@@ -95,6 +96,9 @@ failure medit_reader::read_mesh() {
   if (!triangles_seen_) return source_.failure(source_.line(), "there is no section Triangles");
   if (auto failed = check_vertices()) return failed;
   take_segment_numbers();
+  find_internal_edges();
+  if (std::all_of(m_.regions.begin(), m_.regions.end(), [](int region) { return region == 1; }))
+    m_.regions.clear();
   // Ours are the first ones, in order; what other programs require are no vertices of a domain
   // here.
   bool in_order = true;
@@ -183,6 +187,7 @@ failure medit_reader::read_triangles() {
     const auto reference = read_reference("reference of a triangle");
     if (!reference.ok()) return reference.failure();
     m_.triangles.push_back(t);
+    m_.regions.push_back(reference.value());
   }
   return {};
 }
@@ -220,6 +225,17 @@ failure medit_reader::skip(const word& keyword, int words) {
   for (std::size_t i = 0; i < count.value() * static_cast<std::size_t>(words); ++i)
     if (const auto value = read_number(keyword.text); !value.ok()) return value.failure();
   return {};
+}
+
+void medit_reader::find_internal_edges() {
+  std::vector<std::array<index, 2>> sides;
+  for (const triangle& t : m_.triangles)
+    for (std::size_t i = 0; i < 3; ++i) sides.push_back({t[i], t[(i + 1) % 3]});
+  std::sort(sides.begin(), sides.end());
+  const auto has = [&](index a, index b) {
+    return std::binary_search(sides.begin(), sides.end(), std::array{a, b});
+  };
+  for (boundary_edge& e : m_.boundary) e.internal = has(e.a, e.b) && has(e.b, e.a);
 }
 
 failure medit_reader::check_vertices() {

@@ -85,8 +85,11 @@ std::string medit_mesh_text(const mesh& m) {
     fmt::format_to(out, "{:.17g} {:.17g} {}\n", p.x, p.y, references[v]);
   }
   fmt::format_to(out, "\nTriangles\n{}\n", m.triangles.size());
-  for (const triangle& t : m.triangles)
-    fmt::format_to(out, "{} {} {} 1\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  for (std::size_t i = 0; i < m.triangles.size(); ++i) {
+    const triangle& t = m.triangles[i];
+    fmt::format_to(out, "{} {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1,
+                   m.regions.empty() ? 1 : m.regions[i]);
+  }
   write_boundary(out, m);
   write_list(out, "Corners", corners(m));
   std::vector<index> given(m.given);

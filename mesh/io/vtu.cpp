@@ -60,6 +60,11 @@ void write_cell_data(text out, const mesh& m, const std::vector<triangle>& cells
   for (std::size_t i = m.triangles.size(); i < cells.size(); ++i) disagreeing[i] = 1;
   write_array(out, "Int32", "disagreeing", 1, disagreeing,
               [&](int flag) { fmt::format_to(out, "{}\n", flag); });
+  std::vector<int> regions(m.triangles.size(), 1);
+  if (!m.regions.empty()) regions = m.regions;
+  regions.resize(cells.size(), 0);
+  write_array(out, "Int32", "region", 1, regions,
+              [&](int region) { fmt::format_to(out, "{}\n", region); });
   fmt::format_to(out, "</CellData>\n");
 }
 

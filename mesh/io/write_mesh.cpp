@@ -44,6 +44,8 @@ std::optional<error> check_indices(const mesh& m) {
       if (std::any_of(t.begin(), t.end(), bad)) return error{"a triangle names a missing site"};
   for (const boundary_edge& e : m.boundary)
     if (bad(e.a) || bad(e.b)) return error{"a boundary edge names a missing site"};
+  if (!m.regions.empty() && m.regions.size() != m.triangles.size())
+    return error{"there are not as many regions as triangles"};
   if (m.given > m.sites.size()) return error{"more given vertices than sites"};
   return {};
 }

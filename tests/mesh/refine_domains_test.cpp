@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+//
+// Whole meshes of every kind of domain, as certified by the auditor.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "asterism/mesh/audit.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "domain_kinds.hpp"
+
+using namespace asterism;
+using namespace asterism::testing;
+
+namespace {
+
+void check_certified(const domain& d, const metric_field& field, const refinement_options& asked) {
+  const auto made = make_mesh(d, field, asked);
+  REQUIRE(made.ok());
+  const refinement_outcome& outcome = made.value();
+  INFO(outcome.reason);
+  CHECK(outcome.complete);
+  CHECK(outcome.disagreeing == 0);
+  audit_options options;
+  options.angle_bound = asked.angle_bound;
+  options.original = &d;
+  for (const exempt_corner& c : outcome.exempt) options.exempt_corners.push_back(c.vertex);
+  const audit_report report = audit(outcome.result, options);
+  for (const audit_finding& f : report.findings) UNSCOPED_INFO(f.witness);
+  CHECK(report.certified);
+}
+
+}  // namespace
+
+TEST_CASE("every kind of domain is meshed at 20 degrees and certified, by arcs") {
+  for (const named_domain& kind : domain_kinds()) {
+    INFO(kind.name);
+    check_certified(kind.shape, identity_field(), {});
+  }
+}
+
+TEST_CASE("every kind of domain is meshed at 20 degrees and certified, by darts") {
+  refinement_options options;
+  options.strategy = refinement_strategy::poisson_darts;
+  for (const named_domain& kind : domain_kinds()) {
+    // Darts do not come to an end around corners of 8 degrees, inside or not.
+    if (kind.name == "fan") continue;
+    INFO(kind.name);
+    check_certified(kind.shape, identity_field(), options);
+  }
+}
+
+TEST_CASE("anisotropic metrics: the sides of an internal segment do not disagree") {
+  for (const named_domain& kind : domain_kinds()) {
+    if (kind.name == "fan") continue;
+    INFO(kind.name);
+    const point far = kind.shape.box().high;
+    const formula_field swirl([far](const point& q) {
+      const double x = q.x / far.x, y = q.y / far.y;
+      return metric_tensor{1 + 3 * x * x, 3 * x * y, 1 + 3 * y * y};
+    });
+    refinement_options options;
+    options.angle_bound = 15;
+    check_certified(kind.shape, swirl, options);
+  }
+}
+
+TEST_CASE("with a size limit both sides of every internal segment are refined") {
+  refinement_options options;
+  options.limit_size = true;
+  check_certified(with_dangling_segments(), constant_field({64, 0, 64}), options);
+  check_certified(divided(), constant_field({16, 4, 9}), options);
+}
+
+TEST_CASE("free ends an ulp from the boundary, and a domain far from the origin") {
+  domain near = square();
+  add_chain(near, {{0.5, 0}, {std::nextafter(1.0, 0.0), 0.25}});
+  refinement_options options;
+  options.max_sites = 400;
+  const domain d = accepted(near);
+  const auto made = make_mesh(d, identity_field(), options);
+  REQUIRE(made.ok());  // whatever comes of it
+  domain far = with_fan();
+  for (point& q : far.vertices) q = {q.x + 1e8, q.y - 1e8};
+  check_certified(accepted(far), identity_field(), {});
+  domain small = with_fan();
+  for (point& q : small.vertices) q = {q.x * 0x1p-100, q.y * 0x1p-100};
+  check_certified(accepted(small), constant_field({0x1p200, 0, 0x1p200}), {});
+}
