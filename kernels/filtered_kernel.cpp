@@ -4,6 +4,7 @@
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 #include "asterism/kernels/semi_static_filter.hpp"
+#include "asterism/kernels/star_gap.hpp"
 
 namespace asterism {
 
@@ -31,6 +32,23 @@ Answer decide(tier_counters& counters, predicate which, uncertain<Answer> first,
 bool equal_metrics(const site& v, const site& w, const site& x, const site& y) {
   return identical(v.metric, w.metric) && identical(v.metric, x.metric) &&
          identical(v.metric, y.metric);
+}
+
+// edge_test as a question about one gap of v's star, when w looks to be in one of less than half a
+// turn; star_gap verifies what it needs of that.
+uncertain_bool ask_gap(const site& v, const site& w, const site& x, const site& y) {
+  const auto to_w = between(v.position, w.position), to_x = between(v.position, x.position),
+             to_y = between(v.position, y.position);
+  const bool left_of_x = cross(to_x, to_w) > 0, right_of_y = cross(to_w, to_y) > 0,
+             y_left_of_x = cross(to_x, to_y) > 0;
+  if (left_of_x != right_of_y || left_of_x != y_left_of_x) return {};
+  return left_of_x ? star_gap(v, x, y).accepts(w) : star_gap(v, y, x).accepts(w);
+}
+
+// The question is the same to v and to w; one of them may see it more clearly.
+uncertain_bool ask_gaps(const site& v, const site& w, const site& x, const site& y) {
+  const uncertain_bool by_v = ask_gap(v, w, x, y);
+  return by_v.certain() ? by_v : ask_gap(w, v, x, y);
 }
 
 }  // namespace
@@ -89,7 +107,7 @@ bool filtered_kernel::edge_test(const site& v, const site& w, const site& x, con
   const auto ask = [&](const auto& kernel) { return kernel.edge_test(v, w, x, y); };
   const uncertain_bool first = equal_metrics(v, w, x, y)
                                    ? semi_static::insertion_test_equal_metrics(v, w, x, y)
-                                   : uncertain_bool();
+                                   : ask_gaps(v, w, x, y);
   return decide(counters_, predicate::edge_test, first, ask);
 }
 

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/kernels/star_gap.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace asterism {
+
+using namespace star_gap_detail;
+
+namespace {
+
+// What is not sharp, namely every side condition, is decided only `tolerance` times its magnitude
+// away from zero; divisors and roots that it is made of are known to within `ingredient`, a
+// sixteenth of that. Both grow with the frame's rho only when that is large.
+double ingredient_tolerance(double rho) { return std::fmax(0x1p-18, 0x1p12 * rho); }
+
+displacement<double> quarter_turn(const displacement<double>& u) { return {-u.y, u.x}; }
+
+metric_tensor complement(const metric_tensor& n) { return {1 - n.m11, -n.m12, 1 - n.m22}; }
+
+double extent_of(const displacement<double>& u) { return std::abs(u.x) + std::abs(u.y); }
+
+}  // namespace
+
+star_gap::star_gap(const site& v, const site& y, const site& x) : frame_(v) {
+  x_.site = frame_.bring(x);
+  y_.site = frame_.bring(y);
+  if (!frame_.usable() || !normal_frame::in_range(x_.site) || !normal_frame::in_range(y_.site))
+    return;
+  x_.dual = apply(x_.site.metric, x_.site.offset);
+  y_.dual = apply(y_.site.metric, y_.site.offset);
+  x_.c = dot(x_.site.offset, x_.dual);
+  y_.c = dot(y_.site.offset, y_.dual);
+  ingredient_ = ingredient_tolerance(frame_.rho());
+  tolerance_ = 16 * ingredient_;
+  has_vertex_ = find_vertex();
+  if (!has_vertex_) aim_between();
+  u_squared_ = dot(u_, u_);
+  u_extent_ = extent_of(u_);
+  if (!normal_frame::within(u_extent_, 0x1p180)) return;
+  can_accept_ = enclose_meeting(x_) && enclose_meeting(y_);
+  if (!can_accept_) return;
+  lowest_ = std::fmin(x_.lowest, y_.lowest);
+  highest_ = std::fmax(x_.highest, y_.highest);
+  can_refuse_ = lowest_ > 0 &&
+                dot(u_, x_.site.offset) > tolerance_ * (u_extent_ * x_.site.extent) &&
+                dot(u_, y_.site.offset) > tolerance_ * (u_extent_ * y_.site.extent);
+}
+
+// Newton's method for f_v - f_z = u.(I - N)u + 2 u.N d - C at z = x, y, from v.
+bool star_gap::find_vertex() {
+  const metric_tensor at_x = complement(x_.site.metric), at_y = complement(y_.site.metric);
+  const double half_x = 0.5 * x_.c, half_y = 0.5 * y_.c;
+  displacement<double> u{0, 0};
+  constexpr int most_steps = 10;
+  for (int step = 0; step < most_steps; ++step) {
+    const auto bent_x = apply(at_x, u), bent_y = apply(at_y, u);
+    const double excess_x = dot(u, 0.5 * bent_x + x_.dual) - half_x,
+                 excess_y = dot(u, 0.5 * bent_y + y_.dual) - half_y;
+    const auto slope_x = bent_x + x_.dual, slope_y = bent_y + y_.dual;
+    const double inverse = 1 / cross(slope_x, slope_y);
+    const displacement<double> move{inverse * (excess_x * slope_y.y - excess_y * slope_x.y),
+                                    inverse * (excess_y * slope_x.x - excess_x * slope_y.x)};
+    u = u - move;
+    const double size = extent_of(u);
+    if (extent_of(move) <= 0x1p-16 * size) {
+      u_ = u;
+      return dot(u, x_.site.offset) > 0 && dot(u, y_.site.offset) > 0;
+    }
+    if (!(size <= 0x1p180)) return false;
+  }
+  return false;
+}
+
+// The direction midway between x and y, each as long as it finds itself.
+void star_gap::aim_between() {
+  const double x_inverse = 1 / std::sqrt(x_.c), y_inverse = 1 / std::sqrt(y_.c);
+  const double length = 1 / std::fmax(x_inverse, y_inverse);
+  u_ = (length * x_inverse) * x_.site.offset + (length * y_inverse) * y_.site.offset;
+}
+
+// Encloses the first meeting of the ray along u with the bisector of v and z, and prepares the
+// bound from below. The enclosure is verified: the ray equation is certainly negative at its lower
+// end and positive at its upper one.
+bool star_gap::enclose_meeting(neighbour& z) const {
+  z.seen_u = apply(z.site.metric, u_);
+  const ray_equation<double> ray(z.site.metric, z.site.offset, z.dual, u_, u_squared_);
+  z.a = ray.a;
+  const double discriminant = ray.discriminant();
+  if (!(discriminant > 0)) return never_met(z, ray, discriminant);
+  const double root = std::sqrt(discriminant), s = (ray.h + root) / ray.c;
+  const double extent = z.site.extent, trace = z.site.trace, rho = frame_.rho();
+  const double error = ray_depth * rho * ray_magnitude(1.125 * s, extent, trace, u_extent_);
+  const double above = error / root;
+  if (!(s > 0 && above <= 0.125 * s)) return never_met(z, ray, discriminant);
+  z.highest = s + above;
+  if (!(ray.at(s - above) < -error && ray.at(z.highest) > error)) return false;
+  const double convexity_error = convexity_depth * rho * convexity_magnitude(extent, trace);
+  // Where s may not be concave the bound is that of the nearest metric that makes it so.
+  const double u_over_c = (u_extent_ * u_extent_) / ray.c;
+  const double lower_error = error + 3 * convexity_error * u_over_c;
+  const double below = lower_error / root;
+  z.lowest = s - below;
+  if (!(below <= 0.125 * s && ray.at(z.lowest) < -lower_error)) z.lowest = 0;
+  const double c = convexity(ray.c, z.site.determinant, z.site.offset);
+  if (!bound_below(z, discriminant, c, convexity_error)) z.lowest = 0;
+  return true;
+}
+
+// A ray that certainly never meets the bisector: z is in nobody's way there. Either the roots are
+// not real or both are negative.
+bool star_gap::never_met(neighbour& z, const ray_equation<double>& ray, double discriminant) const {
+  const double extent = z.site.extent, trace = z.site.trace, rho = frame_.rho();
+  const double bound = rho * discriminant_magnitude(extent, trace, u_extent_);
+  z.lowest = z.highest = 0;
+  if (discriminant < -discriminant_depth * bound) return true;
+  const double h_error = ray_depth * rho * (2 * trace * (extent * u_extent_));
+  const double a_error = ray_depth * rho * ((u_extent_ * u_extent_) * (1 + trace));
+  return ray.h < -h_error && ray.a < -a_error;
+}
+
+// Where s is certainly convex its tangent at u, else what is left of the bound without its root.
+bool star_gap::bound_below(neighbour& z, double discriminant, double convexity,
+                           double convexity_error) const {
+  const auto& d = z.site.offset;
+  const double extent = z.site.extent, trace = z.site.trace, rho = frame_.rho();
+  const double inverse_c = 1 / z.c;
+  if (!(c_depth * rho * c_magnitude(extent, trace) <= ingredient_ * z.c)) return false;
+  z.slope = inverse_c * z.dual;
+  z.slope_magnitude = 2 * trace * extent * inverse_c;
+  if (!(convexity > convexity_error)) {
+    const double inverse_square = 1 / dot(d, d);
+    z.bend = (1 + tolerance_) * std::fmax(z.site.determinant * inverse_c, inverse_square);
+    return true;
+  }
+  if (!(discriminant_depth * rho * discriminant_magnitude(extent, trace, u_extent_) <=
+        ingredient_ * discriminant))
+    return false;
+  const double inverse_root = 1 / std::sqrt(discriminant);
+  const double bend = z.site.determinant * inverse_c, turned = cross(u_, d);
+  z.slope.x += inverse_root * (u_.x - bend * turned * d.y);
+  z.slope.y += inverse_root * (u_.y + bend * turned * d.x);
+  z.slope_magnitude +=
+      inverse_root * u_extent_ * (1 + 2 * (trace * extent) * (trace * extent) * inverse_c);
+  return true;
+}
+
+double star_gap::reach_radius() const {
+  if (!can_refuse_) return std::numeric_limits<double>::infinity();
+  return std::sqrt(frame_.scale()) * (std::sqrt(u_squared_) / lowest_) * (1 + 0x1p-40);
+}
+
+double star_gap::longest() const {
+  if (!can_refuse_) return std::numeric_limits<double>::infinity();
+  const double squared =
+      std::fmax(dot(x_.site.offset, x_.site.offset), dot(y_.site.offset, y_.site.offset));
+  return std::sqrt(frame_.scale()) * std::sqrt(squared) * (1 + 0x1p-20);
+}
+
+struct star_gap::candidate {
+  framed_site site;
+  displacement<double> dual;
+  ray_equation<double> ray;
+  double along_u;         // u . d, certainly positive
+  double turn_y, turn_x;  // y x d and d x x, certainly positive
+};
+
+uncertain_bool star_gap::accepts(const site& w) const {
+  if (!can_accept_) return {};
+  const framed_site s = frame_.bring(w);
+  if (!normal_frame::in_range(s)) return {};
+  const auto& d = s.offset;
+  const double rho = frame_.rho(), turn_y = cross(y_.site.offset, d),
+               turn_x = cross(d, x_.site.offset), cross_error = cross_depth * rho * 2 * s.extent;
+  if (!(turn_y > cross_error * y_.site.extent && turn_x > cross_error * x_.site.extent)) return {};
+  const double along_u = dot(u_, d);
+  if (!(along_u > tolerance_ * (u_extent_ * s.extent))) return {};
+  const auto dual = apply(s.metric, d);
+  const candidate c{s, dual, {s.metric, d, dual, u_, u_squared_}, along_u, turn_y, turn_x};
+  const double error = ray_depth * rho * ray_magnitude(highest_, s.extent, s.trace, u_extent_);
+  if (c.ray.at(highest_) < -error) return witness(c);
+  if (can_refuse_) {
+    const double at_lowest = c.ray.at(lowest_) - error;
+    if (at_lowest > 0 && refuted(c, at_lowest)) return false;
+  }
+  return {};
+}
+
+// The ray meets w's bisector before those of x and y. Is that point good?
+uncertain_bool star_gap::witness(const candidate& w) const {
+  const double discriminant = w.ray.discriminant();
+  if (!(discriminant > 0)) return {};
+  const double root = std::sqrt(discriminant), s = (w.ray.h + root) / w.ray.c;
+  const double error =
+      ray_depth * frame_.rho() * ray_magnitude(1.125 * s, w.site.extent, w.site.trace, u_extent_);
+  const double width = 0x1p-20 * s + 2 * (error / root), low = s - width, high = s + width;
+  if (!(s > 0 && width <= 0x1p-7 * s && w.ray.at(low) < -error && w.ray.at(high) > error))
+    return {};
+  const double blur = tolerance_ + 4 * (width / s);
+  if (allows(x_, w.turn_x, w, s, blur) && allows(y_, w.turn_y, w, s, blur)) return true;
+  return {};
+}
+
+// Does w dominate p = v + u/s over z, and is z outside the triangle v, w, p? `turn` is the area of
+// w and z, positive.
+bool star_gap::allows(const neighbour& z, double turn, const candidate& w, double s,
+                      double blur) const {
+  const double steep = steepness_towards(s, w.site.offset, z.c, z.a, z.dual, z.seen_u);
+  const double magnitude =
+      steepness_magnitude(s, w.site.extent, z.site.extent, z.site.trace, u_extent_);
+  if (!(steep > blur * magnitude)) return false;
+  const double side = &z == &x_ ? 1 : -1;
+  const double beyond = side * cross(u_, z.site.offset), between = side * cross(w.site.offset, u_);
+  const double reach = u_extent_ * z.site.extent;
+  if (beyond > blur * 2 * reach) return true;
+  const double apart = 2 * (w.site.extent * (s * z.site.extent + u_extent_) + reach);
+  return s * turn - (beyond + between) > blur * apart;
+}
+
+// w's convex upper bound S of s: s itself where that is convex, its tangent at u where concave.
+struct star_gap::upper_bound {
+  double convexity = 0, convexity_error = 0;
+  bool concave = false;
+  double inverse_root = 0;  // of the discriminant; for the tangent only
+  // C S at the quarter turns of w: +-turned + bulge.
+  double turned = 0, bulge = 0, magnitude = 0;
+};
+
+// Empty when it is not known well enough.
+std::optional<star_gap::upper_bound> star_gap::bound_above(const candidate& w) const {
+  const auto& d = w.site.offset;
+  const double extent = w.site.extent, trace = w.site.trace, rho = frame_.rho();
+  const double c_size = c_magnitude(extent, trace);
+  if (!(c_depth * rho * c_size <= ingredient_ * w.ray.c)) return std::nullopt;
+  upper_bound top;
+  top.convexity = convexity(w.ray.c, w.site.determinant, d);
+  const double convexity_size = convexity_magnitude(extent, trace);
+  top.convexity_error = convexity_depth * rho * convexity_size;
+  top.concave = top.convexity < -top.convexity_error;
+  top.turned = dot(quarter_turn(d), w.dual);
+  top.magnitude = c_size;
+  if (!top.concave) {
+    top.bulge = std::sqrt(dot(d, d) * (std::fmax(top.convexity, 0.0) + top.convexity_error));
+    top.magnitude += top.bulge;
+    return top;
+  }
+  const double discriminant = w.ray.discriminant();
+  if (!(discriminant_depth * rho * discriminant_magnitude(extent, trace, u_extent_) <=
+        ingredient_ * discriminant))
+    return std::nullopt;
+  top.inverse_root = 1 / std::sqrt(discriminant);
+  const double lean = u_extent_ * extent * top.inverse_root;
+  top.turned -= cross(u_, d) * top.inverse_root * top.convexity;
+  top.magnitude += 2 * lean * convexity_size;
+  return top;
+}
+
+// Is there no good point in any direction within a right angle of w? `at_lowest` bounds the ray
+// equation at lowest_ from below.
+bool star_gap::refuted(const candidate& w, double at_lowest) const {
+  const double extent = w.site.extent, trace = w.site.trace;
+  const double beyond_top = w.ray.c * lowest_ - w.ray.h;
+  if (!(beyond_top >
+        tolerance_ * (c_magnitude(extent, trace) * lowest_ + 2 * trace * (extent * u_extent_))))
+    return false;
+  const auto top = bound_above(w);
+  if (!top) return false;
+  // Where s may not be convex, S is that of the nearest metric that makes it so.
+  if (!top->concave && !(at_lowest * w.ray.c > 4 * top->convexity_error * (u_extent_ * u_extent_)))
+    return false;
+  return closed_towards(x_, w, *top, w.turn_x, 1) && closed_towards(y_, w, *top, w.turn_y, -1);
+}
+
+// Does nothing remain between u and the direction at a right angle to w on the side of z? Either
+// z's bisector comes first all along, or from z's ray on the triangle of v, w and the point
+// contains z. `turn` is the area of w and z, positive; `side` 1 for x, -1 for y.
+bool star_gap::closed_towards(const neighbour& z, const candidate& w, const upper_bound& top,
+                              double turn, double side) const {
+  const auto& d = w.site.offset;
+  const double extent = w.site.extent, c_size = c_magnitude(extent, w.site.trace);
+  const double square = dot(d, d), along = dot(d, z.site.offset);
+  const double at_end = side * top.turned + top.bulge;
+  const double seen = square - z.bend * (along * along);
+  const double reach = extent * z.site.extent, extent_squared = extent * extent;
+  if (seen > tolerance_ * (2 * extent_squared + 4 * z.bend * (reach * reach))) {
+    const double lower = side * (w.ray.c * dot(z.slope, quarter_turn(d)));
+    const double magnitude = c_size * z.slope_magnitude * extent + top.magnitude;
+    if (lower - at_end > tolerance_ * magnitude) return true;
+  }
+  const double magnitude = 2 * (top.magnitude * reach + c_size * (extent_squared + reach));
+  return along > tolerance_ * (2 * reach) &&
+         w.ray.c * (square - along) - at_end * turn > tolerance_ * magnitude &&
+         nearer_on_own_ray(z, w, top, turn, side);
+}
+
+// S < 1 at z: seen along the ray from v through z, w's bisector lies beyond z.
+bool star_gap::nearer_on_own_ray(const neighbour& z, const candidate& w, const upper_bound& top,
+                                 double turn, double side) const {
+  const double extent = w.site.extent, reach = extent * z.site.extent, trace = w.site.trace;
+  const double c_size = c_magnitude(extent, trace), rest_size = c_size + 4 * trace * reach;
+  const double rest = w.ray.c - dot(z.site.offset, w.dual);
+  if (!(rest > tolerance_ * rest_size)) return false;
+  if (top.concave) {
+    const double rooted =
+        top.inverse_root * (w.ray.c * dot(u_, z.site.offset) +
+                            side * (w.site.determinant * turn) * cross(u_, w.site.offset));
+    const double rooted_size = top.inverse_root * u_extent_ *
+                               (c_size * z.site.extent + 2 * (trace * trace) * (extent * reach));
+    return rest - rooted > tolerance_ * (rest_size + rooted_size);
+  }
+  const double z_squared = 2 * (z.site.extent * z.site.extent);
+  const double radicand =
+      w.ray.c * dot(z.site.offset, z.site.offset) - w.site.determinant * (turn * turn);
+  const double radicand_size = c_size * z_squared + 4 * (trace * trace) * (reach * reach);
+  return rest * rest - radicand >
+         tolerance_ * (rest_size * rest_size + radicand_size) + 3 * top.convexity_error * z_squared;
+}
+
+}  // namespace asterism

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// One gap of v's star, prepared for many questions: may w stand between the neighbours y and x?
+// The first tier of edge_test; plain doubles with error bounds that hold in every floating-point
+// environment.
+//
+// Method: in coordinates in which v's metric is the identity (kernels/normal_frame.hpp) find the
+// direction u of the gap's Voronoi vertex by Newton's method, and enclose the first meetings of
+// that ray with the bisectors of v, x and v, y. If the ray meets w's bisector first, that meeting
+// is a witness, once it is seen by w and dominated by w over x and y. If it certainly meets w's
+// last, a convex upper bound of w's first meeting, a concave lower bound of x's and one of y's,
+// compared at the ends of a cone each, leave w no direction. Any direction is a valid choice; that
+// of the vertex decides nearly all. Proofs and constants: docs/math/star-gap.md,
+// docs/math/certificate.md section 4.
+#pragma once
+
+#include <optional>
+
+#include "asterism/core/sign.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/kernels/normal_frame.hpp"
+#include "asterism/kernels/star_gap_formulas.hpp"
+
+namespace asterism {
+
+class star_gap {
+ public:
+  // y, then x, counter-clockwise around v; meant for less than half a turn, else all is undecided.
+  // Requires distinct sites with positive definite metrics.
+  star_gap(const site& v, const site& y, const site& x);
+
+  // edge_test(v, w, x, y), for w strictly between the rays from v through y and x; undecided when
+  // it is not certain, or w not certainly between. A certain answer never depends on how ties are
+  // broken.
+  uncertain_bool accepts(const site& w) const;
+
+  // The gap's Voronoi vertex, f_v = f_x = f_y, to about ten digits, not trusted; meaningless when
+  // there is none because Newton's method did not converge.
+  bool has_vertex() const { return has_vertex_; }
+  point vertex() const { return frame_.original(u_); }
+  double vertex_distance_squared() const { return frame_.scale() * u_squared_; }  // f_v there
+
+  // Upper bounds in v's metric, infinite when not known, for lemma 4.3 of docs/math/certificate.md:
+  // with |w|_v above (1 + sigma) reach_radius() and (2 + sigma) longest(), sigma^2 the largest
+  // eigenvalue of M_w^-1 M_v, no w is accepted.
+  double reach_radius() const;
+  double longest() const;
+
+ private:
+  // x or y as seen from v.
+  struct neighbour {
+    star_gap_detail::framed_site site;
+    displacement<double> dual;    // N d
+    displacement<double> seen_u;  // N u
+    double c = 0, a = 0;          // of the ray equation along u
+    // The first meeting's s along u lies between these; s of a concave lower bound is at least the
+    // first.
+    double lowest = 0, highest = 0;
+    // Away from u that bound is at least slope . direction where |u|^2 >= bend (u x d)^2.
+    displacement<double> slope;
+    double slope_magnitude = 0, bend = 0;
+  };
+  struct candidate;
+  struct upper_bound;
+
+  bool find_vertex();
+  void aim_between();
+  bool never_met(neighbour& z, const star_gap_detail::ray_equation<double>& ray,
+                 double discriminant) const;
+  bool enclose_meeting(neighbour& z) const;
+  bool bound_below(neighbour& z, double discriminant, double convexity,
+                   double convexity_error) const;
+  uncertain_bool witness(const candidate& w) const;
+  bool allows(const neighbour& z, double turn, const candidate& w, double s, double blur) const;
+  std::optional<upper_bound> bound_above(const candidate& w) const;
+  bool refuted(const candidate& w, double at_lowest) const;
+  bool closed_towards(const neighbour& z, const candidate& w, const upper_bound& top, double turn,
+                      double side) const;
+  bool nearer_on_own_ray(const neighbour& z, const candidate& w, const upper_bound& top,
+                         double turn, double side) const;
+
+  star_gap_detail::normal_frame frame_;
+  neighbour x_, y_;
+  displacement<double> u_{0, 0};  // of the vertex, from v, in the frame; exact as a direction
+  double u_squared_ = 0, u_extent_ = 0;
+  double lowest_ = 0, highest_ = 0;  // of both neighbours
+  double ingredient_ = 0, tolerance_ = 0;
+  bool has_vertex_ = false;
+  bool can_accept_ = false;  // the meetings are enclosed
+  bool can_refuse_ = false;  // and u certainly has positive products with x and y
+};
+
+}  // namespace asterism
