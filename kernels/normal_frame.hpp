@@ -91,7 +91,7 @@ class normal_frame {
   // In these ranges no product of four lengths and four tensor entries overflows or loses to
   // underflow more than rho allows.
   static bool in_range(const framed_site& f) {
-    return within(f.extent, 0x1p180) && within(f.trace, 0x1p8) && f.determinant > 0;
+    return within(f.extent, 0x1p180) && within(f.trace, 0x1p6) && f.metric.m11 >= 0x1p-40;
   }
   static bool within(double x, double most) { return x <= most && x * most >= 1; }
 

@@ -12,9 +12,9 @@ using namespace star_gap_detail;
 namespace {
 
 // What is not sharp, namely every side condition, is decided only `tolerance` times its magnitude
-// away from zero; divisors and roots that it is made of are known to within `ingredient`, a
-// sixteenth of that. Both grow with the frame's rho only when that is large.
-double ingredient_tolerance(double rho) { return std::fmax(0x1p-18, 0x1p12 * rho); }
+// away from zero; divisors and roots that it is made of are known to within `ingredient`, an
+// eighth of that. Both grow with the frame's rho only when that is large.
+double ingredient_tolerance(double rho) { return std::fmax(0x1p-18, 0x1p14 * rho); }
 
 displacement<double> quarter_turn(const displacement<double>& u) { return {-u.y, u.x}; }
 
@@ -34,7 +34,7 @@ star_gap::star_gap(const site& v, const site& y, const site& x) : frame_(v) {
   x_.c = dot(x_.site.offset, x_.dual);
   y_.c = dot(y_.site.offset, y_.dual);
   ingredient_ = ingredient_tolerance(frame_.rho());
-  tolerance_ = 16 * ingredient_;
+  tolerance_ = 8 * ingredient_;
   has_vertex_ = find_vertex();
   if (!has_vertex_) aim_between();
   u_squared_ = dot(u_, u_);
@@ -163,7 +163,6 @@ struct star_gap::candidate {
   framed_site site;
   displacement<double> dual;
   ray_equation<double> ray;
-  double along_u;         // u . d, certainly positive
   double turn_y, turn_x;  // y x d and d x x, certainly positive
 };
 
@@ -175,10 +174,9 @@ uncertain_bool star_gap::accepts(const site& w) const {
   const double rho = frame_.rho(), turn_y = cross(y_.site.offset, d),
                turn_x = cross(d, x_.site.offset), cross_error = cross_depth * rho * 2 * s.extent;
   if (!(turn_y > cross_error * y_.site.extent && turn_x > cross_error * x_.site.extent)) return {};
-  const double along_u = dot(u_, d);
-  if (!(along_u > tolerance_ * (u_extent_ * s.extent))) return {};
+  if (!(dot(u_, d) > tolerance_ * (u_extent_ * s.extent))) return {};
   const auto dual = apply(s.metric, d);
-  const candidate c{s, dual, {s.metric, d, dual, u_, u_squared_}, along_u, turn_y, turn_x};
+  const candidate c{s, dual, {s.metric, d, dual, u_, u_squared_}, turn_y, turn_x};
   const double error = ray_depth * rho * ray_magnitude(highest_, s.extent, s.trace, u_extent_);
   if (c.ray.at(highest_) < -error) return witness(c);
   if (can_refuse_) {

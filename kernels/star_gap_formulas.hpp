@@ -47,7 +47,7 @@ Number steepness_towards(const Number& s, const displacement<Number>& d, const N
 }
 
 inline constexpr int ray_depth = 12, c_depth = 8, discriminant_depth = 16, convexity_depth = 9,
-                     steepness_depth = 13, cross_depth = 5;
+                     steepness_depth = 14, cross_depth = 5;
 
 // `s` at least the parameter, all arguments positive.
 inline double ray_magnitude(double s, double extent, double trace, double u) {

@@ -40,7 +40,8 @@ TEST_CASE("clear signs never reach exact arithmetic", "[tiers]") {
   CHECK(kernel.edge_test(swirl_site(0.1, 0), swirl_site(-0.1, 0), swirl_site(0, 0.3),
                          swirl_site(0, -0.3)));
   CHECK(kernel.counters().at(predicate::orientation, tier::semi_static) == 1);
-  CHECK(kernel.counters().at(predicate::edge_test, tier::interval) == 1);
+  CHECK(kernel.counters().at(predicate::edge_test, tier::semi_static) == 1);
+  CHECK(kernel.counters().at(predicate::edge_test, tier::interval) == 0);
   CHECK(kernel.counters().at(predicate::edge_test, tier::exact) == 0);
 }
 
@@ -65,6 +66,7 @@ TEST_CASE("a tie of four different metrics is the exact tier's and goes to one d
   CHECK(bd);  // the greatest site, (0.5, 0.5), is not on the diagonal
   CHECK(kernel.edge_test(c, a, d, b) == ac);
   CHECK(kernel.edge_test(d, b, c, a) == bd);
+  CHECK(kernel.counters().at(predicate::edge_test, tier::semi_static) == 0);
   CHECK(kernel.counters().at(predicate::edge_test, tier::interval) == 0);
 }
 
@@ -78,6 +80,68 @@ TEST_CASE("among random smooth metrics few edge tests fall through", "[tiers]") 
     kernel.edge_test(s[0], s[1], s[2], s[3]);
   }
   CHECK(kernel.counters().at(predicate::edge_test, tier::exact) <= 2);
+}
+
+// v, its neighbours x and y and a fourth site w between them, all about one edge apart as v's
+// metric measures; the metrics are nearly v's, whatever its condition.
+namespace {
+
+struct mesh_like {
+  site v, w, x, y;
+};
+
+mesh_like draw_mesh_like(double condition, sequence& random) {
+  const double angle = 3.2 * random.next(), c = std::cos(angle), s = std::sin(angle);
+  const double turn_to_x = 3.2 * random.next(), to_w = 0.9 + 0.4 * random.next(),
+               to_y = 0.9 + 0.4 * random.next();
+  const double long_axis = 1, short_axis = 1 / std::sqrt(condition);
+  const auto at = [&](double length, double direction) {
+    const double p = length * std::cos(direction) * long_axis,
+                 q = length * std::sin(direction) * short_axis;
+    const double e = 1 + 0.05 * random.next(), f = condition * (1 + 0.05 * random.next());
+    return site{{c * p - s * q, s * p + c * q},
+                {c * c * e + s * s * f, c * s * (e - f), s * s * e + c * c * f}};
+  };
+  return {at(0, 0), at(1.4 + 0.6 * random.next(), turn_to_x + to_w),
+          at(1 + 0.2 * random.next(), turn_to_x),
+          at(1 + 0.2 * random.next(), turn_to_x + to_w + to_y)};
+}
+
+}  // namespace
+
+TEST_CASE("the first tier decides nearly every edge test of a smooth mesh", "[tiers]") {
+  for (const double condition : {1.0, 1e4, 1e8, 1e12}) {
+    const filtered_kernel kernel;
+    sequence random{21};
+    constexpr int asked = 5000;
+    int yes = 0;
+    for (int k = 0; k < asked; ++k) {
+      const mesh_like q = draw_mesh_like(condition, random);
+      yes += kernel.edge_test(q.v, q.w, q.x, q.y);
+    }
+    const auto by = [&](tier t) {
+      return static_cast<double>(kernel.counters().at(predicate::edge_test, t));
+    };
+    INFO("condition " << condition << ": " << by(tier::semi_static) << ", " << by(tier::interval)
+                      << ", " << by(tier::exact));
+    CHECK(by(tier::semi_static) >= 0.99 * asked);
+    CHECK(by(tier::exact) <= 0.005 * asked);
+    CHECK(yes > 0.2 * asked);
+    CHECK(yes < 0.8 * asked);
+  }
+}
+
+TEST_CASE("a first tier's edge test is the same from v and from w, and right", "[tiers]") {
+  const filtered_kernel kernel;
+  const interval_kernel interval;
+  sequence random{22};
+  for (int k = 0; k < 1000; ++k) {
+    const auto [v, w, x, y] = draw_mesh_like(100, random);
+    const bool answer = kernel.edge_test(v, w, x, y);
+    CHECK(kernel.edge_test(w, v, y, x) == answer);
+    CHECK(kernel.edge_test(v, w, y, x) == answer);
+    CHECK_FALSE(interval.edge_test(v, w, x, y).certainly(!answer));
+  }
 }
 
 TEST_CASE("in-circle of equal metrics: certain unless cocircular", "[tiers]") {

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+//
+// A gap of a star against the arithmetics that need no luck: what it decides is right, in every
+// floating-point environment and wherever rounding could matter, and on smooth input it decides.
+#include <catch2/catch.hpp>
+#include <cfenv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#include "asterism/kernels/exact_kernel.hpp"
+#include "asterism/kernels/interval_kernel.hpp"
+#include "asterism/kernels/star_gap.hpp"
+
+using namespace asterism;
+
+namespace {
+
+// The same sequence everywhere (splitmix64).
+struct sequence {
+  std::uint64_t state;
+  std::uint64_t bits() {
+    std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
+    return z ^ (z >> 31);
+  }
+  double real(double low, double high) {
+    return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
+  }
+  int integer(int low, int high) {
+    return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
+  }
+};
+
+// Eigenvalues 1 and `condition`, the direction of the first at `angle`.
+metric_tensor stretched(double condition, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * c + condition * (s * s), (1 - condition) * (c * s), s * s + condition * (c * c)};
+}
+
+// The displacement that is (length, angle) after m is made round.
+displacement<double> round_off(const metric_tensor& m, double length, double angle) {
+  const double a = std::sqrt(m.m11), b = m.m12 / a, c = std::sqrt(m.m22 - b * b);
+  const double y = length * std::sin(angle) / c;
+  return {(length * std::cos(angle) - b * y) / a, y};
+}
+
+// m seen through its own square root as the identity, changed there by about `change`.
+metric_tensor changed(const metric_tensor& m, double change, sequence& random) {
+  const double a = std::sqrt(m.m11), b = m.m12 / a, c = std::sqrt(m.m22 - b * b);
+  const double p = std::exp(change * random.real(-1, 1)), r = std::exp(change * random.real(-1, 1)),
+               q = random.real(-0.5, 0.5) * std::fmin(change, 1.0) * std::sqrt(p * r);
+  return {a * a * p, a * b * p + a * c * q, b * b * p + 2 * b * c * q + c * c * r};
+}
+
+struct question {
+  site v, w, y, x;  // w between y and x, counter-clockwise
+};
+
+struct family {
+  const char* name;
+  double most_condition = 10;  // powers of ten are drawn up to it
+  double least_change = 1e-6, most_change = 3;
+  double offset = 0;
+  bool grid = false, nearly_flat = false, far_neighbour = false;
+};
+
+constexpr family families[] = {{"any change of metric"},
+                               {"ill-conditioned", 1e12, 1e-3, 1},
+                               {"smooth", 1e3, 1e-6, 0.05},
+                               {"one metric but for rounding", 1e6, 1e-17, 1e-15},
+                               {"offset 1e8", 10, 1e-3, 0.1, 1e8},
+                               {"grid", 1, 0, 0, 0, true},
+                               {"gap near half a turn", 1e4, 1e-6, 0.3, 0, false, true},
+                               {"one far neighbour", 10, 1e-6, 0.3, 0, false, false, true}};
+
+double power(sequence& random, double low, double high) {
+  return low > 0 ? std::exp(random.real(std::log(low), std::log(high))) : 0;
+}
+
+std::optional<question> draw(const family& f, sequence& random) {
+  const metric_tensor base = stretched(power(random, 1, f.most_condition), random.real(-4, 4));
+  const double change = power(random, f.least_change, f.most_change);
+  const point centre{f.offset * random.real(-1, 1), f.offset * random.real(-1, 1)};
+  const double start = random.real(-4, 4);
+  const double gap = f.nearly_flat
+                         ? std::numbers::pi - power(random, 1e-9, 1e-1) * random.real(-0.2, 1)
+                         : random.real(0.3, 3.1);
+  const auto at = [&](double length, double angle) {
+    auto u = round_off(base, length, angle);
+    metric_tensor m = changed(base, change, random);
+    if (f.grid) {
+      u = {static_cast<double>(random.integer(-4, 4)), static_cast<double>(random.integer(-4, 4))};
+      m = {1.0 + random.integer(0, 2), 0.5 * random.integer(-1, 1), 1.0 + random.integer(0, 2)};
+    }
+    return site{{centre.x + u.x, centre.y + u.y}, m};
+  };
+  const double reach = f.far_neighbour ? power(random, 1e-3, 1e4) : random.real(0.5, 2);
+  question q{at(0, 0), at(power(random, 0.2, 4), start + gap * random.real(0, 1)),
+             at(random.real(0.5, 2), start), at(reach, start + gap)};
+  const auto w = between(q.v.position, q.w.position);
+  if (cross(between(q.v.position, q.y.position), w) <= 0 ||
+      cross(w, between(q.v.position, q.x.position)) <= 0)
+    return std::nullopt;
+  return q;
+}
+
+// By intervals, else exactly: neither shares anything with star_gap.
+bool second_route(const question& q) {
+  const uncertain_bool answer = interval_kernel().edge_test(q.v, q.w, q.x, q.y);
+  return answer.certain() ? answer.value() : exact_kernel().edge_test(q.v, q.w, q.x, q.y);
+}
+
+uncertain_bool ask(const question& q) { return star_gap(q.v, q.y, q.x).accepts(q.w); }
+
+// w moved along its ray to the last place where the gap knows the answer, on either side.
+question at_the_border_of_knowledge(question q, sequence& random) {
+  const star_gap gap(q.v, q.y, q.x);
+  const auto d = between(q.v.position, q.w.position);
+  const bool from_yes = random.integer(0, 1) == 1;
+  double known = from_yes ? 0.05 : 20, unknown = 1;
+  const auto at = [&](double factor) {
+    site w = q.w;
+    w.position = {q.v.position.x + factor * d.x, q.v.position.y + factor * d.y};
+    return w;
+  };
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = std::sqrt(known * unknown);
+    (gap.accepts(at(middle)).certainly(from_yes) ? known : unknown) = middle;
+  }
+  q.w = at(known);
+  return q;
+}
+
+void check_right(const question& q, const uncertain_bool& answer, std::uint64_t replay) {
+  if (!answer.certain()) return;
+  INFO("replay: sequence{" << replay << "}");
+  CHECK(answer.value() == second_route(q));
+}
+
+}  // namespace
+
+TEST_CASE("what a gap decides is right, in every family of input", "[star_gap]") {
+  for (const family& f : families) {
+    DYNAMIC_SECTION(f.name) {
+      sequence random{11};
+      int decided = 0;
+      for (int k = 0; k < 3000; ++k) {
+        const std::uint64_t replay = random.state;
+        const auto q = draw(f, random);
+        if (!q) continue;
+        const uncertain_bool answer = ask(*q);
+        decided += answer.certain();
+        check_right(*q, answer, replay);
+      }
+      CHECK(decided > (f.grid ? 100 : 500));  // half of a grid's questions are ties
+    }
+  }
+}
+
+TEST_CASE("what a gap decides is right at the border of what it knows", "[star_gap]") {
+  for (const family& f : families) {
+    if (f.grid) continue;
+    DYNAMIC_SECTION(f.name) {
+      sequence random{12};
+      for (int k = 0; k < 300; ++k) {
+        const std::uint64_t replay = random.state;
+        if (const auto drawn = draw(f, random)) {
+          const question q = at_the_border_of_knowledge(*drawn, random);
+          check_right(q, ask(q), replay);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("rounding modes and flushing leave what a gap decides right", "[star_gap][environment]") {
+  sequence random{13};
+  for (int k = 0; k < 4000; ++k) {
+    const std::uint64_t replay = random.state;
+    const auto drawn = draw(families[k % std::size(families)], random);
+    if (!drawn) continue;
+    const bool near = k % 16 == 3 && !families[k % std::size(families)].grid;
+    const question q = near ? at_the_border_of_knowledge(*drawn, random) : *drawn;
+#if defined(__SSE2__)
+    const unsigned before = _mm_getcsr();
+    if (random.integer(0, 1) == 1) _mm_setcsr(before | 0x8040U);
+#endif
+    std::fesetround(std::array{FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}[k % 3]);
+    const uncertain_bool answer = ask(q);
+#if defined(__SSE2__)
+    _mm_setcsr(before);
+#endif
+    std::fesetround(FE_TONEAREST);
+    check_right(q, answer, replay);
+  }
+}
+
+TEST_CASE("scaled by powers of two a gap is right or silent", "[star_gap][range]") {
+  sequence random{14};
+  const auto scaled = [](site s, int length, int metric) {
+    s.position = {std::ldexp(s.position.x, length), std::ldexp(s.position.y, length)};
+    s.metric = {std::ldexp(s.metric.m11, metric), std::ldexp(s.metric.m12, metric),
+                std::ldexp(s.metric.m22, metric)};
+    return s;
+  };
+  int decided = 0;
+  for (int k = 0; k < 600; ++k) {
+    const auto q = draw(families[2], random);
+    if (!q) continue;
+    const bool expected = second_route(*q);
+    for (const int length : {-1000, -400, -181, -90, 90, 179, 400, 1000})
+      for (const int metric : {-400, -140, 140, 400}) {
+        const question far{scaled(q->v, length, metric), scaled(q->w, length, metric),
+                           scaled(q->y, length, metric), scaled(q->x, length, metric)};
+        const uncertain_bool answer = ask(far);
+        decided += answer.certain();
+        if (answer.certain()) CHECK(answer.value() == expected);
+      }
+  }
+  CHECK(decided > 1000);
+}
+
+TEST_CASE("on smooth input a gap decides, whatever the condition number", "[star_gap][tiers]") {
+  for (const double condition : {1.0, 1e4, 1e8, 1e12}) {
+    sequence random{15};
+    int asked = 0, decided = 0, yes = 0;
+    for (int k = 0; k < 4000; ++k) {
+      const metric_tensor base = stretched(condition, random.real(-4, 4));
+      const double start = random.real(-4, 4), to_w = random.real(0.5, 1.3);
+      const auto at = [&](double length, double angle) {
+        const auto u = round_off(base, length, angle);
+        return site{{u.x, u.y}, changed(base, 0.05, random)};
+      };
+      const site v = at(0, 0), y = at(random.real(0.8, 1.25), start),
+                 w = at(power(random, 0.5, 2.7), start + to_w),
+                 x = at(random.real(0.8, 1.25), start + to_w + random.real(0.5, 1.3));
+      const uncertain_bool answer = star_gap(v, y, x).accepts(w);
+      ++asked;
+      decided += answer.certain();
+      yes += answer.certainly(true);
+    }
+    INFO("condition " << condition << ": " << decided << " of " << asked);
+    CHECK(decided >= 0.99 * asked);
+    CHECK(yes > 1000);
+    CHECK(decided - yes > 1000);
+  }
+}
+
+TEST_CASE("ties, gaps of half a turn and more, and nonsense are undecided", "[star_gap]") {
+  const metric_tensor round{1, 0, 1};
+  const site v{{0, 0}, round}, y{{1, 0}, round}, x{{0, 1}, round}, w{{1, 1}, round};
+  CHECK_FALSE(star_gap(v, y, x).accepts(w).certain());  // a square
+  CHECK(star_gap(v, y, x).accepts({{0.99, 0.99}, round}).certainly(true));
+  CHECK(star_gap(v, y, x).accepts({{1.01, 1.01}, round}).certainly(false));
+  CHECK_FALSE(star_gap(v, x, y).accepts(w).certain());                // w in the other gap
+  CHECK_FALSE(star_gap(v, y, x).accepts({{2, 0}, round}).certain());  // on a ray
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity}) {
+    CHECK_FALSE(star_gap(v, y, x).accepts({{bad, 1}, round}).certain());
+    CHECK_FALSE(star_gap(v, y, {{0, 1}, {bad, 0, 1}}).accepts(w).certain());
+    CHECK_FALSE(star_gap({{0, 0}, {1, 0, bad}}, y, x).accepts(w).certain());
+  }
+  CHECK_FALSE(star_gap(v, y, y).accepts(w).certain());
+  CHECK_FALSE(star_gap(v, v, x).accepts(w).certain());
+}
+
+TEST_CASE("the vertex of a gap is equally far from all three", "[star_gap]") {
+  sequence random{16};
+  int found = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const auto q = draw(families[2], random);
+    if (!q) continue;
+    const star_gap gap(q->v, q->y, q->x);
+    if (!gap.has_vertex()) continue;
+    ++found;
+    const auto distance = [&](const site& s) {
+      return squared_length(s.metric, between(s.position, gap.vertex()));
+    };
+    const double expected = gap.vertex_distance_squared();
+    for (const site& s : {q->v, q->x, q->y}) CHECK(distance(s) == Approx(expected).epsilon(1e-6));
+  }
+  CHECK(found > 500);
+}
+
+// Lemma 4.3 of docs/math/certificate.md with the bounds of the gap: no site far enough is accepted.
+TEST_CASE("beyond the reach of a gap nothing is accepted", "[star_gap]") {
+  sequence random{17};
+  int known = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const auto drawn = draw(families[2], random);
+    if (!drawn) continue;
+    question q = *drawn;
+    const star_gap gap(q.v, q.y, q.x);
+    if (!std::isfinite(gap.reach_radius())) continue;
+    ++known;
+    CHECK(gap.reach_radius() >= std::sqrt(gap.vertex_distance_squared()) * (1 - 1e-6));
+    constexpr double most_sigma = 1.06;  // the metrics change by 0.05 at most
+    const double far =
+        std::fmax((1 + most_sigma) * gap.reach_radius(), (2 + most_sigma) * gap.longest());
+    const auto d = between(q.v.position, q.w.position);
+    const double factor = 1.001 * far / std::sqrt(squared_length(q.v.metric, d));
+    q.w.position = {q.v.position.x + factor * d.x, q.v.position.y + factor * d.y};
+    CHECK_FALSE(second_route(q));
+  }
+  CHECK(known > 500);
+}
