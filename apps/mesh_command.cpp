@@ -34,6 +34,8 @@ constexpr real_range angle_bounds = {
     0, 60, true, false,
     "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
 
+constexpr real_range gradations = {1, 1e100, false, true, "above 1, at most 1e100"};
+
 // Beyond these the square of the size leaves the range of doubles, or nearly so.
 constexpr real_range sizes = {1e-100, 1e100, true, true, "positive, from 1e-100 to 1e100"};
 
@@ -44,6 +46,10 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
       app, "--size", sizes, [&job](double x) { job.size = x; },
       "Length wanted of an edge, in the metric as given")
       ->type_name("H");
+  add_real(
+      app, "--gradation", gradations, [&job](double x) { job.gradation = x; },
+      "Make the metric change slowly: neighbouring edges differ by a factor of about BETA")
+      ->type_name("BETA");
   add_count(
       app, "--random-points", 0, 1000000,
       [&job](std::uint64_t n) { job.random_points = static_cast<std::size_t>(n); },

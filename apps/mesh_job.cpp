@@ -20,6 +20,7 @@
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/metric_field.hpp"
+#include "asterism/mesh/metric_field_graded.hpp"
 
 namespace asterism::apps {
 namespace fs = std::filesystem;
@@ -50,7 +51,20 @@ std::optional<error> check_files(const mesh_job& job, const fs::path& certificat
 struct prepared_input {
   domain shape;
   std::unique_ptr<metric_field> field;
+  std::optional<gradation_report> gradation;
 };
+
+result<prepared_input> with_metric(const mesh_job& job, domain shape) {
+  auto field = make_metric_field(job.metric, shape.box(), job.size.value_or(1));
+  if (!field) return field.failure();
+  if (!job.gradation)
+    return prepared_input{std::move(shape), std::move(field).value(), std::nullopt};
+  gradation_options options;
+  options.beta = *job.gradation;
+  auto graded = grade_metric(std::move(field).value(), shape.box(), options);
+  if (!graded) return graded.failure();
+  return prepared_input{std::move(shape), std::move(graded.value().field), graded.value().report};
+}
 
 result<prepared_input> prepare(const mesh_job& job) {
   const auto loaded = load_domain(job.domain);
@@ -67,9 +81,7 @@ result<prepared_input> prepare(const mesh_job& job) {
   if (given > job.refinement.max_sites)
     return error{"--max-sites " + std::to_string(job.refinement.max_sites) + ": the domain has " +
                  std::to_string(given) + " vertices already"};
-  auto field = make_metric_field(job.metric, populated.value().box(), job.size.value_or(1));
-  if (!field) return field.failure();
-  return prepared_input{std::move(populated).value(), std::move(field).value()};
+  return with_metric(job, std::move(populated).value());
 }
 
 // The shortest decimal that is read back as the same double.
@@ -79,13 +91,26 @@ std::string text_of(double x) {
   return {buffer.data(), end};
 }
 
-std::map<std::string, std::string> options_of(const mesh_job& job,
+// What gradation did, in one line.
+std::string text_of(const gradation_report& done) {
+  std::string text = std::to_string(done.changed) + " of " + std::to_string(done.nodes) +
+                     " nodes changed, density at most times " + text_of(done.largest_growth) +
+                     ", cells from " + text_of(done.smallest_cell) + " to " +
+                     text_of(done.largest_cell) + ", " + std::to_string(done.sweeps) + " sweeps";
+  if (!done.resolved) text += "; the grid could not be made as fine as it should be";
+  if (!done.settled) text += "; NOT settled";
+  return text;
+}
+
+std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
                                               const refinement_outcome& outcome) {
   const refinement_options& asked = job.refinement;
   const bool arcs = asked.strategy == refinement_strategy::voronoi_arcs;
   return {{"domain", job.domain},
           {"angle-bound", text_of(asked.angle_bound)},
           {"size", job.size ? text_of(*job.size) : "none"},
+          {"gradation", job.gradation ? text_of(*job.gradation) : "none"},
+          {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
           {"refine", arcs ? "voronoi" : "darts"},
           {"tol", asked.tolerance ? text_of(*asked.tolerance) : "chosen"},
           {"tol-at-end", text_of(outcome.tolerance)},
@@ -99,16 +124,17 @@ struct judged_mesh {
   certificate claim;
 };
 
-judged_mesh judge(const mesh_job& job, const domain& shape, const refinement_outcome& outcome) {
+judged_mesh judge(const mesh_job& job, const prepared_input& input,
+                  const refinement_outcome& outcome) {
   audit_options options;
   options.angle_bound = job.refinement.angle_bound;
-  options.original = &shape;
+  options.original = &input.shape;
   for (const exempt_corner& corner : outcome.exempt)
     options.exempt_corners.push_back(corner.vertex);
   judged_mesh judged{audit(outcome.result, options), {}};
   judged.claim = make_certificate(outcome.result, options, judged.report);
   judged.claim.metric = job.metric;
-  judged.claim.options = options_of(job, outcome);
+  judged.claim.options = options_of(job, input, outcome);
   judged.claim.complete = outcome.complete;
   judged.claim.reason = outcome.reason;
   judged.claim.mesher_counters = outcome.counters;
@@ -167,13 +193,14 @@ int run_mesh_job(const mesh_job& job) {
   if (const auto failure = check_files(job, certificate_path)) return complain(*failure, refused);
   const auto input = prepare(job);
   if (!input) return complain(input.failure(), refused);
-  const domain& shape = input.value().shape;
+  if (input.value().gradation && !job.quiet)
+    std::cout << "gradation: " << text_of(*input.value().gradation) << '\n';
 
   const auto made = mesh_with_progress(job, input.value());
   if (!made) return complain(made.failure(), refused);
   const refinement_outcome& outcome = made.value();
 
-  const judged_mesh judged = judge(job, shape, outcome);
+  const judged_mesh judged = judge(job, input.value(), outcome);
   if (const auto failure = write_files(job, certificate_path, outcome.result, judged.claim))
     return complain(*failure, not_reached);
   return conclude(job, outcome, judged.report);

@@ -18,6 +18,7 @@ struct mesh_job {
   std::string domain;
   std::string metric = "identity";
   std::optional<double> size;
+  std::optional<double> gradation;  // beta; empty: the metric is taken as it is
   std::size_t random_points = 0;
   refinement_options refinement;  // its seed is the random points' too
   std::vector<std::filesystem::path> outputs;

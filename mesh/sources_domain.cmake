@@ -23,8 +23,12 @@ target_sources(asterism PRIVATE
   io/text_scanner.cpp
   io/vtu.cpp
   io/write_mesh.cpp
+  gradation_grid.cpp
+  gradation_sweep.cpp
+  metric_algebra.cpp
   metric_angle.cpp
   metric_field.cpp
   metric_field_expression.cpp
+  metric_field_graded.cpp
   metric_field_layered.cpp)
 target_link_libraries(asterism PRIVATE fmt::fmt muparser::muparser PkgConfig::cairo)

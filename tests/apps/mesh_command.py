@@ -76,10 +76,29 @@ class Mesh(command.CommandTest):
         self.assertGreater(sites[1], 4 * sites[0])
 
     def test_fields_given_by_lengths(self):
-        for metric in ("layer:0.02,0.2", "shock:5", "linear"):
+        for metric in ("layer:0.05,0.3", "shock:4"):
             done = self.run_command("mesh", "square", "--metric", metric, "--size", "1", "-o", "m.mesh")
             self.assertEqual(done.returncode, 0, metric + done.stderr)
             self.assertRegex(done.stdout, SUMMARY)
+
+    def test_gradation(self):
+        job = ["mesh", "square", "--metric", "swirl:3", "--size", "1", "-o", "m.mesh"]
+        done = self.run_command(*job, "--gradation", "1.5")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        told, summary = done.stdout.splitlines(keepends=True)
+        self.assertRegex(told, r"\Agradation: [1-9]\d* of \d+ nodes changed, density at most times [1-9]")
+        self.assertRegex(summary, SUMMARY)
+        asked = json.loads((self.folder / "m.certificate.json").read_text())["asked"]["options"]
+        self.assertEqual(asked["gradation"], "1.5")
+        self.assertEqual("gradation: " + asked["gradation-done"] + "\n", told)
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+
+    def test_gradation_of_what_is_graded_changes_nothing(self):
+        seen = []
+        for more in ([], ["--gradation", "100"]):
+            self.make(*more)
+            seen.append([(self.folder / name).read_bytes() for name in ("m.mesh", "m.sol")])
+        self.assertEqual(seen[0], seen[1])
 
     def test_progress_needs_a_terminal(self):
         self.assertNotIn("\r", self.make().stderr)
