@@ -7,6 +7,7 @@
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/square_root_sum.hpp"
 #include "asterism/kernels/exact_to_interval.hpp"
+#include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_arc_point.hpp"
 #include "asterism/kernels/magnitude.hpp"
 #include "asterism/kernels/root_line.hpp"
@@ -194,27 +195,57 @@ bool equal_metric_answer(const site& v, const site& w, const site& x, const site
                                               as_exact(x), as_exact(y), tie));
 }
 
-}  // namespace
+// Numbers of any size, where a fixed width does not hold them.
+namespace unbounded {
 
-sign exact_kernel::orientation(const point& p, const point& q, const point& r) const {
+sign orientation(const point& p, const point& q, const point& r) {
   return asterism::orientation(convert<dyadic>(p), convert<dyadic>(q), convert<dyadic>(r)).value();
 }
 
-bool exact_kernel::is_positive_definite(const metric_tensor& metric) const {
+bool is_positive_definite(const metric_tensor& metric) {
   return is_true(asterism::is_positive_definite(convert<dyadic>(site{{}, metric}).metric));
 }
 
-sign exact_kernel::compare_distance(const site& v, const site& w, const point& q) const {
+sign compare_distance(const site& v, const site& w, const point& q) {
   return asterism::compare_distance(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(q))
       .value();
 }
 
-bool exact_kernel::in_wedge(const site& v, const site& w, const point& q) const {
+bool in_wedge(const site& v, const site& w, const point& q) {
   return is_true(asterism::in_wedge(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(q)));
 }
 
-sign exact_kernel::dominates(const site& v, const site& w, const point& p) const {
+sign dominates(const site& v, const site& w, const point& p) {
   return asterism::dominates(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(p)).value();
+}
+
+}  // namespace unbounded
+
+}  // namespace
+
+sign exact_kernel::orientation(const point& p, const point& q, const point& r) const {
+  const uncertain_sign found = fixed_width::orientation(p, q, r);
+  return found.certain() ? found.value() : unbounded::orientation(p, q, r);
+}
+
+bool exact_kernel::is_positive_definite(const metric_tensor& metric) const {
+  const uncertain_bool found = fixed_width::is_positive_definite(metric);
+  return found.certain() ? found.value() : unbounded::is_positive_definite(metric);
+}
+
+sign exact_kernel::compare_distance(const site& v, const site& w, const point& q) const {
+  const uncertain_sign found = fixed_width::compare_distance(v, w, q);
+  return found.certain() ? found.value() : unbounded::compare_distance(v, w, q);
+}
+
+bool exact_kernel::in_wedge(const site& v, const site& w, const point& q) const {
+  const uncertain_bool found = fixed_width::in_wedge(v, w, q);
+  return found.certain() ? found.value() : unbounded::in_wedge(v, w, q);
+}
+
+sign exact_kernel::dominates(const site& v, const site& w, const point& p) const {
+  const uncertain_sign found = fixed_width::dominates(v, w, p);
+  return found.certain() ? found.value() : unbounded::dominates(v, w, p);
 }
 
 int exact_kernel::voronoi_vertex_count(const site& u, const site& v, const site& w) const {
@@ -247,17 +278,24 @@ namespace {
 // a scope, and out of line (core/floating_point_environment.hpp).
 [[gnu::noinline]] bool insertion_test_in_scope(const site& v, const site& w, const site& x,
                                                const site& y) {
-  if (equal_metrics(v, w, x, y)) return equal_metric_answer(v, w, x, y, [] { return false; });
+  if (equal_metrics(v, w, x, y)) {
+    const uncertain_bool short_answer = fixed_width::insertion_test_equal_metrics(v, w, x, y);
+    return short_answer.certain() ? short_answer.value()
+                                  : equal_metric_answer(v, w, x, y, [] { return false; });
+  }
   const uncertain_bool found = search_arc(v, w, x, y);
   return found.certain() ? found.value() : insertion_sections(v, w, x, y).any_good_section();
 }
 
 [[gnu::noinline]] bool edge_test_in_scope(const site& v, const site& w, const site& x,
                                           const site& y) {
-  if (equal_metrics(v, w, x, y))
+  if (equal_metrics(v, w, x, y)) {
+    const uncertain_bool short_answer = fixed_width::edge_test_equal_metrics(v, w, x, y);
+    if (short_answer.certain()) return short_answer.value();
     return equal_metric_answer(v, w, x, y, [&] {
       return equal_metric_tie_goes_to_edge(v.position, w.position, x.position, y.position);
     });
+  }
   // A certain "no" of the search is no tie: kernels/arc_search.hpp.
   const uncertain_bool found = search_arc(v, w, x, y);
   if (found.certain()) return found.value();

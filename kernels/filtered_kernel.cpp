@@ -2,6 +2,7 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 
 #include "asterism/kernels/exact_kernel.hpp"
+#include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 #include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/kernels/star_gap.hpp"
@@ -18,14 +19,25 @@ template <class Ask>
   return answer.certain() ? answer.value() : ask(exact_kernel{});
 }
 
-// The answer of the semi-static tier when it has one.
-template <class Answer, class Ask>
-Answer decide(tier_counters& counters, predicate which, uncertain<Answer> first, const Ask& ask) {
-  if (first.certain()) {
-    ++counters.at(which, tier::semi_static);
-    return first.value();
-  }
-  return decide_slowly(counters, which, ask);
+// The same for predicates that take no longer than a call. Exact integers of a fixed width cost
+// less than intervals where they fit, so they come first. Arguments stay in registers on the way to
+// the other tiers, and nothing is stored for a call that is not made.
+template <predicate Which, auto OfShort, auto OfIntervals, auto OfExact, class... Arguments>
+[[gnu::noinline]] auto decide_slowly(tier_counters& counters, const Arguments&... arguments) {
+  auto answer = OfShort(arguments...);
+  const bool fits = answer.certain();
+  if (!fits) answer = (interval_kernel{}.*OfIntervals)(arguments...);
+  ++counters.at(Which, !fits && answer.certain() ? tier::interval : tier::exact);
+  return answer.certain() ? answer.value() : (exact_kernel{}.*OfExact)(arguments...);
+}
+
+template <predicate Which, auto OfShort, auto OfIntervals, auto OfExact, class Answer,
+          class... Arguments>
+Answer decide(tier_counters& counters, uncertain<Answer> first, const Arguments&... arguments) {
+  if (!first.certain())
+    return decide_slowly<Which, OfShort, OfIntervals, OfExact>(counters, arguments...);
+  ++counters.at(Which, tier::semi_static);
+  return first.value();
 }
 
 // In the caller's environment, so by the bits.
@@ -54,29 +66,30 @@ uncertain_bool ask_gaps(const site& v, const site& w, const site& x, const site&
 }  // namespace
 
 sign filtered_kernel::orientation(const point& p, const point& q, const point& r) const {
-  const auto ask = [&](const auto& kernel) { return kernel.orientation(p, q, r); };
-  return decide(counters_, predicate::orientation, semi_static::orientation(p, q, r), ask);
+  return decide<predicate::orientation, &fixed_width::orientation, &interval_kernel::orientation,
+                &exact_kernel::orientation>(counters_, semi_static::orientation(p, q, r), p, q, r);
 }
 
 bool filtered_kernel::is_positive_definite(const metric_tensor& metric) const {
-  const auto ask = [&](const auto& kernel) { return kernel.is_positive_definite(metric); };
-  return decide(counters_, predicate::is_spd, semi_static::is_positive_definite(metric), ask);
+  return decide<predicate::is_spd, &fixed_width::is_positive_definite,
+                &interval_kernel::is_positive_definite, &exact_kernel::is_positive_definite>(
+      counters_, semi_static::is_positive_definite(metric), metric);
 }
 
 sign filtered_kernel::compare_distance(const site& v, const site& w, const point& q) const {
-  const auto ask = [&](const auto& kernel) { return kernel.compare_distance(v, w, q); };
-  return decide(counters_, predicate::compare_distance, semi_static::compare_distance(v, w, q),
-                ask);
+  return decide<predicate::compare_distance, &fixed_width::compare_distance,
+                &interval_kernel::compare_distance, &exact_kernel::compare_distance>(
+      counters_, semi_static::compare_distance(v, w, q), v, w, q);
 }
 
 bool filtered_kernel::in_wedge(const site& v, const site& w, const point& q) const {
-  const auto ask = [&](const auto& kernel) { return kernel.in_wedge(v, w, q); };
-  return decide(counters_, predicate::in_wedge, semi_static::in_wedge(v, w, q), ask);
+  return decide<predicate::in_wedge, &fixed_width::in_wedge, &interval_kernel::in_wedge,
+                &exact_kernel::in_wedge>(counters_, semi_static::in_wedge(v, w, q), v, w, q);
 }
 
 sign filtered_kernel::dominates(const site& v, const site& w, const point& p) const {
-  const auto ask = [&](const auto& kernel) { return kernel.dominates(v, w, p); };
-  return decide(counters_, predicate::dominates, semi_static::dominates(v, w, p), ask);
+  return decide<predicate::dominates, &fixed_width::dominates, &interval_kernel::dominates,
+                &exact_kernel::dominates>(counters_, semi_static::dominates(v, w, p), v, w, p);
 }
 
 int filtered_kernel::voronoi_vertex_count(const site& u, const site& v, const site& w) const {
@@ -96,19 +109,24 @@ bool filtered_kernel::encroaches(const site& a, const site& b, const site& w) co
 
 bool filtered_kernel::insertion_test(const site& v, const site& w, const site& x,
                                      const site& y) const {
+  if (equal_metrics(v, w, x, y))
+    return decide<predicate::insertion_test, &fixed_width::insertion_test_equal_metrics,
+                  &interval_kernel::insertion_test, &exact_kernel::insertion_test>(
+        counters_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
   const auto ask = [&](const auto& kernel) { return kernel.insertion_test(v, w, x, y); };
-  const uncertain_bool first = equal_metrics(v, w, x, y)
-                                   ? semi_static::insertion_test_equal_metrics(v, w, x, y)
-                                   : uncertain_bool();
-  return decide(counters_, predicate::insertion_test, first, ask);
+  return decide_slowly(counters_, predicate::insertion_test, ask);
 }
 
 bool filtered_kernel::edge_test(const site& v, const site& w, const site& x, const site& y) const {
+  if (equal_metrics(v, w, x, y))
+    return decide<predicate::edge_test, &fixed_width::edge_test_equal_metrics,
+                  &interval_kernel::edge_test, &exact_kernel::edge_test>(
+        counters_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
   const auto ask = [&](const auto& kernel) { return kernel.edge_test(v, w, x, y); };
-  const uncertain_bool first = equal_metrics(v, w, x, y)
-                                   ? semi_static::insertion_test_equal_metrics(v, w, x, y)
-                                   : ask_gaps(v, w, x, y);
-  return decide(counters_, predicate::edge_test, first, ask);
+  const uncertain_bool by_gap = ask_gaps(v, w, x, y);
+  if (!by_gap.certain()) return decide_slowly(counters_, predicate::edge_test, ask);
+  ++counters_.at(predicate::edge_test, tier::semi_static);
+  return by_gap.value();
 }
 
 }  // namespace asterism

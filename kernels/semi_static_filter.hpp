@@ -8,21 +8,27 @@
 // it underflows or a subnormal operand is read as zero, an absolute one of at most 2^-1022. A value
 // is a sum of monomials, each carrying at most `depth` factors 1 + delta, |delta| <= eps; with S a
 // computed bound on the sum of their absolute values the error is at most (depth + slack) eps S,
-// where the slack of 8 covers the rounding of S itself (at most 7 operations deep) and the second
-// order. The depths are recomputed by a test that runs the same formulas on a counting type.
-// Absolute errors: every operand is kept below 2^200 (differences and metrics), so what multiplies
-// an underflow of a degree 5 formula stays below 2^(4*201), and a few dozen of those below 2^-200:
-// values that are not above 2^-200 + bound are undecided. Derivation: docs/math/tiers.md.
+// where the slack of 8 covers the rounding of S itself (at most 13 operations deep), of the bound
+// made from it and the second order. The depths are recomputed by a test that runs the same
+// formulas on a counting type; what stands in two lanes here are those formulas twice. Absolute
+// errors: every operand is kept below 2^200 (differences and metrics), so what multiplies an
+// underflow of a degree 5 formula stays below 2^(4*201), and a few dozen of those below 2^-200:
+// values that are not above 2^-200 + bound are undecided. The range is checked by comparison, not
+// by looking for infinities: rounding towards zero makes none. Derivation: docs/math/tiers.md.
 #pragma once
 
 #ifdef __FAST_MATH__
 #error "asterism: exact predicates cannot be compiled with -ffast-math"
 #endif
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
+#include "asterism/kernels/two_doubles.hpp"
 #include "asterism/predicates/compare_distance.hpp"
 #include "asterism/predicates/in_circle.hpp"
 #include "asterism/predicates/orientation.hpp"
@@ -41,78 +47,118 @@ inline constexpr int compare_distance_depth = 7;
 inline constexpr int wedge_depth = 6;
 inline constexpr int steepness_depth = 8;
 inline constexpr int in_circle_depth = 13;
+inline constexpr int opposite_angles_depth = 12;
 
 constexpr double bound_factor(int depth) { return (depth + slack) * eps; }
 
-// The sign of a value with an error of at most factor * magnitude + smallest_decided. A NaN in
-// either is undecided.
+// The sign of a value that is certainly not zero.
+inline sign sign_of_nonzero(double value) {
+  return static_cast<sign>((std::bit_cast<std::int64_t>(value) >> 63) | 1);
+}
+
+// The sign of a value with an error of at most `bound`. A NaN in either is undecided.
+inline uncertain_sign decide(double value, double bound) {
+  return std::abs(value) > bound ? uncertain_sign(sign_of_nonzero(value)) : uncertain_sign();
+}
 inline uncertain_sign decide(double value, double magnitude, double factor) {
-  const double bound = factor * magnitude + smallest_decided;
-  if (value > bound) return sign::positive;
-  if (value < -bound) return sign::negative;
-  return {};
+  return decide(value, factor * magnitude + smallest_decided);
 }
 
+// |ax by| <= (ax^2 + by^2) / 2: half a sum of squares is the magnitude and shows the range as well,
+// also where rounding towards zero makes the largest double of an overflow.
 inline uncertain_sign orientation(const point& p, const point& q, const point& r) {
-  const auto a = between(p, q), b = between(p, r);
-  const double left = a.x * b.y, right = a.y * b.x;
-  if (!(std::abs(a.x) + std::abs(a.y) + (std::abs(b.x) + std::abs(b.y)) <= largest_operand))
-    return {};
-  return decide(left - right, std::abs(left) + std::abs(right), bound_factor(orientation_depth));
+  const two_doubles from_p = pair(p.x, p.y);
+  const two_doubles a = pair(q.x, q.y) - from_p, b = pair(r.x, r.y) - from_p;
+  const two_doubles products = a * exchanged(b);
+  const double squares = sum(a * a + b * b);
+  if (!(squares <= largest_operand * largest_operand)) return {};
+  return decide(difference(products), squares, 0.5 * bound_factor(orientation_depth));
 }
 
-// An upper bound on the sum of the absolute monomials of u^T M u, M positive definite:
-// 2 |m12 ux uy| <= m11 ux^2 + m22 uy^2.
-inline double length_magnitude(const metric_tensor& m, const displacement<double>& u) {
-  return 2 * (m.m11 * (u.x * u.x) + m.m22 * (u.y * u.y));
+// Two metrics, one a lane.
+struct two_metrics {
+  two_doubles m11, m12, m22;
+};
+inline two_metrics together(const metric_tensor& a, const metric_tensor& b) {
+  return {pair(a.m11, b.m11), pair(a.m12, b.m12), pair(a.m22, b.m22)};
+}
+inline two_displacements together(const displacement<double>& a, const displacement<double>& b) {
+  return {pair(a.x, b.x), pair(a.y, b.y)};
+}
+inline two_displacements both(const displacement<double>& u) {
+  return {asterism::both(u.x), asterism::both(u.y)};
+}
+inline two_displacements between(const point& a, const point& b, const point& q) {
+  return {asterism::both(q.x) - pair(a.x, b.x), asterism::both(q.y) - pair(a.y, b.y)};
 }
 
-// Operands in range: sums, so that one comparison serves several.
-inline double extent(const metric_tensor& m) { return m.m11 + m.m22; }
-inline double extent(const displacement<double>& u) { return std::abs(u.x) + std::abs(u.y); }
-inline bool in_range(double sum_of_extents) { return sum_of_extents <= largest_operand; }
+// u^T M u in both lanes, and an upper bound on the sum of the absolute monomials:
+// 2 |m12 ux uy| <= m11 ux^2 + m22 uy^2 for M positive definite.
+struct two_lengths {
+  two_doubles value, half_magnitude;
+  two_doubles square;  // ux^2 + uy^2
+};
+inline two_lengths squared_lengths(const two_metrics& m, const two_displacements& u) {
+  const two_doubles xx = u.x * u.x, yy = u.y * u.y, xy = m.m12 * (u.x * u.y);
+  const two_doubles unmixed = m.m11 * xx + m.m22 * yy;
+  return {unmixed + (xy + xy), unmixed, xx + yy};
+}
+
+// Operands in range: sums, so that one comparison serves several. Squares of displacements may
+// stand for them.
+inline two_doubles extent(const two_metrics& m) { return m.m11 + m.m22; }
+inline two_doubles extent(const two_displacements& u) { return absolute(u.x) + absolute(u.y); }
+inline bool in_range(two_doubles extents) {
+  return both_less(extents, asterism::both(largest_operand));
+}
 
 inline uncertain_sign compare_distance(const site& v, const site& w, const point& q) {
-  const auto from_v = between(v.position, q), from_w = between(w.position, q);
-  if (!in_range((extent(v.metric) + extent(w.metric)) + (extent(from_v) + extent(from_w))))
-    return {};
-  return decide(squared_length(v.metric, from_v) - squared_length(w.metric, from_w),
-                length_magnitude(v.metric, from_v) + length_magnitude(w.metric, from_w),
-                bound_factor(compare_distance_depth));
+  const two_displacements u = between(v.position, w.position, q);
+  const two_metrics m = together(v.metric, w.metric);
+  const two_lengths lengths = squared_lengths(m, u);
+  if (!in_range(extent(m) + lengths.square)) return {};
+  return decide(difference(lengths.value), sum(lengths.half_magnitude),
+                2 * bound_factor(compare_distance_depth));
 }
 
-// |u^T M d| <= (|ux| + |uy|) (|dx| + |dy|) (m11 + m22), term by term, since |m12| is below the mean
-// of m11 and m22.
-inline double inner_magnitude(const metric_tensor& m, const displacement<double>& u,
-                              const displacement<double>& d) {
-  return extent(u) * (extent(d) * extent(m));
+// u^T M d in both lanes. |u^T M d| <= (|ux| + |uy|) (|dx| + |dy|) (m11 + m22), term by term, since
+// |m12| is below the mean of m11 and m22.
+inline two_doubles inner_products(const two_metrics& m, const two_displacements& u,
+                                  const two_displacements& d) {
+  return u.x * (m.m11 * d.x + m.m12 * d.y) + u.y * (m.m12 * d.x + m.m22 * d.y);
 }
 
 inline uncertain_bool in_wedge(const site& v, const site& w, const point& q) {
-  const auto d = between(v.position, w.position);
-  const auto from_v = between(v.position, q), from_w = between(w.position, q);
-  if (!in_range((extent(v.metric) + extent(w.metric)) +
-                ((extent(from_v) + extent(from_w)) + extent(d))))
-    return {};
-  constexpr double factor = bound_factor(wedge_depth);
-  const double seen_from_v = dot(from_v, apply(v.metric, d)),
-               seen_from_w = -dot(from_w, apply(w.metric, d));
-  return is_positive(decide(seen_from_v, inner_magnitude(v.metric, from_v, d), factor)) &
-         is_positive(decide(seen_from_w, inner_magnitude(w.metric, from_w, d), factor));
+  const two_doubles x = pair(v.position.x, w.position.x), y = pair(v.position.y, w.position.y);
+  const two_displacements u = {asterism::both(q.x) - x, asterism::both(q.y) - y};
+  const two_displacements d = {exchanged(x) - x, exchanged(y) - y};  // w - v and v - w
+  const two_metrics m = together(v.metric, w.metric);
+  const two_doubles of_m = extent(m), of_u = extent(u), of_d = extent(d);
+  if (!in_range(of_m + (of_u + of_d))) return {};
+  const two_doubles value = inner_products(m, u, d);
+  const two_doubles bound = of_u * (of_d * of_m) * asterism::both(bound_factor(wedge_depth)) +
+                            asterism::both(smallest_decided);
+  if (both_less(bound, absolute(value))) return sign_bits(value) == 0;
+  // One that is certainly not positive is enough for a no.
+  return (value[0] < -bound[0]) | (value[1] < -bound[1]) ? uncertain_bool(false) : uncertain_bool();
 }
 
 // Does the view of `near` to a point at u from it, known to be nearer to it than to `far`,
 // certainly not cross the bisector twice? Three sufficient conditions (predicates/domination.hpp):
-// A + C > 0, H < 0, A + H > 0.
-inline bool crossed_less_than_twice(const site& near, const site& far,
-                                    const displacement<double>& u, const displacement<double>& d) {
+// A + C > 0, H < 0, A + H > 0. `seen_near` is |u|^2 in near's metric, with its half magnitude.
+inline bool crossed_less_than_twice(double seen_near, double half_magnitude,
+                                    const metric_tensor& far, const displacement<double>& u,
+                                    const displacement<double>& d) {
   constexpr double factor = bound_factor(steepness_depth);
-  const double a = squared_length(near.metric, u) - squared_length(far.metric, u);
-  const double lengths = length_magnitude(near.metric, u) + length_magnitude(far.metric, u);
-  if (decide(a + squared_length(far.metric, d), lengths + length_magnitude(far.metric, d), factor)
+  const two_lengths by_far = squared_lengths(together(far, far), together(u, d));
+  const double a = seen_near - by_far.value[0];
+  if (decide(a + by_far.value[1], half_magnitude + sum(by_far.half_magnitude), 2 * factor)
           .certainly(sign::positive))
     return true;
-  const double h = dot(u, apply(far.metric, d)), mixed = inner_magnitude(far.metric, u, d);
+  const double h = dot(u, apply(far, d));
+  const double mixed =
+      (std::abs(u.x) + std::abs(u.y)) * ((std::abs(d.x) + std::abs(d.y)) * (far.m11 + far.m22));
+  const double lengths = 2 * (half_magnitude + by_far.half_magnitude[0]);
   return decide(h, mixed, bound_factor(wedge_depth)).certainly(sign::negative) ||
          decide(a + h, lengths + mixed, factor).certainly(sign::positive);
 }
@@ -120,33 +166,24 @@ inline bool crossed_less_than_twice(const site& near, const site& far,
 // Decides where the nearer site's view is crossed less than twice; it dominates then, unless a
 // tangency, which none of the conditions allows, counts one point.
 inline uncertain_sign dominates(const site& v, const site& w, const point& p) {
-  const auto d = between(v.position, w.position);
-  const auto from_v = between(v.position, p), from_w = between(w.position, p);
-  if (!in_range((extent(v.metric) + extent(w.metric)) +
-                ((extent(from_v) + extent(from_w)) + extent(d))))
-    return {};
+  const two_displacements u = between(v.position, w.position, p);
+  const displacement<double> d = between(v.position, w.position);
+  const two_metrics m = together(v.metric, w.metric);
+  const two_lengths lengths = squared_lengths(m, u);
+  if (!in_range((extent(m) + lengths.square) + extent(both(d)))) return {};
+  const double value = difference(lengths.value);
   const uncertain_sign nearer =
-      decide(squared_length(v.metric, from_v) - squared_length(w.metric, from_w),
-             length_magnitude(v.metric, from_v) + length_magnitude(w.metric, from_w),
-             bound_factor(compare_distance_depth));
+      decide(value, sum(lengths.half_magnitude), 2 * bound_factor(compare_distance_depth));
   if (!nearer.certain()) return {};
-  const bool decided = nearer.value() == sign::negative ? crossed_less_than_twice(v, w, from_v, d)
-                                                        : crossed_less_than_twice(w, v, from_w, -d);
+  // By address: which site is nearer is as good as random, and a branch on it would be missed.
+  const bool v_nearer = nearer.value() == sign::negative;
+  const std::array<const site*, 2> sites = {&v, &w};
+  const site &near = *sites[v_nearer ? 0 : 1], &far = *sites[v_nearer ? 1 : 0];
+  const bool decided = crossed_less_than_twice(
+      v_nearer ? lengths.value[0] : lengths.value[1],
+      v_nearer ? lengths.half_magnitude[0] : lengths.half_magnitude[1], far.metric,
+      between(near.position, p), between(near.position, far.position));
   return decided ? uncertain_sign(-nearer.value()) : uncertain_sign();
-}
-
-inline uncertain_sign in_circle(const metric_tensor& m, const point& v, const point& w,
-                                const point& x, const point& y) {
-  const auto a = between(y, v), b = between(y, w), c = between(y, x);
-  if (!in_range(extent(m) + ((extent(a) + extent(b)) + extent(c)))) return {};
-  const double bxcy = b.x * c.y, bycx = b.y * c.x, cxay = c.x * a.y, cyax = c.y * a.x,
-               axby = a.x * b.y, aybx = a.y * b.x;
-  const double value = squared_length(m, a) * (bxcy - bycx) + squared_length(m, b) * (cxay - cyax) +
-                       squared_length(m, c) * (axby - aybx);
-  const double magnitude = length_magnitude(m, a) * (std::abs(bxcy) + std::abs(bycx)) +
-                           length_magnitude(m, b) * (std::abs(cxay) + std::abs(cyax)) +
-                           length_magnitude(m, c) * (std::abs(axby) + std::abs(aybx));
-  return decide(value, magnitude, bound_factor(in_circle_depth));
 }
 
 // m11 > 0 is exact as it stands; the determinant has two monomials.
@@ -157,16 +194,31 @@ inline uncertain_bool is_positive_definite(const metric_tensor& m) {
   return is_positive(decide(diagonal - mixed, std::abs(diagonal) + mixed, bound_factor(2)));
 }
 
-// INSERTIONTEST of four equal metrics, x and y strictly on different sides of the line vw.
+// INSERTIONTEST of four equal metrics, x and y strictly on different sides of the line vw. Lanes: x
+// and y.
 inline uncertain_bool insertion_test_equal_metrics(const site& v, const site& w, const site& x,
                                                    const site& y) {
-  const uncertain_sign side_x = orientation(v.position, w.position, x.position);
-  if (!side_x.certain()) return {};
-  const uncertain_sign side_y = orientation(v.position, w.position, y.position);
-  if (!side_y.certain()) return {};
-  if (side_x.value() == side_y.value()) return true;
-  const uncertain_sign inside = in_circle(v.metric, v.position, w.position, x.position, y.position);
-  return inside.certain() ? uncertain_bool(inside.value() != side_x.value()) : uncertain_bool();
+  const two_displacements ends = {pair(x.position.x, y.position.x),
+                                  pair(x.position.y, y.position.y)};
+  const two_displacements d = both(between(v.position, w.position)),
+                          from_v = ends - both(displacement<double>{v.position.x, v.position.y}),
+                          from_w = ends - both(displacement<double>{w.position.x, w.position.y});
+  const two_metrics m = together(v.metric, v.metric);
+  const two_doubles of_m = extent(m), of_from_v = extent(from_v), of_from_w = extent(from_w);
+  if (!in_range((of_m + extent(d)) + (of_from_v + of_from_w))) return {};
+  const two_doubles left = d.x * from_v.y, right = d.y * from_v.x;
+  const two_doubles side = left - right, side_magnitude = absolute(left) + absolute(right);
+  const two_doubles side_bound = asterism::both(bound_factor(orientation_depth)) * side_magnitude +
+                                 asterism::both(smallest_decided);
+  const two_doubles side_size = absolute(side);
+  if (!both_less(side_bound, side_size)) return {};
+  if (sign_bits(side) == 0 || sign_bits(side) == 3) return true;
+  const two_doubles slope = inner_products(m, from_v, from_w);
+  const two_doubles slope_magnitude = of_from_v * (of_from_w * of_m);
+  const uncertain_sign outside =
+      decide(sum(slope * exchanged(side_size)), sum(slope_magnitude * exchanged(side_magnitude)),
+             bound_factor(opposite_angles_depth));
+  return is_positive(outside);
 }
 
 }  // namespace asterism::semi_static

@@ -33,4 +33,22 @@ uncertain_sign in_circle(const basic_metric_tensor<Number>& m, const basic_point
   return sign_of(in_circle_value(m, v, w, x, y));
 }
 
+// (x - v)^T m (x - w): the cotangent, in m, of the angle at x between v and w, times the double
+// area of v, w, x.
+template <class Number>
+Number angle_value(const basic_metric_tensor<Number>& m, const basic_point<Number>& v,
+                   const basic_point<Number>& w, const basic_point<Number>& x) {
+  return dot(between(v, x), apply(m, between(w, x)));
+}
+
+// The same polynomial as in_circle_value, for who already has the orientations of v, w, x and of
+// v, w, y: opposite angles, whose cotangents add up to zero on a circle.
+template <class Number>
+Number opposite_angles_value(const basic_metric_tensor<Number>& m, const basic_point<Number>& v,
+                             const basic_point<Number>& w, const basic_point<Number>& x,
+                             const basic_point<Number>& y, const Number& orientation_x,
+                             const Number& orientation_y) {
+  return angle_value(m, v, w, x) * orientation_y - angle_value(m, v, w, y) * orientation_x;
+}
+
 }  // namespace asterism

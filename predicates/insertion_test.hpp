@@ -157,19 +157,18 @@ uncertain_bool insertion_test_equal_metrics(const basic_metric_tensor<Number>& m
                                             const basic_point<Number>& w,
                                             const basic_point<Number>& x,
                                             const basic_point<Number>& y, TieRule&& tie) {
-  const auto side = [&](const basic_point<Number>& q) {
-    return sign_of(cross(between(v, w), between(v, q)));
-  };
+  const auto d = between(v, w);
+  const Number of_x = cross(d, between(v, x)), of_y = cross(d, between(v, y));
   const auto blocks = [&](uncertain_sign s, const basic_point<Number>& q) {
     return is_zero(s) & is_negative(sign_of(dot(between(v, q), between(w, q))));
   };
-  const uncertain_sign side_x = side(x), side_y = side(y);
+  const uncertain_sign side_x = sign_of(of_x), side_y = sign_of(of_y);
   const uncertain_bool blocked = blocks(side_x, x) | blocks(side_y, y);
   if (!blocked.certain()) return {};
   if (blocked.value()) return false;
   if (!side_x.certain() || !side_y.certain()) return {};
   if (side_x.value() * side_y.value() != sign::negative) return true;
-  const uncertain_sign inside = in_circle(m, v, w, x, y);
+  const uncertain_sign inside = sign_of(opposite_angles_value(m, v, w, x, y, of_x, of_y));
   if (!inside.certain()) return {};
   if (inside.value() == sign::zero) return tie();
   return inside.value() != side_x.value();

@@ -39,8 +39,8 @@ using counted_site = basic_site<rounding_count>;
 using counted_metric = basic_metric_tensor<rounding_count>;
 
 double rigorous_factor(int depth) {
-  // ((1 + eps)^depth - 1) (1 + eps)^7, the second factor for the computed magnitude.
-  return std::expm1(depth * std::log1p(semi_static::eps)) * std::pow(1 + semi_static::eps, 7) *
+  // ((1 + eps)^depth - 1) (1 + eps)^15, the second factor for the computed magnitude and bound.
+  return std::expm1(depth * std::log1p(semi_static::eps)) * std::pow(1 + semi_static::eps, 15) *
          (1 + 1e-10);
 }
 
@@ -53,6 +53,9 @@ TEST_CASE("the depths of the semi-static bounds are those of the formulas", "[fi
   CHECK(compare_distance_value(s, s, p).depth <= semi_static::compare_distance_depth);
   CHECK(wedge_value(s, p, p).depth <= semi_static::wedge_depth);
   CHECK(in_circle_value(counted_metric{}, p, p, p, p).depth <= semi_static::in_circle_depth);
+  const rounding_count turn = orientation_value(p, p, p);
+  CHECK(opposite_angles_value(counted_metric{}, p, p, p, p, turn, turn).depth <=
+        semi_static::opposite_angles_depth);
   const rounding_count steepness =
       (squared_length(s.metric, between(p, p)) - squared_length(s.metric, between(p, p))) +
       squared_length(s.metric, between(p, p));
@@ -64,9 +67,9 @@ TEST_CASE("the depths of the semi-static bounds are those of the formulas", "[fi
 }
 
 TEST_CASE("the factors cover the depths with room for the computed magnitude", "[filter]") {
-  for (const int depth :
-       {2, semi_static::orientation_depth, semi_static::compare_distance_depth,
-        semi_static::wedge_depth, semi_static::steepness_depth, semi_static::in_circle_depth})
+  for (const int depth : {2, semi_static::orientation_depth, semi_static::compare_distance_depth,
+                          semi_static::wedge_depth, semi_static::steepness_depth,
+                          semi_static::in_circle_depth, semi_static::opposite_angles_depth})
     CHECK(semi_static::bound_factor(depth) >= rigorous_factor(depth));
 }
 

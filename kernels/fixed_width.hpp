@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// The first stage of the exact tier: the pointwise predicates in integers of a fixed width. The
+// coordinates of a question become 62-bit integers in one common unit, and so do its metrics;
+// products then have 128, 192 and 320 bits. Nothing rounds and nothing asks for memory.
+//
+// Undecided: where the numbers of a question differ so much in size, or have so many bits, that no
+// unit holds them all. How large they are does not matter, nor does the floating-point environment.
+// Input: as for exact_kernel. Bounds on every width: fixed_width.cpp.
+#pragma once
+
+#include "asterism/core/sign.hpp"
+#include "asterism/core/site.hpp"
+
+namespace asterism::fixed_width {
+
+uncertain_sign orientation(const point& p, const point& q, const point& r);
+uncertain_bool is_positive_definite(const metric_tensor& metric);
+uncertain_sign compare_distance(const site& v, const site& w, const point& q);
+uncertain_bool in_wedge(const site& v, const site& w, const point& q);
+// Undecided also where the discriminant is needed: a bulge of the bisector (domination.hpp).
+uncertain_sign dominates(const site& v, const site& w, const point& p);
+
+// Four sites with the metric of v, which is theirs too (predicates/insertion_test.hpp); of a tie
+// edge_test makes what predicates/tie_breaking.hpp says, insertion_test a no.
+uncertain_bool insertion_test_equal_metrics(const site& v, const site& w, const site& x,
+                                            const site& y);
+uncertain_bool edge_test_equal_metrics(const site& v, const site& w, const site& x, const site& y);
+
+}  // namespace asterism::fixed_width

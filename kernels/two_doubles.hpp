@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Two doubles in one register: what the semi-static tier computes of two sites it computes at once.
+// Every operation is that of two doubles one by one, in any floating-point environment.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace asterism {
+
+// + - * work lane by lane; x[0] and x[1] are the lanes.
+using two_doubles = double __attribute__((vector_size(16)));
+
+inline two_doubles pair(double a, double b) { return two_doubles{a, b}; }
+inline two_doubles both(double x) { return two_doubles{x, x}; }
+inline two_doubles absolute(two_doubles x) {
+  using two_integers = std::int64_t __attribute__((vector_size(16)));
+  constexpr std::int64_t all_but_sign = INT64_MAX;
+  return reinterpret_cast<two_doubles>(reinterpret_cast<two_integers>(x) &
+                                       two_integers{all_but_sign, all_but_sign});
+}
+inline two_doubles exchanged(two_doubles x) { return two_doubles{x[1], x[0]}; }
+inline double sum(two_doubles x) { return x[0] + x[1]; }
+inline double difference(two_doubles x) { return x[0] - x[1]; }
+
+// In both lanes; false of a NaN.
+inline bool both_less(two_doubles a, two_doubles b) {
+#if defined(__SSE2__)
+  return _mm_movemask_pd(_mm_cmplt_pd(a, b)) == 3;
+#else
+  return (a[0] < b[0]) & (a[1] < b[1]);
+#endif
+}
+// Bit k: lane k has the sign bit.
+inline unsigned sign_bits(two_doubles x) {
+#if defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_pd(x));
+#else
+  return static_cast<unsigned>(std::signbit(x[0])) | static_cast<unsigned>(std::signbit(x[1])) << 1;
+#endif
+}
+
+// The same component of two displacements, points or metrics.
+struct two_displacements {
+  two_doubles x, y;
+};
+inline two_displacements operator-(const two_displacements& a, const two_displacements& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+
+}  // namespace asterism
