@@ -77,11 +77,17 @@ ASTERISM_INLINE number compare_distance_row(const site& v, const site& w, const 
                      usable);
 }
 
+// u^T M d, and a bound on its monomials.
+struct bounded {
+  double value, magnitude;
+};
+ASTERISM_INLINE bounded inner_product(const metric_tensor& m, const vector& u, const vector& d) {
+  return {u.x * (m.m11 * d.x + m.m12 * d.y) + u.y * (m.m12 * d.x + m.m22 * d.y),
+          (absolute(u.x) + absolute(u.y)) * ((absolute(d.x) + absolute(d.y)) * (m.m11 + m.m22))};
+}
 ASTERISM_INLINE verdict wedge(const metric_tensor& m, const vector& u, const vector& d) {
-  const double value = u.x * (m.m11 * d.x + m.m12 * d.y) + u.y * (m.m12 * d.x + m.m22 * d.y);
-  const double magnitude =
-      (absolute(u.x) + absolute(u.y)) * ((absolute(d.x) + absolute(d.y)) * (m.m11 + m.m22));
-  return decide(value, magnitude, bound_factor(semi_static::wedge_depth));
+  const bounded b = inner_product(m, u, d);
+  return decide(b.value, b.magnitude, bound_factor(semi_static::wedge_depth));
 }
 
 ASTERISM_INLINE number in_wedge_row(const site& v, const site& w, const point& q) {
@@ -120,10 +126,9 @@ ASTERISM_INLINE number dominates_row(const site& v, const site& w, const point& 
   return sign_answer({nearer.negative & room.positive, nearer.positive & room.positive}, usable);
 }
 
-ASTERISM_INLINE verdict side(const vector& a, const vector& b) {
+ASTERISM_INLINE bounded cross_product(const vector& a, const vector& b) {
   const double left = a.x * b.y, right = a.y * b.x;
-  return decide(left - right, absolute(left) + absolute(right),
-                bound_factor(semi_static::orientation_depth));
+  return {left - right, absolute(left) + absolute(right)};
 }
 
 // Equal bit for bit, whatever the processor is told of subnormal numbers.
@@ -134,32 +139,27 @@ ASTERISM_INLINE number same_metric(const metric_tensor& a, const metric_tensor& 
   return (difference(a.m11, b.m11) | difference(a.m12, b.m12) | difference(a.m22, b.m22)) == 0;
 }
 
-ASTERISM_INLINE verdict in_circle(const metric_tensor& m, const vector& a, const vector& b,
-                                  const vector& c) {
-  const double bxcy = b.x * c.y, bycx = b.y * c.x, cxay = c.x * a.y, cyax = c.y * a.x,
-               axby = a.x * b.y, aybx = a.y * b.x;
-  const double value =
-      length(m, a) * (bxcy - bycx) + length(m, b) * (cxay - cyax) + length(m, c) * (axby - aybx);
-  const double magnitude = length_magnitude(m, a) * (absolute(bxcy) + absolute(bycx)) +
-                           length_magnitude(m, b) * (absolute(cxay) + absolute(cyax)) +
-                           length_magnitude(m, c) * (absolute(axby) + absolute(aybx));
-  return decide(value, magnitude, bound_factor(semi_static::in_circle_depth));
-}
-
 ASTERISM_INLINE number edge_test_row(const site& v, const site& w, const site& x, const site& y) {
-  const vector d = to(v.position, w.position), to_x = to(v.position, x.position),
-               to_y = to(v.position, y.position), from_v = to(y.position, v.position),
-               from_w = to(y.position, w.position), from_x = to(y.position, x.position);
+  const vector d = to(v.position, w.position), v_to_x = to(v.position, x.position),
+               v_to_y = to(v.position, y.position), w_to_x = to(w.position, x.position),
+               w_to_y = to(w.position, y.position);
   const number usable = same_metric(v.metric, w.metric) & same_metric(v.metric, x.metric) &
                         same_metric(v.metric, y.metric) & harmless(v.metric) & harmless(d) &
-                        harmless(to_x) & harmless(to_y) & harmless(from_w) & harmless(from_x);
-  const verdict of_x = side(d, to_x), of_y = side(d, to_y),
-                inside = in_circle(v.metric, from_v, from_w, from_x);
-  const number same = (of_x.positive & of_y.positive) | (of_x.negative & of_y.negative);
-  const number apart = (of_x.positive & of_y.negative) | (of_x.negative & of_y.positive);
-  const number blocked = (inside.positive & of_x.positive) | (inside.negative & of_x.negative);
-  const number clear = (inside.positive & of_x.negative) | (inside.negative & of_x.positive);
-  return truth_answer(same | (apart & clear), apart & blocked, usable);
+                        harmless(v_to_x) & harmless(v_to_y) & harmless(w_to_x) & harmless(w_to_y);
+  const bounded of_x = cross_product(d, v_to_x), of_y = cross_product(d, v_to_y);
+  constexpr double factor = bound_factor(semi_static::orientation_depth);
+  const verdict side_x = decide(of_x.value, of_x.magnitude, factor),
+                side_y = decide(of_y.value, of_y.magnitude, factor);
+  const number same = (side_x.positive & side_y.positive) | (side_x.negative & side_y.negative);
+  const number apart = (side_x.positive & side_y.negative) | (side_x.negative & side_y.positive);
+  // Opposite angles (predicates/in_circle.hpp).
+  const bounded at_x = inner_product(v.metric, v_to_x, w_to_x),
+                at_y = inner_product(v.metric, v_to_y, w_to_y);
+  const verdict outside =
+      decide(at_x.value * absolute(of_y.value) + at_y.value * absolute(of_x.value),
+             at_x.magnitude * of_y.magnitude + at_y.magnitude * of_x.magnitude,
+             bound_factor(semi_static::opposite_angles_depth));
+  return truth_answer(same | (apart & outside.positive), apart & outside.negative, usable);
 }
 
 // Blocks of rows side by side as the instruction set allows. Within a block every number has 64

@@ -46,7 +46,6 @@ inline constexpr int orientation_depth = 4;
 inline constexpr int compare_distance_depth = 7;
 inline constexpr int wedge_depth = 6;
 inline constexpr int steepness_depth = 8;
-inline constexpr int in_circle_depth = 13;
 inline constexpr int opposite_angles_depth = 12;
 
 constexpr double bound_factor(int depth) { return (depth + slack) * eps; }
@@ -140,7 +139,8 @@ inline uncertain_bool in_wedge(const site& v, const site& w, const point& q) {
                             asterism::both(smallest_decided);
   if (both_less(bound, absolute(value))) return sign_bits(value) == 0;
   // One that is certainly not positive is enough for a no.
-  return (value[0] < -bound[0]) | (value[1] < -bound[1]) ? uncertain_bool(false) : uncertain_bool();
+  const bool outside = (value[0] < -bound[0]) | (value[1] < -bound[1]);
+  return outside ? uncertain_bool(false) : uncertain_bool();
 }
 
 // Does the view of `near` to a point at u from it, known to be nearer to it than to `far`,

@@ -52,7 +52,6 @@ TEST_CASE("the depths of the semi-static bounds are those of the formulas", "[fi
   CHECK(orientation_value(p, p, p).depth <= semi_static::orientation_depth);
   CHECK(compare_distance_value(s, s, p).depth <= semi_static::compare_distance_depth);
   CHECK(wedge_value(s, p, p).depth <= semi_static::wedge_depth);
-  CHECK(in_circle_value(counted_metric{}, p, p, p, p).depth <= semi_static::in_circle_depth);
   const rounding_count turn = orientation_value(p, p, p);
   CHECK(opposite_angles_value(counted_metric{}, p, p, p, p, turn, turn).depth <=
         semi_static::opposite_angles_depth);
@@ -67,9 +66,9 @@ TEST_CASE("the depths of the semi-static bounds are those of the formulas", "[fi
 }
 
 TEST_CASE("the factors cover the depths with room for the computed magnitude", "[filter]") {
-  for (const int depth : {2, semi_static::orientation_depth, semi_static::compare_distance_depth,
-                          semi_static::wedge_depth, semi_static::steepness_depth,
-                          semi_static::in_circle_depth, semi_static::opposite_angles_depth})
+  for (const int depth :
+       {2, semi_static::orientation_depth, semi_static::compare_distance_depth,
+        semi_static::wedge_depth, semi_static::steepness_depth, semi_static::opposite_angles_depth})
     CHECK(semi_static::bound_factor(depth) >= rigorous_factor(depth));
 }
 
