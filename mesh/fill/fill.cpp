@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/fill/fill.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/fill/domain_locator.hpp"
+#include "asterism/mesh/fill/plain_net.hpp"
+#include "asterism/mesh/fill/segment_division.hpp"
+#include "asterism/mesh/local/box_index.hpp"
+#include "asterism/mesh/local/hilbert_order.hpp"
+#include "asterism/mesh/local/parallel.hpp"
+#include "asterism/mesh/local/site_index.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t chunk = 256;
+
+// A new site must be farther than this part of the distance from all others as it measures itself;
+// as they measure, the whole. Asking the whole of both leaves holes where the metric varies.
+constexpr double own_part = 0.6;
+
+// A box around all points within `reach` of q as `metric` measures.
+bounding_box around(const point& q, const metric_tensor& metric, double reach) {
+  const double det = determinant(metric);
+  const double x = reach * std::sqrt(metric.m22 / det), y = reach * std::sqrt(metric.m11 / det);
+  return {{q.x - x, q.y - y}, {q.x + x, q.y + y}};
+}
+
+struct proposal {
+  site where;
+  double squared_radius;
+  index from;  // the centre of a star it is near
+};
+
+struct disturbed {
+  index star, by;
+};
+
+class filling {
+ public:
+  filling(const domain& d, const metric_field& field, const fill_options& options,
+          std::vector<division> divisions)
+      : domain_(d),
+        field_(field),
+        options_(options),
+        divisions_(std::move(divisions)),
+        box_(d.box()),
+        locator_(d),
+        sites_index_(box_),
+        pieces_index_(box_) {}
+
+  result<filled_domain> run(const std::function<bool(std::size_t)>& progress) {
+    int levels = 0;
+    const double widest = longest_segment();
+    while (levels < most_levels && options_.distance * std::exp2(levels) < widest) ++levels;
+    distance_ = options_.distance * std::exp2(levels);
+    start();
+    for (int level = levels; level >= 0 && !failure_ && !full_; --level) {
+      distance_ = options_.distance * std::exp2(level);
+      divide(level == 0 ? 0 : options_.longest_piece * std::exp2(level));
+      while (!failure_ && !full_ && rounds_ < most_rounds) {
+        if (progress && !progress(sites_.size())) full_ = true;
+        if (!round()) break;
+      }
+    }
+    if (failure_) return *failure_;
+    return outcome();
+  }
+
+ private:
+  static constexpr int most_levels = 40;
+  // Each round but the last of a level inserts a site; this only stops a run whose numbers have
+  // gone wrong.
+  static constexpr std::size_t most_rounds = 4000;
+
+  // An interval of a segment's division that is one piece so far.
+  struct interval {
+    std::size_t segment, first, last;  // into the division's points
+    index a, b;
+  };
+
+  double longest_segment() const {
+    double longest = 0;
+    for (const division& d : divisions_) longest = std::max(longest, d.lengths.back());
+    return longest;
+  }
+
+  std::optional<site> site_at(const point& q) {
+    const auto metric = field_.at(q);
+    if (metric) return site{q, metric.value()};
+    if (!failure_) failure_ = metric.failure();
+    return std::nullopt;
+  }
+
+  void start() {
+    for (const point& q : domain_.vertices) {
+      const auto s = site_at(q);
+      if (!s) return;
+      add_site(*s, true);
+    }
+    at_division_.resize(divisions_.size());
+    for (std::size_t s = 0; s < divisions_.size(); ++s) {
+      at_division_[s].assign(divisions_[s].points.size(), no_site);
+      const segment& one = domain_.segments[s];
+      intervals_.push_back({s, 0, divisions_[s].points.size() - 1, one.a, one.b});
+      insert_piece(intervals_.size() - 1);
+    }
+    fresh_from_ = 0;
+    renew_stars();
+  }
+
+  void add_site(const site& s, bool on_segment) {
+    sites_.push_back(s);
+    on_segment_.push_back(on_segment);
+    sites_index_.insert(sites_, static_cast<index>(sites_.size() - 1));
+    full_ = full_ || sites_.size() >= options_.max_sites;
+  }
+
+  bounding_box piece_box(std::size_t i) const {
+    return box_of(sites_[intervals_[i].a].position, sites_[intervals_[i].b].position);
+  }
+  void insert_piece(std::size_t i) {
+    pieces_index_.insert(static_cast<std::uint32_t>(i), piece_box(i));
+  }
+
+  // Halves the intervals that are longer than `longest`.
+  void divide(double longest) {
+    fresh_from_ = sites_.size();
+    for (std::size_t i = 0; i < intervals_.size() && !failure_ && !full_;) {
+      const interval now = intervals_[i];
+      const division& d = divisions_[now.segment];
+      if (now.last == now.first + 1 || d.lengths[now.last] - d.lengths[now.first] <= longest) {
+        ++i;
+        continue;
+      }
+      const std::size_t middle = now.first + (now.last - now.first) / 2;
+      const auto s = site_at(d.points[middle]);
+      if (!s) return;
+      add_site(*s, true);
+      const auto m = static_cast<index>(sites_.size() - 1);
+      at_division_[now.segment][middle] = m;
+      pieces_index_.remove(static_cast<std::uint32_t>(i), piece_box(i));
+      intervals_[i] = {now.segment, now.first, middle, now.a, m};
+      intervals_.push_back({now.segment, middle, now.last, m, now.b});
+      insert_piece(i);
+      insert_piece(intervals_.size() - 1);
+    }
+    renew_stars();
+    changed_.resize(sites_.size());
+    for (index v = 0; v < sites_.size(); ++v) changed_[v] = v;  // the distance is new as well
+  }
+
+  // --- One round: proposals, a choice of them, the stars around.
+
+  bool round() {
+    ++rounds_;
+    std::vector<proposal> proposals = collect_chunks<proposal>(
+        changed_.size(), chunk,
+        [&](std::size_t begin, std::size_t end, std::vector<proposal>& out) {
+          const filtered_kernel kernel;
+          for (std::size_t i = begin; i < end; ++i) propose(kernel, changed_[i], out);
+        });
+    if (const auto at = std::find_if(proposals.begin(), proposals.end(),
+                                     [](const proposal& p) { return p.squared_radius == infinity; });
+        at != proposals.end()) {
+      site_at(at->where.position);  // the field failed there
+      return false;
+    }
+    choose(proposals);
+    const bool any = fresh_from_ < sites_.size();
+    if (any) renew_stars();
+    return any;
+  }
+
+  // The Voronoi vertices of the star's triangles that are far enough from all sites and inside.
+  void propose(const filtered_kernel& kernel, index v, std::vector<proposal>& out) const {
+    const plain_star& star = stars_[v];
+    const point& centre = sites_[v].position;
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      const plain_gap& gap = star[i];
+      const index next = star[i + 1 < star.size() ? i + 1 : 0].neighbour;
+      if (!(gap.squared_radius > distance_ * distance_) || gap.squared_radius == infinity) continue;
+      if (v > gap.neighbour || v > next) continue;  // another star proposes it
+      const point q{centre.x + gap.vertex.x, centre.y + gap.vertex.y};
+      if (q.x < box_.low.x || q.x > box_.high.x || q.y < box_.low.y || q.y > box_.high.y) continue;
+      const auto metric = field_.at(q);
+      if (!metric) {
+        if (locator_.contains(kernel, q)) out.push_back({{q, {}}, infinity, v});
+        continue;
+      }
+      const site s{q, metric.value()};
+      if (has_room(sites_index_, s) && stays_clear(s) && locator_.contains(kernel, q))
+        out.push_back({s, gap.squared_radius, v});
+    }
+  }
+
+  bool has_room(const site_index& among, const site& s) const {
+    const double squared = distance_ * distance_, own = own_part * own_part * squared;
+    // Metrics that differ more than this within the distance are beyond what the net can do.
+    constexpr double margin = 1.25;
+    const bounding_box near = around(s.position, s.metric, margin * distance_);
+    return among.visit_box(sites_, near.low, near.high, [&](index w) {
+      return squared_distance(sites_[w], s.position) > squared &&
+             squared_distance(s, sites_[w].position) > own;
+    });
+  }
+
+  // Whether no piece has its bisector point nearer to s than to its ends.
+  bool stays_clear(const site& s) const {
+    const bounding_box near = around(s.position, s.metric, distance_);
+    return pieces_index_.visit(near, [&](std::uint32_t i) {
+      const site &a = sites_[intervals_[i].a], &b = sites_[intervals_[i].b];
+      const point m = bisector_point(a, b);
+      return squared_distance(s, m) > squared_distance(a, m);
+    });
+  }
+
+  // Farthest first, in bands, so that neighbours in memory stay neighbours.
+  void choose(std::vector<proposal>& proposals) {
+    const auto band = [&](const proposal& p) {
+      return static_cast<int>(2 * std::log2(p.squared_radius / (distance_ * distance_)));
+    };
+    std::stable_sort(proposals.begin(), proposals.end(),
+                     [&](const proposal& a, const proposal& b) { return band(a) > band(b); });
+    fresh_from_ = sites_.size();
+    site_index chosen(box_);
+    for (const proposal& p : proposals) {
+      if (full_) return;
+      if (!has_room(chosen, p.where)) continue;
+      add_site(p.where, false);
+      chosen.insert(sites_, static_cast<index>(sites_.size() - 1));
+    }
+  }
+
+  // Stars of the sites since fresh_from_, and of those they disturb. Sets changed_.
+  void renew_stars() {
+    const std::size_t first = fresh_from_;
+    stars_.resize(sites_.size());
+    std::vector<disturbed> pairs = collect_chunks<disturbed>(
+        sites_.size() - first, chunk,
+        [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
+          std::vector<index> near;
+          for (std::size_t i = begin; i < end; ++i) {
+            const auto w = static_cast<index>(first + i);
+            build_with_neighbourhood(w, near);
+            for (const index u : near)
+              if (u < first && disturbs(sites_, u, stars_[u], w)) out.push_back({u, w});
+          }
+        });
+    std::sort(pairs.begin(), pairs.end(), [](const disturbed& a, const disturbed& b) {
+      return a.star != b.star ? a.star < b.star : a.by < b.by;
+    });
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (i == 0 || pairs[i].star != pairs[i - 1].star) starts.push_back(i);
+    starts.push_back(pairs.size());
+    parallel_chunks(starts.size() - 1, chunk,
+                    [&](std::size_t, std::size_t begin, std::size_t end) {
+                      std::vector<index> candidates;
+                      for (std::size_t i = begin; i < end; ++i) {
+                        const index v = pairs[starts[i]].star;
+                        candidates.clear();
+                        for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
+                        for (std::size_t j = starts[i]; j < starts[i + 1]; ++j)
+                          candidates.push_back(pairs[j].by);
+                        stars_[v] = build_plain_star(sites_, v, candidates);
+                      }
+                    });
+    changed_.clear();
+    for (std::size_t i = 0; i + 1 < starts.size(); ++i) changed_.push_back(pairs[starts[i]].star);
+    for (std::size_t w = first; w < sites_.size(); ++w) changed_.push_back(static_cast<index>(w));
+  }
+
+  // The star of w among all sites so near that no farther one could belong to it; `near` is left
+  // holding them.
+  void build_with_neighbourhood(index w, std::vector<index>& near) {
+    const site& s = sites_[w];
+    double reach = 2.2 * distance_;
+    for (int attempt = 0; attempt < 64; ++attempt, reach *= 2) {
+      near.clear();
+      const bounding_box box = around(s.position, s.metric, reach);
+      const bool all = box.low.x <= box_.low.x && box.low.y <= box_.low.y &&
+                       box.high.x >= box_.high.x && box.high.y >= box_.high.y;
+      sites_index_.visit_box(sites_, box.low, box.high, [&](index u) {
+        if (u != w && (all || squared_distance(s, sites_[u].position) <= reach * reach))
+          near.push_back(u);
+        return true;
+      });
+      if (near.size() < 3 && !all) continue;
+      stars_[w] = build_plain_star(sites_, w, near);
+      if (all) return;
+      double widest = 0;
+      for (const plain_gap& gap : stars_[w]) widest = std::max(widest, gap.squared_radius);
+      // At the boundary there may be no neighbour on the outer side, however far one looks.
+      if (2.1 * std::sqrt(widest) <= reach || on_segment_[w]) return;
+    }
+  }
+
+  result<filled_domain> outcome() const {
+    filled_domain filled;
+    filled.rounds = rounds_;
+    filled.complete = !full_;
+    filled.divisions.resize(divisions_.size());
+    for (std::size_t s = 0; s < divisions_.size(); ++s)
+      for (const index m : at_division_[s])
+        if (m != no_site) filled.divisions[s].push_back(sites_[m]);
+    for (std::size_t w = domain_.vertices.size(); w < sites_.size(); ++w)
+      if (on_segment_[w] == 0) filled.interior.push_back(sites_[w]);
+    sort_along_curve(filled.interior, box_);
+    return filled;
+  }
+
+  static constexpr index no_site = std::numeric_limits<index>::max();
+
+  const domain& domain_;
+  const metric_field& field_;
+  const fill_options& options_;
+  std::vector<division> divisions_;
+  bounding_box box_;
+  domain_locator locator_;
+  std::vector<site> sites_;
+  std::vector<char> on_segment_;  // by site; the given vertices count
+  site_index sites_index_;
+  std::vector<plain_star> stars_;
+  std::vector<interval> intervals_;
+  box_index pieces_index_;
+  std::vector<std::vector<index>> at_division_;  // the site at each point of a division
+  std::vector<index> changed_;  // stars that may propose something new
+  std::size_t fresh_from_ = 0;  // the sites without stars yet
+  double distance_ = 0;         // of the level
+  std::size_t rounds_ = 0;
+  bool full_ = false;
+  std::optional<error> failure_;
+};
+
+}  // namespace
+
+result<filled_domain> fill(const domain& d, const metric_field& field, const fill_options& options,
+                           const std::function<bool(std::size_t)>& progress) {
+  auto divisions = divide_segments(d, field, options.longest_piece, options.max_sites);
+  if (!divisions) return divisions.failure();
+  return filling(d, field, options, std::move(divisions).value()).run(progress);
+}
+
+}  // namespace asterism

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// Filling a domain: where sites should go so that no point of it is farther than a wanted distance
+// from the nearest, and no two sites are nearer than that.
+//
+// Farthest first, from coarse to fine: on each level the segments are divided, and Voronoi vertices
+// of a net of plain stars (plain_net.hpp) that are farther than the level's distance from all sites
+// become sites, many in a round. It ends because sites of one level keep their distance: at most
+// about (4/pi) eps^-2 of the metric area (docs/math/refinement.md). The rounds are bounded besides.
+//
+// What comes out is a proposal, in doubles. That each site is strictly inside the domain is exact,
+// as are the given vertices; everything else is for exact stars to judge.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/domain.hpp"
+#include "asterism/mesh/metric_field.hpp"
+
+namespace asterism {
+
+struct fill_options {
+  double distance = 0.75;       // from every point of the domain to the nearest site, metric length
+  double longest_piece = 0.9;   // of the segments, metric length
+  std::size_t max_sites = 100000;
+};
+
+struct filled_domain {
+  // Of each segment the points that divide it, in its direction, ends left out.
+  std::vector<std::vector<site>> divisions;
+  // In the order of a space-filling curve.
+  std::vector<site> interior;
+  std::size_t rounds = 0;
+  bool complete = false;  // false: max_sites was reached
+};
+
+// `d` must have been accepted by check_domain. The same for any number of threads. Fails where the
+// field does, and where segments alone would need more than max_sites points. `progress` is told
+// the number of sites now and then and answers whether to go on.
+result<filled_domain> fill(const domain& d, const metric_field& field, const fill_options& options,
+                           const std::function<bool(std::size_t)>& progress = {});
+
+}  // namespace asterism

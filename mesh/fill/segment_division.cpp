@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/fill/segment_division.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "asterism/mesh/constructions.hpp"
+
+namespace asterism {
+namespace {
+
+point at_fraction(const point& a, const point& b, double t) {
+  if (t <= 0) return a;
+  if (t >= 1) return b;
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+}
+
+// The length from the start of a segment as a function of the fraction of the way, sampled where
+// it bends: intervals are halved until the three measurements in each agree.
+class arc_length {
+ public:
+  static result<arc_length> measure(const metric_field& field, const point& a, const point& b,
+                                    double fine) {
+    arc_length measured(field, a, b, fine);
+    const auto first = measured.speed(0), last = measured.speed(1);
+    measured.fractions_.push_back(0);
+    measured.lengths_.push_back(0);
+    measured.add(0, first, 1, last, 0);
+    if (measured.failure_) return *measured.failure_;
+    return measured;
+  }
+
+  double total() const { return lengths_.back(); }
+  double length_at(double t) const { return interpolate(fractions_, lengths_, t); }
+  double fraction_at(double length) const { return interpolate(lengths_, fractions_, length); }
+
+ private:
+  static constexpr int least_depth = 4, most_depth = 18;
+  static constexpr double agreement = 0.05;  // of the speeds at the ends and in the middle
+
+  arc_length(const metric_field& field, const point& a, const point& b, double fine)
+      : field_(&field), a_(a), b_(b), fine_(fine) {}
+
+  double speed(double t) {
+    if (failure_) return 0;
+    const auto metric = field_->at(at_fraction(a_, b_, t));
+    if (!metric) {
+      failure_ = metric.failure();
+      return 0;
+    }
+    const point d{b_.x - a_.x, b_.y - a_.y};
+    return std::sqrt(inner_product(metric.value(), d, d));
+  }
+
+  void add(double t0, double v0, double t1, double v1, int depth) {
+    const double t = (t0 + t1) / 2, v = speed(t);
+    if (failure_) return;
+    const double length = (t1 - t0) * (v0 + 4 * v + v1) / 6;
+    const bool even = std::max({v0, v, v1}) <= (1 + agreement) * std::min({v0, v, v1});
+    if (depth < least_depth || (depth < most_depth && !even && length > fine_)) {
+      add(t0, v0, t, v, depth + 1);
+      add(t, v, t1, v1, depth + 1);
+      return;
+    }
+    fractions_.push_back(t1);
+    lengths_.push_back(lengths_.back() + length);
+  }
+
+  static double interpolate(const std::vector<double>& from, const std::vector<double>& to,
+                            double x) {
+    const auto above = std::upper_bound(from.begin() + 1, from.end() - 1, x);
+    const auto i = static_cast<std::size_t>(above - from.begin());
+    const double part = (x - from[i - 1]) / (from[i] - from[i - 1]);
+    return to[i - 1] + std::clamp(part, 0.0, 1.0) * (to[i] - to[i - 1]);
+  }
+
+  const metric_field* field_;
+  point a_, b_;
+  double fine_;
+  std::vector<double> fractions_, lengths_;
+  std::optional<error> failure_;
+};
+
+// What the first pieces at a vertex should measure on all its segments.
+std::vector<double> first_pieces(const domain& d, const std::vector<arc_length>& measured,
+                                 double longest) {
+  std::vector<double> wanted(d.vertices.size(), 0.92 * longest);
+  for (std::size_t s = 0; s < d.segments.size(); ++s)
+    for (const index v : {d.segments[s].a, d.segments[s].b})
+      if (measured[s].total() > longest)
+        wanted[v] = std::min(wanted[v], measured[s].total() / 2);
+  return wanted;
+}
+
+division divide(const point& a, const point& b, const arc_length& measured, double from_a,
+                double from_b, double longest) {
+  const double total = measured.total();
+  std::vector<double> lengths{0};
+  const auto divide_evenly = [&](double until) {
+    const double start = lengths.back();
+    const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil((until - start) / longest)));
+    for (std::size_t i = 1; i <= pieces; ++i)
+      lengths.push_back(start + (until - start) * static_cast<double>(i) /
+                                    static_cast<double>(pieces));
+  };
+  if (total > longest && from_a + from_b < total - longest / 2) {
+    lengths.push_back(from_a);
+    divide_evenly(total - from_b);
+    lengths.push_back(total);
+  } else if (total > longest && std::abs(from_a - from_b) < longest / 4) {
+    divide_evenly(total);
+  } else if (total > longest) {
+    lengths.push_back(std::min(std::max(from_a, total - longest), longest));
+    lengths.push_back(total);
+  } else {
+    lengths.push_back(total);
+  }
+  division made;
+  for (const double length : lengths) {
+    const point q = at_fraction(a, b, measured.fraction_at(length));
+    if (!made.points.empty() && (q == made.points.back() || (q == b && length < total))) continue;
+    made.points.push_back(q);
+    made.lengths.push_back(length);
+  }
+  if (!(made.points.back() == b)) {
+    made.points.push_back(b);
+    made.lengths.push_back(total);
+  }
+  return made;
+}
+
+}  // namespace
+
+result<std::vector<division>> divide_segments(const domain& d, const metric_field& field,
+                                              double longest, std::size_t most_points) {
+  std::vector<arc_length> measured;
+  double points = 0;
+  for (const segment& s : d.segments) {
+    auto one = arc_length::measure(field, d.vertices[s.a], d.vertices[s.b], longest / 16);
+    if (!one) return one.failure();
+    points += one.value().total() / longest;
+    measured.push_back(std::move(one).value());
+  }
+  if (!(points <= static_cast<double>(most_points)))
+    return error{fmt::format(
+        "the segments of the domain are {:.4g} pieces long in this metric, and the limit is {} sites",
+        points, most_points)};
+  const std::vector<double> wanted = first_pieces(d, measured, longest);
+  std::vector<division> divisions;
+  for (std::size_t s = 0; s < d.segments.size(); ++s) {
+    const segment& one = d.segments[s];
+    divisions.push_back(divide(d.vertices[one.a], d.vertices[one.b], measured[s], wanted[one.a],
+                               wanted[one.b], longest));
+  }
+  return divisions;
+}
+
+}  // namespace asterism

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// Where the segments of the domain are to be divided so that all pieces are about equally long in
+// the metric: the first step of filling a domain.
+//
+// Lengths are integrals along the segment, taken numerically in plain doubles: they decide where
+// points are proposed, nothing else. The pieces next to a vertex are about equally long on all its
+// segments, as the vertex measures, so that pieces meeting at a small angle end on one circle and
+// do not encroach on each other.
+#pragma once
+
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/domain.hpp"
+#include "asterism/mesh/metric_field.hpp"
+
+namespace asterism {
+
+struct division {
+  // The points of the division, both ends included, and their distances along the segment.
+  std::vector<point> points;
+  std::vector<double> lengths;
+};
+
+// One for each segment of `d`, none of whose pieces is much longer than `longest` (metric length).
+// Fails where the field does, and when a segment would need more than `most_points` points.
+result<std::vector<division>> divide_segments(const domain& d, const metric_field& field,
+                                              double longest, std::size_t most_points);
+
+}  // namespace asterism

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/local/site_index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asterism {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// One operation is off by at most 2^-52 of its result in any rounding mode; the bounds below are
+// at most 16 operations deep, so a factor 1 +- 2^-47 covers them all. Underflow is kept away by
+// answering "not known" for extreme operands.
+constexpr double up = 1 + 0x1p-47, down = 1 - 0x1p-47;
+constexpr double smallest = 0x1p-900, largest = 0x1p900;
+
+// Bounds on m11 m22 - m12^2. Each product is off by 2^-52 of itself; where they cancel, the
+// difference is not, and its magnitude says by how much.
+struct range {
+  double low, high;
+};
+range determinant(const metric_tensor& m) {
+  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
+  const double slack = 0x1p-49 * (product + square);
+  return {product - square - slack, product - square + slack};
+}
+
+double axis_distance(double x, double low, double high) {
+  return x < low ? low - x : x > high ? x - high : 0;
+}
+
+}  // namespace
+
+site_index::site_index(const bounding_box& box)
+    : half_{box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2} {
+  nodes_.emplace_back();
+  nodes_[0].middle = {box.low.x + half_.x, box.low.y + half_.y};
+}
+
+// An empty node has count 0, no child and an inverted box, which is apart from everything.
+void site_index::cover(node& n, const site& s) const {
+  const bool empty = n.count == 0 && n.first_child == none;
+  if (empty) {
+    n.low = n.high = s.position;
+    n.inverse12_low = infinity;
+    n.inverse12_high = -infinity;
+    n.inverse_determinant = infinity;
+  }
+  n.low = {std::min(n.low.x, s.position.x), std::min(n.low.y, s.position.y)};
+  n.high = {std::max(n.high.x, s.position.x), std::max(n.high.y, s.position.y)};
+  const range det = determinant(s.metric);
+  if (!(det.low > smallest && det.high < largest)) {
+    n.inverse11 = n.inverse22 = n.inverse12_high = infinity;
+    n.inverse12_low = -infinity;
+    n.inverse_determinant = 0;
+    return;
+  }
+  n.inverse11 = std::max(n.inverse11, s.metric.m22 / det.low * up);
+  n.inverse22 = std::max(n.inverse22, s.metric.m11 / det.low * up);
+  const double a = -s.metric.m12 / det.low, b = -s.metric.m12 / det.high;
+  n.inverse12_low = std::min(n.inverse12_low, std::min(a, b) - std::abs(a) * 0x1p-47);
+  n.inverse12_high = std::max(n.inverse12_high, std::max(a, b) + std::abs(a) * 0x1p-47);
+  n.inverse_determinant = std::min(n.inverse_determinant, 1 / det.high * down);
+}
+
+void site_index::insert(const std::vector<site>& sites, index w) {
+  const site& s = sites[w];
+  std::uint32_t at = 0;
+  point half = half_;
+  int level = 0;
+  for (;; ++level) {
+    cover(nodes_[at], s);
+    if (nodes_[at].first_child == none) {
+      if (nodes_[at].count < leaf_capacity || level >= most_levels) break;
+      split(sites, at, half);
+    }
+    half = {half.x / 2, half.y / 2};
+    at = nodes_[at].first_child + quadrant(nodes_[at], s.position);
+  }
+  node& n = nodes_[at];
+  if (n.count < leaf_capacity) {
+    n.leaf[n.count] = w;
+  } else {
+    if (n.overflow == none) {
+      n.overflow = static_cast<std::uint32_t>(overflow_.size());
+      overflow_.emplace_back();
+    }
+    overflow_[n.overflow].push_back(w);
+  }
+  ++n.count;
+  ++size_;
+}
+
+void site_index::split(const std::vector<site>& sites, std::uint32_t at, const point& half) {
+  const auto first = static_cast<std::uint32_t>(nodes_.size());
+  const point middle = nodes_[at].middle, quarter{half.x / 2, half.y / 2};
+  for (int child = 0; child < 4; ++child) {
+    nodes_.emplace_back();
+    nodes_.back().middle = {middle.x + ((child & 1) != 0 ? quarter.x : -quarter.x),
+                            middle.y + ((child & 2) != 0 ? quarter.y : -quarter.y)};
+    nodes_.back().low = {infinity, infinity};
+    nodes_.back().high = {-infinity, -infinity};
+  }
+  const std::array<index, leaf_capacity> moved = nodes_[at].leaf;
+  nodes_[at].first_child = first;
+  nodes_[at].count = 0;
+  for (const index w : moved) {
+    node& child = nodes_[first + quadrant(nodes_[at], sites[w].position)];
+    cover(child, sites[w]);
+    child.leaf[child.count++] = w;
+  }
+}
+
+// The least |q - v|_v over a box beyond v by dx, dy is at least sqrt(det / m22) dx and at least
+// sqrt(det / m11) dy. sigma^2 = t + sqrt(t^2 - d), t half the trace and d the determinant of
+// M_w^-1 M_v, grows with t and falls with d.
+bool site_index::out_of_reach(const node& n, const site& v, const star_reach& reach) {
+  if (n.count == 0 && n.first_child == none) return true;
+  if (!(reach.radius < largest && reach.longest < largest)) return false;
+  const metric_tensor& m = v.metric;
+  const range det = determinant(m);
+  if (!(det.low > smallest && det.high < largest)) return false;
+  const double dx = axis_distance(v.position.x, n.low.x, n.high.x);
+  const double dy = axis_distance(v.position.y, n.low.y, n.high.y);
+  const double length =
+      std::max(std::sqrt(det.low / m.m22) * dx, std::sqrt(det.low / m.m11) * dy) * down;
+  const double off_diagonal = 2 * (m.m12 > 0 ? n.inverse12_high : n.inverse12_low) * m.m12;
+  const double diagonal = n.inverse11 * m.m11 + n.inverse22 * m.m22;
+  const double t = (diagonal + off_diagonal + 0x1p-47 * (diagonal + std::abs(off_diagonal))) / 2;
+  const double d = n.inverse_determinant * det.low * down;
+  const double sigma =
+      std::sqrt((t + std::sqrt(std::max(0.0, (t * up) * (t * up) - d)) * up) * up) * up;
+  return (sigma + 1) * reach.radius * up < length && (sigma + 2) * reach.longest * up < length;
+}
+
+}  // namespace asterism

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+//
+// The sites near a place, in a quadtree that grows with the mesh.
+//
+// Every node knows the tight box of its sites and ranges of their inverse tensors, so that two
+// kinds of question can be asked: all sites in a box (exact), and all sites that are not certainly
+// out of a star's reach (conservative, for metrics that differ from site to site):
+// with |w|_v the length of w - v as v measures and sigma^2 the largest eigenvalue of M_w^-1 M_v, a
+// site with |w|_v > (1 + sigma) radius and |w|_v > (2 + sigma) longest is accepted in no gap of the
+// star. Source: docs/math/certificate.md, section 4.3.
+//
+// Deterministic: sites are visited in an order that depends on the insertions alone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/domain.hpp"
+
+namespace asterism {
+
+// Both in the metric of the star's centre; infinite where nothing is known.
+struct star_reach {
+  double radius = 0;   // at least the distance to the Voronoi vertex of each gap
+  double longest = 0;  // at least the length of each edge at a gap
+};
+
+class site_index {
+ public:
+  site_index() = default;
+  // An empty index of sites in, or not far outside, the box.
+  explicit site_index(const bounding_box& box);
+
+  std::size_t size() const { return size_; }
+  // Adds sites[w]. Finite position, positive definite metric, each index once.
+  void insert(const std::vector<site>& sites, index w);
+
+  // Calls visit(w) for each site in the closed box. visit returns whether to go on; so does this.
+  template <class Visit>
+  bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
+                 Visit&& visit) const;
+  // Likewise for each site not certainly out of reach of v; v itself may be among them.
+  template <class Visit>
+  bool visit_reach(const site& v, const star_reach& reach, Visit&& visit) const;
+
+ private:
+  static constexpr int leaf_capacity = 8;
+  static constexpr int most_levels = 60;  // deeper, distinct doubles of one box need not separate
+  static constexpr std::uint32_t none = 0;
+
+  struct node {
+    point low, high;  // tight around the sites below
+    point middle;     // where the four children meet
+    double inverse11 = 0, inverse22 = 0, inverse_determinant = 0;  // above, above, below
+    double inverse12_low = 0, inverse12_high = 0;
+    std::uint32_t first_child = none;
+    std::uint32_t count = 0;                    // sites of a leaf
+    std::array<index, leaf_capacity> leaf{};    // its first sites
+    std::uint32_t overflow = none;              // the rest, in overflow_; only on the last level
+  };
+
+  static bool apart(const node& n, const point& low, const point& high) {
+    return n.high.x < low.x || n.low.x > high.x || n.high.y < low.y || n.low.y > high.y;
+  }
+  static bool out_of_reach(const node& n, const site& v, const star_reach& reach);
+  static std::uint32_t quadrant(const node& n, const point& q) {
+    return (q.x >= n.middle.x ? 1U : 0U) + (q.y >= n.middle.y ? 2U : 0U);
+  }
+  void cover(node& n, const site& s) const;
+  void split(const std::vector<site>& sites, std::uint32_t at, const point& half);
+  template <class Visit>
+  bool visit_leaf(const node& n, Visit&& visit) const;
+
+  std::vector<node> nodes_;  // the root first; no node but the root has index 0
+  std::vector<std::vector<index>> overflow_{1};
+  point half_;  // half the root's extent
+  std::size_t size_ = 0;
+};
+
+template <class Visit>
+bool site_index::visit_leaf(const node& n, Visit&& visit) const {
+  const std::uint32_t inline_count = n.count < leaf_capacity ? n.count : leaf_capacity;
+  for (std::uint32_t i = 0; i < inline_count; ++i)
+    if (!visit(n.leaf[i])) return false;
+  if (n.overflow != none)
+    for (const index w : overflow_[n.overflow])
+      if (!visit(w)) return false;
+  return true;
+}
+
+template <class Visit>
+bool site_index::visit_box(const std::vector<site>& sites, const point& low, const point& high,
+                           Visit&& visit) const {
+  // Each level leaves at most three children waiting.
+  std::array<std::uint32_t, 3 * most_levels + 4> open;
+  std::size_t waiting = 0;
+  if (!nodes_.empty()) open[waiting++] = 0;
+  while (waiting > 0) {
+    const node& n = nodes_[open[--waiting]];
+    if (apart(n, low, high)) continue;
+    if (n.first_child != none) {
+      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
+      continue;
+    }
+    const bool on = visit_leaf(n, [&](index w) {
+      const point& q = sites[w].position;
+      const bool inside = low.x <= q.x && q.x <= high.x && low.y <= q.y && q.y <= high.y;
+      return !inside || visit(w);
+    });
+    if (!on) return false;
+  }
+  return true;
+}
+
+template <class Visit>
+bool site_index::visit_reach(const site& v, const star_reach& reach, Visit&& visit) const {
+  std::array<std::uint32_t, 3 * most_levels + 4> open;
+  std::size_t waiting = 0;
+  if (!nodes_.empty()) open[waiting++] = 0;
+  while (waiting > 0) {
+    const node& n = nodes_[open[--waiting]];
+    if (out_of_reach(n, v, reach)) continue;
+    if (n.first_child != none)
+      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
+    else if (!visit_leaf(n, visit))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace asterism
