@@ -1,6 +1,7 @@
 target_sources(asterism PRIVATE
   local/box_index.cpp
   local/hilbert_order.cpp
+  local/neighbourhood.cpp
   local/site_index.cpp
   fill/domain_locator.cpp
   fill/fill.cpp

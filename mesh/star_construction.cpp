@@ -2,8 +2,13 @@
 #include "asterism/mesh/star_construction.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "asterism/mesh/fill/plain_net.hpp"
 #include "asterism/mesh/star_insertion.hpp"
 
 namespace asterism {
@@ -13,15 +18,12 @@ namespace {
 // which more rounds do not cure.
 constexpr std::size_t most_rounds = 8;
 
-std::vector<index> from_near_to_far(const site_oracle& oracle, index v) {
-  struct candidate {
-    double distance;
-    index who;
-  };
-  std::vector<candidate> all;
-  all.reserve(oracle.size());
-  for (index w = 0; w < oracle.size(); ++w)
-    if (w != v) all.push_back({oracle.squared_distance(v, w), w});
+struct candidate {
+  double distance;  // squared, as the centre measures
+  index who;
+};
+
+std::vector<index> from_near_to_far(const site_oracle& oracle, std::vector<candidate> all) {
   std::sort(all.begin(), all.end(), [&](const candidate& a, const candidate& b) {
     return a.distance != b.distance ? a.distance < b.distance : oracle.precedes(a.who, b.who);
   });
@@ -31,12 +33,18 @@ std::vector<index> from_near_to_far(const site_oracle& oracle, index v) {
   return order;
 }
 
-}  // namespace
+std::vector<index> all_sites(const site_oracle& oracle, index v) {
+  std::vector<candidate> all;
+  all.reserve(oracle.size());
+  for (index w = 0; w < oracle.size(); ++w)
+    if (w != v) all.push_back({oracle.squared_distance(v, w), w});
+  return from_near_to_far(oracle, std::move(all));
+}
 
-constructed_star construct_star(const site_oracle& oracle, index v) {
-  constructed_star built{empty_star(oracle.edges(), v), false};
+constructed_star settle(const site_oracle& oracle, index v, star begun,
+                        const std::vector<index>& order) {
+  constructed_star built{std::move(begun), false, false};
   star& s = built.content;
-  const std::vector<index> order = from_near_to_far(oracle, v);
   const std::size_t most_offers = most_rounds * order.size();
   std::size_t refused_in_a_row = 0;  // by the star as it is now
   for (std::size_t i = 0; i < most_offers && refused_in_a_row < order.size(); ++i) {
@@ -50,6 +58,155 @@ constructed_star construct_star(const site_oracle& oracle, index v) {
   }
   built.settled = refused_in_a_row == order.size();
   return built;
+}
+
+// --- The star from what is near.
+
+// The star guessed in plain doubles, if exact tests confirm it.
+std::optional<star> confirmed_guess(const site_oracle& oracle, index v, const plain_star& guess,
+                                    const std::vector<index>& order) {
+  if (guess.size() < 3) return std::nullopt;
+  star s;
+  s.sectors.push_back({{}, true});
+  sector& ring = s.sectors[0];
+  for (const plain_gap& gap : guess) ring.neighbours.push_back(gap.neighbour);
+  // Doubles tell directions apart well enough for the ring to go round once; then half turns are
+  // all that could be wrong with it.
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (!holds_triangle(oracle, v, s.sectors[0], i)) return std::nullopt;
+  for (const index w : ring.neighbours)
+    if (!oracle.visible(v, w)) return std::nullopt;
+  if (prune(oracle, v, s)) return std::nullopt;
+  for (const index w : order)
+    if (!s.contains(w) && would_accept(oracle, v, s, w)) return std::nullopt;
+  return s;
+}
+
+// In doubles; a gap whose vertex is not found has an infinite radius, and one closed by a piece of
+// the boundary none, as it accepts nothing.
+star_reach extent_of(const site_oracle& oracle, index v, const star& s) {
+  star_reach extent;
+  for (const sector& part : s.sectors)
+    for (std::size_t i = 0; i < part.gaps() || part.neighbours.empty(); ++i) {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      if (part.neighbours.empty()) return {infinity, infinity};
+      plain_gap gap{part.neighbours[i], {}, 0};
+      const index next = part.neighbours[part.after(i)];
+      if (oracle.edges().is_piece(gap.neighbour, next)) continue;
+      close_gap(oracle.sites(), v, gap, next);
+      extent.radius = std::max(extent.radius, std::sqrt(gap.squared_radius));
+      for (const index w : {gap.neighbour, next})
+        extent.longest = std::max(extent.longest, std::sqrt(oracle.squared_distance(v, w)));
+    }
+  return extent;
+}
+
+struct gathered {
+  std::vector<index> order;
+  bool everything = false;
+};
+
+gathered gather(const site_oracle& oracle, index v, double reach) {
+  const neighbourhood& near = *oracle.near();
+  const bounding_box box = box_around(oracle.sites()[v], reach);
+  const bool covers = box.low.x <= near.box().low.x && box.low.y <= near.box().low.y &&
+                      box.high.x >= near.box().high.x && box.high.y >= near.box().high.y;
+  if (covers) return {all_sites(oracle, v), true};
+  std::vector<candidate> found;
+  near.sites().visit_box(oracle.sites(), box.low, box.high, [&](index w) {
+    const double distance = oracle.squared_distance(v, w);
+    if (w != v && distance <= reach * reach) found.push_back({distance, w});
+    return true;
+  });
+  return {from_near_to_far(oracle, std::move(found)), false};
+}
+
+constructed_star construct_from(const site_oracle& oracle, index v,
+                                const std::vector<index>& order) {
+  if (oracle.edges().corners(v).empty()) {
+    auto guess = confirmed_guess(oracle, v, build_plain_star(oracle.sites(), v, order), order);
+    if (guess) return {std::move(*guess), true, false};
+  }
+  return settle(oracle, v, empty_star(oracle.edges(), v), order);
+}
+
+// Sites farther than this many times the farthest vertex are left to the thorough search: two
+// where metrics are equal, and a margin.
+constexpr double reach_of_vertices = 2.1;
+
+struct local_star {
+  constructed_star built;
+  gathered among;
+  star_reach extent;
+};
+
+// A guess of the extent, from the star in plain doubles; infinite for sites on the boundary.
+double plain_radius(const site_oracle& oracle, index v, const std::vector<index>& order) {
+  double squared = 0;
+  for (const plain_gap& gap : build_plain_star(oracle.sites(), v, order))
+    squared = std::max(squared, gap.squared_radius);
+  return std::sqrt(squared);
+}
+
+// Ends because the reach grows by at least a quarter until it covers all sites.
+local_star construct_near(const site_oracle& oracle, index v) {
+  constexpr double spacings = 2.2, infinity = std::numeric_limits<double>::infinity();
+  constexpr std::size_t fewest = 6;
+  const bool interior = oracle.edges().corners(v).empty();
+  double reach = spacings * oracle.near()->sites().spacing_near(oracle.sites()[v]);
+  while (true) {
+    gathered among = gather(oracle, v, reach);
+    double wanted = infinity;
+    const bool enough = among.everything || among.order.size() >= fewest;
+    if (enough && interior) wanted = reach_of_vertices * plain_radius(oracle, v, among.order);
+    if (among.everything || (enough && (!interior || wanted <= reach))) {
+      constructed_star built = construct_from(oracle, v, among.order);
+      const star_reach extent = extent_of(oracle, v, built.content);
+      wanted = reach_of_vertices * extent.radius;
+      if (among.everything || wanted <= reach) return {std::move(built), std::move(among), extent};
+    }
+    const double more = std::clamp(1.02 * wanted, 1.25 * reach, 2 * reach);
+    reach = reach > 0 ? more : infinity;
+  }
+}
+
+// The sites not certainly out of reach that are not among the given ones.
+std::vector<index> others_in_reach(const site_oracle& oracle, index v, const local_star& from) {
+  std::vector<index> known = from.among.order, others;
+  std::sort(known.begin(), known.end());
+  oracle.near()->sites().visit_reach(oracle.sites()[v], from.extent, [&](index w) {
+    if (w != v && !std::binary_search(known.begin(), known.end(), w)) others.push_back(w);
+    return true;
+  });
+  return others;
+}
+
+constructed_star construct_thoroughly(const site_oracle& oracle, index v, local_star from) {
+  for (std::size_t round = 0; round < most_rounds && !from.among.everything; ++round) {
+    std::vector<index> missed;
+    for (const index w : others_in_reach(oracle, v, from))
+      if (would_accept(oracle, v, from.built.content, w)) missed.push_back(w);
+    if (missed.empty()) return from.built;
+    std::vector<candidate> all;
+    for (const auto* list : {&from.among.order, &missed})
+      for (const index w : *list) all.push_back({oracle.squared_distance(v, w), w});
+    from.among.order = from_near_to_far(oracle, std::move(all));
+    from.built = construct_from(oracle, v, from.among.order);
+    from.built.repaired = true;
+    from.extent = extent_of(oracle, v, from.built.content);
+  }
+  if (!from.among.everything) from.built.settled = false;
+  return from.built;
+}
+
+}  // namespace
+
+constructed_star construct_star(const site_oracle& oracle, index v, star_search search) {
+  if (oracle.near() == nullptr)
+    return settle(oracle, v, empty_star(oracle.edges(), v), all_sites(oracle, v));
+  local_star made = construct_near(oracle, v);
+  if (search == star_search::near) return std::move(made.built);
+  return construct_thoroughly(oracle, v, std::move(made));
 }
 
 }  // namespace asterism

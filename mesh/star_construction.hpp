@@ -10,6 +10,11 @@
 //   (b) no other site that v sees is accepted.
 // Both hold of the finished star, not only of some moment on the way. Sites already refused by the
 // star as it stands are not asked again, so a star that settles costs little more than one round.
+//
+// With a neighbourhood only the sites near v are looked at, in two steps. Those within about twice
+// the distance of the farthest Voronoi vertex make the star; where plain doubles guess it right
+// (fill/plain_net.hpp), that is merely confirmed. Then, if asked to be thorough, every site that is
+// not certainly out of reach (site_index.hpp) is offered too.
 #pragma once
 
 #include "asterism/mesh/star.hpp"
@@ -22,9 +27,14 @@ struct constructed_star {
   // False when neighbours were still replacing each other after the bound on rounds
   // (star_construction.cpp); (a) or (b) then fails.
   bool settled = false;
+  // A thorough search changed what the near sites had made of it.
+  bool repaired = false;
 };
 
+enum class star_search { near, thorough };
+
 // Deterministic: a function of the sites, the boundary and v alone.
-constructed_star construct_star(const site_oracle& oracle, index v);
+constructed_star construct_star(const site_oracle& oracle, index v,
+                                star_search search = star_search::thorough);
 
 }  // namespace asterism

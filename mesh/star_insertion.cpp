@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/star_insertion.hpp"
 
+#include <algorithm>
+
 namespace asterism {
 namespace {
 
@@ -72,6 +74,17 @@ bool offer(const site_oracle& oracle, index v, star& s, index w) {
   bool changed = false;
   for (sector& part : s.sectors) changed |= offer_to_sector(oracle, v, part, w);
   return changed;
+}
+
+bool would_accept(const site_oracle& oracle, index v, const star& s, index w) {
+  return std::any_of(s.sectors.begin(), s.sectors.end(), [&](const sector& part) {
+    const placement where = locate(oracle, v, part, w);
+    if (where.kind == placement_kind::outside) return false;
+    if (where.kind == placement_kind::on_ray)
+      return !part.is_forced(where.at) &&
+             oracle.nearer_on_ray(v, w, part.neighbours[where.at]);
+    return fits_gap(oracle, v, part, where.at, w);
+  });
 }
 
 bool prune(const site_oracle& oracle, index v, star& s) {

@@ -25,6 +25,9 @@ bool accepts(const site_oracle& oracle, index v, index w, index y, index x);
 // Requires w != v and w not in the star.
 bool offer(const site_oracle& oracle, index v, star& s, index w);
 
+// Whether offer() would change the star.
+bool would_accept(const site_oracle& oracle, index v, const star& s, index w);
+
 // Removes neighbours that do not pass their own test against the rest of the star, until all do.
 // Returns whether any was removed.
 bool prune(const site_oracle& oracle, index v, star& s);

@@ -8,8 +8,11 @@
 // right, double_kernel is for comparison. One object a thread, as for the kernels.
 #pragma once
 
+#include <memory>
+
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
+#include "asterism/kernels/tier_counters.hpp"
 
 namespace asterism {
 
@@ -19,13 +22,21 @@ class star_kernel {
   virtual sign orientation(const point& p, const point& q, const point& r) const = 0;
   virtual bool encroaches(const site& a, const site& b, const site& w) const = 0;
   virtual bool edge_test(const site& v, const site& w, const site& x, const site& y) const = 0;
+
+  // The same arithmetic for another thread.
+  virtual std::unique_ptr<star_kernel> fork() const = 0;
+  // Which tier decided how many questions asked here; of forks, those given to count().
+  virtual tier_counters counters() const = 0;
+  virtual void count(const tier_counters& of_fork) const = 0;
 };
 
-// `kernel` must outlive the adaptor.
+// A kernel that is owned, or that must outlive the adaptor.
 template <class Kernel>
 class star_kernel_on final : public star_kernel {
  public:
+  star_kernel_on() : owned_(std::make_unique<Kernel>()), kernel_(owned_.get()) {}
   explicit star_kernel_on(const Kernel& kernel) : kernel_(&kernel) {}
+
   sign orientation(const point& p, const point& q, const point& r) const override {
     return kernel_->orientation(p, q, r);
   }
@@ -35,9 +46,18 @@ class star_kernel_on final : public star_kernel {
   bool edge_test(const site& v, const site& w, const site& x, const site& y) const override {
     return kernel_->edge_test(v, w, x, y);
   }
+  std::unique_ptr<star_kernel> fork() const override { return std::make_unique<star_kernel_on>(); }
+  tier_counters counters() const override {
+    tier_counters all = of_forks_;
+    if constexpr (requires { kernel_->counters(); }) all += kernel_->counters();
+    return all;
+  }
+  void count(const tier_counters& of_fork) const override { of_forks_ += of_fork; }
 
  private:
+  std::unique_ptr<Kernel> owned_;
   const Kernel* kernel_;
+  mutable tier_counters of_forks_;
 };
 
 }  // namespace asterism

@@ -28,7 +28,7 @@ bool site_oracle::edge_test(index v, index w, index x, index y) const {
 }
 
 bool site_oracle::visible(index v, index w) const {
-  return sees(*boundary_, *sites_, *kernel_, v, w);
+  return sees(*boundary_, *sites_, *kernel_, v, w, near_);
 }
 
 bool site_oracle::crosses(index v, index w, index a, index b) const {

@@ -9,21 +9,30 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/boundary.hpp"
+#include "asterism/mesh/local/neighbourhood.hpp"
 #include "asterism/mesh/star_kernel.hpp"
 #include "asterism/mesh/star_memory.hpp"
 
 namespace asterism {
 
 // All objects must outlive the oracle; sites and boundary may grow while it is in use. With a
-// memory (optional) no edge_test is asked twice in a while.
+// memory (optional) no edge_test is asked twice in a while. With a neighbourhood (optional; it must
+// know all sites and pieces) only what is near is looked at; the answers are the same.
 class site_oracle {
  public:
   site_oracle(const std::vector<site>& sites, const boundary& edges, const star_kernel& kernel,
-              edge_test_memory* memory = nullptr)
-      : sites_(&sites), boundary_(&edges), kernel_(&kernel), memory_(memory) {}
+              edge_test_memory* memory = nullptr, const neighbourhood* near = nullptr)
+      : sites_(&sites), boundary_(&edges), kernel_(&kernel), memory_(memory), near_(near) {}
 
   index size() const { return static_cast<index>(sites_->size()); }
   const boundary& edges() const { return *boundary_; }
+  const std::vector<site>& sites() const { return *sites_; }
+  const neighbourhood* near() const { return near_; }
+  const star_kernel& kernel() const { return *kernel_; }
+  // For another thread: asks this kernel, and remembers nothing.
+  site_oracle with_kernel(const star_kernel& kernel) const {
+    return {*sites_, *boundary_, kernel, nullptr, near_};
+  }
 
   // Positive when u, v, w turn counter-clockwise.
   sign orientation(index u, index v, index w) const;
@@ -47,6 +56,7 @@ class site_oracle {
   const boundary* boundary_;
   const star_kernel* kernel_;
   edge_test_memory* memory_;
+  const neighbourhood* near_;
 };
 
 }  // namespace asterism

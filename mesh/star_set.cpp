@@ -2,8 +2,10 @@
 #include "asterism/mesh/star_set.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
+#include "asterism/mesh/local/parallel.hpp"
 #include "asterism/mesh/star_insertion.hpp"
 
 namespace asterism {
@@ -56,7 +58,25 @@ star_set::star_set(std::vector<star> stars, const std::vector<index>& unsettled)
 void star_set::construct_all(const site_oracle& oracle) {
   stars_.assign(oracle.size(), {});
   condition_.assign(oracle.size(), condition::stale);
-  for (index v = 0; v < oracle.size(); ++v) rebuild(oracle, v);
+  std::vector<index> all(oracle.size());
+  std::iota(all.begin(), all.end(), index{0});
+  construct(oracle, all, star_search::near);
+}
+
+std::vector<index> star_set::construct(const site_oracle& oracle, const std::vector<index>& which,
+                                       star_search search) {
+  constexpr std::size_t chunk = 64;
+  std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
+  std::vector<index> changed = collect_chunks<index>(
+      which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<index>& out) {
+        const auto kernel = oracle.kernel().fork();
+        const site_oracle own = oracle.with_kernel(*kernel);
+        for (std::size_t i = begin; i < end; ++i)
+          if (rebuild(own, which[i], search)) out.push_back(which[i]);
+        counts[begin / chunk] = kernel->counters();
+      });
+  for (const tier_counters& c : counts) oracle.kernel().count(c);
+  return changed;
 }
 
 void star_set::add_last(const site_oracle& oracle) {
@@ -83,8 +103,8 @@ void star_set::split_piece(const site_oracle& oracle, index a, index m, index b)
   add_last(oracle);
 }
 
-bool star_set::rebuild(const site_oracle& oracle, index v) {
-  constructed_star built = construct_star(oracle, v);
+bool star_set::rebuild(const site_oracle& oracle, index v, star_search search) {
+  constructed_star built = construct_star(oracle, v, search);
   condition_[v] = built.settled ? condition::settled : condition::unsettled;
   const bool changed = stars_[v] != built.content || !built.settled;
   stars_[v] = std::move(built.content);

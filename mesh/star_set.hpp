@@ -38,7 +38,11 @@ class star_set {
   void split_piece(const site_oracle& oracle, index a, index m, index b);
   // Constructs the star of v anew. Returns whether there is anything new to know of it: its
   // neighbours changed, or it did not settle.
-  bool rebuild(const site_oracle& oracle, index v);
+  bool rebuild(const site_oracle& oracle, index v, star_search search = star_search::thorough);
+  // The same for each of `which`, in parallel: those of which there is anything new to know, in
+  // their order. No index twice.
+  std::vector<index> construct(const site_oracle& oracle, const std::vector<index>& which,
+                               star_search search);
 
  private:
   enum class condition : unsigned char { settled, stale, unsettled };

@@ -31,17 +31,19 @@ bool properly_cross(const star_kernel& kernel, const point& p, const point& q, c
 }
 
 bool sees(const boundary& b, const std::vector<site>& sites, const star_kernel& kernel, index v,
-          index w) {
+          index w, const neighbourhood* near) {
   const point &p = sites[v].position, &q = sites[w].position;
-  for (const boundary_edge& piece : b.pieces()) {
+  const auto lets_through = [&](const boundary_edge& piece) {
     const point &r = sites[piece.a].position, &s = sites[piece.b].position;
-    if (boxes_apart(p, q, r, s)) continue;
+    if (boxes_apart(p, q, r, s)) return true;
     // Every boundary vertex starts a piece, so looking at the starts looks at all of them.
     if (piece.a != v && piece.a != w && on_open_segment(kernel, p, q, r)) return false;
     const bool shares_end = piece.a == v || piece.a == w || piece.b == v || piece.b == w;
-    if (!shares_end && properly_cross(kernel, p, q, r, s)) return false;
-  }
-  return true;
+    return shares_end || !properly_cross(kernel, p, q, r, s);
+  };
+  if (near == nullptr) return std::all_of(b.pieces().begin(), b.pieces().end(), lets_through);
+  return near->pieces().visit(box_of(p, q),
+                              [&](std::uint32_t i) { return lets_through(b.pieces()[i]); });
 }
 
 }  // namespace asterism

@@ -7,6 +7,7 @@
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/boundary.hpp"
+#include "asterism/mesh/local/neighbourhood.hpp"
 #include "asterism/mesh/star_kernel.hpp"
 
 namespace asterism {
@@ -15,9 +16,10 @@ namespace asterism {
 // passes through no boundary vertex. (A segment through a boundary vertex could never be an edge
 // of a mesh that has that vertex, whichever side it continues on.)
 // Requires w to lie strictly inside one of v's corners when v is on the boundary: what happens at
-// v itself is the star's own affair. Exact; linear in the number of pieces.
+// v itself is the star's own affair. Exact; linear in the number of pieces, or of those near the
+// segment when there is a neighbourhood.
 bool sees(const boundary& b, const std::vector<site>& sites, const star_kernel& kernel, index v,
-          index w);
+          index w, const neighbourhood* near = nullptr);
 
 // Whether the open segments p q and r s cross in one point interior to both. Exact.
 bool properly_cross(const star_kernel& kernel, const point& p, const point& q, const point& r,

@@ -29,20 +29,6 @@ bool stands_out(const candidate& y, const candidate& w, const candidate& x) {
   return cross(y.d, x.d) <= 0 || cross(w.z - y.z, x.z - w.z) > 0;
 }
 
-void close_gap(const std::vector<site>& sites, index v, plain_gap& gap, index next) {
-  gap.squared_radius = infinity;
-  const site &s = sites[v], &y = sites[gap.neighbour], &x = sites[next];
-  const auto to_y = between(s.position, y.position), to_x = between(s.position, x.position);
-  if (!(cross(to_y, to_x) > 0)) return;
-  const auto vertex = numeric::voronoi_vertex_near(s, y, x);
-  if (!vertex) return;
-  const auto seen = apply(s.metric, *vertex);
-  // Beyond a right angle from a neighbour it is not the vertex of this gap.
-  if (!(dot(seen, to_y) > 0 && dot(seen, to_x) > 0)) return;
-  gap.vertex = {vertex->x, vertex->y};
-  gap.squared_radius = dot(seen, *vertex);
-}
-
 std::vector<candidate>& order_candidates(const std::vector<site>& sites, index v,
                                          const std::vector<index>& from) {
   thread_local std::vector<candidate> all;
@@ -78,8 +64,22 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, index v
 
 }  // namespace
 
+void close_gap(const std::vector<site>& sites, index v, plain_gap& gap, index next) {
+  gap.squared_radius = infinity;
+  const site &s = sites[v], &y = sites[gap.neighbour], &x = sites[next];
+  const auto to_y = between(s.position, y.position), to_x = between(s.position, x.position);
+  if (!(cross(to_y, to_x) > 0)) return;
+  const auto vertex = numeric::voronoi_vertex_near(s, y, x);
+  if (!vertex) return;
+  const auto seen = apply(s.metric, *vertex);
+  // Beyond a right angle from a neighbour it is not the vertex of this gap.
+  if (!(dot(seen, to_y) > 0 && dot(seen, to_x) > 0)) return;
+  gap.vertex = {vertex->x, vertex->y};
+  gap.squared_radius = dot(seen, *vertex);
+}
+
 plain_star build_plain_star(const std::vector<site>& sites, index v,
-                            std::vector<index>& candidates) {
+                            const std::vector<index>& candidates) {
   const std::vector<candidate>& all = order_candidates(sites, v, candidates);
   thread_local std::vector<const candidate*> hull;
   hull.clear();

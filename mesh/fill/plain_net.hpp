@@ -32,10 +32,12 @@ struct plain_gap {
 
 using plain_star = boost::container::small_vector<plain_gap, 8>;
 
-// The star of v among the candidates (v itself and repetitions are passed over). Changes the order
-// of `candidates`.
+// The star of v among the candidates; v itself and repetitions are passed over.
 plain_star build_plain_star(const std::vector<site>& sites, index v,
-                            std::vector<index>& candidates);
+                            const std::vector<index>& candidates);
+
+// Fills in the vertex of a gap of v's star between gap.neighbour and `next`.
+void close_gap(const std::vector<site>& sites, index v, plain_gap& gap, index next);
 
 // Whether w, which is not in the star of v, would change it.
 bool disturbs(const std::vector<site>& sites, index v, const plain_star& star, index w);

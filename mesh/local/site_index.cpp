@@ -39,10 +39,9 @@ site_index::site_index(const bounding_box& box)
   nodes_[0].middle = {box.low.x + half_.x, box.low.y + half_.y};
 }
 
-// An empty node has count 0, no child and an inverted box, which is apart from everything.
+// An empty node has count 0 and an inverted box, which is apart from everything.
 void site_index::cover(node& n, const site& s) const {
-  const bool empty = n.count == 0 && n.first_child == none;
-  if (empty) {
+  if (n.count == 0) {
     n.low = n.high = s.position;
     n.inverse12_low = infinity;
     n.inverse12_high = -infinity;
@@ -77,6 +76,7 @@ void site_index::insert(const std::vector<site>& sites, index w) {
       split(sites, at, half);
     }
     half = {half.x / 2, half.y / 2};
+    ++nodes_[at].count;
     at = nodes_[at].first_child + quadrant(nodes_[at], s.position);
   }
   node& n = nodes_[at];
@@ -105,7 +105,6 @@ void site_index::split(const std::vector<site>& sites, std::uint32_t at, const p
   }
   const std::array<index, leaf_capacity> moved = nodes_[at].leaf;
   nodes_[at].first_child = first;
-  nodes_[at].count = 0;
   for (const index w : moved) {
     node& child = nodes_[first + quadrant(nodes_[at], sites[w].position)];
     cover(child, sites[w]);
@@ -113,11 +112,29 @@ void site_index::split(const std::vector<site>& sites, std::uint32_t at, const p
   }
 }
 
+// From the smallest node around v with sites enough and not all on a line: the metric area of its
+// box, shared by its sites.
+double site_index::spacing_near(const site& v) const {
+  constexpr std::uint32_t enough = 4;
+  const double root = std::sqrt(std::max(0.0, determinant(v.metric).low));
+  double spacing = 0;
+  std::uint32_t at = 0;
+  while (!nodes_.empty()) {
+    const node& n = nodes_[at];
+    const double area = root * (n.high.x - n.low.x) * (n.high.y - n.low.y);
+    if (n.count < enough) break;
+    if (area > 0) spacing = std::sqrt(area / n.count);
+    if (n.first_child == none) break;
+    at = n.first_child + quadrant(n, v.position);
+  }
+  return spacing;
+}
+
 // The least |q - v|_v over a box beyond v by dx, dy is at least sqrt(det / m22) dx and at least
 // sqrt(det / m11) dy. sigma^2 = t + sqrt(t^2 - d), t half the trace and d the determinant of
 // M_w^-1 M_v, grows with t and falls with d.
 bool site_index::out_of_reach(const node& n, const site& v, const star_reach& reach) {
-  if (n.count == 0 && n.first_child == none) return true;
+  if (n.count == 0) return true;
   if (!(reach.radius < largest && reach.longest < largest)) return false;
   const metric_tensor& m = v.metric;
   const range det = determinant(m);

@@ -41,6 +41,9 @@ class site_index {
   template <class Visit>
   bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
                  Visit&& visit) const;
+  // About how far sites are apart near v, as v measures; 0 where that cannot be told.
+  double spacing_near(const site& v) const;
+
   // Likewise for each site not certainly out of reach of v; v itself may be among them.
   template <class Visit>
   bool visit_reach(const site& v, const star_reach& reach, Visit&& visit) const;
@@ -56,8 +59,8 @@ class site_index {
     double inverse11 = 0, inverse22 = 0, inverse_determinant = 0;  // above, above, below
     double inverse12_low = 0, inverse12_high = 0;
     std::uint32_t first_child = none;
-    std::uint32_t count = 0;                    // sites of a leaf
-    std::array<index, leaf_capacity> leaf{};    // its first sites
+    std::uint32_t count = 0;                    // of the sites below
+    std::array<index, leaf_capacity> leaf{};    // the first sites, without children
     std::uint32_t overflow = none;              // the rest, in overflow_; only on the last level
   };
 

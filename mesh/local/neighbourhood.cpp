@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/local/neighbourhood.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asterism {
+namespace {
+
+bounding_box box_of_sites(const std::vector<site>& sites) {
+  if (sites.empty()) return {};
+  bounding_box box{sites[0].position, sites[0].position};
+  for (const site& s : sites) {
+    const point& q = s.position;
+    box.low = {std::min(box.low.x, q.x), std::min(box.low.y, q.y)};
+    box.high = {std::max(box.high.x, q.x), std::max(box.high.y, q.y)};
+  }
+  return box;
+}
+
+bounding_box piece_box(const std::vector<site>& sites, const boundary_edge& piece) {
+  return box_of(sites[piece.a].position, sites[piece.b].position);
+}
+
+}  // namespace
+
+neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edges)
+    : box_(box_of_sites(sites)), sites_(box_), pieces_(box_) {
+  for (index w = 0; w < sites.size(); ++w) sites_.insert(sites, w);
+  for (std::size_t piece = 0; piece < edges.pieces().size(); ++piece)
+    pieces_.insert(static_cast<std::uint32_t>(piece), piece_box(sites, edges.pieces()[piece]));
+}
+
+void neighbourhood::before_split(const std::vector<site>& sites, const boundary& edges,
+                                 std::size_t piece) {
+  const auto remove = [&](std::size_t i) {
+    pieces_.remove(static_cast<std::uint32_t>(i), piece_box(sites, edges.pieces()[i]));
+  };
+  remove(piece);
+  if (const auto twin = edges.twin(piece)) remove(*twin);
+}
+
+void neighbourhood::after_split(const std::vector<site>& sites, const boundary& edges,
+                                std::size_t piece, std::size_t first_new) {
+  const auto insert = [&](std::size_t i) {
+    pieces_.insert(static_cast<std::uint32_t>(i), piece_box(sites, edges.pieces()[i]));
+  };
+  insert(piece);
+  if (const auto twin = edges.twin(piece)) insert(*twin);
+  for (; first_new < edges.pieces().size(); ++first_new) insert(first_new);
+}
+
+// With f the metric's quadratic form, the least of f over all displacements with the same dx is
+// (m11 - m12^2 / m22) dx^2.
+bounding_box box_around(const site& s, double distance) {
+  const metric_tensor& m = s.metric;
+  const auto half_width = [distance](double own, double mixed, double other) {
+    const double width = distance / std::sqrt(own - mixed * (mixed / other));
+    return width >= 0 ? width : std::numeric_limits<double>::infinity();
+  };
+  const double x = half_width(m.m11, m.m12, m.m22), y = half_width(m.m22, m.m12, m.m11);
+  const point& q = s.position;
+  return {{q.x - x, q.y - y}, {q.x + x, q.y + y}};
+}
+
+}  // namespace asterism
