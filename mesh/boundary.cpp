@@ -2,7 +2,10 @@
 #include "asterism/mesh/boundary.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
+
+#include "asterism/mesh/local/neighbourhood.hpp"
 
 namespace asterism {
 namespace {
@@ -141,12 +144,12 @@ std::vector<boundary_edge> boundary::in_order() const {
 }
 
 bool strictly_inside(const boundary& b, const std::vector<site>& sites, const star_kernel& kernel,
-                     const point& q) {
+                     const point& q, const neighbourhood* near) {
   bool inside = false;  // an internal piece is crossed twice
-  for (const boundary_edge& piece : b.pieces()) {
+  const auto pass = [&](const boundary_edge& piece) {
     const point &p = sites[piece.a].position, &r = sites[piece.b].position;
-    if (std::max(p.y, r.y) < q.y || std::min(p.y, r.y) > q.y) continue;
-    if (std::max(p.x, r.x) < q.x) continue;
+    if (std::max(p.y, r.y) < q.y || std::min(p.y, r.y) > q.y) return true;
+    if (std::max(p.x, r.x) < q.x) return true;
     const sign side = kernel.orientation(p, r, q);
     const bool within_x = std::min(p.x, r.x) <= q.x;
     if (side == sign::zero && within_x) return false;  // the y range was checked above
@@ -154,8 +157,12 @@ bool strictly_inside(const boundary& b, const std::vector<site>& sites, const st
     const bool upward = p.y <= q.y && q.y < r.y, downward = r.y <= q.y && q.y < p.y;
     if ((upward && side == sign::positive) || (downward && side == sign::negative))
       inside = !inside;
-  }
-  return inside;
+    return true;
+  };
+  if (near == nullptr)
+    return std::all_of(b.pieces().begin(), b.pieces().end(), pass) && inside;
+  const bounding_box ray{q, {std::numeric_limits<double>::max(), q.y}};
+  return near->pieces().visit(ray, [&](std::uint32_t i) { return pass(b.pieces()[i]); }) && inside;
 }
 
 }  // namespace asterism

@@ -20,6 +20,8 @@
 
 namespace asterism {
 
+class neighbourhood;
+
 // One interior angle of the domain at a boundary vertex v, swept counter-clockwise from the ray
 // v -> first to the ray v -> last: the pieces v -> first and last -> v bound it. At the free end of
 // an internal segment first and last are the same, and the corner is the full turn.
@@ -67,8 +69,9 @@ class boundary {
 };
 
 // Whether q lies strictly inside the split polygon; a point on a piece, internal or not, does not.
-// Exact.
+// Exact. Linear in the number of pieces, or of those a ray from q meets when there is a
+// neighbourhood.
 bool strictly_inside(const boundary& b, const std::vector<site>& sites, const star_kernel& kernel,
-                     const point& q);
+                     const point& q, const neighbourhood* near = nullptr);
 
 }  // namespace asterism

@@ -65,27 +65,29 @@ bool in_box(const point& a, const point& b, const point& q) {
 // Whether replacing a b by a m, m b leaves every other site and piece where it was: on the same
 // side of the boundary, and uncrossed. Only the sliver a, m, b changes sides.
 bool sliver_is_empty(const star_kernel& kernel, const std::vector<site>& sites,
-                     const boundary& edges, const boundary_edge& piece, const point& m) {
+                     const boundary& edges, const neighbourhood& near, const boundary_edge& piece,
+                     const point& m) {
   const point &a = sites[piece.a].position, &b = sites[piece.b].position;
   const sign turn = kernel.orientation(a, b, m);
   if (turn == sign::zero) return true;  // on the segment, which is already part of the boundary
   const bool left = turn == sign::positive;
-  for (index w = 0; w < sites.size(); ++w) {
-    const point& q = sites[w].position;
-    if (w == piece.a || w == piece.b || !in_box(a, b, q)) continue;
-    if (in_closed_triangle(kernel, a, left ? b : m, left ? m : b, q)) return false;
-  }
-  return std::none_of(edges.pieces().begin(), edges.pieces().end(), [&](const boundary_edge& p) {
+  const bounding_box box = box_of(a, b);  // m is in it
+  const bool no_site = near.sites().visit_box(sites, box.low, box.high, [&](index w) {
+    return w == piece.a || w == piece.b ||
+           !in_closed_triangle(kernel, a, left ? b : m, left ? m : b, sites[w].position);
+  });
+  return no_site && near.pieces().visit(box, [&](std::uint32_t i) {
+    const boundary_edge& p = edges.pieces()[i];
     const point &r = sites[p.a].position, &s = sites[p.b].position;
-    return properly_cross(kernel, a, m, r, s) || properly_cross(kernel, m, b, r, s);
+    return !properly_cross(kernel, a, m, r, s) && !properly_cross(kernel, m, b, r, s);
   });
 }
 
 }  // namespace
 
 const domain_corner* refine_state::sharp_corner(index v, const boundary_edge& piece) const {
-  for (const domain_corner& c : corners_) {
-    if (c.vertex != v || c.angle >= sharp_angle) continue;
+  for (const domain_corner& c : corners_at(v)) {
+    if (c.angle >= sharp_angle) continue;
     const boundary_corner ends = edges_.corners(v)[c.sector];
     if (piece.a == v ? ends.first == piece.b : ends.last == piece.a) return &c;
   }
@@ -116,32 +118,52 @@ bool refine_state::is_excused(const boundary_edge& piece, index w) const {
   return false;
 }
 
-bool refine_state::is_encroached(std::size_t piece, const site& s,
+bool refine_state::is_encroached(const star_kernel& kernel, std::size_t piece, const site& s,
                                  std::optional<index> self) const {
   const boundary_edge& p = edges_.pieces()[piece];
   if (self && (*self == p.a || *self == p.b)) return false;
   const site &a = sites_[p.a], &b = sites_[p.b];
-  if (kernel_->orientation(a.position, b.position, s.position) != sign::positive) return false;
+  if (kernel.orientation(a.position, b.position, s.position) != sign::positive) return false;
   if (self && is_excused(p, *self)) return false;
-  return !surely_does_not_encroach(a, b, s) && kernel_->encroaches(a, b, s);
+  return !surely_does_not_encroach(a, b, s) && kernel.encroaches(a, b, s);
 }
 
 std::vector<std::size_t> refine_state::encroached_by(const site& s) const {
+  return encroached_by(*kernel_, s);
+}
+
+std::vector<std::size_t> refine_state::encroached_by(const star_kernel& kernel,
+                                                     const site& s) const {
   std::vector<std::size_t> found;
-  for (std::size_t piece = 0; piece < edges_.pieces().size(); ++piece)
-    if (is_encroached(piece, s, std::nullopt)) found.push_back(piece);
+  near_.influences().visit({s.position, s.position}, [&](std::uint32_t piece) {
+    if (is_encroached(kernel, piece, s, std::nullopt)) found.push_back(piece);
+    return true;
+  });
+  std::sort(found.begin(), found.end());
   return found;
 }
 
+// The first of them, so that the answer does not depend on how they were found.
 std::optional<index> refine_state::find_encroacher(std::size_t piece) const {
-  for (index w = 0; w < sites_.size(); ++w)
-    if (is_encroached(piece, sites_[w], w)) return w;
-  return std::nullopt;
+  const boundary_edge& p = edges_.pieces()[piece];
+  const bounding_box box = influence_box(sites_[p.a], sites_[p.b]);
+  std::optional<index> first;
+  near_.sites().visit_box(sites_, box.low, box.high, [&](index w) {
+    if ((!first || w < *first) && is_encroached(*kernel_, piece, sites_[w], w)) first = w;
+    return true;
+  });
+  return first;
 }
 
 void refine_state::note_encroached_by(index w) {
-  for (std::size_t piece = 0; piece < edges_.pieces().size(); ++piece)
-    if (is_encroached(piece, sites_[w], w)) suspects_.push_back(piece);
+  const point& q = sites_[w].position;
+  std::vector<std::size_t> found;
+  near_.influences().visit({q, q}, [&](std::uint32_t piece) {
+    if (is_encroached(*kernel_, piece, sites_[w], w)) found.push_back(piece);
+    return true;
+  });
+  std::sort(found.begin(), found.end());
+  suspects_.insert(suspects_.end(), found.begin(), found.end());
 }
 
 point refine_state::split_point(const boundary_edge& piece) const {
@@ -162,7 +184,23 @@ bool refine_state::can_split_at(const boundary_edge& piece, const site& m, doubl
         std::min(squared_distance(*end, m.position), squared_distance(m, end->position));
     if (!(least > shortest * shortest)) return false;
   }
-  return sliver_is_empty(*kernel_, sites_, edges_, piece, m.position);
+  return sliver_is_empty(*kernel_, sites_, edges_, near_, piece, m.position);
+}
+
+// Tells everybody but the stars.
+void refine_state::put_on_piece(std::size_t piece, const site& m) {
+  const auto added = static_cast<index>(sites_.size());
+  const auto twin = edges_.twin(piece);
+  std::size_t new_piece = edges_.pieces().size();
+  near_.before_split(sites_, edges_, piece);
+  sites_.push_back(m);
+  near_.add_site(sites_, added);
+  edges_.split(piece, added);
+  near_.after_split(sites_, edges_, piece, twin, new_piece);
+  ++splits_;
+  suspects_.push_back(piece);
+  if (twin) suspects_.push_back(*twin);
+  for (; new_piece < edges_.pieces().size(); ++new_piece) suspects_.push_back(new_piece);
 }
 
 bool refine_state::split(std::size_t piece, double shortest) {
@@ -170,16 +208,9 @@ bool refine_state::split(std::size_t piece, double shortest) {
   const boundary_edge whole = edges_.pieces()[piece];
   const auto m = site_at(split_point(whole));
   if (!m || !can_split_at(whole, *m, shortest)) return false;
-  const auto added = static_cast<index>(sites_.size());
-  const auto twin = edges_.twin(piece);
-  std::size_t new_piece = edges_.pieces().size();
-  sites_.push_back(*m);
-  edges_.split(piece, added);
+  put_on_piece(piece, *m);
+  const auto added = static_cast<index>(sites_.size() - 1);
   stars_.split_piece(oracle(), whole.a, added, whole.b);
-  ++splits_;
-  suspects_.push_back(piece);
-  if (twin) suspects_.push_back(*twin);
-  for (; new_piece < edges_.pieces().size(); ++new_piece) suspects_.push_back(new_piece);
   note_encroached_by(added);
   return true;
 }

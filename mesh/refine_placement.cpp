@@ -21,7 +21,7 @@ placement_outcome place_site(refine_state& state, const point& q, double toleran
   if (!state.strictly_inside(q)) return placement_outcome::outside;
   const auto s = state.site_at(q);
   if (!s) return placement_outcome::outside;
-  if (!(state.distance_to_sites(*s) > tolerance)) return placement_outcome::too_near;
+  if (!state.is_farther(*s, tolerance)) return placement_outcome::too_near;
   const std::vector<std::size_t> encroached = state.encroached_by(*s);
   if (encroached.empty()) {
     state.add_interior(*s);
@@ -34,9 +34,14 @@ placement_outcome place_site(refine_state& state, const point& q, double toleran
 
 bool shorten_tight_corner(refine_state& state, const triangle& bad, const angle_requirement& angle,
                           double tolerance) {
-  for (const domain_corner& c : state.corners()) {
-    if (!(c.angle < 2 * angle.degrees())) continue;
-    if (std::find(bad.begin(), bad.end(), c.vertex) == bad.end()) continue;
+  std::vector<domain_corner> tight;
+  for (const index v : bad)
+    for (const domain_corner& c : state.corners_at(v))
+      if (c.angle < 2 * angle.degrees()) tight.push_back(c);
+  std::sort(tight.begin(), tight.end(), [](const domain_corner& a, const domain_corner& b) {
+    return a.vertex != b.vertex ? a.vertex < b.vertex : a.sector < b.sector;
+  });
+  for (const domain_corner& c : tight) {
     if (!lies_in_corner(state, bad, c)) continue;
     auto [longer, shorter] = state.pieces_at(c);
     if (state.piece_length(longer, c.vertex) < state.piece_length(shorter, c.vertex))

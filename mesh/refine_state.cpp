@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/local/parallel.hpp"
 #include "asterism/mesh/refine_quality.hpp"
 
 namespace asterism {
 
-result<refine_state> refine_state::start(const domain& d, const metric_field& field,
-                                         const star_kernel& kernel, std::size_t most_sites) {
+result<refine_state> refine_state::prepare(const domain& d, const metric_field& field,
+                                           const star_kernel& kernel, std::size_t most_sites) {
   refine_state state(field, kernel, most_sites);
   for (const point& q : d.vertices) {
     const auto metric = field.at(q);
@@ -21,11 +21,62 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
   auto edges = boundary::build(d, kernel);
   if (!edges) return edges.failure();
   state.edges_ = std::move(edges).value();
+  state.near_ = neighbourhood(state.sites_, state.edges_);
   state.find_corners();
-  state.stars_.construct_all(state.oracle());
-  for (std::size_t piece = 0; piece < state.edges_.pieces().size(); ++piece)
-    state.suspects_.push_back(piece);
   return state;
+}
+
+void refine_state::construct_stars() {
+  stars_.construct_all(oracle());
+  for (std::size_t piece = 0; piece < edges_.pieces().size(); ++piece) suspects_.push_back(piece);
+}
+
+result<refine_state> refine_state::start(const domain& d, const metric_field& field,
+                                         const star_kernel& kernel, std::size_t most_sites) {
+  auto state = prepare(d, field, kernel, most_sites);
+  if (state) state.value().construct_stars();
+  return state;
+}
+
+result<refine_state> refine_state::start_filled(const domain& d, const metric_field& field,
+                                                const star_kernel& kernel, std::size_t most_sites,
+                                                const filled_domain& filling) {
+  auto state = prepare(d, field, kernel, most_sites);
+  if (!state) return state;
+  state.value().divide(d, filling);
+  state.value().add_proposed(filling.interior);
+  state.value().construct_stars();
+  return state;
+}
+
+// A point that rounding puts on the wrong side of something is left out.
+void refine_state::divide(const domain& d, const filled_domain& filling) {
+  for (std::size_t s = 0; s < d.segments.size(); ++s) {
+    std::size_t piece = find_piece(d.segments[s].a, d.segments[s].b);
+    for (const site& m : filling.divisions[s]) {
+      if (is_full()) return;
+      const std::size_t first_new = edges_.pieces().size();
+      if (!can_split_at(edges_.pieces()[piece], m, 0)) continue;
+      put_on_piece(piece, m);
+      piece = first_new;
+    }
+  }
+}
+
+void refine_state::add_proposed(const std::vector<site>& proposed) {
+  constexpr std::size_t chunk = 256;
+  const std::vector<char> fits = collect_chunks<char>(
+      proposed.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<char>& out) {
+        const auto kernel = kernel_->fork();
+        for (std::size_t i = begin; i < end; ++i)
+          out.push_back(strictly_inside_near(*kernel, proposed[i].position) &&
+                        encroached_by(*kernel, proposed[i]).empty());
+      });
+  for (std::size_t i = 0; i < proposed.size() && !is_full(); ++i) {
+    if (fits[i] == 0) continue;
+    sites_.push_back(proposed[i]);
+    near_.add_site(sites_, static_cast<index>(sites_.size() - 1));
+  }
 }
 
 void refine_state::find_corners() {
@@ -47,32 +98,56 @@ std::optional<site> refine_state::site_at(const point& q) {
 }
 
 bool refine_state::strictly_inside(const point& q) const {
-  return asterism::strictly_inside(edges_, sites_, *kernel_, q);
+  return strictly_inside_near(*kernel_, q);
 }
 
-double refine_state::distance_to_sites(const site& s) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const site& other : sites_)
-    least =
-        std::min({least, squared_distance(other, s.position), squared_distance(s, other.position)});
-  return std::sqrt(least);
+bool refine_state::strictly_inside_near(const star_kernel& kernel, const point& q) const {
+  return asterism::strictly_inside(edges_, sites_, kernel, q, &near_);
+}
+
+bool refine_state::is_farther(const site& s, double distance) const {
+  const double squared = distance * distance;
+  const auto far_as_seen = [&](index w) {
+    return squared_distance(sites_[w], s.position) > squared;
+  };
+  const auto far_as_it_sees = [&](index w) {
+    return squared_distance(s, sites_[w].position) > squared;
+  };
+  constexpr double margin = 1 + 0x1p-20;  // the box is not rigorous
+  const bounding_box box = box_around(s, margin * distance);
+  return near_.sites().visit_box(sites_, box.low, box.high, far_as_it_sees) &&
+         near_.sites().visit_seeing(s.position, distance, far_as_seen);
 }
 
 void refine_state::add_interior(const site& s) {
   sites_.push_back(s);
+  const auto added = static_cast<index>(sites_.size() - 1);
+  near_.add_site(sites_, added);
   stars_.add_last(oracle());
-  note_encroached_by(static_cast<index>(sites_.size() - 1));
+  note_encroached_by(added);
+}
+
+std::span<const domain_corner> refine_state::corners_at(index v) const {
+  const auto [first, last] = std::equal_range(
+      corners_.begin(), corners_.end(), domain_corner{v, 0, 0},
+      [](const domain_corner& a, const domain_corner& b) { return a.vertex < b.vertex; });
+  return {first, last};
+}
+
+// Requires that there is such a piece.
+std::size_t refine_state::find_piece(index a, index b) const {
+  std::size_t found = edges_.pieces().size();
+  near_.pieces().visit(box_of(sites_[a].position, sites_[b].position), [&](std::uint32_t i) {
+    const boundary_edge& p = edges_.pieces()[i];
+    if (p.a == a && p.b == b) found = i;
+    return found != i;
+  });
+  return found;
 }
 
 std::array<std::size_t, 2> refine_state::pieces_at(const domain_corner& c) const {
   const boundary_corner ends = edges_.corners(c.vertex)[c.sector];
-  const auto& pieces = edges_.pieces();
-  const auto place = [&](index a, index b) {
-    const auto at = std::find_if(pieces.begin(), pieces.end(),
-                                 [&](const boundary_edge& p) { return p.a == a && p.b == b; });
-    return static_cast<std::size_t>(at - pieces.begin());
-  };
-  return {place(c.vertex, ends.first), place(ends.last, c.vertex)};
+  return {find_piece(c.vertex, ends.first), find_piece(ends.last, c.vertex)};
 }
 
 double refine_state::piece_length(std::size_t piece, index from) const {

@@ -17,12 +17,15 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/boundary.hpp"
 #include "asterism/mesh/domain.hpp"
+#include "asterism/mesh/fill/fill.hpp"
+#include "asterism/mesh/local/neighbourhood.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric_field.hpp"
 #include "asterism/mesh/star_kernel.hpp"
@@ -45,6 +48,11 @@ class refine_state {
   // that check_domain would have refused. No piece is split once there are `most_sites`.
   static result<refine_state> start(const domain& d, const metric_field& field,
                                     const star_kernel& kernel, std::size_t most_sites);
+  // The same with a proposal put in first: segments are divided where that is possible, and of the
+  // other sites those are taken that are inside what then is the domain and encroach on nothing.
+  static result<refine_state> start_filled(const domain& d, const metric_field& field,
+                                           const star_kernel& kernel, std::size_t most_sites,
+                                           const filled_domain& filling);
 
   const std::vector<site>& sites() const { return sites_; }
   const boundary& edges() const { return edges_; }
@@ -53,7 +61,7 @@ class refine_state {
   const star_kernel& kernel() const { return *kernel_; }
   const std::vector<domain_corner>& corners() const { return corners_; }
   // Valid until the state is moved.
-  site_oracle oracle() const { return {sites_, edges_, *kernel_, memory_.get()}; }
+  site_oracle oracle() const { return {sites_, edges_, *kernel_, memory_.get(), &near_}; }
   std::size_t splits() const { return splits_; }
   bool is_full() const { return sites_.size() >= most_sites_; }
 
@@ -63,8 +71,8 @@ class refine_state {
   // The site at q with the field's metric; none where the field fails.
   std::optional<site> site_at(const point& q);
   bool strictly_inside(const point& q) const;
-  // The least of the distances to all sites, measured by them and by `s`. Linear.
-  double distance_to_sites(const site& s) const;
+  // Whether s is farther than this from every site, as measured by them and by s.
+  bool is_farther(const site& s, double distance) const;
   // The pieces a site at this place would encroach on.
   std::vector<std::size_t> encroached_by(const site& s) const;
 
@@ -80,6 +88,8 @@ class refine_state {
   // Splits pieces longer than `longest`, as far as split() allows.
   void shorten_pieces(double longest);
 
+  // The corners at a vertex, of all those in corners().
+  std::span<const domain_corner> corners_at(index v) const;
   // The two pieces at a corner: leaving it, and entering it.
   std::array<std::size_t, 2> pieces_at(const domain_corner& c) const;
   // The piece's length as `from` measures it.
@@ -89,8 +99,18 @@ class refine_state {
   refine_state(const metric_field& field, const star_kernel& kernel, std::size_t most_sites)
       : field_(&field), kernel_(&kernel), most_sites_(most_sites) {}
 
+  static result<refine_state> prepare(const domain& d, const metric_field& field,
+                                      const star_kernel& kernel, std::size_t most_sites);
+  void divide(const domain& d, const filled_domain& filling);
+  void add_proposed(const std::vector<site>& proposed);
+  void construct_stars();
+  std::size_t find_piece(index a, index b) const;
+  void put_on_piece(std::size_t piece, const site& m);
   void find_corners();
-  bool is_encroached(std::size_t piece, const site& s, std::optional<index> self) const;
+  bool strictly_inside_near(const star_kernel& kernel, const point& q) const;
+  std::vector<std::size_t> encroached_by(const star_kernel& kernel, const site& s) const;
+  bool is_encroached(const star_kernel& kernel, std::size_t piece, const site& s,
+                     std::optional<index> self) const;
   bool is_excused(const boundary_edge& piece, index w) const;
   std::optional<index> find_encroacher(std::size_t piece) const;
   const domain_corner* sharp_corner(index v, const boundary_edge& piece) const;
@@ -101,6 +121,7 @@ class refine_state {
 
   std::vector<site> sites_;
   boundary edges_;
+  neighbourhood near_;
   star_set stars_;
   const metric_field* field_;
   const star_kernel* kernel_;

@@ -201,6 +201,10 @@ constructed_star construct_thoroughly(const site_oracle& oracle, index v, local_
 
 }  // namespace
 
+double farthest_vertex(const site_oracle& oracle, index v, const star& s) {
+  return extent_of(oracle, v, s).radius;
+}
+
 constructed_star construct_star(const site_oracle& oracle, index v, star_search search) {
   if (oracle.near() == nullptr)
     return settle(oracle, v, empty_star(oracle.edges(), v), all_sites(oracle, v));

@@ -37,4 +37,8 @@ enum class star_search { near, thorough };
 constructed_star construct_star(const site_oracle& oracle, index v,
                                 star_search search = star_search::thorough);
 
+// The distance from v to the farthest Voronoi vertex of the star's gaps, as v measures; infinite
+// when a gap has none. In doubles, for choosing how far to look.
+double farthest_vertex(const site_oracle& oracle, index v, const star& s);
+
 }  // namespace asterism

@@ -2,6 +2,7 @@
 #include "asterism/mesh/star_set.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -11,14 +12,28 @@
 namespace asterism {
 namespace {
 
-// The stars a new site is offered to: every other one. The one place to change when stars are
-// found by a local search.
-std::vector<index> candidate_stars(const site_oracle& oracle, index w) {
-  std::vector<index> all;
-  all.reserve(oracle.size());
-  for (index v = 0; v < oracle.size(); ++v)
-    if (v != w) all.push_back(v);
-  return all;
+// The stars a new site is offered to. Those it will be a neighbour in are about those it has as
+// neighbours; what a local search misses a thorough one finds (star_construction.hpp).
+std::vector<index> candidate_stars(const site_oracle& oracle, index w, const star& own) {
+  std::vector<index> candidates;
+  const neighbourhood* near = oracle.near();
+  const double reach = near == nullptr ? std::numeric_limits<double>::infinity()
+                                       : 2.2 * farthest_vertex(oracle, w, own);
+  if (near == nullptr || !(reach < std::numeric_limits<double>::infinity())) {
+    for (index v = 0; v < oracle.size(); ++v)
+      if (v != w) candidates.push_back(v);
+    return candidates;
+  }
+  const bounding_box box = box_around(oracle.sites()[w], reach);
+  near->sites().visit_box(oracle.sites(), box.low, box.high, [&](index v) {
+    if (v != w) candidates.push_back(v);
+    return true;
+  });
+  for (const sector& part : own.sectors)
+    candidates.insert(candidates.end(), part.neighbours.begin(), part.neighbours.end());
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  return candidates;
 }
 
 // The corner of a boundary star with ends replaced: neighbours that the moved ray leaves
@@ -63,19 +78,37 @@ void star_set::construct_all(const site_oracle& oracle) {
   construct(oracle, all, star_search::near);
 }
 
+void star_set::touch(index v) {
+  touched_.push_back(v);
+  for (const sector& part : stars_[v].sectors)
+    touched_.insert(touched_.end(), part.neighbours.begin(), part.neighbours.end());
+}
+
 std::vector<index> star_set::construct(const site_oracle& oracle, const std::vector<index>& which,
                                        star_search search) {
   constexpr std::size_t chunk = 64;
+  struct made {
+    index at;
+    constructed_star built;
+  };
   std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
-  std::vector<index> changed = collect_chunks<index>(
-      which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<index>& out) {
+  std::vector<made> all = collect_chunks<made>(
+      which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made>& out) {
         const auto kernel = oracle.kernel().fork();
         const site_oracle own = oracle.with_kernel(*kernel);
-        for (std::size_t i = begin; i < end; ++i)
-          if (rebuild(own, which[i], search)) out.push_back(which[i]);
+        for (std::size_t i = begin; i < end; ++i) {
+          constructed_star built = construct_star(own, which[i], search);
+          if (is_news(which[i], built)) out.push_back({which[i], std::move(built)});
+          else condition_[which[i]] = condition::settled;
+        }
         counts[begin / chunk] = kernel->counters();
       });
   for (const tier_counters& c : counts) oracle.kernel().count(c);
+  std::vector<index> changed;
+  for (made& m : all) {
+    changed.push_back(m.at);
+    accept(m.at, std::move(m.built));
+  }
   return changed;
 }
 
@@ -83,12 +116,21 @@ void star_set::add_last(const site_oracle& oracle) {
   const index w = oracle.size() - 1;
   stars_.resize(oracle.size());
   condition_.resize(oracle.size(), condition::stale);
-  for (const index v : candidate_stars(oracle, w))
-    if (!stars_[v].contains(w) && offer(oracle, v, stars_[v], w)) condition_[v] = condition::stale;
-  rebuild(oracle, w);
+  rebuild(oracle, w, star_search::near);
+  for (const index v : candidate_stars(oracle, w, stars_[w])) {
+    if (stars_[v].contains(w)) continue;
+    const star before = stars_[v];
+    if (!offer(oracle, v, stars_[v], w)) continue;
+    condition_[v] = condition::stale;
+    touched_.push_back(v);
+    for (const sector& part : before.sectors)
+      touched_.insert(touched_.end(), part.neighbours.begin(), part.neighbours.end());
+  }
 }
 
 void star_set::split_piece(const site_oracle& oracle, index a, index m, index b) {
+  touch(a);
+  touch(b);
   replace_end(oracle, a, stars_[a], b, m);
   replace_end(oracle, b, stars_[b], a, m);
   condition_[a] = condition_[b] = condition::stale;
@@ -103,22 +145,42 @@ void star_set::split_piece(const site_oracle& oracle, index a, index m, index b)
   add_last(oracle);
 }
 
+bool star_set::is_news(index v, const constructed_star& built) const {
+  return stars_[v] != built.content || !built.settled;
+}
+
+void star_set::accept(index v, constructed_star built) {
+  touch(v);
+  condition_[v] = built.settled ? condition::settled : condition::unsettled;
+  stars_[v] = std::move(built.content);
+}
+
 bool star_set::rebuild(const site_oracle& oracle, index v, star_search search) {
   constructed_star built = construct_star(oracle, v, search);
-  condition_[v] = built.settled ? condition::settled : condition::unsettled;
-  const bool changed = stars_[v] != built.content || !built.settled;
-  stars_[v] = std::move(built.content);
+  const bool changed = is_news(v, built);
+  accept(v, std::move(built));
   return changed;
 }
 
+// The sites whose edges could cross a piece just split: rounding moved it by less than a sliver.
 void star_set::remove_hidden(const site_oracle& oracle, index a, index b) {
-  for (index v = 0; v < size(); ++v)
+  const auto remove = [&](index v) {
     for (sector& s : stars_[v].sectors)
       for (std::size_t i = s.size(); i-- > 0;) {
         if (s.is_forced(i) || !oracle.crosses(v, s.neighbours[i], a, b)) continue;
+        touch(v);
         s.neighbours.erase(s.neighbours.begin() + static_cast<std::ptrdiff_t>(i));
         condition_[v] = condition::stale;
       }
+    return true;
+  };
+  if (oracle.near() == nullptr) {
+    for (index v = 0; v < size(); ++v) remove(v);
+    return;
+  }
+  const bounding_box box = influence_box(oracle.sites()[a], oracle.sites()[b]);
+  oracle.near()->sites().visit_box(oracle.sites(), box.low, box.high,
+                                   [&](index v) { return v >= size() || remove(v); });
 }
 
 }  // namespace asterism

@@ -8,6 +8,7 @@
 // came after its construction. rebuild() makes a stale star anew.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "asterism/mesh/star.hpp"
@@ -44,11 +45,19 @@ class star_set {
   std::vector<index> construct(const site_oracle& oracle, const std::vector<index>& which,
                                star_search search);
 
+  // The stars changed since this was last asked, and those they had as neighbours: whatever was
+  // known of a triangle at one of these sites is to be looked at again. May hold an index twice.
+  std::vector<index> take_touched() { return std::exchange(touched_, {}); }
+
  private:
   enum class condition : unsigned char { settled, stale, unsettled };
 
   void remove_hidden(const site_oracle& oracle, index a, index b);
+  bool is_news(index v, const constructed_star& built) const;
+  void accept(index v, constructed_star built);
+  void touch(index v);  // before a change of v's star
 
+  std::vector<index> touched_;
   std::vector<star> stars_;
   std::vector<condition> condition_;
 };

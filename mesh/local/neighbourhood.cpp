@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "asterism/mesh/constructions.hpp"
+
 namespace asterism {
 namespace {
 
@@ -26,29 +28,50 @@ bounding_box piece_box(const std::vector<site>& sites, const boundary_edge& piec
 }  // namespace
 
 neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edges)
-    : box_(box_of_sites(sites)), sites_(box_), pieces_(box_) {
+    : box_(box_of_sites(sites)), sites_(box_), pieces_(box_), influences_(box_) {
   for (index w = 0; w < sites.size(); ++w) sites_.insert(sites, w);
   for (std::size_t piece = 0; piece < edges.pieces().size(); ++piece)
-    pieces_.insert(static_cast<std::uint32_t>(piece), piece_box(sites, edges.pieces()[piece]));
+    insert_piece(sites, edges, piece);
+}
+
+void neighbourhood::insert_piece(const std::vector<site>& sites, const boundary& edges,
+                                 std::size_t piece) {
+  const boundary_edge& e = edges.pieces()[piece];
+  pieces_.insert(static_cast<std::uint32_t>(piece), piece_box(sites, e));
+  influences_.insert(static_cast<std::uint32_t>(piece), influence_box(sites[e.a], sites[e.b]));
+}
+
+void neighbourhood::remove_piece(const std::vector<site>& sites, const boundary& edges,
+                                 std::size_t piece) {
+  const boundary_edge& e = edges.pieces()[piece];
+  pieces_.remove(static_cast<std::uint32_t>(piece), piece_box(sites, e));
+  influences_.remove(static_cast<std::uint32_t>(piece), influence_box(sites[e.a], sites[e.b]));
 }
 
 void neighbourhood::before_split(const std::vector<site>& sites, const boundary& edges,
                                  std::size_t piece) {
-  const auto remove = [&](std::size_t i) {
-    pieces_.remove(static_cast<std::uint32_t>(i), piece_box(sites, edges.pieces()[i]));
-  };
-  remove(piece);
-  if (const auto twin = edges.twin(piece)) remove(*twin);
+  remove_piece(sites, edges, piece);
+  if (const auto twin = edges.twin(piece)) remove_piece(sites, edges, *twin);
 }
 
 void neighbourhood::after_split(const std::vector<site>& sites, const boundary& edges,
-                                std::size_t piece, std::size_t first_new) {
-  const auto insert = [&](std::size_t i) {
-    pieces_.insert(static_cast<std::uint32_t>(i), piece_box(sites, edges.pieces()[i]));
-  };
-  insert(piece);
-  if (const auto twin = edges.twin(piece)) insert(*twin);
-  for (; first_new < edges.pieces().size(); ++first_new) insert(first_new);
+                                std::size_t piece, std::optional<std::size_t> twin,
+                                std::size_t first_new) {
+  insert_piece(sites, edges, piece);
+  if (twin) insert_piece(sites, edges, *twin);
+  for (; first_new < edges.pieces().size(); ++first_new) insert_piece(sites, edges, first_new);
+}
+
+bounding_box influence_box(const site& a, const site& b) {
+  constexpr double lengths = 1.5;
+  bounding_box box = box_of(a.position, b.position);
+  for (const site* s : {&a, &b}) {
+    const point& other = s == &a ? b.position : a.position;
+    const bounding_box around = box_around(*s, lengths * std::sqrt(squared_distance(*s, other)));
+    box.low = {std::min(box.low.x, around.low.x), std::min(box.low.y, around.low.y)};
+    box.high = {std::max(box.high.x, around.high.x), std::max(box.high.y, around.high.y)};
+  }
+  return box;
 }
 
 // With f the metric's quadratic form, the least of f over all displacements with the same dx is

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "asterism/core/site.hpp"
@@ -23,22 +24,31 @@ class neighbourhood {
 
   const site_index& sites() const { return sites_; }
   const box_index& pieces() const { return pieces_; }
+  // Pieces by the box of sites that could encroach on them.
+  const box_index& influences() const { return influences_; }
   // Around all sites; some may lie outside it by rounding.
   const bounding_box& box() const { return box_; }
 
   // sites[w] is new.
   void add_site(const std::vector<site>& sites, index w) { sites_.insert(sites, w); }
-  // To be called before and after edges.split(piece, ...); `first_new` is the number of pieces
-  // before it.
+  // To be called before and after edges.split(piece, ...), with the twin (if any) and the number of
+  // pieces there were before.
   void before_split(const std::vector<site>& sites, const boundary& edges, std::size_t piece);
   void after_split(const std::vector<site>& sites, const boundary& edges, std::size_t piece,
-                   std::size_t first_new);
+                   std::optional<std::size_t> twin, std::size_t first_new);
 
  private:
+  void insert_piece(const std::vector<site>& sites, const boundary& edges, std::size_t piece);
+  void remove_piece(const std::vector<site>& sites, const boundary& edges, std::size_t piece);
+
   bounding_box box_;
   site_index sites_;
-  box_index pieces_;
+  box_index pieces_, influences_;
 };
+
+// Around the points that could encroach on the piece between a and b when metrics do not vary
+// beyond all measure within its length: a policy of refinement, nothing certain.
+bounding_box influence_box(const site& a, const site& b);
 
 // A box around all points within `distance` of the site, as it measures. Not rigorous: rounding
 // may leave out points at the rim.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace asterism {
@@ -41,7 +42,7 @@ std::vector<Item> collect_chunks(std::size_t count, std::size_t chunk, const App
   for (const auto& part : parts) total += part.size();
   std::vector<Item> all;
   all.reserve(total);
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  for (auto& part : parts) std::move(part.begin(), part.end(), std::back_inserter(all));
   return all;
 }
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -41,6 +42,10 @@ class site_index {
   template <class Visit>
   bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
                  Visit&& visit) const;
+  // Likewise for each site w that may see q within the distance: |q - w|_w <= distance.
+  template <class Visit>
+  bool visit_seeing(const point& q, double distance, Visit&& visit) const;
+
   // About how far sites are apart near v, as v measures; 0 where that cannot be told.
   double spacing_near(const site& v) const;
 
@@ -113,6 +118,29 @@ bool site_index::visit_box(const std::vector<site>& sites, const point& low, con
       return !inside || visit(w);
     });
     if (!on) return false;
+  }
+  return true;
+}
+
+// |dx| <= distance sqrt(M^-1_11) wherever |d|_M <= distance; the margin covers the roundings.
+template <class Visit>
+bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) const {
+  const auto beyond = [](double x, double low, double high) {
+    return x < low ? low - x : x > high ? x - high : 0;
+  };
+  std::array<std::uint32_t, 3 * most_levels + 4> open;
+  std::size_t waiting = 0;
+  if (!nodes_.empty()) open[waiting++] = 0;
+  while (waiting > 0) {
+    const node& n = nodes_[open[--waiting]];
+    const double reach = distance * (1 + 0x1p-40);
+    if (n.count == 0 || beyond(q.x, n.low.x, n.high.x) > reach * std::sqrt(n.inverse11) ||
+        beyond(q.y, n.low.y, n.high.y) > reach * std::sqrt(n.inverse22))
+      continue;
+    if (n.first_child != none)
+      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
+    else if (!visit_leaf(n, visit))
+      return false;
   }
   return true;
 }
