@@ -28,6 +28,7 @@ Examples:
   asterism mesh part.poly --refine darts --angle-bound 10 -o part.mesh --certificate part.json)";
 
 const std::map<std::string, refinement_strategy> strategies = {
+    {"guaranteed", refinement_strategy::guaranteed},
     {"voronoi", refinement_strategy::voronoi_arcs}, {"darts", refinement_strategy::poisson_darts}};
 
 constexpr real_range angle_bounds = {
@@ -66,7 +67,8 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
   app.add_option_function<std::string>(
          "--refine",
          [&options](const std::string& name) { options.strategy = strategies.at(name); },
-         "voronoi (default): vertices and ends of Voronoi arcs; darts: random points")
+         "guaranteed (default): fill to the size, then mend; voronoi: vertices and ends of Voronoi "
+         "arcs; darts: random points")
       ->check(CLI::IsMember(strategies))
       ->type_name("HOW");
   add_real(

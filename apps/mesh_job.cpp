@@ -105,13 +105,13 @@ std::string text_of(const gradation_report& done) {
 std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
                                               const refinement_outcome& outcome) {
   const refinement_options& asked = job.refinement;
-  const bool arcs = asked.strategy == refinement_strategy::voronoi_arcs;
+  const std::array<const char*, 3> strategies = {"voronoi", "darts", "guaranteed"};
   return {{"domain", job.domain},
           {"angle-bound", text_of(asked.angle_bound)},
           {"size", job.size ? text_of(*job.size) : "none"},
           {"gradation", job.gradation ? text_of(*job.gradation) : "none"},
           {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
-          {"refine", arcs ? "voronoi" : "darts"},
+          {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},
           {"tol", asked.tolerance ? text_of(*asked.tolerance) : "chosen"},
           {"tol-at-end", text_of(outcome.tolerance)},
           {"max-sites", std::to_string(asked.max_sites)},

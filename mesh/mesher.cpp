@@ -11,9 +11,10 @@ result<refinement_outcome> make_mesh(
     const domain& d, const metric_field& field, const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
   const filtered_kernel kernel;
-  auto outcome = refine_on(star_kernel_on(kernel), d, field, options, progress);
+  const star_kernel_on<filtered_kernel> stars_on(kernel);
+  auto outcome = refine_on(stars_on, d, field, options, progress);
   if (!outcome) return outcome;
-  outcome.value().counters = kernel.counters();
+  outcome.value().counters = stars_on.counters();
   assign_regions(outcome.value().result, d);
   return outcome;
 }

@@ -18,11 +18,14 @@
 
 namespace asterism {
 
-enum class refinement_strategy { voronoi_arcs, poisson_darts };
+// The thesis's two heuristics, and `guaranteed`: with a size limit the domain is filled first
+// (fill/fill.hpp), then defects are mended at the points the arcs offer, and in the end every star
+// is held against all sites.
+enum class refinement_strategy { voronoi_arcs, poisson_darts, guaranteed };
 
 struct refinement_options {
   double angle_bound = 20;  // degrees, 0 <= bound < 60; measured from all three vertices
-  refinement_strategy strategy = refinement_strategy::voronoi_arcs;
+  refinement_strategy strategy = refinement_strategy::guaranteed;
   // No site is inserted nearer than this to another one, in metric length, both ways. Darts start
   // from it and shrink it. Empty: chosen from the domain (refine_tolerance.hpp) and reported in the
   // outcome.
@@ -53,6 +56,8 @@ struct refinement_outcome {
   double tolerance = 0;  // the one in force at the end
   std::size_t sites = 0, triangles = 0, disagreeing = 0, low_angle = 0, too_large = 0;
   std::size_t inserted = 0, splits = 0, candidates_rejected = 0;
+  // Stars a search of what is near had got wrong, found by looking at all sites, and mended.
+  std::size_t star_repairs = 0;
   std::vector<exempt_corner> exempt;
   std::vector<triangle> exempt_triangles;  // those of result.triangles below the bound at them
   tier_counters counters;

@@ -46,6 +46,8 @@ inline constexpr double largest_circumradius = 0.75;
 // Boundary pieces are split down to this metric length, so that a net of that radius does not
 // encroach on them.
 inline constexpr double longest_piece = 1.2;
+// Where a domain is filled at once its segments are divided a little finer, 1.2 times the radius.
+inline constexpr double longest_piece_of_fill = 0.9;
 
 // The distance from the three sites to the nearest point all three are equally far from; infinite
 // when there is none.

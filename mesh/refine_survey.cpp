@@ -2,87 +2,25 @@
 #include "asterism/mesh/refine_survey.hpp"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "asterism/mesh/local/parallel.hpp"
 
 namespace asterism {
 namespace {
 
-// The order in which bad triangles are tried decides how many sites it takes; ties by position in
-// the mesh, so that the order is the same every time.
-void sort_worst_first(std::vector<bad_triangle>& bad) {
-  std::sort(bad.begin(), bad.end(), [](const bad_triangle& a, const bad_triangle& b) {
-    return std::tie(a.why, a.rank, a.where) < std::tie(b.why, b.rank, b.where);
-  });
-}
-
-void add_disagreeing(const refine_state& state, survey& s) {
-  std::vector<triangle> where = s.consistency.disagreeing;
-  for (const defect& d : s.consistency.defects) {
-    if (d.kind == defect_kind::wide_gap) where.push_back(d.where);
-    if (d.kind != defect_kind::unsettled) continue;
-    for (const triangle& t : s.consistency.agreeing)
-      if (std::find(t.begin(), t.end(), d.owner) != t.end()) where.push_back(t);
-  }
-  std::sort(where.begin(), where.end());
-  where.erase(std::unique(where.begin(), where.end()), where.end());
-  for (const triangle& t : where)
-    s.bad.push_back({badness::disagreeing, smallest_angle(sites_of(state, t)), t});
-  s.disagreeing = where.size();
-}
-
-// Both lists of triangles are in lexicographic order.
-void measure_shapes(const refine_state& state, const angle_requirement& angle, bool limit_size,
-                    const survey& previous, survey& s) {
-  const auto& known = previous.consistency.agreeing;
-  auto at = known.begin();
-  for (const triangle& t : s.consistency.agreeing) {
-    at = std::lower_bound(at, known.end(), t);
-    if (at != known.end() && *at == t) {
-      s.shapes.push_back(previous.shapes[static_cast<std::size_t>(at - known.begin())]);
-      continue;
-    }
-    const triangle_sites sites = sites_of(state, t);
-    triangle_shape shape{angle.is_low(sites), 0, 0};
-    if (shape.is_low) shape.smallest_angle = smallest_angle(sites);
-    if (limit_size) shape.circumradius = metric_circumradius(sites);
-    s.shapes.push_back(shape);
-  }
-}
-
-bool touches(const triangle& t, const std::vector<exempt_corner>& corners) {
-  return std::any_of(corners.begin(), corners.end(), [&](const exempt_corner& c) {
-    return std::find(t.begin(), t.end(), c.vertex) != t.end();
-  });
-}
-
 // The triangle's corners that lie at an exempt corner of the domain and fill it from one piece to
 // the other. A part of a divided corner could be wider.
 std::array<bool, 3> unavoidable(const refine_state& state, const triangle& t,
-                                const std::vector<exempt_corner>& corners) {
+                                const std::vector<char>& is_exempt) {
   std::array<bool, 3> at{};
   for (std::size_t i = 0; i < 3; ++i)
-    at[i] = std::any_of(corners.begin(), corners.end(),
-                        [&](const exempt_corner& c) { return c.vertex == t[i]; }) &&
+    at[i] = t[i] < is_exempt.size() && is_exempt[t[i]] != 0 &&
             state.edges().is_piece(t[i], t[(i + 1) % 3]) &&
             state.edges().is_piece(t[(i + 2) % 3], t[i]);
   return at;
-}
-
-void judge(const refine_state& state, const angle_requirement& angle, const triangle& t,
-           const triangle_shape& shape, const std::vector<exempt_corner>& exempt, survey& s) {
-  if (shape.is_low && touches(t, exempt)) {
-    s.exempt.push_back(t);
-    if (angle.is_low(sites_of(state, t), unavoidable(state, t, exempt)))
-      s.improvable.push_back({badness::low_angle, shape.smallest_angle, t});
-  } else if (shape.is_low) {
-    s.bad.push_back({badness::low_angle, shape.smallest_angle, t});
-    ++s.low_angle;
-    return;
-  }
-  if (!(shape.circumradius > largest_circumradius)) return;
-  s.bad.push_back({badness::too_large, -shape.circumradius, t});
-  ++s.too_large;
 }
 
 }  // namespace
@@ -105,18 +43,162 @@ std::vector<exempt_corner> exempt_corners(const refine_state& state,
   return corners;
 }
 
-survey take_survey(const refine_state& state, const angle_requirement& angle, bool limit_size,
-                   const survey& previous) {
-  survey s;
-  s.consistency = check_consistency(state.oracle(), state.stars());
-  add_disagreeing(state, s);
-  measure_shapes(state, angle, limit_size, previous, s);
-  const auto exempt = exempt_corners(state, angle);
-  for (std::size_t i = 0; i < s.shapes.size(); ++i)
-    judge(state, angle, s.consistency.agreeing[i], s.shapes[i], exempt, s);
-  sort_worst_first(s.bad);
-  sort_worst_first(s.improvable);
-  return s;
+survey::survey(const refine_state& state, const angle_requirement& angle, bool limit_size)
+    : angle_(angle),
+      limit_size_(limit_size),
+      exempt_corners_(asterism::exempt_corners(state, angle)) {
+  for (const exempt_corner& c : exempt_corners_) {
+    is_exempt_.resize(std::max<std::size_t>(is_exempt_.size(), c.vertex + 1), 0);
+    is_exempt_[c.vertex] = 1;
+  }
+}
+
+std::vector<triangle> survey::exempt() const {
+  std::vector<triangle> all;
+  for (const auto& [v, r] : records_) all.insert(all.end(), r.exempt.begin(), r.exempt.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void survey::judge(const refine_state& state, const triangle& t, record& into) const {
+  const triangle_sites sites = sites_of(state, t);
+  const bool touches = std::any_of(t.begin(), t.end(), [this](index v) {
+    return v < is_exempt_.size() && is_exempt_[v] != 0;
+  });
+  const bool low = angle_.is_low(sites);
+  if (low && touches) {
+    into.exempt.push_back(t);
+    if (angle_.is_low(sites, unavoidable(state, t, is_exempt_)))
+      into.improvable.push_back({badness::low_angle, smallest_angle(sites), t});
+  } else if (low) {
+    into.bad.push_back({badness::low_angle, smallest_angle(sites), t});
+    return;
+  }
+  if (!limit_size_) return;
+  const double circumradius = metric_circumradius(sites);
+  if (circumradius > largest_circumradius)
+    into.bad.push_back({badness::too_large, -circumradius, t});
+}
+
+survey::record survey::examine(const refine_state& state, const star_kernel& kernel,
+                               index v) const {
+  record found;
+  const site_oracle oracle = state.oracle().with_kernel(kernel);
+  const star_set& stars = state.stars();
+  const auto has = [&](index u, index y, index x) {
+    return std::any_of(stars[u].sectors.begin(), stars[u].sectors.end(), [&](const sector& s) {
+      for (std::size_t gap = 0; gap < s.gaps(); ++gap)
+        if (s.neighbours[gap] == y && s.neighbours[s.after(gap)] == x) return true;
+      return false;
+    });
+  };
+  for (const sector& s : stars[v].sectors) {
+    if (s.neighbours.empty()) found.disagreeing.push_back({v, v, v});
+    for (const index u : s.neighbours)
+      if (!stars[u].contains(v)) found.one_sided.push_back(u);
+    for (std::size_t gap = 0; gap < s.gaps(); ++gap) {
+      const triangle t{v, s.neighbours[gap], s.neighbours[s.after(gap)]};
+      if (!holds_triangle(oracle, v, s, gap)) {
+        found.disagreeing.push_back(t);  // a wide gap
+      } else if (!has(t[1], t[2], v) || !has(t[2], v, t[1]) || stars.is_unsettled(v)) {
+        // Seen from another star the same triangle holds as well: its orientation is positive.
+        found.disagreeing.push_back(canonical(t));
+      } else if (v < t[1] && v < t[2]) {
+        judge(state, t, found);
+      }
+    }
+  }
+  return found;
+}
+
+void survey::forget(index v) {
+  const auto at = records_.find(v);
+  if (at == records_.end()) return;
+  const record& old = at->second;
+  for (const triangle& t : old.disagreeing) {
+    const auto entry = disagreeing_.find(t);
+    if (--entry->second.first > 0) continue;
+    bad_.erase({badness::disagreeing, entry->second.second, t});
+    --counts_[0];
+    disagreeing_.erase(entry);
+  }
+  for (const bad_triangle& b : old.bad) {
+    bad_.erase(b);
+    --counts_[static_cast<std::size_t>(b.why)];
+  }
+  for (const bad_triangle& b : old.improvable) improvable_.erase(b);
+  for (const index u : old.one_sided) {
+    std::vector<index>& claimants = claimed_by_[u];
+    claimants.erase(std::remove(claimants.begin(), claimants.end(), v), claimants.end());
+    if (claimants.empty()) claimed_by_.erase(u);
+  }
+  records_.erase(at);
+}
+
+void survey::remember(const refine_state& state, index v, record now) {
+  if (now.empty()) return;
+  for (const triangle& t : now.disagreeing) {
+    const auto [entry, added] = disagreeing_.try_emplace(t, 0, 0.0);
+    if (added) {
+      entry->second.second = smallest_angle(sites_of(state, t));
+      bad_.insert({badness::disagreeing, entry->second.second, t});
+      ++counts_[0];
+    }
+    ++entry->second.first;
+  }
+  for (const bad_triangle& b : now.bad) {
+    bad_.insert(b);
+    ++counts_[static_cast<std::size_t>(b.why)];
+  }
+  for (const bad_triangle& b : now.improvable) improvable_.insert(b);
+  for (const index u : now.one_sided) claimed_by_[u].push_back(v);
+  records_.emplace(v, std::move(now));
+}
+
+// What a star says depends on itself and on the stars of its neighbours. Those that have a touched
+// star as a neighbour are its own neighbours, now or before, or claim it one-sidedly.
+std::vector<index> survey::dependents(refine_state& state) {
+  std::vector<index> all = state.stars().take_touched();
+  if (std::exchange(first_, false)) {
+    all.resize(state.stars().size());
+    std::iota(all.begin(), all.end(), index{0});
+    return all;
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  const std::size_t touched = all.size();
+  for (std::size_t i = 0; i < touched; ++i) {
+    for (const sector& s : state.stars()[all[i]].sectors)
+      all.insert(all.end(), s.neighbours.begin(), s.neighbours.end());
+    const auto claimants = claimed_by_.find(all[i]);
+    if (claimants != claimed_by_.end())
+      all.insert(all.end(), claimants->second.begin(), claimants->second.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+void survey::update(refine_state& state) {
+  const std::vector<index> which = dependents(state);
+  constexpr std::size_t chunk = 256;
+  struct spoken {
+    index who;
+    record what;
+  };
+  std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
+  std::vector<spoken> all = collect_chunks<spoken>(
+      which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<spoken>& out) {
+        const auto kernel = state.kernel().fork();
+        for (std::size_t i = begin; i < end; ++i) {
+          record found = examine(state, *kernel, which[i]);
+          if (!found.empty()) out.push_back({which[i], std::move(found)});
+        }
+        counts[begin / chunk] = kernel->counters();
+      });
+  for (const tier_counters& c : counts) state.kernel().count(c);
+  for (const index v : which) forget(v);
+  for (spoken& s : all) remember(state, s.who, std::move(s.what));
 }
 
 }  // namespace asterism

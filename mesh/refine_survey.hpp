@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// What is still wrong with a mesh: its bad triangles, the worst first.
+// What is still wrong with a mesh: its bad triangles, the worst first, kept up to date.
 //
 // Bad is what the thesis (section 4.1) calls bad: a disagreeing triangle, an angle below the bound
 // from the perspective of any vertex, or, with a size limit, a triangle too large. A wide gap of a
 // star and the triangles of a star that did not settle count as disagreeing.
 // Exempt from the angle bound, and listed, are triangles at a corner of the domain whose own angle
 // is below it: no mesh meets the bound there.
+//
+// Each star is asked for what is wrong in it, and asked again when it or a star it has triangles
+// with has changed; nothing else is looked at.
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <set>
+#include <unordered_map>
 #include <vector>
 
 #include "asterism/mesh/consistency.hpp"
@@ -25,29 +31,63 @@ struct bad_triangle {
   double rank = 0;  // within its kind, smaller is worse: the smallest angle, or minus the size
   // Counter-clockwise; for a wide gap the indices may repeat or run clockwise (consistency.hpp).
   triangle where{};
+
+  friend bool operator<(const bad_triangle& a, const bad_triangle& b) {
+    if (a.why != b.why) return a.why < b.why;
+    if (a.rank != b.rank) return a.rank < b.rank;
+    return a.where < b.where;
+  }
 };
 
-// What there is to know of a triangle's shape; it never changes, as its sites never do.
-struct triangle_shape {
-  bool is_low = false;
-  double smallest_angle = 0;  // measured only when is_low
-  double circumradius = 0;    // metric_circumradius; measured only with a size limit
-};
+class survey {
+ public:
+  survey(const refine_state& state, const angle_requirement& angle, bool limit_size);
 
-struct survey {
-  consistency_report consistency;
-  std::vector<triangle_shape> shapes;  // of consistency.agreeing, in its order
-  std::vector<bad_triangle> bad;       // disagreeing, then low angles, then large; deterministic
-  std::size_t disagreeing = 0, low_angle = 0, too_large = 0;
-  std::vector<triangle> exempt;
-  // Those of them that are low elsewhere than at the exempt corner: worth trying, not demanded.
-  std::vector<bad_triangle> improvable;
-};
+  // Looks again at what has been touched since the last time.
+  void update(refine_state& state);
 
-// `previous` saves measuring what has not changed since: a survey of the same state, taken earlier
-// with the same requirement and limit, or an empty one.
-survey take_survey(const refine_state& state, const angle_requirement& angle, bool limit_size,
-                   const survey& previous);
+  // Disagreeing, then low angles, then large; ties by position in the mesh, so that the order is
+  // the same every time.
+  const std::set<bad_triangle>& bad() const { return bad_; }
+  // At exempt corners, low elsewhere than at the corner: worth trying, not demanded.
+  const std::set<bad_triangle>& improvable() const { return improvable_; }
+  std::size_t count(badness why) const { return counts_[static_cast<std::size_t>(why)]; }
+  // In lexicographic order.
+  std::vector<triangle> exempt() const;
+  const std::vector<exempt_corner>& exempt_corners() const { return exempt_corners_; }
+
+ private:
+  // What one star has to say.
+  struct record {
+    std::vector<triangle> disagreeing;  // may be found by several stars
+    std::vector<bad_triangle> bad;      // low or large: by the star of the smallest index alone
+    std::vector<bad_triangle> improvable;
+    std::vector<triangle> exempt;
+    std::vector<index> one_sided;  // neighbours that do not have the star's centre as theirs
+
+    bool empty() const {
+      return disagreeing.empty() && bad.empty() && improvable.empty() && exempt.empty() &&
+             one_sided.empty();
+    }
+  };
+
+  record examine(const refine_state& state, const star_kernel& kernel, index v) const;
+  void judge(const refine_state& state, const triangle& t, record& into) const;
+  void forget(index v);
+  void remember(const refine_state& state, index v, record now);
+  std::vector<index> dependents(refine_state& state);
+
+  angle_requirement angle_;
+  bool limit_size_;
+  std::vector<exempt_corner> exempt_corners_;
+  std::vector<char> is_exempt_;  // by vertex of the domain
+  std::unordered_map<index, record> records_;  // those that are not empty
+  std::map<triangle, std::pair<int, double>> disagreeing_;  // by how many stars, smallest angle
+  std::unordered_map<index, std::vector<index>> claimed_by_;  // the other end of one_sided
+  std::set<bad_triangle> bad_, improvable_;
+  std::size_t counts_[3] = {0, 0, 0};
+  bool first_ = true;
+};
 
 // The domain's corners below the bound, one for each vertex (its smallest), by vertex.
 std::vector<exempt_corner> exempt_corners(const refine_state& state,

@@ -8,12 +8,17 @@
 #include <vector>
 
 #include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/refine_quality.hpp"
 
 namespace asterism {
 namespace {
 
 constexpr double arc_fraction = 0.2;
 constexpr double arc_ladder = 1024;  // from start to floor
+// After a fill, defects are mended at points nearly as far from all sites as the fill's own.
+constexpr double fill_fraction = 0.6;
+constexpr double fill_ladder = 1024;
+constexpr double fill_shrink = 0.75;
 constexpr double dart_fraction = 0.5;
 constexpr double dart_ladder = 1024;
 
@@ -63,6 +68,10 @@ tolerance_range choose_tolerance(const refine_state& state, const refinement_opt
   if (options.tolerance) {
     const double given = *options.tolerance;
     return {given, darts ? given / dart_ladder : given};
+  }
+  if (options.strategy == refinement_strategy::guaranteed && options.limit_size) {
+    const double start = fill_fraction * largest_circumradius;
+    return {start, start / fill_ladder, fill_shrink};
   }
   // With a size limit edges will be about 1 long, however far apart the given sites are.
   const double most = options.limit_size ? 1 : std::numeric_limits<double>::infinity();

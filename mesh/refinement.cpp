@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
+#include "asterism/mesh/fill/fill.hpp"
 #include "asterism/mesh/refine_arcs.hpp"
 #include "asterism/mesh/refine_darts.hpp"
 #include "asterism/mesh/refine_survey.hpp"
@@ -18,7 +21,7 @@ namespace {
 
 class refinement {
  public:
-  refinement(refine_state state, const refinement_options& options,
+  refinement(refine_state state, const refinement_options& options, index given,
              const std::function<void(const refinement_progress&)>& progress)
       : state_(std::move(state)),
         options_(options),
@@ -26,7 +29,9 @@ class refinement {
         angle_(options.angle_bound),
         tolerance_(choose_tolerance(state_, options)),
         darts_(options.seed, options.max_rejected, tolerance_.start, tolerance_.floor),
-        in_force_(tolerance_.start) {}
+        in_force_(tolerance_.start),
+        survey_(state_, angle_, options.limit_size),
+        given_(given) {}
 
   result<refinement_outcome> run() {
     if (options_.limit_size) state_.shorten_pieces(longest_piece);
@@ -36,26 +41,27 @@ class refinement {
   }
 
  private:
-  // Ends because each call inserts a site (bounded by max_sites), or settles a stale star (there
-  // are finitely many between insertions), or shrinks the tolerance towards its floor, or ends.
+  // Ends because each call inserts a site (bounded by max_sites), or settles a stale star or
+  // repairs one (there are finitely many between insertions), or shrinks the tolerance towards its
+  // floor, or ends.
   void step() {
     state_.clear_encroachments(tolerance_.floor);
-    survey_ = take_survey(state_, angle_, options_.limit_size, survey_);
+    survey_.update(state_);
     report_progress();
     if (state_.field_failure()) return end("the metric field failed");
     if (rebuild_disagreeing()) return;
-    if (survey_.bad.empty()) {
+    if (survey_.bad().empty()) {
       if (improve_at_exempt_corners()) return;
-      if (rebuild_all_stale()) return;
+      if (rebuild_all_stale() || repair()) return;
       complete_ = true;
       return end("all stars agree and every triangle meets the bound");
     }
     if (state_.is_full()) {
-      if (rebuild_all_stale()) return;
+      if (rebuild_all_stale() || repair()) return;
       return end("the limit of " + std::to_string(options_.max_sites) + " sites was reached");
     }
     if (improve()) return;
-    if (rebuild_all_stale()) return;
+    if (rebuild_all_stale() || repair()) return;
     end(stuck_message());
   }
 
@@ -64,37 +70,64 @@ class refinement {
     ended_ = true;
   }
 
-  bool rebuild(index v) {
-    return state_.stars().is_stale(v) && state_.stars().rebuild(state_.oracle(), v);
-  }
-
   // Coarse stars keep neighbours they should not: before a site is inserted for a disagreement,
   // the stars in it are made anew.
   bool rebuild_disagreeing() {
-    bool changed = false;
-    for (const bad_triangle& b : survey_.bad)
-      if (b.why == badness::disagreeing)
-        for (const index v : b.where) changed |= rebuild(v);
-    return changed;
+    std::vector<index> stale;
+    for (const bad_triangle& b : survey_.bad()) {
+      if (b.why != badness::disagreeing) break;
+      for (const index v : b.where)
+        if (state_.stars().is_stale(v)) stale.push_back(v);
+    }
+    return rebuild(std::move(stale));
   }
 
   bool rebuild_all_stale() {
-    bool changed = false;
-    for (index v = 0; v < state_.stars().size(); ++v) changed |= rebuild(v);
-    return changed;
+    std::vector<index> stale;
+    for (index v = 0; v < state_.stars().size(); ++v)
+      if (state_.stars().is_stale(v)) stale.push_back(v);
+    return rebuild(std::move(stale));
+  }
+
+  bool rebuild(std::vector<index> stale) {
+    std::sort(stale.begin(), stale.end());
+    stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
+    return !state_.stars().construct(state_.oracle(), stale, star_search::near).empty();
+  }
+
+  // What a local search can have missed: every star is held against all sites that are not
+  // certainly out of its reach. Sites that were there the last time need not be looked at again
+  // only because others came, so this is done once for each state of the mesh.
+  bool repair() {
+    if (thorough_at_ == state_.sites().size()) return false;
+    thorough_at_ = state_.sites().size();
+    std::vector<index> all(state_.sites().size());
+    std::iota(all.begin(), all.end(), index{0});
+    const std::size_t repaired =
+        state_.stars().construct(state_.oracle(), all, star_search::thorough).size();
+    repairs_ += repaired;
+    return repaired > 0;
   }
 
   bool improve() {
     if (options_.strategy == refinement_strategy::poisson_darts) return improve_by_darts();
     while (true) {
-      for (const bad_triangle& b : survey_.bad) {
+      for (const bad_triangle& b : survey_.bad()) {
+        if (parked_.count(b) != 0) continue;
         const bool inserted = shorten_tight_corner(state_, b.where, angle_, in_force_) ||
                               refine_by_arcs(state_, b.where, in_force_, rejected_);
         if (state_.field_failure()) return false;
-        if (!inserted) continue;
+        if (!inserted) {
+          parked_.insert(b);
+          continue;
+        }
+        retry_ = true;
         if (b.why == badness::too_large) insert_for_large();
         return true;
       }
+      // Those that failed may succeed where something has changed since.
+      parked_.clear();
+      if (std::exchange(retry_, false)) continue;
       if (in_force_ <= tolerance_.floor) return false;
       in_force_ = std::max(tolerance_.floor, tolerance_.shrink * in_force_);
     }
@@ -106,7 +139,7 @@ class refinement {
     if (state_.is_full()) return false;
     constexpr double modest = 0x1p-4;
     const double tolerance = std::max(tolerance_.floor, modest * tolerance_.start);
-    for (const bad_triangle& b : survey_.improvable)
+    for (const bad_triangle& b : survey_.improvable())
       if (shorten_tight_corner(state_, b.where, angle_, tolerance) ||
           refine_by_arcs(state_, b.where, tolerance, rejected_))
         return true;
@@ -116,18 +149,19 @@ class refinement {
   // Where nothing but size is left to mend, the order matters little: one survey serves many
   // insertions. Triangles that have gone meanwhile are passed over.
   void insert_for_large() {
-    for (const bad_triangle& b : survey_.bad) {
+    for (const bad_triangle& b : survey_.bad()) {
       if (state_.is_full() || state_.field_failure()) return;
       const auto [v, y, x] = b.where;
-      if (has_triangle(state_.oracle(), v, state_.stars()[v], y, x))
+      if (parked_.count(b) == 0 && has_triangle(state_.oracle(), v, state_.stars()[v], y, x))
         refine_by_arcs(state_, b.where, in_force_, rejected_);
     }
   }
 
   bool improve_by_darts() {
-    for (const bad_triangle& b : survey_.bad)
+    for (const bad_triangle& b : survey_.bad())
       if (shorten_tight_corner(state_, b.where, angle_, in_force_)) return true;
-    const bool inserted = darts_.refine(state_, survey_.bad, rejected_);
+    const std::vector<bad_triangle> bad(survey_.bad().begin(), survey_.bad().end());
+    const bool inserted = darts_.refine(state_, bad, rejected_);
     in_force_ = darts_.tolerance();
     return inserted;
   }
@@ -136,36 +170,39 @@ class refinement {
     const char* tried = options_.strategy == refinement_strategy::poisson_darts
                             ? "darts"
                             : "candidates on Voronoi arcs";
-    return "stuck: " + std::to_string(survey_.bad.size()) + " bad triangles are left, and no " +
+    return "stuck: " + std::to_string(survey_.bad().size()) + " bad triangles are left, and no " +
            tried + " farther than the tolerance " + format_number(in_force_) +
            " from every site can be inserted";
   }
 
   void report_progress() {
     if (!progress_) return;
-    progress_({state_.sites().size(), survey_.disagreeing, survey_.low_angle, survey_.too_large});
+    progress_({state_.sites().size(), survey_.count(badness::disagreeing),
+               survey_.count(badness::low_angle), survey_.count(badness::too_large)});
   }
 
   refinement_outcome outcome() {
     refinement_outcome o;
+    consistency_report now = check_consistency(state_.oracle(), state_.stars());
     o.complete = complete_;
     o.reason = reason_;
     o.result.sites = state_.sites();
     o.result.given = given_;
-    o.result.triangles = survey_.consistency.agreeing;
+    o.result.triangles = std::move(now.agreeing);
     o.result.boundary = state_.edges().in_order();
-    o.result.disagreeing = survey_.consistency.disagreeing;
+    o.result.disagreeing = std::move(now.disagreeing);
     o.tolerance = in_force_;
     o.sites = o.result.sites.size();
     o.triangles = o.result.triangles.size();
-    o.disagreeing = survey_.disagreeing;
-    o.low_angle = survey_.low_angle;
-    o.too_large = survey_.too_large;
+    o.disagreeing = survey_.count(badness::disagreeing);
+    o.low_angle = survey_.count(badness::low_angle);
+    o.too_large = survey_.count(badness::too_large);
     o.splits = state_.splits();
     o.inserted = o.sites - given_ - o.splits;
     o.candidates_rejected = rejected_;
-    o.exempt = exempt_corners(state_, angle_);
-    o.exempt_triangles = survey_.exempt;
+    o.exempt = survey_.exempt_corners();
+    o.exempt_triangles = survey_.exempt();
+    o.star_repairs = repairs_;
     return o;
   }
 
@@ -177,7 +214,10 @@ class refinement {
   dart_thrower darts_;
   double in_force_;
   survey survey_;
-  index given_ = static_cast<index>(state_.sites().size());
+  std::set<bad_triangle> parked_;  // tried in vain with the tolerance in force
+  bool retry_ = false;             // something was inserted since some were parked
+  index given_;
+  std::size_t repairs_ = 0, thorough_at_ = 0;
   std::size_t rejected_ = 0;
   bool complete_ = false, ended_ = false;
   std::string reason_;
@@ -202,6 +242,19 @@ std::optional<error> check_options(const domain& d, const refinement_options& o)
   return std::nullopt;
 }
 
+// The sites the domain is to be filled with, for the strategies that begin so.
+result<filled_domain> propose(const domain& d, const metric_field& field,
+                              const refinement_options& options) {
+  filled_domain nothing;
+  nothing.divisions.resize(d.segments.size());
+  if (options.strategy != refinement_strategy::guaranteed || !options.limit_size) return nothing;
+  fill_options wanted;
+  wanted.distance = largest_circumradius;
+  wanted.longest_piece = longest_piece_of_fill;
+  wanted.max_sites = options.max_sites;
+  return fill(d, field, wanted);
+}
+
 }  // namespace
 
 result<refinement_outcome> refine_on(
@@ -209,9 +262,13 @@ result<refinement_outcome> refine_on(
     const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
   if (const auto refused = check_options(d, options)) return *refused;
-  auto state = refine_state::start(d, field, kernel, options.max_sites);
+  const auto proposed = propose(d, field, options);
+  if (!proposed) return proposed.failure();
+  auto state = refine_state::start_filled(d, field, kernel, options.max_sites, proposed.value());
   if (!state) return state.failure();
-  return refinement(std::move(state).value(), options, progress).run();
+  return refinement(std::move(state).value(), options, static_cast<index>(d.vertices.size()),
+                    progress)
+      .run();
 }
 
 }  // namespace asterism
