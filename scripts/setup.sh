@@ -8,7 +8,7 @@ build=$project/build/release
 packages=(
   g++ cmake ninja-build pkg-config
   libcgal-dev libgmp-dev libmpfr-dev libboost-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libcairo2-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libcairo2-dev libtbb-dev
   catch2 python3 python3-meshio freefem++
 )
 
