@@ -51,6 +51,8 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
       app, "--gradation", gradations, [&job](double x) { job.gradation = x; },
       "Make the metric change slowly: neighbouring edges differ by a factor of about BETA")
       ->type_name("BETA");
+  app.add_flag("--regions", job.number_regions,
+               "Number every region that has no region point, from 1");
   add_count(
       app, "--random-points", 0, 1000000,
       [&job](std::uint64_t n) { job.random_points = static_cast<std::size_t>(n); },

@@ -67,8 +67,9 @@ result<prepared_input> with_metric(const mesh_job& job, domain shape) {
 }
 
 result<prepared_input> prepare(const mesh_job& job) {
-  const auto loaded = load_domain(job.domain);
+  auto loaded = load_domain(job.domain);
   if (!loaded) return loaded.failure();
+  if (job.number_regions) loaded.value().number_all_regions = true;
   domain_repairs repairs;
   const auto checked = check_domain(loaded.value(), &repairs);
   if (!checked) return checked.failure();
@@ -115,6 +116,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"tol", asked.tolerance ? text_of(*asked.tolerance) : "chosen"},
           {"tol-at-end", text_of(outcome.tolerance)},
           {"max-sites", std::to_string(asked.max_sites)},
+          {"regions", job.number_regions ? "numbered" : "as given"},
           {"random-points", std::to_string(job.random_points)},
           {"seed", std::to_string(asked.seed)}};
 }

@@ -24,6 +24,7 @@ struct verify_options {
   fs::path mesh, certificate;
   std::optional<double> angle_bound;
   std::string domain;
+  bool number_regions = false;
 };
 
 constexpr const char* examples =
@@ -65,8 +66,9 @@ result<std::optional<certificate>> find_certificate(const verify_options& option
 // points are, belong to it when they lie inside.
 result<std::optional<domain>> find_domain(const verify_options& options, const mesh& subject) {
   if (options.domain.empty()) return std::optional<domain>();
-  const auto loaded = load_domain(options.domain);
+  auto loaded = load_domain(options.domain);
   if (!loaded) return loaded.failure();
+  if (options.number_regions) loaded.value().number_all_regions = true;
   auto checked = check_domain(loaded.value());
   if (!checked) return checked.failure();
   const domain bare = checked.value();
@@ -126,6 +128,8 @@ void add_verify_command(CLI::App& program, command& chosen) {
       "Check this bound (default: the certificate's)")
       ->type_name("DEG");
   app->add_option("--domain", options->domain, "What it should be a mesh of")->type_name("DOMAIN");
+  app->add_flag("--regions", options->number_regions,
+                "The domain named by --domain was meshed with --regions");
   app->footer(examples);
   app->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
 }

@@ -30,6 +30,7 @@ struct segment {
 struct region_point {
   point at;
   int number = 0;
+  double largest_area = 0;  // wanted of a triangle there, 0: no limit; check_domain drops it
 };
 
 struct bounding_box {

@@ -88,11 +88,21 @@ std::vector<bool> kept_vertices(const domain& d, const plane_graph& graph, const
   return kept;
 }
 
+std::vector<region_point> without_limits(const domain& d, domain_repairs& repairs) {
+  const domain_names names(d);
+  repair_tally dropped(repairs.dropped_area_limits);
+  std::vector<region_point> regions = d.regions;
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    if (std::exchange(regions[r].largest_area, 0) != 0)
+      dropped.add([&] { return names.at_region(r); }, [&] { return names.region(r); });
+  dropped.report("limits on areas of triangles dropped", repairs.messages);
+  return regions;
+}
+
 domain assemble(const domain& d, const std::vector<bool>& kept,
                 const std::vector<segment>& segments) {
   domain accepted;
   accepted.name = d.name;
-  accepted.regions = d.regions;
   accepted.number_all_regions = d.number_all_regions;
   std::vector<index> renumbered(d.vertices.size(), 0);
   for (std::size_t v = 0; v < kept.size(); ++v) {
@@ -138,7 +148,9 @@ result<domain> check_domain(const domain& input, domain_repairs* repairs) {
         domain_names(input).at_start() + "the domain is empty: " +
         (input.holes.empty() ? "its segments enclose nothing" : "the holes leave nothing of it")};
   const auto kept = kept_vertices(input, graph.value(), faces, removed, segments, report);
-  return assemble(input, kept, segments);
+  domain accepted = assemble(input, kept, segments);
+  accepted.regions = without_limits(input, report);
+  return accepted;
 }
 
 }  // namespace asterism

@@ -14,7 +14,8 @@
 //    those with the domain on one side are oriented with the domain on their left, those with the
 //    domain on both are internal and keep their direction;
 //  - vertices on no segment are kept when strictly inside the domain, and dropped otherwise;
-//  - the faces that are left are given the numbers of the region points in them (domain.hpp).
+//  - the faces that are left are given the numbers of the region points in them (domain.hpp);
+//  - limits on the area of a region's triangles are dropped: size is the metric's.
 //
 // Refused, by name, in the numbers and lines of the file the domain came from:
 //  - coordinates that are not finite, segments whose vertices do not exist;
@@ -49,6 +50,7 @@ struct domain_repairs {
   std::size_t repeated_pieces = 0;  // pieces that another segment had covered already
   std::size_t outer_pieces = 0;     // had the domain on neither side
   std::size_t dropped_vertices = 0;
+  std::size_t dropped_area_limits = 0;
   std::vector<std::string> messages;  // one a kind that occurred, with a count and the first case
 
   bool any() const { return !messages.empty(); }

@@ -114,13 +114,16 @@ void stroke_edges(cairo_t* cairo, const page& p, const mesh& m) {
 
 void stroke_boundary(cairo_t* cairo, const page& p, const mesh& m) {
   use(cairo, bold_ink);
-  cairo_set_line_width(cairo, 2.6 * p.unit());
-  for (const boundary_edge& e : m.boundary) {
-    const point from = p.at(m.sites[e.a].position), to = p.at(m.sites[e.b].position);
-    cairo_move_to(cairo, from.x, from.y);
-    cairo_line_to(cairo, to.x, to.y);
+  for (const bool internal : {false, true}) {
+    cairo_set_line_width(cairo, (internal ? 1.8 : 2.6) * p.unit());
+    for (const boundary_edge& e : m.boundary) {
+      if (e.internal != internal) continue;
+      const point from = p.at(m.sites[e.a].position), to = p.at(m.sites[e.b].position);
+      cairo_move_to(cairo, from.x, from.y);
+      cairo_line_to(cairo, to.x, to.y);
+    }
+    cairo_stroke(cairo);
   }
-  cairo_stroke(cairo);
 }
 
 // Semi-axes of the unit ball, longest first, and the direction of the longest.

@@ -2,7 +2,8 @@
 //
 // A mesh as a figure: one drawing for SVG, PDF and PNG.
 //
-// Triangles in thin lines, the boundary in a bold one, disagreeing triangles filled red, triangles
+// Triangles in thin lines, the boundary in a bold one, internal segments in
+// between, disagreeing triangles filled red, triangles
 // with an angle below the bound tinted, sites as dots with the given ones marked, and the unit
 // circles of the metric, thinned out so that they stay readable and all drawn to one scale.
 #pragma once

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/io/poly.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -17,6 +19,18 @@ namespace {
 
 using words = std::vector<word>;
 using failure = std::optional<error>;
+
+// The attribute of a region. Triangle's is any number; here it names a region, so it is a whole
+// one, however it is written.
+result<int> to_region_number(const text_scanner& source, const word& w) {
+  const auto value = to_number(source, w, "attribute of a region");
+  if (!value.ok()) return value.failure();
+  constexpr double low = std::numeric_limits<int>::min(), high = std::numeric_limits<int>::max();
+  if (value.value() < low || value.value() > high || std::floor(value.value()) != value.value())
+    return source.failure(w.line, "attribute of a region: " + quoted_token(w.text) +
+                                      " is no whole number of 32 bits, which region numbers are");
+  return static_cast<int>(value.value());
+}
 
 // Reads one file, a .poly or a .node, into a domain that is still being put together.
 class poly_reader {
@@ -35,6 +49,7 @@ class poly_reader {
   failure read_vertex_header(std::size_t& count, std::size_t& record_size);
   failure read_vertex(const words& record);
   failure read_segment(const words& record, std::size_t expected_size);
+  failure read_region(const words& record);
   failure read_point(const words& record, std::string_view what, point& p);
   // A header line with 1 to `most` words; `wanted` says what it should hold.
   failure read_header(std::string_view wanted, std::size_t most, words& header);
@@ -248,8 +263,24 @@ failure poly_reader::read_regions() {
   if (!count.ok()) return count.failure();
   for (std::size_t i = 0; i < count.value(); ++i) {
     if (auto failed = read_record("region", i, count.value(), 4, 5, record)) return failed;
-    if (auto failed = check_unused(record, 1, "region")) return failed;
+    if (auto failed = read_region(record)) return failed;
   }
+  return {};
+}
+
+failure poly_reader::read_region(const words& record) {
+  region_point region;
+  if (auto failed = read_point(record, "region", region.at)) return failed;
+  const auto number = to_region_number(source_, record[3]);
+  if (!number.ok()) return number.failure();
+  region.number = number.value();
+  if (record.size() > 4) {
+    const auto area = to_number(source_, record[4], "largest area in a region");
+    if (!area.ok()) return area.failure();
+    region.largest_area = std::max(area.value(), 0.0);
+  }
+  d_.regions.push_back(region);
+  d_.origin.region_lines.push_back(record[0].line);
   return {};
 }
 

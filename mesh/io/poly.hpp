@@ -9,8 +9,8 @@
 //   <number> <vertex> <vertex> [marker]            one line a segment
 //   <holes>
 //   <number> <x> <y>                               one line a hole
-//   <regions>                                      optional; read, checked and not used
-//   <number> <x> <y> <attribute> [area]
+//   <regions>                                      optional
+//   <number> <x> <y> <attribute> [area]            one line a region; the attribute a whole number
 //
 // Numbers start at 0 or at 1 and go up by one. Counts left out at the end of a header line are 0.
 // With 0 vertices the vertices are in NAME.node beside NAME.poly. Attributes and the markers of
