@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/io/medit.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
 
@@ -26,12 +27,14 @@ void require_same(const mesh& a, const mesh& b) {
   for (std::size_t v = 0; v < a.sites.size(); ++v) REQUIRE(same_bits(a.sites[v], b.sites[v]));
   REQUIRE(a.given == b.given);
   REQUIRE(a.triangles == b.triangles);
+  REQUIRE(a.regions == b.regions);
   REQUIRE(a.boundary.size() == b.boundary.size());
   for (std::size_t i = 0; i < a.boundary.size(); ++i) {
     REQUIRE(a.boundary[i].a == b.boundary[i].a);
     REQUIRE(a.boundary[i].b == b.boundary[i].b);
     REQUIRE(a.boundary[i].segment == b.boundary[i].segment);
     REQUIRE(a.boundary[i].marker == b.boundary[i].marker);
+    REQUIRE(a.boundary[i].internal == b.boundary[i].internal);
   }
 }
 
@@ -116,6 +119,29 @@ TEST_CASE("a plane mesh in three dimensions is read, with its own kind of tensor
   INFO((m.ok() ? "" : m.failure().message));
   REQUIRE(m.ok());
   REQUIRE(m.value().sites[1] == site{{1, 0}, {1, 2, 5}});
+}
+
+TEST_CASE("internal edges and regions are written and read back") {
+  const temporary_directory here("medit-internal");
+  const mesh m = tests::divided_mesh(5);
+  REQUIRE(write_mesh(here / "m.mesh", m).ok());
+  const auto read = read_medit(here / "m.mesh");
+  REQUIRE(read.ok());
+  require_same(read.value(), m);
+  const auto internal = std::count_if(read.value().boundary.begin(), read.value().boundary.end(),
+                                      [](const boundary_edge& e) { return e.internal; });
+  REQUIRE(internal == 5);
+}
+
+TEST_CASE("references that are all 1 say nothing of regions, others do") {
+  const temporary_directory here("medit-regions");
+  mesh m = sample_mesh(3);
+  m.regions.assign(m.triangles.size(), 1);
+  REQUIRE(write_mesh(here / "m.mesh", m).ok());
+  REQUIRE(read_medit(here / "m.mesh").value().regions.empty());
+  m.regions[4] = 0;
+  REQUIRE(write_mesh(here / "m.mesh", m).ok());
+  REQUIRE(read_medit(here / "m.mesh").value().regions == m.regions);
 }
 
 TEST_CASE("a missing metric is an error unless the identity is asked for") {

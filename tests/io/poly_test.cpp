@@ -57,6 +57,11 @@ TEST_CASE("a .poly file with everything in it is read") {
   REQUIRE(d.value().origin.vertex_lines.front() == 4);
   REQUIRE(d.value().origin.segment_lines.front() == 13);
   REQUIRE(d.value().origin.hole_lines.front() == 22);
+  REQUIRE(d.value().regions.size() == 1);
+  REQUIRE(d.value().regions[0].at == point{0.1, 0.1});
+  REQUIRE(d.value().regions[0].number == 3);
+  REQUIRE(d.value().regions[0].largest_area == 0.01);
+  REQUIRE(d.value().origin.region_lines.front() == 24);
 }
 
 TEST_CASE("vertices come from a .node file when the .poly file has none") {
@@ -72,6 +77,26 @@ TEST_CASE("vertices come from a .node file when the .poly file has none") {
           (here / "tri.node").string() + ":3: y of vertex 2: 'zero' is not a number");
   std::filesystem::remove(here / "tri.node");
   REQUIRE_THAT(read_poly(path).failure().message, Catch::Contains("tri.node: no such file"));
+}
+
+TEST_CASE("region numbers are whole numbers, however they are written") {
+  const temporary_directory here("regions");
+  const std::string head = "3 2\n1 0 0\n2 1 0\n3 0 1\n3\n1 1 2\n2 2 3\n3 3 1\n0\n";
+  const auto d = read_poly(here.write(
+      "r.poly", head + "4\n1 0.1 0.1 -2.0\n2 0.2 0.2 1e3 -1\n3 0.3 0.3 0\n4 0 0 2147483647 2\n"));
+  REQUIRE(d.ok());
+  REQUIRE(d.value().regions.size() == 4);
+  REQUIRE(d.value().regions[0].number == -2);
+  REQUIRE(d.value().regions[1].number == 1000);
+  REQUIRE(d.value().regions[1].largest_area == 0);  // Triangle's way to say: no limit
+  REQUIRE(d.value().regions[3].number == 2147483647);
+  REQUIRE(d.value().regions[3].largest_area == 2);
+  for (const std::string bad : {"0.5", "2147483648", "-1e300"}) {
+    const auto path = here.write("r.poly", head + "1\n1 0.1 0.1 " + bad + "\n");
+    REQUIRE(read_poly(path).failure().message ==
+            path.string() + ":11: attribute of a region: '" + bad +
+                "' is no whole number of 32 bits, which region numbers are");
+  }
 }
 
 TEST_CASE("coordinates are the nearest doubles") {
@@ -123,6 +148,9 @@ TEST_CASE("malformed .poly files are refused with file, line and token") {
       {three + segments + "1\n1 0.2 inf\n", "10", "y of hole 1: 'inf' is not finite"},
       {three + segments + "0\n0\n17\n", "11", "'17' is too much: the file should end here"},
       {three + segments + "0\n1\n1 0 0\n", "11", "a region line needs 4 numbers"},
+      {three + segments + "0\n1\n1 0 0 x\n", "11", "attribute of a region: 'x'"},
+      {three + segments + "0\n1\n1 0 y 2\n", "11", "y of region 1: 'y'"},
+      {three + segments + "0\n1\n1 0 0 2 z\n", "11", "largest area in a region: 'z'"},
       {std::string("3 2 0 0\n1 0 0\n2 \0\x07 0\n", 21), "3", "x of vertex 2: "},
   };
   const temporary_directory here("bad-poly");

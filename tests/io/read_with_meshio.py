@@ -13,7 +13,7 @@ import numpy
 
 
 def read_expected(path):
-    numbers = {"site": [], "triangle": [], "edge": []}
+    numbers = {"site": [], "triangle": [], "region": [], "edge": []}
     for line in path.read_text().splitlines():
         kind, *words = line.split()
         convert = float.fromhex if kind == "site" else int
@@ -26,7 +26,9 @@ def check_medit(directory, expected):
     assert numpy.array_equal(mesh.points, expected["site"][:, :2])
     assert numpy.array_equal(mesh.cells_dict["triangle"], expected["triangle"])
     assert numpy.array_equal(mesh.cells_dict["line"], expected["edge"][:, :2])
-    assert numpy.array_equal(mesh.cell_data_dict["medit:ref"]["line"], expected["edge"][:, 2])
+    references = mesh.cell_data_dict["medit:ref"]
+    assert numpy.array_equal(references["line"], expected["edge"][:, 2])
+    assert numpy.array_equal(references["triangle"], expected["region"][:, 0])
 
 
 def check_vtu(directory, expected):
@@ -44,6 +46,7 @@ def check_vtu(directory, expected):
     assert numpy.array_equal(mesh.point_data["star_size"], star_size)
     assert mesh.point_data["given"].sum() == 4 and mesh.point_data["given"][:4].all()
     assert not mesh.cell_data_dict["disagreeing"]["triangle"].any()
+    assert numpy.array_equal(mesh.cell_data_dict["region"]["triangle"], expected["region"][:, 0])
     angles = mesh.cell_data_dict["smallest_angle"]["triangle"]
     assert numpy.allclose(angles, [least_angle(sites, t) for t in triangles], rtol=1e-9)
 

@@ -49,6 +49,20 @@ inline mesh sample_mesh(index n) {
   return m;
 }
 
+// The same, its diagonal an internal segment marked 5, the triangles above it in region 2, those
+// below in region -7.
+inline mesh divided_mesh(index n) {
+  mesh m = sample_mesh(n);
+  for (std::size_t t = 0; t < m.triangles.size(); t += 2) {
+    const auto cell = static_cast<index>(t / 2);
+    m.regions.push_back(cell % n >= cell / n ? -7 : 2);
+    m.regions.push_back(cell % n > cell / n ? -7 : 2);
+    if (cell % n == cell / n)
+      m.boundary.push_back({m.triangles[t][0], m.triangles[t][2], 4, 5, true});
+  }
+  return m;
+}
+
 // A directory of one test, removed with everything in it at the end.
 class temporary_directory {
  public:

@@ -71,6 +71,22 @@ TEST_CASE("a mesh whose numbers are wrong is not written") {
   REQUIRE(here.files() == 0);
 }
 
+TEST_CASE("a .vtu file has the regions, 1 when there are none") {
+  REQUIRE_THAT(vtu_text(sample_mesh(1)),
+               Catch::Contains("Name=\"region\" format=\"ascii\">\n1\n1\n</DataArray>"));
+  REQUIRE_THAT(vtu_text(tests::divided_mesh(1)),
+               Catch::Contains("Name=\"region\" format=\"ascii\">\n-7\n2\n</DataArray>"));
+}
+
+TEST_CASE("a mesh with more or fewer regions than triangles is not written") {
+  const temporary_directory here("regions");
+  mesh m = sample_mesh(2);
+  m.regions = {1, 2};
+  REQUIRE_THAT(write_mesh(here / "m.mesh", m).failure().message,
+               Catch::Contains("not as many regions as triangles"));
+  REQUIRE(here.files() == 0);
+}
+
 TEST_CASE("a .vtu file marks disagreeing triangles") {
   mesh m = sample_mesh(2);
   m.disagreeing.push_back(m.triangles.back());

@@ -58,6 +58,39 @@ TEST_CASE("a certificate reads back as it was written") {
   CHECK(c.options.at("refine") == "voronoi");
 }
 
+TEST_CASE("sides and regions of segments read back as they were written") {
+  certified_patch made;
+  made.p.d.segments.push_back({1, 3, 20, true, -4, 2147483647});
+  made.p.d.segments[0].left_region = 0;
+  made.c.original = made.p.d;
+  const std::string text = certificate_text(made.c);
+  const auto read = parse_certificate(text, "here");
+  REQUIRE(read.ok());
+  CHECK(certificate_text(read.value()) == text);
+  const segment& last = read.value().original->segments.at(4);
+  CHECK(last.internal);
+  CHECK(last.left_region == -4);
+  CHECK(last.right_region == 2147483647);
+  CHECK(read.value().original->segments[0].left_region == 0);
+  CHECK_FALSE(read.value().original->segments[1].internal);
+  const auto without = [&](const std::string& old, const std::string& now) {
+    const auto place = text.rfind(old);
+    REQUIRE(place != std::string::npos);
+    return parse_certificate(std::string(text).replace(place, old.size(), now), "c").ok();
+  };
+  CHECK_FALSE(without("2147483647", "0.5"));
+  CHECK_FALSE(without("2147483647", "true"));
+}
+
+TEST_CASE("regions are part of the fingerprint") {
+  mesh m = make_patch(2).m;
+  const std::uint64_t without = mesh_fingerprint(m);
+  m.regions.assign(m.triangles.size(), 1);
+  CHECK(mesh_fingerprint(m) == without);
+  m.regions[3] = 2;
+  CHECK(mesh_fingerprint(m) != without);
+}
+
 TEST_CASE("through a file") {
   const certified_patch made;
   const auto path = std::filesystem::temp_directory_path() / "asterism_certificate_test.json";
