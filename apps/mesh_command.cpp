@@ -29,7 +29,8 @@ Examples:
 
 const std::map<std::string, refinement_strategy> strategies = {
     {"guaranteed", refinement_strategy::guaranteed},
-    {"voronoi", refinement_strategy::voronoi_arcs}, {"darts", refinement_strategy::poisson_darts}};
+    {"voronoi", refinement_strategy::voronoi_arcs},
+    {"darts", refinement_strategy::poisson_darts}};
 
 constexpr real_range angle_bounds = {
     0, 60, true, false,

@@ -19,7 +19,7 @@ struct mesh_job {
   std::string metric = "identity";
   std::optional<double> size;
   std::optional<double> gradation;  // beta; empty: the metric is taken as it is
-  bool number_regions = false;  // those the domain does not number, too
+  bool number_regions = false;      // those the domain does not number, too
   std::size_t random_points = 0;
   refinement_options refinement;  // its seed is the random points' too
   std::vector<std::filesystem::path> outputs;

@@ -159,8 +159,7 @@ bool strictly_inside(const boundary& b, const std::vector<site>& sites, const st
       inside = !inside;
     return true;
   };
-  if (near == nullptr)
-    return std::all_of(b.pieces().begin(), b.pieces().end(), pass) && inside;
+  if (near == nullptr) return std::all_of(b.pieces().begin(), b.pieces().end(), pass) && inside;
   const bounding_box ray{q, {std::numeric_limits<double>::max(), q.y}};
   return near->pieces().visit(ray, [&](std::uint32_t i) { return pass(b.pieces()[i]); }) && inside;
 }

@@ -11,16 +11,35 @@
 namespace asterism {
 namespace {
 
-// The triangle's corners that lie at an exempt corner of the domain and fill it from one piece to
-// the other. A part of a divided corner could be wider.
-std::array<bool, 3> unavoidable(const refine_state& state, const triangle& t,
-                                const std::vector<char>& is_exempt) {
-  std::array<bool, 3> at{};
+// Whether the triangle v, y, x lies in the corner c of the domain at v. Both turn by less than 180
+// degrees.
+bool lies_in(const site_oracle& oracle, const domain_corner& c, index v, index y, index x) {
+  if (c.vertex != v) return false;
+  const boundary_corner ends = oracle.edges().corners(v)[c.sector];
+  return oracle.orientation(v, ends.first, y) != sign::negative &&
+         oracle.orientation(v, x, ends.last) != sign::negative &&
+         oracle.orientation(v, y, ends.last) == sign::positive;
+}
+
+// Each of the triangle's corners that lies in one of the domain's.
+std::array<bool, 3> corners_in(const site_oracle& oracle, const triangle& t,
+                               const std::vector<domain_corner>& corners) {
+  std::array<bool, 3> in{};
   for (std::size_t i = 0; i < 3; ++i)
-    at[i] = t[i] < is_exempt.size() && is_exempt[t[i]] != 0 &&
-            state.edges().is_piece(t[i], t[(i + 1) % 3]) &&
-            state.edges().is_piece(t[(i + 2) % 3], t[i]);
-  return at;
+    in[i] = std::any_of(corners.begin(), corners.end(), [&](const domain_corner& c) {
+      return lies_in(oracle, c, t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
+    });
+  return in;
+}
+
+// Those of them that fill the domain's corner from one piece to the other. A part of a divided
+// corner could be wider.
+std::array<bool, 3> unavoidable(const boundary& edges, const triangle& t,
+                                std::array<bool, 3> in_corner) {
+  for (std::size_t i = 0; i < 3; ++i)
+    in_corner[i] = in_corner[i] && edges.is_piece(t[i], t[(i + 1) % 3]) &&
+                   edges.is_piece(t[(i + 2) % 3], t[i]);
+  return in_corner;
 }
 
 }  // namespace
@@ -47,10 +66,8 @@ survey::survey(const refine_state& state, const angle_requirement& angle, bool l
     : angle_(angle),
       limit_size_(limit_size),
       exempt_corners_(asterism::exempt_corners(state, angle)) {
-  for (const exempt_corner& c : exempt_corners_) {
-    is_exempt_.resize(std::max<std::size_t>(is_exempt_.size(), c.vertex + 1), 0);
-    is_exempt_[c.vertex] = 1;
-  }
+  for (const domain_corner& c : state.corners())
+    if (c.angle < angle.degrees()) corners_below_.push_back(c);
 }
 
 std::vector<triangle> survey::exempt() const {
@@ -60,15 +77,15 @@ std::vector<triangle> survey::exempt() const {
   return all;
 }
 
-void survey::judge(const refine_state& state, const triangle& t, record& into) const {
+void survey::judge(const refine_state& state, const site_oracle& oracle, const triangle& t,
+                   record& into) const {
   const triangle_sites sites = sites_of(state, t);
-  const bool touches = std::any_of(t.begin(), t.end(), [this](index v) {
-    return v < is_exempt_.size() && is_exempt_[v] != 0;
-  });
   const bool low = angle_.is_low(sites);
-  if (low && touches) {
+  std::array<bool, 3> in_corner{};
+  if (low) in_corner = corners_in(oracle, t, corners_below_);
+  if (in_corner[0] || in_corner[1] || in_corner[2]) {
     into.exempt.push_back(t);
-    if (angle_.is_low(sites, unavoidable(state, t, is_exempt_)))
+    if (angle_.is_low(sites, unavoidable(state.edges(), t, in_corner)))
       into.improvable.push_back({badness::low_angle, smallest_angle(sites), t});
   } else if (low) {
     into.bad.push_back({badness::low_angle, smallest_angle(sites), t});
@@ -104,7 +121,7 @@ survey::record survey::examine(const refine_state& state, const star_kernel& ker
         // Seen from another star the same triangle holds as well: its orientation is positive.
         found.disagreeing.push_back(canonical(t));
       } else if (v < t[1] && v < t[2]) {
-        judge(state, t, found);
+        judge(state, oracle, t, found);
       }
     }
   }

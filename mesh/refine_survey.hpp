@@ -5,8 +5,8 @@
 // Bad is what the thesis (section 4.1) calls bad: a disagreeing triangle, an angle below the bound
 // from the perspective of any vertex, or, with a size limit, a triangle too large. A wide gap of a
 // star and the triangles of a star that did not settle count as disagreeing.
-// Exempt from the angle bound, and listed, are triangles at a corner of the domain whose own angle
-// is below it: no mesh meets the bound there.
+// Exempt from the angle bound, and listed, are triangles in a corner of the domain whose own angle
+// is below it: no mesh meets the bound there. Another corner at the same vertex exempts nothing.
 //
 // Each star is asked for what is wrong in it, and asked again when it or a star it has triangles
 // with has changed; nothing else is looked at.
@@ -72,7 +72,8 @@ class survey {
   };
 
   record examine(const refine_state& state, const star_kernel& kernel, index v) const;
-  void judge(const refine_state& state, const triangle& t, record& into) const;
+  void judge(const refine_state& state, const site_oracle& oracle, const triangle& t,
+             record& into) const;
   void forget(index v);
   void remember(const refine_state& state, index v, record now);
   std::vector<index> dependents(refine_state& state);
@@ -80,9 +81,9 @@ class survey {
   angle_requirement angle_;
   bool limit_size_;
   std::vector<exempt_corner> exempt_corners_;
-  std::vector<char> is_exempt_;  // by vertex of the domain
+  std::vector<domain_corner> corners_below_;   // the bound: a vertex may have wide ones beside them
   std::unordered_map<index, record> records_;  // those that are not empty
-  std::map<triangle, std::pair<int, double>> disagreeing_;  // by how many stars, smallest angle
+  std::map<triangle, std::pair<int, double>> disagreeing_;    // by how many stars, smallest angle
   std::unordered_map<index, std::vector<index>> claimed_by_;  // the other end of one_sided
   std::set<bad_triangle> bad_, improvable_;
   std::size_t counts_[3] = {0, 0, 0};

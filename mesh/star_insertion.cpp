@@ -81,8 +81,7 @@ bool would_accept(const site_oracle& oracle, index v, const star& s, index w) {
     const placement where = locate(oracle, v, part, w);
     if (where.kind == placement_kind::outside) return false;
     if (where.kind == placement_kind::on_ray)
-      return !part.is_forced(where.at) &&
-             oracle.nearer_on_ray(v, w, part.neighbours[where.at]);
+      return !part.is_forced(where.at) && oracle.nearer_on_ray(v, w, part.neighbours[where.at]);
     return fits_gap(oracle, v, part, where.at, w);
   });
 }

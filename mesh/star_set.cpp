@@ -98,8 +98,10 @@ std::vector<index> star_set::construct(const site_oracle& oracle, const std::vec
         const site_oracle own = oracle.with_kernel(*kernel);
         for (std::size_t i = begin; i < end; ++i) {
           constructed_star built = construct_star(own, which[i], search);
-          if (is_news(which[i], built)) out.push_back({which[i], std::move(built)});
-          else condition_[which[i]] = condition::settled;
+          if (is_news(which[i], built))
+            out.push_back({which[i], std::move(built)});
+          else
+            condition_[which[i]] = condition::settled;
         }
         counts[begin / chunk] = kernel->counters();
       });

@@ -166,8 +166,9 @@ class filling {
           const filtered_kernel kernel;
           for (std::size_t i = begin; i < end; ++i) propose(kernel, changed_[i], out);
         });
-    if (const auto at = std::find_if(proposals.begin(), proposals.end(),
-                                     [](const proposal& p) { return p.squared_radius == infinity; });
+    if (const auto at =
+            std::find_if(proposals.begin(), proposals.end(),
+                         [](const proposal& p) { return p.squared_radius == infinity; });
         at != proposals.end()) {
       site_at(at->where.position);  // the field failed there
       return false;
@@ -260,18 +261,16 @@ class filling {
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (i == 0 || pairs[i].star != pairs[i - 1].star) starts.push_back(i);
     starts.push_back(pairs.size());
-    parallel_chunks(starts.size() - 1, chunk,
-                    [&](std::size_t, std::size_t begin, std::size_t end) {
-                      std::vector<index> candidates;
-                      for (std::size_t i = begin; i < end; ++i) {
-                        const index v = pairs[starts[i]].star;
-                        candidates.clear();
-                        for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
-                        for (std::size_t j = starts[i]; j < starts[i + 1]; ++j)
-                          candidates.push_back(pairs[j].by);
-                        stars_[v] = build_plain_star(sites_, v, candidates);
-                      }
-                    });
+    parallel_chunks(starts.size() - 1, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+      std::vector<index> candidates;
+      for (std::size_t i = begin; i < end; ++i) {
+        const index v = pairs[starts[i]].star;
+        candidates.clear();
+        for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
+        for (std::size_t j = starts[i]; j < starts[i + 1]; ++j) candidates.push_back(pairs[j].by);
+        stars_[v] = build_plain_star(sites_, v, candidates);
+      }
+    });
     changed_.clear();
     for (std::size_t i = 0; i + 1 < starts.size(); ++i) changed_.push_back(pairs[starts[i]].star);
     for (std::size_t w = first; w < sites_.size(); ++w) changed_.push_back(static_cast<index>(w));
@@ -331,9 +330,9 @@ class filling {
   std::vector<interval> intervals_;
   box_index pieces_index_;
   std::vector<std::vector<index>> at_division_;  // the site at each point of a division
-  std::vector<index> changed_;  // stars that may propose something new
-  std::size_t fresh_from_ = 0;  // the sites without stars yet
-  double distance_ = 0;         // of the level
+  std::vector<index> changed_;                   // stars that may propose something new
+  std::size_t fresh_from_ = 0;                   // the sites without stars yet
+  double distance_ = 0;                          // of the level
   std::size_t rounds_ = 0;
   bool full_ = false;
   std::optional<error> failure_;

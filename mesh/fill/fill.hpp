@@ -24,8 +24,8 @@
 namespace asterism {
 
 struct fill_options {
-  double distance = 0.75;       // from every point of the domain to the nearest site, metric length
-  double longest_piece = 0.9;   // of the segments, metric length
+  double distance = 0.75;      // from every point of the domain to the nearest site, metric length
+  double longest_piece = 0.9;  // of the segments, metric length
   std::size_t max_sites = 100000;
 };
 

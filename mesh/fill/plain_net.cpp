@@ -104,9 +104,8 @@ bool disturbs(const std::vector<site>& sites, index v, const plain_star& star, i
   auto before = between(s.position, sites[star.front().neighbour].position);
   const auto first = before;
   for (std::size_t i = 0; i < star.size(); ++i) {
-    const auto after = i + 1 < star.size()
-                           ? between(s.position, sites[star[i + 1].neighbour].position)
-                           : first;
+    const auto after =
+        i + 1 < star.size() ? between(s.position, sites[star[i + 1].neighbour].position) : first;
     const bool wide = !(cross(before, after) > 0);
     const bool past = cross(before, to_w) >= 0, not_beyond = cross(to_w, after) > 0;
     if (wide ? past || not_beyond : past && not_beyond) {

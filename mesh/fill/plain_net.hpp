@@ -8,8 +8,9 @@
 //
 // The star of v is read off a convex hull: with d = w - v the site w lies, as v's territory is
 // concerned, about where the covector z = M_w d / |d|_w^2 says (the first point of the ray in
-// direction u that w sees as near as v is u / s with s = 2 z.u to first order in M_w - M_v), and the
-// neighbours are the corners of the hull of all z. Source: docs/math/certificate.md, section 4.1.
+// direction u that w sees as near as v is u / s with s = 2 z.u to first order in M_w - M_v), and
+// the neighbours are the corners of the hull of all z. Source: docs/math/certificate.md,
+// section 4.1.
 #pragma once
 
 #include <boost/container/small_vector.hpp>

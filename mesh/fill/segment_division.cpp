@@ -91,8 +91,7 @@ std::vector<double> first_pieces(const domain& d, const std::vector<arc_length>&
   std::vector<double> wanted(d.vertices.size(), 0.92 * longest);
   for (std::size_t s = 0; s < d.segments.size(); ++s)
     for (const index v : {d.segments[s].a, d.segments[s].b})
-      if (measured[s].total() > longest)
-        wanted[v] = std::min(wanted[v], measured[s].total() / 2);
+      if (measured[s].total() > longest) wanted[v] = std::min(wanted[v], measured[s].total() / 2);
   return wanted;
 }
 
@@ -102,10 +101,11 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
   std::vector<double> lengths{0};
   const auto divide_evenly = [&](double until) {
     const double start = lengths.back();
-    const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil((until - start) / longest)));
+    const auto pieces =
+        static_cast<std::size_t>(std::max(1.0, std::ceil((until - start) / longest)));
     for (std::size_t i = 1; i <= pieces; ++i)
-      lengths.push_back(start + (until - start) * static_cast<double>(i) /
-                                    static_cast<double>(pieces));
+      lengths.push_back(start +
+                        (until - start) * static_cast<double>(i) / static_cast<double>(pieces));
   };
   if (total > longest && from_a + from_b < total - longest / 2) {
     lengths.push_back(from_a);
@@ -146,9 +146,10 @@ result<std::vector<division>> divide_segments(const domain& d, const metric_fiel
     measured.push_back(std::move(one).value());
   }
   if (!(points <= static_cast<double>(most_points)))
-    return error{fmt::format(
-        "the segments of the domain are {:.4g} pieces long in this metric, and the limit is {} sites",
-        points, most_points)};
+    return error{
+        fmt::format("the segments of the domain are {:.4g} pieces long in this metric, and the "
+                    "limit is {} sites",
+                    points, most_points)};
   const std::vector<double> wanted = first_pieces(d, measured, longest);
   std::vector<division> divisions;
   for (std::size_t s = 0; s < d.segments.size(); ++s) {

@@ -26,9 +26,8 @@ void parallel_chunks(std::size_t count, std::size_t chunk, const Work& work) {
     work(std::size_t{0}, std::size_t{0}, count);
     return;
   }
-  tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t i) {
-    work(i, i * chunk, std::min(count, (i + 1) * chunk));
-  });
+  tbb::parallel_for(std::size_t{0}, chunks,
+                    [&](std::size_t i) { work(i, i * chunk, std::min(count, (i + 1) * chunk)); });
 }
 
 // The concatenation of what append(begin, end, out) adds to `out` for each chunk, in order.

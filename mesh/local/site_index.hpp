@@ -59,14 +59,14 @@ class site_index {
   static constexpr std::uint32_t none = 0;
 
   struct node {
-    point low, high;  // tight around the sites below
-    point middle;     // where the four children meet
+    point low, high;                                               // tight around the sites below
+    point middle;                                                  // where the four children meet
     double inverse11 = 0, inverse22 = 0, inverse_determinant = 0;  // above, above, below
     double inverse12_low = 0, inverse12_high = 0;
     std::uint32_t first_child = none;
-    std::uint32_t count = 0;                    // of the sites below
-    std::array<index, leaf_capacity> leaf{};    // the first sites, without children
-    std::uint32_t overflow = none;              // the rest, in overflow_; only on the last level
+    std::uint32_t count = 0;                  // of the sites below
+    std::array<index, leaf_capacity> leaf{};  // the first sites, without children
+    std::uint32_t overflow = none;            // the rest, in overflow_; only on the last level
   };
 
   static bool apart(const node& n, const point& low, const point& high) {

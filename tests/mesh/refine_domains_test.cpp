@@ -86,3 +86,18 @@ TEST_CASE("free ends an ulp from the boundary, and a domain far from the origin"
   for (point& q : small.vertices) q = {q.x * 0x1p-100, q.y * 0x1p-100};
   check_certified(accepted(small), constant_field({0x1p200, 0, 0x1p200}), {});
 }
+
+TEST_CASE("a sharp corner excuses nothing in the wide corner beside it") {
+  // Once called complete, with a low angle in the wide corner of vertex 1, and refused by the
+  // audit.
+  domain d = polygon(box_ring(0, 0, 5, 5));
+  add_chain(d, {{1, 4}, {5, 4}});
+  add_chain(d, {{1, 4}, {5, 5}});
+  add_chain(d, {{1, 4}, {4, 5}});
+  refinement_options options;
+  options.angle_bound = 15;
+  const domain checked = accepted(d);
+  const auto made = make_mesh(checked, identity_field(), options);
+  REQUIRE(made.ok());
+  if (made.value().complete) check_certified(checked, identity_field(), options);
+}
