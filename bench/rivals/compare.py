@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""compare.py: this project's mesher beside BAMG. Prints a Markdown page; see bench/README.md."""
+import argparse
+import datetime
+import json
+import os
+import pathlib
+import platform
+import shutil
+import statistics
+import subprocess
+import sys
+
+from contenders import Asterism, Bamg, Case, Failed
+
+HEAD = ["metric", "wanted", "program", "lengths", "triangles", "wall", "processor", "peak memory",
+        "triangles/s", "/ processor s", "unit edges", "worst angle", "below 20", "turned over"]
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def seconds(x):
+    return f"{x:.3g} s"
+
+
+class Measured:
+    """Calls of one contender on one case."""
+
+    def __init__(self, contender):
+        self.contender, self.runs, self.failure = contender, [], ""
+
+    def attempt(self, what):
+        if self.failure:
+            return
+        try:
+            what()
+        except Failed as failure:
+            self.failure = str(failure)
+
+    def once(self):
+        self.attempt(lambda: self.runs.append(self.contender.call()))
+
+    def wall(self):
+        return statistics.median(r.seconds for r in self.runs)
+
+    def judged(self):
+        case = self.contender.case
+        return json.loads(case.ask("judge", str(self.contender.folder / self.contender.mesh),
+                                   case.metric, repr(case.size)))
+
+    def row(self):
+        case, name = self.contender.case, self.contender.name
+        start = [case.metric, str(case.triangles), name]
+        if self.failure:
+            return start + [self.failure.replace("\n", " ")] + ["-"] * (len(HEAD) - 4)
+        found = self.judged()
+        processor = statistics.median(r.processor for r in self.runs)
+        verdict = "" if all(r.status == 0 for r in self.runs) else " (not certified)"
+        return start + [
+            f"x {self.contender.factor:.2f}", str(found["triangles"]) + verdict, seconds(self.wall()),
+            seconds(processor), f"{max(r.megabytes for r in self.runs):.0f} MB",
+            f"{found['triangles'] / self.wall():.3g}", f"{found['triangles'] / processor:.3g}", f"{100 * found['unit edges']:.1f} %",
+            f"{found['worst angle']:.1f} ({found['worst angle unforced']:.1f})", str(found["low"]),
+            str(found["turned over"])]
+
+
+def repetitions(measured):
+    """More where a call is short; all contenders of a case take turns."""
+    longest = max((m.runs[0].seconds for m in measured if m.runs), default=0)
+    return 5 if longest < 2 else 3 if longest < 20 else 1
+
+
+def compare(case, contenders):
+    measured = [Measured(c) for c in contenders]
+    for m in measured:
+        m.attempt(m.contender.prepare)
+        m.once()
+    for _ in range(repetitions(measured) - 1):
+        for m in measured:
+            m.once()
+    for m in measured:
+        print(" ".join(m.row()), file=sys.stderr, flush=True)
+    return measured
+
+
+def chosen(text, options):
+    """OPTIONS, or OPTIONS@N: up to N triangles only."""
+    found = []
+    for entry in options:
+        words, _, most = entry.partition("@")
+        found.append((words.split(), int(most) if most else None))
+    return [(words, most) for words, most in found if "--refine" not in words or words[1] in text]
+
+
+def first_line(*command):
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    return (done.stdout + done.stderr).strip().split("\n")[0] if done.returncode == 0 else "unknown"
+
+
+def introduction(bamg):
+    here = pathlib.Path(__file__).parent
+    package = first_line("dpkg-query", "-W", "-f", "${Package} ${Version}", "freefem++")
+    return "\n".join([
+        "# Beside BAMG\n",
+        "Written by `scripts/bench-rivals`; [bench/README.md](../../bench/README.md) says how. The square [-1,1]^2, the"
+        " same metric for both, scaled so that unit edges give the number of triangles wanted; lengths are multiplied by"
+        " the factor in the table where a program's count would be off by more than 20 percent. Files are read and"
+        " written in both. Times are medians of 1 to 5 calls that took turns.\n",
+        "BAMG reads its metric on a background mesh. It was run on its own result, with the metric evaluated there,"
+        " until the count changed by less than 2 percent; *only the last of these calls is measured*, and neither the"
+        " calls before it nor the evaluation of the metric. The time of Asterism is that of the whole command: exact"
+        " predicates, metric by formula, audit and certificate.\n",
+        "Unit edges: share with length from 1/sqrt 2 to sqrt 2. Worst angle: as seen from all three vertices, in"
+        " brackets away from corners that no mesh can give 20 degrees; below 20: triangles away from them."
+        " Both meshes are judged with the metric as given at their vertices.\n",
+        f"- BAMG: `{bamg}` of Debian's {package}. Asterism at"
+        f" {first_line('git', '-C', str(here), 'rev-parse', '--short', 'HEAD')}, {datetime.date.today().isoformat()}.",
+        f"- {platform.machine()}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the start.\n"])
+
+
+def arguments():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("work", type=pathlib.Path)
+    parser.add_argument("--metrics", nargs="*", default=["identity", "swirl:24", "sink:24", "layer:0.001,0.1"])
+    parser.add_argument("--triangles", nargs="*", type=int, default=[1000, 10000, 100000, 1000000])
+    parser.add_argument("--ours", nargs="*", default=["--refine guaranteed", "--refine voronoi@1000"])
+    parser.add_argument("--limit", type=int, default=600, help="seconds a call")
+    return parser.parse_args()
+
+
+def main():
+    asked = arguments()
+    bamg = shutil.which("ffbamg")
+    if bamg is None:
+        sys.exit("bench-rivals: ffbamg not found (Debian: freefem++)")
+    build, command = asked.build.resolve(), str(asked.build.resolve() / "apps" / "asterism")
+    ours = chosen(subprocess.run([command, "mesh", "--help"], capture_output=True, text=True, check=True).stdout,
+                  asked.ours)
+    opening, rows = introduction(bamg), []
+    for metric in asked.metrics:
+        for triangles in asked.triangles:
+            folder = asked.work.resolve() / f"{metric.replace(':', '_')}-{triangles}"
+            shutil.rmtree(folder, ignore_errors=True)
+            case = Case(build / "bench", metric, triangles, folder, asked.limit)
+            contenders = [Bamg(case, bamg)]
+            contenders += [Asterism(case, command, words) for words, most in ours
+                           if most is None or triangles <= most]
+            rows += [m.row() for m in compare(case, contenders)]
+            shutil.rmtree(folder)
+    print(opening + "\n" + table(HEAD, rows), end="")
+
+
+if __name__ == "__main__":
+    main()
