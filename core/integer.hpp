@@ -26,7 +26,7 @@ class integer {
   using limb = std::uint64_t;
   static_assert(GMP_NUMB_BITS == 64 && sizeof(mp_limb_t) == sizeof(limb));
   static constexpr unsigned limb_bits = 64;
-  static constexpr std::size_t inline_limbs = 20;
+  static constexpr std::size_t inline_limbs = 24;
 
   integer() = default;
   integer(int value)

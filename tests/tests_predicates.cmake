@@ -11,3 +11,5 @@ asterism_predicates_test(star_gap_test
   SOURCES kernels/star_gap_test.cpp kernels/star_gap_bounds_test.cpp
   LINK CGAL::CGAL gmp)
 target_compile_options(star_gap_test PRIVATE -frounding-math)
+# Replaces operator new, so a program of its own.
+asterism_predicates_test(allocation_test SOURCES kernels/allocation_test.cpp LINK gmp)
