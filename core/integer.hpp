@@ -26,6 +26,8 @@ class integer {
   using limb = std::uint64_t;
   static_assert(GMP_NUMB_BITS == 64 && sizeof(mp_limb_t) == sizeof(limb));
   static constexpr unsigned limb_bits = 64;
+  // The norms of an edge test in smooth metrics have up to 23; with 20, one in six asked for
+  // memory.
   static constexpr std::size_t inline_limbs = 24;
 
   integer() = default;
