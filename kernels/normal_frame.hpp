@@ -81,7 +81,7 @@ class normal_frame {
     const double n11 = s.metric.m11 * inverse_scale_;
     const double n12 = (s.metric.m12 - shear_ * s.metric.m11) * inverse_root_;
     f.determinant = star_gap_detail::determinant(s.metric) * inverse_determinant_;
-    const double n22 = (n12 * n12 + f.determinant) / n11;
+    const double n22 = (n12 * n12 + f.determinant) * (1 / n11);
     f.metric = {n11, n12, n22};
     f.extent = std::abs(f.offset.x) + std::abs(f.offset.y);
     f.trace = n11 + n22;

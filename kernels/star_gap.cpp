@@ -14,7 +14,13 @@ namespace {
 // What is not sharp, namely every side condition, is decided only `tolerance` times its magnitude
 // away from zero; divisors and roots that it is made of are known to within `ingredient`, an
 // eighth of that. Both grow with the frame's rho only when that is large.
-double ingredient_tolerance(double rho) { return std::fmax(0x1p-18, 0x1p14 * rho); }
+double ingredient_tolerance(double rho) {
+  const double needed = 0x1p14 * rho;
+  return needed > 0x1p-18 ? needed : 0x1p-18;
+}
+
+// std::fmax is a call, for the sake of NaNs.
+double greater(double a, double b) { return a > b ? a : b; }
 
 displacement<double> quarter_turn(const displacement<double>& u) { return {-u.y, u.x}; }
 
@@ -35,6 +41,7 @@ star_gap::star_gap(const site& v, const site& y, const site& x) : frame_(v) {
   y_.c = dot(y_.site.offset, y_.dual);
   ingredient_ = ingredient_tolerance(frame_.rho());
   tolerance_ = 8 * ingredient_;
+  enclosure_ = 0.125 * ingredient_;
   has_vertex_ = find_vertex();
   if (!has_vertex_) aim_between();
   u_squared_ = dot(u_, u_);
@@ -42,18 +49,28 @@ star_gap::star_gap(const site& v, const site& y, const site& x) : frame_(v) {
   if (!normal_frame::within(u_extent_, 0x1p180)) return;
   can_accept_ = enclose_meeting(x_) && enclose_meeting(y_);
   if (!can_accept_) return;
-  lowest_ = std::fmin(x_.lowest, y_.lowest);
-  highest_ = std::fmax(x_.highest, y_.highest);
+  lowest_ = x_.lowest < y_.lowest ? x_.lowest : y_.lowest;
+  highest_ = greater(x_.highest, y_.highest);
   can_refuse_ = lowest_ > 0 &&
                 dot(u_, x_.site.offset) > tolerance_ * (u_extent_ * x_.site.extent) &&
                 dot(u_, y_.site.offset) > tolerance_ * (u_extent_ * y_.site.extent);
 }
 
-// Newton's method for f_v - f_z = u.(I - N)u + 2 u.N d - C at z = x, y, from v.
+// Newton's method for f_v - f_z = u.(I - N)u + 2 u.N d - C at z = x, y, from the centre of the
+// circle that the sum of the three metrics sees through v, x and y.
 bool star_gap::find_vertex() {
   const metric_tensor at_x = complement(x_.site.metric), at_y = complement(y_.site.metric);
   const double half_x = 0.5 * x_.c, half_y = 0.5 * y_.c;
-  displacement<double> u{0, 0};
+  const metric_tensor sum{1 + x_.site.metric.m11 + y_.site.metric.m11,
+                          x_.site.metric.m12 + y_.site.metric.m12,
+                          1 + x_.site.metric.m22 + y_.site.metric.m22};
+  const auto& to_x = x_.site.offset;
+  const auto& to_y = y_.site.offset;
+  const auto sum_x = apply(sum, to_x), sum_y = apply(sum, to_y);
+  const double long_x = dot(to_x, sum_x), long_y = dot(to_y, sum_y);
+  const double half_inverse = 0.5 / cross(sum_x, sum_y);
+  displacement<double> u{half_inverse * (long_x * sum_y.y - long_y * sum_x.y),
+                         half_inverse * (long_y * sum_x.x - long_x * sum_y.x)};
   constexpr int most_steps = 10;
   for (int step = 0; step < most_steps; ++step) {
     const auto bent_x = apply(at_x, u), bent_y = apply(at_y, u);
@@ -65,7 +82,7 @@ bool star_gap::find_vertex() {
                                     inverse * (excess_y * slope_x.x - excess_x * slope_y.x)};
     u = u - move;
     const double size = extent_of(u);
-    if (extent_of(move) <= 0x1p-16 * size) {
+    if (extent_of(move) <= 0x1p-14 * size) {
       u_ = u;
       return dot(u, x_.site.offset) > 0 && dot(u, y_.site.offset) > 0;
     }
@@ -77,7 +94,7 @@ bool star_gap::find_vertex() {
 // The direction midway between x and y, each as long as it finds itself.
 void star_gap::aim_between() {
   const double x_inverse = 1 / std::sqrt(x_.c), y_inverse = 1 / std::sqrt(y_.c);
-  const double length = 1 / std::fmax(x_inverse, y_inverse);
+  const double length = 1 / greater(x_inverse, y_inverse);
   u_ = (length * x_inverse) * x_.site.offset + (length * y_inverse) * y_.site.offset;
 }
 
@@ -90,22 +107,23 @@ bool star_gap::enclose_meeting(neighbour& z) const {
   z.a = ray.a;
   const double discriminant = ray.discriminant();
   if (!(discriminant > 0)) return never_met(z, ray, discriminant);
-  const double root = std::sqrt(discriminant), s = (ray.h + root) / ray.c;
+  const double inverse_c = 1 / ray.c, root = std::sqrt(discriminant), inverse_root = 1 / root;
+  const double s = (ray.h + root) * inverse_c;
   const double extent = z.site.extent, trace = z.site.trace, rho = frame_.rho();
   const double error = ray_depth * rho * ray_magnitude(1.125 * s, extent, trace, u_extent_);
-  const double above = error / root;
+  const double above = error * inverse_root;
   if (!(s > 0 && above <= 0.125 * s)) return never_met(z, ray, discriminant);
   z.highest = s + above;
   if (!(ray.at(s - above) < -error && ray.at(z.highest) > error)) return false;
   const double convexity_error = convexity_depth * rho * convexity_magnitude(extent, trace);
   // Where s may not be concave the bound is that of the nearest metric that makes it so.
-  const double u_over_c = (u_extent_ * u_extent_) / ray.c;
+  const double u_over_c = (u_extent_ * u_extent_) * inverse_c;
   const double lower_error = error + 3 * convexity_error * u_over_c;
-  const double below = lower_error / root;
+  const double below = lower_error * inverse_root;
   z.lowest = s - below;
   if (!(below <= 0.125 * s && ray.at(z.lowest) < -lower_error)) z.lowest = 0;
   const double c = convexity(ray.c, z.site.determinant, z.site.offset);
-  if (!bound_below(z, discriminant, c, convexity_error)) z.lowest = 0;
+  if (!bound_below(z, discriminant, inverse_root, c > convexity_error)) z.lowest = 0;
   return true;
 }
 
@@ -122,23 +140,22 @@ bool star_gap::never_met(neighbour& z, const ray_equation<double>& ray, double d
 }
 
 // Where s is certainly convex its tangent at u, else what is left of the bound without its root.
-bool star_gap::bound_below(neighbour& z, double discriminant, double convexity,
-                           double convexity_error) const {
+bool star_gap::bound_below(neighbour& z, double discriminant, double inverse_root,
+                           bool convex) const {
   const auto& d = z.site.offset;
   const double extent = z.site.extent, trace = z.site.trace, rho = frame_.rho();
   const double inverse_c = 1 / z.c;
   if (!(c_depth * rho * c_magnitude(extent, trace) <= ingredient_ * z.c)) return false;
   z.slope = inverse_c * z.dual;
   z.slope_magnitude = 2 * trace * extent * inverse_c;
-  if (!(convexity > convexity_error)) {
+  if (!convex) {
     const double inverse_square = 1 / dot(d, d);
-    z.bend = (1 + tolerance_) * std::fmax(z.site.determinant * inverse_c, inverse_square);
+    z.bend = (1 + tolerance_) * greater(z.site.determinant * inverse_c, inverse_square);
     return true;
   }
   if (!(discriminant_depth * rho * discriminant_magnitude(extent, trace, u_extent_) <=
         ingredient_ * discriminant))
     return false;
-  const double inverse_root = 1 / std::sqrt(discriminant);
   const double bend = z.site.determinant * inverse_c, turned = cross(u_, d);
   z.slope.x += inverse_root * (u_.x - bend * turned * d.y);
   z.slope.y += inverse_root * (u_.y + bend * turned * d.x);
@@ -155,7 +172,7 @@ double star_gap::reach_radius() const {
 double star_gap::longest() const {
   if (!can_refuse_) return std::numeric_limits<double>::infinity();
   const double squared =
-      std::fmax(dot(x_.site.offset, x_.site.offset), dot(y_.site.offset, y_.site.offset));
+      greater(dot(x_.site.offset, x_.site.offset), dot(y_.site.offset, y_.site.offset));
   return std::sqrt(frame_.scale()) * std::sqrt(squared) * (1 + 0x1p-20);
 }
 
@@ -190,31 +207,28 @@ uncertain_bool star_gap::accepts(const site& w) const {
 uncertain_bool star_gap::witness(const candidate& w) const {
   const double discriminant = w.ray.discriminant();
   if (!(discriminant > 0)) return {};
-  const double root = std::sqrt(discriminant), s = (w.ray.h + root) / w.ray.c;
+  const double s = (w.ray.h + std::sqrt(discriminant)) / w.ray.c;
+  const double low = s * (1 - enclosure_), high = s * (1 + enclosure_);
   const double error =
-      ray_depth * frame_.rho() * ray_magnitude(1.125 * s, w.site.extent, w.site.trace, u_extent_);
-  const double width = 0x1p-20 * s + 2 * (error / root), low = s - width, high = s + width;
-  if (!(s > 0 && width <= 0x1p-7 * s && w.ray.at(low) < -error && w.ray.at(high) > error))
-    return {};
-  const double blur = tolerance_ + 4 * (width / s);
-  if (allows(x_, w.turn_x, w, s, blur) && allows(y_, w.turn_y, w, s, blur)) return true;
+      ray_depth * frame_.rho() * ray_magnitude(high, w.site.extent, w.site.trace, u_extent_);
+  if (!(low > 0 && w.ray.at(low) < -error && w.ray.at(high) > error)) return {};
+  if (allows(x_, w.turn_x, w, s, 1) && allows(y_, w.turn_y, w, s, -1)) return true;
   return {};
 }
 
 // Does w dominate p = v + u/s over z, and is z outside the triangle v, w, p? `turn` is the area of
-// w and z, positive.
+// w and z, positive; `side` 1 for x, -1 for y.
 bool star_gap::allows(const neighbour& z, double turn, const candidate& w, double s,
-                      double blur) const {
+                      double side) const {
   const double steep = steepness_towards(s, w.site.offset, z.c, z.a, z.dual, z.seen_u);
   const double magnitude =
       steepness_magnitude(s, w.site.extent, z.site.extent, z.site.trace, u_extent_);
-  if (!(steep > blur * magnitude)) return false;
-  const double side = &z == &x_ ? 1 : -1;
+  if (!(steep > tolerance_ * magnitude)) return false;
   const double beyond = side * cross(u_, z.site.offset), between = side * cross(w.site.offset, u_);
   const double reach = u_extent_ * z.site.extent;
-  if (beyond > blur * 2 * reach) return true;
+  if (beyond > tolerance_ * 2 * reach) return true;
   const double apart = 2 * (w.site.extent * (s * z.site.extent + u_extent_) + reach);
-  return s * turn - (beyond + between) > blur * apart;
+  return s * turn - (beyond + between) > tolerance_ * apart;
 }
 
 // w's convex upper bound S of s: s itself where that is convex, its tangent at u where concave.
@@ -240,7 +254,7 @@ std::optional<star_gap::upper_bound> star_gap::bound_above(const candidate& w) c
   top.turned = dot(quarter_turn(d), w.dual);
   top.magnitude = c_size;
   if (!top.concave) {
-    top.bulge = std::sqrt(dot(d, d) * (std::fmax(top.convexity, 0.0) + top.convexity_error));
+    top.bulge = std::sqrt(dot(d, d) * (greater(top.convexity, 0) + top.convexity_error));
     top.magnitude += top.bulge;
     return top;
   }

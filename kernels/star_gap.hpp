@@ -68,10 +68,9 @@ class star_gap {
   bool never_met(neighbour& z, const star_gap_detail::ray_equation<double>& ray,
                  double discriminant) const;
   bool enclose_meeting(neighbour& z) const;
-  bool bound_below(neighbour& z, double discriminant, double convexity,
-                   double convexity_error) const;
+  bool bound_below(neighbour& z, double discriminant, double inverse_root, bool convex) const;
   uncertain_bool witness(const candidate& w) const;
-  bool allows(const neighbour& z, double turn, const candidate& w, double s, double blur) const;
+  bool allows(const neighbour& z, double turn, const candidate& w, double s, double side) const;
   std::optional<upper_bound> bound_above(const candidate& w) const;
   bool refuted(const candidate& w, double at_lowest) const;
   bool closed_towards(const neighbour& z, const candidate& w, const upper_bound& top, double turn,
@@ -84,7 +83,7 @@ class star_gap {
   displacement<double> u_{0, 0};  // of the vertex, from v, in the frame; exact as a direction
   double u_squared_ = 0, u_extent_ = 0;
   double lowest_ = 0, highest_ = 0;  // of both neighbours
-  double ingredient_ = 0, tolerance_ = 0;
+  double ingredient_ = 0, tolerance_ = 0, enclosure_ = 0;
   bool has_vertex_ = false;
   bool can_accept_ = false;  // the meetings are enclosed
   bool can_refuse_ = false;  // and u certainly has positive products with x and y

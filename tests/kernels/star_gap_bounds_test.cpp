@@ -93,7 +93,7 @@ TEST_CASE("the frame's error factor is that of its steps", "[star_gap]") {
   CHECK(n12_on_n11 + n12_on_itself / 2 <= frame_error_factor);
   // n22 = (n12^2 + Delta) / n11, |n12| at most half the trace.
   constexpr double square = 2 * n12_on_itself + 1, delta = 4 + inverse_determinant + 1;
-  constexpr double on_itself = std::max(square, delta) + 1 + 1 + 2, on_trace = n12_on_n11 + 1;
+  constexpr double on_itself = std::max(square, delta) + 1 + 1 + 3, on_trace = n12_on_n11 + 1;
   CHECK(on_itself + on_trace + 1 <= frame_error_factor);  // 1: the second order
   CHECK(delta / 4 + 1 <= frame_error_factor);             // the determinant itself
 }
