@@ -54,6 +54,10 @@ star_gap::star_gap(const site& v, const site& y, const site& x) : frame_(v) {
   can_refuse_ = lowest_ > 0 &&
                 dot(u_, x_.site.offset) > tolerance_ * (u_extent_ * x_.site.extent) &&
                 dot(u_, y_.site.offset) > tolerance_ * (u_extent_ * y_.site.extent);
+  if (!can_refuse_) return;
+  reach_ = std::sqrt(u_squared_) / lowest_;
+  longest_ =
+      std::sqrt(greater(dot(x_.site.offset, x_.site.offset), dot(y_.site.offset, y_.site.offset)));
 }
 
 // Newton's method for f_v - f_z = u.(I - N)u + 2 u.N d - C at z = x, y, from the centre of the
@@ -166,14 +170,12 @@ bool star_gap::bound_below(neighbour& z, double discriminant, double inverse_roo
 
 double star_gap::reach_radius() const {
   if (!can_refuse_) return std::numeric_limits<double>::infinity();
-  return std::sqrt(frame_.scale()) * (std::sqrt(u_squared_) / lowest_) * (1 + 0x1p-40);
+  return std::sqrt(frame_.scale()) * reach_ * (1 + 0x1p-40);
 }
 
 double star_gap::longest() const {
   if (!can_refuse_) return std::numeric_limits<double>::infinity();
-  const double squared =
-      greater(dot(x_.site.offset, x_.site.offset), dot(y_.site.offset, y_.site.offset));
-  return std::sqrt(frame_.scale()) * std::sqrt(squared) * (1 + 0x1p-20);
+  return std::sqrt(frame_.scale()) * longest_ * (1 + 0x1p-20);
 }
 
 struct star_gap::candidate {
@@ -198,7 +200,7 @@ uncertain_bool star_gap::accepts(const site& w) const {
   if (c.ray.at(highest_) < -error) return witness(c);
   if (can_refuse_) {
     const double at_lowest = c.ray.at(lowest_) - error;
-    if (at_lowest > 0 && refuted(c, at_lowest)) return false;
+    if ((at_lowest > 0 && refuted(c, at_lowest)) || far_away(s)) return false;
   }
   return {};
 }
@@ -267,6 +269,16 @@ std::optional<star_gap::upper_bound> star_gap::bound_above(const candidate& w) c
   top.turned -= cross(u_, d) * top.inverse_root * top.convexity;
   top.magnitude += 2 * lean * convexity_size;
   return top;
+}
+
+// Lemma 4.3 of docs/math/certificate.md: however different w's metric is, from far enough it
+// reaches nothing. sigma^2, the largest eigenvalue of N^-1, is at most trace / determinant.
+bool star_gap::far_away(const framed_site& w) const {
+  const double determinant = w.determinant - 2 * frame_.rho() * (w.trace * w.trace);
+  if (!(determinant > 0)) return false;
+  const double sigma = std::sqrt(w.trace / determinant);
+  const double length = (1 - tolerance_) * std::sqrt(dot(w.offset, w.offset));
+  return length > (1 + sigma) * reach_ && length > (2 + sigma) * longest_;
 }
 
 // Is there no good point in any direction within a right angle of w? `at_lowest` bounds the ray

@@ -72,6 +72,7 @@ class star_gap {
   uncertain_bool witness(const candidate& w) const;
   bool allows(const neighbour& z, double turn, const candidate& w, double s, double side) const;
   std::optional<upper_bound> bound_above(const candidate& w) const;
+  bool far_away(const star_gap_detail::framed_site& w) const;
   bool refuted(const candidate& w, double at_lowest) const;
   bool closed_towards(const neighbour& z, const candidate& w, const upper_bound& top, double turn,
                       double side) const;
@@ -83,6 +84,7 @@ class star_gap {
   displacement<double> u_{0, 0};  // of the vertex, from v, in the frame; exact as a direction
   double u_squared_ = 0, u_extent_ = 0;
   double lowest_ = 0, highest_ = 0;  // of both neighbours
+  double reach_ = 0, longest_ = 0;   // as reach_radius() and longest(), in the frame, nearly
   double ingredient_ = 0, tolerance_ = 0, enclosure_ = 0;
   bool has_vertex_ = false;
   bool can_accept_ = false;  // the meetings are enclosed

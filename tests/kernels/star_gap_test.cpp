@@ -290,6 +290,25 @@ TEST_CASE("the vertex of a gap is equally far from all three", "[star_gap]") {
   CHECK(found > 500);
 }
 
+TEST_CASE("a far site of quite another metric is refused", "[star_gap]") {
+  const metric_tensor round{1, 0, 1};
+  const site v{{0, 0}, round}, y{{1, 0}, round}, x{{0.5, 0.875}, round};
+  sequence random{18};
+  int decided = 0;
+  for (int k = 0; k < 500; ++k) {
+    const double angle = random.real(0.1, 0.9), length = power(random, 3, 1e4);
+    const question q{v,
+                     {{length * std::cos(angle), length * std::sin(angle)},
+                      stretched(power(random, 1, 30), random.real(-4, 4))},
+                     y,
+                     x};
+    const uncertain_bool answer = ask(q);
+    decided += answer.certainly(false);
+    check_right(q, answer, static_cast<std::uint64_t>(k));
+  }
+  CHECK(decided >= 495);
+}
+
 // Lemma 4.3 of docs/math/certificate.md with the bounds of the gap: no site far enough is accepted.
 TEST_CASE("beyond the reach of a gap nothing is accepted", "[star_gap]") {
   sequence random{17};
