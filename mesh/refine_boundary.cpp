@@ -215,6 +215,19 @@ bool refine_state::split(std::size_t piece, double shortest) {
   return true;
 }
 
+bool refine_state::split_at_place(const point& q, double shortest) {
+  std::optional<std::size_t> first;  // of a piece and its twin
+  near_.influences().visit({q, q}, [&](std::uint32_t piece) {
+    const boundary_edge& p = edges_.pieces()[piece];
+    const point &a = sites_[p.a].position, &b = sites_[p.b].position;
+    if ((!first || piece < *first) && strictly_between(a, q, b) &&
+        kernel_->orientation(a, b, q) == sign::zero)
+      first = piece;
+    return true;
+  });
+  return first && split(*first, shortest);
+}
+
 void refine_state::clear_encroachments(double shortest) {
   while (!suspects_.empty() && !is_full()) {
     const std::size_t piece = suspects_.back();

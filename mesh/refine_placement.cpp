@@ -18,7 +18,9 @@ bool lies_in_corner(const refine_state& state, const triangle& t, const domain_c
 }  // namespace
 
 placement_outcome place_site(refine_state& state, const point& q, double tolerance) {
-  if (!state.strictly_inside(q)) return placement_outcome::outside;
+  if (!state.strictly_inside(q))
+    return state.split_at_place(q, tolerance) ? placement_outcome::inserted
+                                              : placement_outcome::outside;
   const auto s = state.site_at(q);
   if (!s) return placement_outcome::outside;
   if (!state.is_farther(*s, tolerance)) return placement_outcome::too_near;

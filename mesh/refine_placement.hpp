@@ -22,7 +22,8 @@ enum class placement_outcome {
 
 // Inserts a site at q if it is strictly inside the domain, farther than `tolerance` from every
 // site as measured by both, and encroaches on no piece. If it would, the pieces are split instead,
-// as far as the tolerance allows.
+// as far as the tolerance allows; and so is a piece that q lies on: right angles across from a
+// piece have their Voronoi vertex there, and nothing encroaches.
 placement_outcome place_site(refine_state& state, const point& q, double tolerance);
 
 // A corner of the domain with an angle of less than twice the bound can have no neighbour between

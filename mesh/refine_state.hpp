@@ -83,6 +83,8 @@ class refine_state {
   // measures), or doubles cannot split it: no double between its ends, or rounding would put a site
   // or another piece on the wrong side.
   bool split(std::size_t piece, double shortest);
+  // Splits the piece that q lies on, if there is one; where, and whether, is split()'s affair.
+  bool split_at_place(const point& q, double shortest);
   // Splits pieces until none is encroached by a site, as far as split() allows.
   void clear_encroachments(double shortest);
   // Splits pieces longer than `longest`, as far as split() allows.

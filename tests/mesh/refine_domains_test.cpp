@@ -88,16 +88,27 @@ TEST_CASE("free ends an ulp from the boundary, and a domain far from the origin"
 }
 
 TEST_CASE("a sharp corner excuses nothing in the wide corner beside it") {
-  // Once called complete, with a low angle in the wide corner of vertex 1, and refused by the
-  // audit.
+  // 14 degrees at (5, 5) above the chain's last segment, 76 below it: a triangle below was called
+  // exempt, the mesh complete, and the audit refused it.
   domain d = polygon(box_ring(0, 0, 5, 5));
-  add_chain(d, {{1, 4}, {5, 4}});
-  add_chain(d, {{1, 4}, {5, 5}});
-  add_chain(d, {{1, 4}, {4, 5}});
+  add_ring(d, {{3, 2}, {2, 2}, {2, 1}, {3, 1}});
+  add_chain(d, {{1, 0}, {1, 4}, {1, 5}});
+  add_chain(d, {{5, 5}, {1, 4}});
+  d.vertices.push_back({5, 4});
+  d.vertices.push_back({1, 1});
   refinement_options options;
   options.angle_bound = 15;
-  const domain checked = accepted(d);
-  const auto made = make_mesh(checked, identity_field(), options);
-  REQUIRE(made.ok());
-  if (made.value().complete) check_certified(checked, identity_field(), options);
+  check_certified(accepted(d), identity_field(), options);
+}
+
+TEST_CASE("a Voronoi vertex on a segment has it split, though nothing encroaches") {
+  // The right angle at (3, 3) faces the segment's part from (3, 4) to (3.25, 3): the circumcentre
+  // is its middle, neither inside nor encroaching, and refinement was stuck.
+  domain d = polygon(box_ring(0, 0, 5, 5));
+  add_chain(d, {{0, 5}, {2, 4}});
+  add_chain(d, {{3, 4}, {4, 0}});
+  for (const point& q : {point{3, 3}, {4, 5}, {3, 0}}) d.vertices.push_back(q);
+  refinement_options options;
+  options.angle_bound = 15;
+  check_certified(accepted(d), identity_field(), options);
 }
