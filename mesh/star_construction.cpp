@@ -148,22 +148,25 @@ double plain_radius(const site_oracle& oracle, index v, const std::vector<index>
   return std::sqrt(squared);
 }
 
-// Ends because the reach grows by at least a quarter until it covers all sites.
+// Where metrics vary wildly some gaps have no vertex however far one looks; then what is near has to
+// do, until a thorough search.
 local_star construct_near(const site_oracle& oracle, index v) {
   constexpr double spacings = 2.2, infinity = std::numeric_limits<double>::infinity();
   constexpr std::size_t fewest = 6;
+  constexpr int most_attempts = 5;
   const bool interior = oracle.edges().corners(v).empty();
   double reach = spacings * oracle.near()->sites().spacing_near(oracle.sites()[v]);
-  while (true) {
+  for (int attempt = 1;; ++attempt) {
     gathered among = gather(oracle, v, reach);
+    const bool last = among.everything || (attempt >= most_attempts && !among.order.empty());
     double wanted = infinity;
-    const bool enough = among.everything || among.order.size() >= fewest;
+    const bool enough = last || among.order.size() >= fewest;
     if (enough && interior) wanted = reach_of_vertices * plain_radius(oracle, v, among.order);
-    if (among.everything || (enough && (!interior || wanted <= reach))) {
+    if (last || (enough && (!interior || wanted <= reach))) {
       constructed_star built = construct_from(oracle, v, among.order);
       const star_reach extent = extent_of(oracle, v, built.content);
       wanted = reach_of_vertices * extent.radius;
-      if (among.everything || wanted <= reach) return {std::move(built), std::move(among), extent};
+      if (last || wanted <= reach) return {std::move(built), std::move(among), extent};
     }
     const double more = std::clamp(1.02 * wanted, 1.25 * reach, 2 * reach);
     reach = reach > 0 ? more : infinity;

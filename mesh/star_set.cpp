@@ -91,11 +91,13 @@ std::vector<index> star_set::construct(const site_oracle& oracle, const std::vec
     index at;
     constructed_star built;
   };
+  const bool few = which.size() <= chunk;
   std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
   std::vector<made> all = collect_chunks<made>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made>& out) {
         const auto kernel = oracle.kernel().fork();
-        const site_oracle own = oracle.with_kernel(*kernel);
+        // A few stars are made by this thread alone, which then may remember answers.
+        const site_oracle own = few ? oracle : oracle.with_kernel(*kernel);
         for (std::size_t i = begin; i < end; ++i) {
           constructed_star built = construct_star(own, which[i], search);
           if (is_news(which[i], built))
