@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "asterism/core/plane_algebra.hpp"
+#include "asterism/kernels/vertex_hints.hpp"
 #include "asterism/mesh/constructions.hpp"
 
 namespace asterism {
@@ -72,6 +74,14 @@ double corner_angle(const site& corner, const point& first, const point& last) {
 }
 
 double metric_circumradius(const triangle_sites& t) {
+  // Newton's method from the centre of the mean circle finds the near vertex of nearly every
+  // triangle at a tenth of the cost.
+  if (const auto near = numeric::voronoi_vertex_near(t[0], t[1], t[2])) {
+    const auto seen = apply(t[0].metric, *near);
+    if (dot(seen, between(t[0].position, t[1].position)) > 0 &&
+        dot(seen, between(t[0].position, t[2].position)) > 0)
+      return std::sqrt(dot(seen, *near));
+  }
   const auto vertices = voronoi_vertices(t[0], t[1], t[2]);
   if (vertices.empty()) return std::numeric_limits<double>::infinity();
   return std::sqrt(squared_distance(t[0], vertices.front()));

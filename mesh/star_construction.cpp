@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/fill/plain_net.hpp"
 #include "asterism/mesh/star_insertion.hpp"
 
@@ -121,12 +122,11 @@ gathered gather(const site_oracle& oracle, index v, double reach) {
   return {from_near_to_far(oracle, std::move(found)), false};
 }
 
-constructed_star construct_from(const site_oracle& oracle, index v,
+// `guess` is the star of these sites in plain doubles; empty on the boundary.
+constructed_star construct_from(const site_oracle& oracle, index v, const plain_star& guess,
                                 const std::vector<index>& order) {
-  if (oracle.edges().corners(v).empty()) {
-    auto guess = confirmed_guess(oracle, v, build_plain_star(oracle.sites(), v, order), order);
-    if (guess) return {std::move(*guess), true, false};
-  }
+  if (auto confirmed = confirmed_guess(oracle, v, guess, order))
+    return {std::move(*confirmed), true, false};
   return settle(oracle, v, empty_star(oracle.edges(), v), order);
 }
 
@@ -140,15 +140,18 @@ struct local_star {
   star_reach extent;
 };
 
-// A guess of the extent, from the star in plain doubles; infinite for sites on the boundary.
-double plain_radius(const site_oracle& oracle, index v, const std::vector<index>& order) {
+plain_star guess_star(const site_oracle& oracle, index v, const std::vector<index>& order) {
+  if (!oracle.edges().corners(v).empty()) return {};
+  return build_plain_star(oracle.sites(), v, order);
+}
+
+double farthest_vertex(const plain_star& guess) {
   double squared = 0;
-  for (const plain_gap& gap : build_plain_star(oracle.sites(), v, order))
-    squared = std::max(squared, gap.squared_radius);
+  for (const plain_gap& gap : guess) squared = std::max(squared, gap.squared_radius);
   return std::sqrt(squared);
 }
 
-// Where metrics vary wildly some gaps have no vertex however far one looks; then what is near has to
+// Ends because attempts are counted. Where metrics vary wildly some gaps have no vertex however far one looks; then what is near has to
 // do, until a thorough search.
 local_star construct_near(const site_oracle& oracle, index v) {
   constexpr double spacings = 2.2, infinity = std::numeric_limits<double>::infinity();
@@ -161,9 +164,13 @@ local_star construct_near(const site_oracle& oracle, index v) {
     const bool last = among.everything || (attempt >= most_attempts && !among.order.empty());
     double wanted = infinity;
     const bool enough = last || among.order.size() >= fewest;
-    if (enough && interior) wanted = reach_of_vertices * plain_radius(oracle, v, among.order);
+    plain_star guess;
+    if (enough && interior) {
+      guess = guess_star(oracle, v, among.order);
+      wanted = reach_of_vertices * farthest_vertex(guess);
+    }
     if (last || (enough && (!interior || wanted <= reach))) {
-      constructed_star built = construct_from(oracle, v, among.order);
+      constructed_star built = construct_from(oracle, v, guess, among.order);
       const star_reach extent = extent_of(oracle, v, built.content);
       wanted = reach_of_vertices * extent.radius;
       if (last || wanted <= reach) return {std::move(built), std::move(among), extent};
@@ -194,7 +201,8 @@ constructed_star construct_thoroughly(const site_oracle& oracle, index v, local_
     for (const auto* list : {&from.among.order, &missed})
       for (const index w : *list) all.push_back({oracle.squared_distance(v, w), w});
     from.among.order = from_near_to_far(oracle, std::move(all));
-    from.built = construct_from(oracle, v, from.among.order);
+    from.built =
+        construct_from(oracle, v, guess_star(oracle, v, from.among.order), from.among.order);
     from.built.repaired = true;
     from.extent = extent_of(oracle, v, from.built.content);
   }
@@ -202,7 +210,72 @@ constructed_star construct_thoroughly(const site_oracle& oracle, index v, local_
   return from.built;
 }
 
+// --- Confirming a star that is there.
+
+// The gaps of a sector that accept anything at all, prepared for many questions.
+struct prepared_sector {
+  const sector* part;
+  std::vector<std::optional<star_gap>> gaps;
+};
+
+std::vector<prepared_sector> prepare(const site_oracle& oracle, index v, const star& s) {
+  std::vector<prepared_sector> prepared;
+  for (const sector& part : s.sectors) {
+    prepared.push_back({&part, std::vector<std::optional<star_gap>>(part.gaps())});
+    for (std::size_t i = 0; i < part.gaps(); ++i) {
+      const index y = part.neighbours[i], x = part.neighbours[part.after(i)];
+      if (y != x && !oracle.edges().is_piece(y, x))
+        prepared.back().gaps[i].emplace(oracle.sites()[v], oracle.sites()[y], oracle.sites()[x]);
+    }
+  }
+  return prepared;
+}
+
+star_reach reach_of(const site_oracle& oracle, const std::vector<prepared_sector>& prepared) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  star_reach reach;
+  for (const prepared_sector& p : prepared) {
+    if (p.gaps.empty()) return {infinity, infinity};
+    for (std::size_t i = 0; i < p.gaps.size(); ++i) {
+      if (p.gaps[i]) {
+        reach.radius = std::max(reach.radius, p.gaps[i]->reach_radius());
+        reach.longest = std::max(reach.longest, p.gaps[i]->longest());
+      } else if (!oracle.edges().is_piece(p.part->neighbours[i],
+                                          p.part->neighbours[p.part->after(i)])) {
+        return {infinity, infinity};
+      }
+    }
+  }
+  return reach;
+}
+
+// Whether w, which is not in the star, would be accepted.
+bool would_accept(const site_oracle& oracle, index v, const star& s,
+                  const std::vector<prepared_sector>& prepared, index w) {
+  const auto certainly_not = [&](const prepared_sector& p) {
+    const placement where = locate(oracle, v, *p.part, w);
+    if (where.kind == placement_kind::outside) return true;
+    if (where.kind == placement_kind::on_ray || !p.gaps[where.at]) return false;
+    const uncertain_bool verdict = p.gaps[where.at]->accepts(oracle.sites()[w]);
+    // Inside the triangle of the gap a site is accepted whatever the arcs say.
+    return verdict.certain() && !verdict.value() &&
+           oracle.orientation(p.part->neighbours[where.at],
+                              p.part->neighbours[p.part->after(where.at)],
+                              w) != sign::positive;
+  };
+  return !std::all_of(prepared.begin(), prepared.end(), certainly_not) &&
+         would_accept(oracle, v, s, w);
+}
+
 }  // namespace
+
+bool is_final(const site_oracle& oracle, index v, const star& s) {
+  const std::vector<prepared_sector> prepared = prepare(oracle, v, s);
+  const star_reach reach = reach_of(oracle, prepared);
+  return oracle.near()->sites().visit_reach(oracle.sites()[v], reach, [&](index w) {
+    return w == v || s.contains(w) || !would_accept(oracle, v, s, prepared, w);
+  });
+}
 
 double farthest_vertex(const site_oracle& oracle, index v, const star& s) {
   return extent_of(oracle, v, s).radius;

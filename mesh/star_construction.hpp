@@ -37,6 +37,10 @@ enum class star_search { near, thorough };
 constructed_star construct_star(const site_oracle& oracle, index v,
                                 star_search search = star_search::thorough);
 
+// Whether no site at all would be accepted by the star of v: every site not certainly out of reach
+// (lemma 4.3 of docs/math/certificate.md, rigorous bounds) is asked. Requires a neighbourhood.
+bool is_final(const site_oracle& oracle, index v, const star& s);
+
 // The distance from v to the farthest Voronoi vertex of the star's gaps, as v measures; infinite
 // when a gap has none. In doubles, for choosing how far to look.
 double farthest_vertex(const site_oracle& oracle, index v, const star& s);

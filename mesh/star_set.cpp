@@ -99,6 +99,10 @@ std::vector<index> star_set::construct(const site_oracle& oracle, const std::vec
         // A few stars are made by this thread alone, which then may remember answers.
         const site_oracle own = few ? oracle : oracle.with_kernel(*kernel);
         for (std::size_t i = begin; i < end; ++i) {
+          const bool settled = condition_[which[i]] == condition::settled;
+          if (search == star_search::thorough && settled && oracle.near() != nullptr &&
+              is_final(own, which[i], stars_[which[i]]))
+            continue;
           constructed_star built = construct_star(own, which[i], search);
           if (is_news(which[i], built))
             out.push_back({which[i], std::move(built)});
