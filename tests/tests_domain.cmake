@@ -4,7 +4,7 @@ find_package(Threads REQUIRED)
 asterism_test(test_domain
   SOURCES mesh/domain_check_test.cpp mesh/domain_parts_test.cpp mesh/domain_sources_test.cpp)
 asterism_test(test_metric_field SOURCES mesh/metric_field_test.cpp LINK Threads::Threads)
-asterism_test(test_metric_field_graded SOURCES mesh/metric_field_graded_test.cpp)
+asterism_test(test_metric_field_graded SOURCES mesh/gradation_grid_test.cpp mesh/metric_field_graded_test.cpp)
 asterism_test(test_io SOURCES io/medit_test.cpp io/poly_test.cpp io/write_mesh_test.cpp)
 asterism_test(test_draw SOURCES draw/picture_test.cpp)
 
