@@ -2,6 +2,7 @@
 """Domains of every kind through the real command: what is meshed, what is refused and why, and
 what becomes of markers and regions in the files."""
 import json
+import pathlib
 import unittest
 
 import command
@@ -166,6 +167,16 @@ class Domains(command.CommandTest):
         for arguments, status in ((["--domain", "in.poly", "--regions"], 0), (["--domain", "in.poly"], 1)):
             verdict = self.run_command("verify", "m.mesh", *arguments)
             self.assertEqual(verdict.returncode, status, verdict.stdout)
+
+    def test_the_example_has_one_of_everything(self):
+        example = pathlib.Path(__file__).resolve().parents[2] / "examples/plate.poly"
+        done = self.run_command("mesh", example, "--size", "0.15", "-o", "m.mesh", "-o", "m.svg")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stderr, r"note: .*segments split at vertices on them: 1, segment 3 ")
+        self.assertEqual({edge[2] for edge in self.section("Edges")}, {"1", "2", "3", "4"})
+        self.assertEqual({t[3] for t in self.section("Triangles")}, {"1", "2"})
+        self.assertIn(["2", "1.75", "0"], self.section("Vertices"))
+        self.assertEqual(self.run_command("verify", "m.mesh", "--domain", example).returncode, 0)
 
     def test_without_regions_every_reference_is_1(self):
         self.assertEqual(self.mesh(dict(kinds())["diagonal"]).returncode, 0)
