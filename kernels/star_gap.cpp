@@ -272,13 +272,18 @@ std::optional<star_gap::upper_bound> star_gap::bound_above(const candidate& w) c
 }
 
 // Lemma 4.3 of docs/math/certificate.md: however different w's metric is, from far enough it
-// reaches nothing. sigma^2, the largest eigenvalue of N^-1, is at most trace / determinant.
+// reaches nothing. sigma^2 is the largest eigenvalue of N^-1, or 1; of trace and determinant bounds
+// are taken, with room for the roundings of this function.
 bool star_gap::far_away(const framed_site& w) const {
-  const double determinant = w.determinant - 2 * frame_.rho() * (w.trace * w.trace);
+  const double rho = frame_.rho(), trace = (1 + 4 * rho) * w.trace;
+  const double determinant = w.determinant - 4 * rho * (trace * trace);
   if (!(determinant > 0)) return false;
-  const double sigma = std::sqrt(w.trace / determinant);
+  const double half = 0.5 * trace;
+  const double sigma_squared =
+      (half + std::sqrt(greater(half * half - determinant, 0))) / determinant;
+  const double sigma = std::sqrt(greater(sigma_squared, 1));
   const double length = (1 - tolerance_) * std::sqrt(dot(w.offset, w.offset));
-  return length > (1 + sigma) * reach_ && length > (2 + sigma) * longest_;
+  return length > (1 + sigma) * greater(reach_, longest_);
 }
 
 // Is there no good point in any direction within a right angle of w? `at_lowest` bounds the ray

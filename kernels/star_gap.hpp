@@ -41,8 +41,8 @@ class star_gap {
   double vertex_distance_squared() const { return frame_.scale() * u_squared_; }  // f_v there
 
   // Upper bounds in v's metric, infinite when not known, for lemma 4.3 of docs/math/certificate.md:
-  // with |w|_v above (1 + sigma) reach_radius() and (2 + sigma) longest(), sigma^2 the largest
-  // eigenvalue of M_w^-1 M_v, no w is accepted.
+  // with |w|_v above 1 + sigma times the greater of them, sigma^2 the largest eigenvalue of
+  // M_w^-1 M_v or 1 if that is more, no w is accepted.
   double reach_radius() const;
   double longest() const;
 

@@ -69,7 +69,7 @@ audit_report audit(const mesh& subject, const audit_options& options) {
   check_angles(context);
   if (options.check_stars && triangulation) check_stars(context);
 
-  report.counters = context.kernel.counters();
+  report.counters += context.kernel.counters();
   report.certified = report.total_found() == 0;
   return report;
 }

@@ -9,7 +9,9 @@
 #include <mpfr.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "asterism/mesh/audit_context.hpp"
@@ -21,7 +23,8 @@ namespace {
 // rational number of degrees (every double is) that happens at 30, 45 and 60 only.
 struct squared_cotangent {
   rational low, high;
-  bounded filter;  // encloses both
+  bounded filter;         // encloses both
+  double root_below = 0;  // at most the root of `low`
 };
 
 // Below 2^-190 relative: 256 bits, four roundings.
@@ -56,6 +59,7 @@ squared_cotangent make_squared_cotangent(double degrees) {
   }
   const double value = c.low.convert_to<double>();
   c.filter = bounded::within(value, value * 0x1p-50);
+  c.root_below = root(c.filter).lower();
   return c;
 }
 
@@ -79,15 +83,15 @@ corner_terms<Number> terms(const audit_context& context, const corner& c, index 
 }
 
 // Is the angle proven to be at least the bound? Requires a x b > 0.
-bool wide_enough(audit_context& context, const corner& c, index perspective,
-                 const squared_cotangent& bound) {
-  ++context.report.decisions;
+bool wide_enough(const audit_context& context, audit_tally& tally, const corner& c,
+                 index perspective, const squared_cotangent& bound) {
+  ++tally.part.decisions;
   const auto quick = terms<bounded>(context, c, perspective);
   if (quick.left.certainly_negative()) return true;
   const bounded spare = bound.filter * quick.right - quick.left * quick.left;
   if (spare.certainly_positive()) return true;
   if (spare.certainly_negative() && quick.left.certainly_positive()) return false;
-  ++context.report.exact_decisions;
+  ++tally.part.exact_decisions;
   const auto exact = terms<rational>(context, c, perspective);
   return exact.left <= 0 || exact.left * exact.left <= bound.low * exact.right;
 }
@@ -115,14 +119,32 @@ struct narrow_sector {
   index at = 0, first = 0, last = 0;
 };
 
+struct directed_edges {
+  std::vector<directed_piece> list;  // sorted by a
+  std::vector<std::size_t> start;    // as audit_context::side_start
+};
+
+directed_edges reversed_sides(const audit_context& context) {
+  directed_edges reversed;
+  for (const directed_piece& side : context.sides)
+    reversed.list.push_back({side.b, side.a, side.piece});
+  std::sort(reversed.list.begin(), reversed.list.end(), [](const auto& l, const auto& r) {
+    return std::array{l.a, l.piece, l.b} < std::array{r.a, r.piece, r.b};
+  });
+  reversed.start = starts_of(reversed.list, context.subject.sites.size());
+  return reversed;
+}
+
 // The sectors at v between a piece that leaves it and the next one, counter-clockwise, that
 // reaches it, where that is less than a half turn.
-std::vector<corner> sectors_at(const audit_context& context, index v) {
+// `arriving` are the boundary edges as sides reversed, those that reach v leaving it.
+std::vector<corner> sectors_at(const audit_context& context, const directed_edges& arriving,
+                               index v) {
   std::vector<index> out, in;
-  for (const directed_piece& side : context.sides) {
-    if (side.a == v) out.push_back(side.b);
-    if (side.b == v) in.push_back(side.a);
-  }
+  for (std::size_t i = context.side_start[v]; i < context.side_start[v + 1]; ++i)
+    out.push_back(context.sides[i].b);
+  for (std::size_t i = arriving.start[v]; i < arriving.start[v + 1]; ++i)
+    in.push_back(arriving.list[i].b);
   std::vector<corner> sectors;
   for (const index n : out)
     for (const index p : in) {
@@ -139,10 +161,10 @@ std::vector<corner> sectors_at(const audit_context& context, index v) {
 }
 
 // The narrow sectors of `v`, none if the exemption of v cannot be proven.
-std::vector<narrow_sector> narrow_sectors(audit_context& context, index v,
-                                          const squared_cotangent& bound) {
+std::vector<narrow_sector> narrow_sectors(audit_context& context, const directed_edges& arriving,
+                                          index v, const squared_cotangent& bound) {
   std::vector<narrow_sector> narrow;
-  for (const corner& c : sectors_at(context, v))
+  for (const corner& c : sectors_at(context, arriving, v))
     if (proven_narrow(context, c, bound)) narrow.push_back({v, c.ahead, c.behind});
   return narrow;
 }
@@ -159,15 +181,17 @@ std::vector<index> corners_to_prove(const audit_context& context) {
 }
 
 std::vector<narrow_sector> exempt_sectors(audit_context& context, const squared_cotangent& bound) {
-  const auto& claimed = context.options.exempt_corners;
+  std::vector<index> claimed = context.options.exempt_corners;
+  std::sort(claimed.begin(), claimed.end());
+  const directed_edges arriving = reversed_sides(context);
   std::vector<narrow_sector> all;
   for (const index v : corners_to_prove(context)) {
     std::vector<narrow_sector> narrow;
     if (v < context.measured.size() && context.measured[v])
-      narrow = narrow_sectors(context, v, bound);
+      narrow = narrow_sectors(context, arriving, v, bound);
     if (!narrow.empty())
       context.report.exempt_corners.push_back(v);
-    else if (std::find(claimed.begin(), claimed.end(), v) != claimed.end())
+    else if (std::binary_search(claimed.begin(), claimed.end(), v))
       context.found(finding_kind::exemption_not_proven,
                     "the domain's angle at " + vertex_text(context, v) +
                         ", in its own metric, is not below the bound");
@@ -176,72 +200,163 @@ std::vector<narrow_sector> exempt_sectors(audit_context& context, const squared_
   return all;
 }
 
-// Has the triangle a corner at one of the sectors, and lies it in it?
-bool exempt(const audit_context& context, const triangle& t,
-            const std::vector<narrow_sector>& sectors) {
-  return std::any_of(sectors.begin(), sectors.end(), [&](const narrow_sector& s) {
-    if (std::find(t.begin(), t.end(), s.at) == t.end()) return false;
-    return std::all_of(t.begin(), t.end(), [&](index q) {
-      return q == s.at || (context.orientation(s.at, s.first, q) != sign::negative &&
-                           context.orientation(s.at, q, s.last) != sign::negative);
-    });
+bool lies_in(const audit_context& context, const filtered_kernel& kernel, const triangle& t,
+             const narrow_sector& s) {
+  const point &at = context.at(s.at), &first = context.at(s.first), &last = context.at(s.last);
+  return std::all_of(t.begin(), t.end(), [&](index q) {
+    return q == s.at || (kernel.orientation(at, first, context.at(q)) != sign::negative &&
+                         kernel.orientation(at, context.at(q), last) != sign::negative);
   });
 }
 
+// Has the triangle a corner at one of the sectors, sorted by corner, and lies it in it?
+bool exempt(const audit_context& context, const filtered_kernel& kernel, const triangle& t,
+            const std::vector<narrow_sector>& sectors) {
+  return std::any_of(t.begin(), t.end(), [&](index v) {
+    auto s = std::lower_bound(sectors.begin(), sectors.end(), v,
+                              [](const narrow_sector& n, index key) { return n.at < key; });
+    while (s != sectors.end() && s->at == v && !lies_in(context, kernel, t, *s)) ++s;
+    return s != sectors.end() && s->at == v;
+  });
+}
+
+// A triangle in plain doubles, as one metric sees it. Each edge component is off by at most eps =
+// 2^-52 of itself, whichever way the machine rounds, and no monomial of the terms below meets more
+// than four roundings besides those of its two components: 8 eps of the magnitude bound them, and
+// the few roundings of the bound itself. Within `in_range` what underflow takes is below 2^-600.
+struct plain_triangle {
+  plain_triangle(const audit_context& context, const triangle& t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const point &from = context.at(t[i]), &to = context.at(t[(i + 1) % 3]);
+      edge[i] = {to.x - from.x, to.y - from.y};
+      extent = std::fmax(extent, std::abs(edge[i].x) + std::abs(edge[i].y));
+    }
+    const double left = edge[0].x * edge[1].y, right = edge[0].y * edge[1].x;
+    area_below = left - right - step * (std::abs(left) + std::abs(right)) - lost;
+  }
+
+  static constexpr double step = 0x1p-49, lost = 0x1p-600;
+  std::array<vector2<double>, 3> edge;  // from corner i to the next
+  double extent = 0;
+  double area_below = 0;
+};
+
+// Of each corner an upper bound of the cotangent of its angle; infinite where not known.
+std::array<double, 3> cotangents_above(const plain_triangle& t, const metric_tensor& m) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> above = {infinity, infinity, infinity};
+  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
+  const double determinant_below =
+      product - square - plain_triangle::step * (product + square) - plain_triangle::lost;
+  const bool in_range = t.extent < 0x1p200 && m.m11 + m.m22 < 0x1p400;
+  if (!(in_range && determinant_below > 0 && t.area_below > 0)) return above;
+  const double height = std::sqrt(determinant_below) * t.area_below;
+  if (!(height > 0x1p-700)) return above;
+  const double inverse = 1 / height;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto &a = t.edge[i], &c = t.edge[(i + 2) % 3];
+    const double xx = a.x * c.x, xy = a.x * c.y + a.y * c.x, yy = a.y * c.y;
+    const double size = m.m11 * std::abs(xx) +
+                        std::abs(m.m12) * (std::abs(a.x * c.y) + std::abs(a.y * c.x)) +
+                        m.m22 * std::abs(yy);
+    const double left = -(m.m11 * xx + m.m12 * xy + m.m22 * yy);
+    above[i] = (left + plain_triangle::step * size + plain_triangle::lost) * inverse;
+    above[i] += std::abs(above[i]) * plain_triangle::step;
+  }
+  return above;
+}
+
+// What the triangles are held against; the same for all.
+struct audited_requirement {
+  double degrees = 0;
+  squared_cotangent bound;
+  std::vector<narrow_sector> sectors;
+};
+
 class angle_check {
  public:
-  angle_check(audit_context& context, double degrees) : context_(context), degrees_(degrees) {
-    if (degrees <= 0) return;  // trivially met
-    bound_ = make_squared_cotangent(degrees);
-    sectors_ = exempt_sectors(context, bound_);
-  }
+  angle_check(const audit_context& context, audit_tally& tally, const audited_requirement& wanted)
+      : context_(context), tally_(tally), wanted_(wanted) {}
 
   void run(index t) {
     const triangle& c = context_.subject.triangles[t];
     if (!std::all_of(c.begin(), c.end(), [&](index v) { return context_.measured[v] != 0; }))
       return;
-    if (context_.orientation(c[0], c[1], c[2]) != sign::positive) return;
-    const bool may_fail = exempt(context_, c, sectors_);
+    if (tally_.kernel.orientation(context_.at(c[0]), context_.at(c[1]), context_.at(c[2])) !=
+        sign::positive)
+      return;
+    const bool may_fail = exempt(context_, tally_.kernel, c, wanted_.sectors);
+    const plain_triangle plain(context_, c);
     bool failed = false;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (const index perspective : c)
-        failed |= !examine(t, {c[i], c[(i + 1) % 3], c[(i + 2) % 3]}, perspective, may_fail);
-    if (failed && may_fail) context_.report.exempt_triangles.push_back(t);
+    for (const index perspective : c) {
+      const auto above = cotangents_above(plain, context_.subject.sites[perspective].metric);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const corner at{c[i], c[(i + 1) % 3], c[(i + 2) % 3]};
+        note_angle(t, at, perspective, may_fail, above[i]);
+        failed |= !is_wide(t, at, perspective, may_fail, above[i]);
+      }
+    }
+    if (failed && may_fail) tally_.part.exempt_triangles.push_back(t);
   }
 
  private:
-  bool examine(index t, const corner& c, index perspective, bool may_fail) {
+  // Only what may be the least angle so far is measured.
+  void note_angle(index t, const corner& c, index perspective, bool may_fail, double above) {
+    double& greatest = greatest_cotangent_[may_fail ? 1 : 0];
+    if (above < greatest) return;
+    audited_angle& least = may_fail ? tally_.part.worst_exempt : tally_.part.worst;
     const double angle = angle_in_degrees(context_, c, perspective);
-    audited_angle& least = may_fail ? context_.report.worst_exempt : context_.report.worst;
-    if (angle < least.degrees) least = {angle, t, c.at, perspective};
-    if (degrees_ <= 0 || wide_enough(context_, c, perspective, bound_)) return true;
+    if (!(angle < least.degrees)) return;
+    least = {angle, t, c.at, perspective};
+    const double cotangent = 1 / std::tan(angle * std::numbers::pi / 180);
+    greatest = cotangent - 1e-9 * (1 + std::abs(cotangent));
+  }
+
+  bool is_wide(index t, const corner& c, index perspective, bool may_fail, double above) {
+    if (wanted_.degrees <= 0) return true;
+    if (above < wanted_.bound.root_below) {
+      ++tally_.part.decisions;
+      return true;
+    }
+    if (wide_enough(context_, tally_, c, perspective, wanted_.bound)) return true;
     if (!may_fail)
-      context_.found(finding_kind::angle_below_bound,
-                     "the angle at " + vertex_text(context_, c.at) + " of " +
-                         triangle_text(context_, t) + " is " + number_text(angle) +
-                         " degrees in the metric of " + vertex_text(context_, perspective) +
-                         ", below " + number_text(degrees_));
+      tally_.found(finding_kind::angle_below_bound,
+                   "the angle at " + vertex_text(context_, c.at) + " of " +
+                       triangle_text(context_, t) + " is " +
+                       number_text(angle_in_degrees(context_, c, perspective)) +
+                       " degrees in the metric of " + vertex_text(context_, perspective) +
+                       ", below " + number_text(wanted_.degrees));
     return false;
   }
 
-  audit_context& context_;
-  double degrees_;
-  squared_cotangent bound_;
-  std::vector<narrow_sector> sectors_;
+  const audit_context& context_;
+  audit_tally& tally_;
+  const audited_requirement& wanted_;
+  // Of the least angle so far, rather too small; of triangles away from exempt corners, and others.
+  std::array<double, 2> greatest_cotangent_ = {-std::numeric_limits<double>::infinity(),
+                                               -std::numeric_limits<double>::infinity()};
 };
 
 }  // namespace
 
 void check_angles(audit_context& context) {
-  const double degrees = context.options.angle_bound.value_or(0);
-  if (!(degrees >= 0 && degrees < 90)) {
-    context.found(finding_kind::invalid_option,
-                  "an angle bound of " + number_text(degrees) + " degrees is not in [0, 90)");
+  audited_requirement wanted;
+  wanted.degrees = context.options.angle_bound.value_or(0);
+  if (!(wanted.degrees >= 0 && wanted.degrees < 90)) {
+    context.found(finding_kind::invalid_option, "an angle bound of " + number_text(wanted.degrees) +
+                                                    " degrees is not in [0, 90)");
     return;
   }
   context.report.angles_checked = context.options.angle_bound.has_value();
-  angle_check check(context, degrees);
-  for (const index t : context.triangles) check.run(t);
+  if (wanted.degrees > 0) {  // else trivially met
+    wanted.bound = make_squared_cotangent(wanted.degrees);
+    wanted.sectors = exempt_sectors(context, wanted.bound);
+  }
+  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    angle_check part(context, tally, wanted);
+    for (std::size_t i = begin; i < end; ++i) part.run(context.triangles[i]);
+  };
+  check_in_parallel(context, context.triangles.size(), check);
 }
 
 }  // namespace asterism::audit_detail

@@ -3,22 +3,13 @@
 // Point 2, the geometric part: the boundary is simple and encloses its left side exactly once.
 // Internal edges are no part of the boundary here: they bound nothing, their two sides cancel out.
 #include <algorithm>
+#include <limits>
 
 #include "asterism/mesh/audit_context.hpp"
+#include "asterism/mesh/audit_piece_tree.hpp"
 
 namespace asterism::audit_detail {
 namespace {
-
-struct span {
-  double low_x, high_x, low_y, high_y;
-  index piece;
-};
-
-span span_of(const audit_context& context, index piece) {
-  const point& a = context.at(context.subject.boundary[piece].a);
-  const point& b = context.at(context.subject.boundary[piece].b);
-  return {std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y), piece};
-}
 
 // Do closed segments with no common end, whose boxes overlap, have a common point?
 bool segments_meet(const audit_context& context, const boundary_edge& e, const boundary_edge& f) {
@@ -51,7 +42,7 @@ bool contact(const audit_context& context, const boundary_edge& e, const boundar
 //
 // The ray starts an infinitesimal above the height of the middle, except left of a piece that runs
 // exactly towards -x, where the left side is below: `below` then moves every tie the other way.
-int winding_left_of(const audit_context& context, index piece) {
+int winding_left_of(const audit_context& context, const piece_tree& tree, index piece) {
   const auto& boundary = context.subject.boundary;
   const point& a = context.at(boundary[piece].a);
   const point& b = context.at(boundary[piece].b);
@@ -63,27 +54,29 @@ int winding_left_of(const audit_context& context, index piece) {
     return below ? y < middle.y : y <= middle.y;
   };
   int winding = 0;
-  for (const index other : context.pieces) {
-    if (boundary[other].internal) continue;
+  const auto count = [&](index other) {
+    if (boundary[other].internal) return true;
     const point& c = context.at(boundary[other].a);
     const point& d = context.at(boundary[other].b);
-    const double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
-    if (std::max(c.y, d.y) < low || std::min(c.y, d.y) > high) continue;
     const bool upward = under(c) && !under(d);
     const bool downward = under(d) && !under(c);
-    if (!upward && !downward) continue;
+    if (!upward && !downward) return true;
     const vector2<rational> along = {rational(d.x) - rational(c.x), rational(d.y) - rational(c.y)};
     const vector2<rational> reach = {middle.x - rational(c.x), middle.y - rational(c.y)};
     // The piece itself has its own left side on its left.
     const int side = other == piece ? 1 : cross(along, reach).sign();
     if (upward && side > 0) ++winding;
     if (downward && side < 0) --winding;
-  }
+    return true;
+  };
+  // Whatever meets the ray has its box meet this one.
+  const plane_box own = box_around(a, b);
+  tree.visit({own.low, {std::numeric_limits<double>::infinity(), own.high.y}}, count);
   return winding;
 }
 
-void check_piece_winding(audit_context& context, index piece) {
-  const int winding = winding_left_of(context, piece);
+void check_piece_winding(audit_context& context, const piece_tree& tree, index piece) {
+  const int winding = winding_left_of(context, tree, piece);
   ++context.report.decisions;
   ++context.report.exact_decisions;
   if (winding != 1)
@@ -96,23 +89,20 @@ void check_piece_winding(audit_context& context, index piece) {
 }  // namespace
 
 void check_boundary_contacts(audit_context& context) {
-  std::vector<span> spans;
-  for (const index piece : context.pieces) spans.push_back(span_of(context, piece));
-  std::sort(spans.begin(), spans.end(), [](const span& l, const span& r) {
-    return l.low_x < r.low_x || (l.low_x == r.low_x && l.piece < r.piece);
-  });
   const auto& boundary = context.subject.boundary;
-  std::vector<span> active;  // those whose x range reaches the current one
-  for (const span& s : spans) {
-    std::erase_if(active, [&](const span& other) { return other.high_x < s.low_x; });
-    for (const span& other : active) {
-      if (other.high_y < s.low_y || s.high_y < other.low_y) continue;
-      if (contact(context, boundary[s.piece], boundary[other.piece]))
-        context.found(finding_kind::boundary_contact, piece_text(context, s.piece) +
-                                                          " crosses or touches " +
-                                                          piece_text(context, other.piece));
-    }
-    active.push_back(s);
+  const piece_tree tree(context);
+  for (const index piece : context.pieces) {
+    const boundary_edge& e = boundary[piece];
+    std::vector<index> met;
+    tree.visit(box_around(context.at(e.a), context.at(e.b)), [&](index other) {
+      if (other < piece && contact(context, e, boundary[other])) met.push_back(other);
+      return true;
+    });
+    std::sort(met.begin(), met.end());
+    for (const index other : met)
+      context.found(
+          finding_kind::boundary_contact,
+          piece_text(context, piece) + " crosses or touches " + piece_text(context, other));
   }
 }
 
@@ -124,8 +114,9 @@ void check_winding(audit_context& context) {
   for (const index piece : context.pieces)
     if (!boundary[piece].internal) leaving[boundary[piece].a].push_back(piece);
   std::vector<char> seen(boundary.size(), 0);
+  const piece_tree tree(context);
   const auto walk = [&](index piece) {
-    check_piece_winding(context, piece);
+    check_piece_winding(context, tree, piece);
     while (!seen[piece]) {
       seen[piece] = 1;
       const auto& next = leaving[boundary[piece].b];

@@ -7,30 +7,67 @@
 
 namespace asterism::audit_detail {
 
+namespace {
+
+void keep(audit_report& report, std::size_t most, audit_finding finding) {
+  std::size_t& count = report.found[static_cast<std::size_t>(finding.kind)];
+  if (count++ < most) report.findings.push_back(std::move(finding));
+}
+
+void keep_least(audited_angle& least, const audited_angle& other) {
+  if (other.degrees < least.degrees) least = other;
+}
+
+// The first place of a -> b in `list`, sorted, whose members that leave a start at start[a]; or its
+// size.
+template <class Item>
+std::size_t find_directed(const std::vector<Item>& list, const std::vector<std::size_t>& start,
+                          index a, index b) {
+  const auto first = list.begin() + static_cast<std::ptrdiff_t>(start[a]),
+             last = list.begin() + static_cast<std::ptrdiff_t>(start[a + 1]);
+  const auto place =
+      std::lower_bound(first, last, b, [](const Item& item, index key) { return item.b < key; });
+  return place == last || place->b != b ? list.size()
+                                        : static_cast<std::size_t>(place - list.begin());
+}
+
+}  // namespace
+
+void audit_tally::found(finding_kind kind, std::string witness) {
+  keep(part, findings_kept, {kind, std::move(witness)});
+}
+
 void audit_context::found(finding_kind kind, std::string witness) {
-  std::size_t& count = report.found[static_cast<std::size_t>(kind)];
-  if (count++ < options.findings_kept) report.findings.push_back({kind, std::move(witness)});
+  keep(report, options.findings_kept, {kind, std::move(witness)});
+}
+
+void audit_context::take(audit_tally&& tally) {
+  // Those not kept are more than enough of their kind: they are counted below.
+  for (audit_finding& finding : tally.part.findings) {
+    --tally.part.found[static_cast<std::size_t>(finding.kind)];
+    keep(report, options.findings_kept, std::move(finding));
+  }
+  for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
+    report.found[kind] += tally.part.found[kind];
+  keep_least(report.worst, tally.part.worst);
+  keep_least(report.worst_exempt, tally.part.worst_exempt);
+  report.exempt_triangles.insert(report.exempt_triangles.end(), tally.part.exempt_triangles.begin(),
+                                 tally.part.exempt_triangles.end());
+  report.decisions += tally.part.decisions;
+  report.exact_decisions += tally.part.exact_decisions;
+  report.star_pairs += tally.part.star_pairs;
+  report.star_pairs_tested += tally.part.star_pairs_tested;
+  report.counters += tally.kernel.counters();
 }
 
 std::size_t find_edge(const audit_context& context, index a, index b) {
-  const auto& edges = context.edges;
-  const auto place =
-      std::lower_bound(edges.begin(), edges.end(), std::array{a, b}, [](const auto& e, auto key) {
-        return std::array{e.a, e.b} < key;
-      });
-  if (place == edges.end() || place->a != a || place->b != b) return edges.size();
-  return static_cast<std::size_t>(place - edges.begin());
+  return find_directed(context.edges, context.edge_start, a, b);
 }
 
 std::size_t find_piece(const audit_context& context, index a, index b) {
-  const auto& sides = context.sides;
-  const auto place =
-      std::lower_bound(sides.begin(), sides.end(), std::array{a, b}, [](const auto& s, auto key) {
-        return std::array{s.a, s.b} < key;
-      });
-  if (place == sides.end() || place->a != a || place->b != b)
-    return context.subject.boundary.size();
-  return place->piece;
+  const std::size_t place = find_directed(context.sides, context.side_start, a, b);
+  return place == context.sides.size() ? context.subject.boundary.size()
+                                       : context.sides[place].piece;
 }
 
 index apex(const audit_context& context, const directed_edge& edge) {

@@ -5,11 +5,13 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit.hpp"
 #include "asterism/mesh/audit_number.hpp"
+#include "asterism/mesh/local/parallel.hpp"
 
 namespace asterism::audit_detail {
 
@@ -35,6 +37,16 @@ struct vertex_fan {
   std::vector<index> link;
 };
 
+// What one part of a check, run by one thread, has found and counted. `part` holds findings,
+// counts and, of the angles, the worst of that part.
+struct audit_tally {
+  std::size_t findings_kept = 0;
+  audit_report part;
+  filtered_kernel kernel;
+
+  void found(finding_kind kind, std::string witness);
+};
+
 struct audit_context {
   audit_context(const mesh& m, const audit_options& o, audit_report& r)
       : subject(m), options(o), report(r) {}
@@ -50,8 +62,10 @@ struct audit_context {
   std::vector<index> triangles;  // in range, three distinct placed corners
   std::vector<index> pieces;     // of the boundary: in range, two distinct placed ends
   // Filled by check_edges.
-  std::vector<directed_edge> edges;   // of `triangles`, sorted by (a, b)
-  std::vector<directed_piece> sides;  // of `pieces`, sorted by (a, b)
+  std::vector<directed_edge> edges;   // of `triangles`, sorted by (a, b, triangle)
+  std::vector<directed_piece> sides;  // of `pieces`, sorted by (a, b, piece)
+  // Those that leave v are edges[edge_start[v] .. edge_start[v + 1]), and the same for sides.
+  std::vector<std::size_t> edge_start, side_start;
   // Filled by check_domain_kept: of each boundary edge the segment of the domain it is a piece of.
   std::vector<std::optional<index>> segment_of;
   // Filled by check_fans, only when the edges match.
@@ -62,7 +76,32 @@ struct audit_context {
     return kernel.orientation(at(a), at(b), at(c));
   }
   void found(finding_kind kind, std::string witness);
+  // Adds what a part of a check found.
+  void take(audit_tally&& tally);
 };
+
+// check(tally, begin, end) for chunks of [0, count), in parallel; the tallies are taken in order,
+// so that the report is that of one thread. Of the context a check may write only what belongs to
+// its chunk alone.
+template <class Check>
+void check_in_parallel(audit_context& context, std::size_t count, const Check& check) {
+  constexpr std::size_t chunk = 1024;
+  std::vector<audit_tally> tallies(chunk_count(count, chunk));
+  parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    tallies[i].findings_kept = context.options.findings_kept;
+    check(tallies[i], begin, end);
+  });
+  for (audit_tally& tally : tallies) context.take(std::move(tally));
+}
+
+// Where a list sorted by its members' `a`, below `count`, has those of each a: count + 1 places.
+template <class Item>
+std::vector<std::size_t> starts_of(const std::vector<Item>& sorted, std::size_t count) {
+  std::vector<std::size_t> start(count + 1, 0);
+  for (const Item& item : sorted) ++start[item.a + 1];
+  for (std::size_t v = 0; v < count; ++v) start[v + 1] += start[v];
+  return start;
+}
 
 // The checks, in the order of audit(). Each reports into the context and goes on.
 void check_values(audit_context& context);

@@ -14,14 +14,29 @@ std::string edge_text(const audit_context& context, const directed_edge& edge) {
          std::to_string(std::size_t{edge.b} + 1) + " of " + triangle_text(context, edge.triangle);
 }
 
+// By counting for a, in each a's range by comparing: linear where degrees are bounded. The bound on
+// what a mesh with vertices of any degree costs is that of std::sort.
 void list_edges(audit_context& context) {
-  context.edges.reserve(3 * context.triangles.size());
+  const auto& triangles = context.subject.triangles;
+  auto& start = context.edge_start;
+  start.assign(context.subject.sites.size() + 1, 0);
+  for (const index t : context.triangles)
+    for (const index v : triangles[t]) ++start[v + 1];
+  for (std::size_t v = 0; v + 1 < start.size(); ++v) start[v + 1] += start[v];
+  context.edges.resize(3 * context.triangles.size());
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
   for (const index t : context.triangles) {
-    const triangle& c = context.subject.triangles[t];
-    for (std::size_t i = 0; i < 3; ++i) context.edges.push_back({c[i], c[(i + 1) % 3], t});
+    const triangle& c = triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) context.edges[next[c[i]]++] = {c[i], c[(i + 1) % 3], t};
   }
-  std::sort(context.edges.begin(), context.edges.end(), [](const auto& l, const auto& r) {
-    return std::array{l.a, l.b, l.triangle} < std::array{r.a, r.b, r.triangle};
+  const auto at = [&](std::size_t i) {
+    return context.edges.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  check_in_parallel(context, next.size(), [&](audit_tally&, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      std::sort(at(start[v]), at(start[v + 1]), [](const auto& l, const auto& r) {
+        return std::array{l.b, l.triangle} < std::array{r.b, r.triangle};
+      });
   });
 }
 
@@ -34,21 +49,28 @@ void list_sides(audit_context& context) {
   std::sort(context.sides.begin(), context.sides.end(), [](const auto& l, const auto& r) {
     return std::array{l.a, l.b, l.piece} < std::array{r.a, r.b, r.piece};
   });
+  context.side_start = starts_of(context.sides, context.subject.sites.size());
+}
+
+void check_triangle_edge(const audit_context& context, audit_tally& tally, std::size_t i) {
+  const auto& edges = context.edges;
+  const directed_edge& e = edges[i];
+  if (i > 0 && edges[i - 1].a == e.a && edges[i - 1].b == e.b)
+    tally.found(finding_kind::repeated_edge,
+                edge_text(context, e) + " runs the same way in triangle " +
+                    std::to_string(std::size_t{edges[i - 1].triangle} + 1));
+  if (find_edge(context, e.b, e.a) == edges.size() &&
+      find_piece(context, e.a, e.b) == context.subject.boundary.size())
+    tally.found(finding_kind::unmatched_edge,
+                edge_text(context, e) + " has no triangle across and is no boundary edge");
 }
 
 void check_triangle_edges(audit_context& context) {
-  const auto& edges = context.edges;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const directed_edge& e = edges[i];
-    if (i > 0 && edges[i - 1].a == e.a && edges[i - 1].b == e.b)
-      context.found(finding_kind::repeated_edge,
-                    edge_text(context, e) + " runs the same way in triangle " +
-                        std::to_string(std::size_t{edges[i - 1].triangle} + 1));
-    if (find_edge(context, e.b, e.a) == edges.size() &&
-        find_piece(context, e.a, e.b) == context.subject.boundary.size())
-      context.found(finding_kind::unmatched_edge,
-                    edge_text(context, e) + " has no triangle across and is no boundary edge");
-  }
+  check_in_parallel(context, context.edges.size(),
+                    [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+                      for (std::size_t i = begin; i < end; ++i)
+                        check_triangle_edge(context, tally, i);
+                    });
 }
 
 void check_pieces(audit_context& context) {

@@ -20,6 +20,7 @@ struct fan_step {
 std::vector<fan_step> steps_around(const audit_context& context, std::size_t first,
                                    std::size_t last) {
   std::vector<fan_step> steps;  // sorted by `from`, as the edges are
+  steps.reserve(last - first);
   for (std::size_t i = first; i < last; ++i)
     steps.push_back({context.edges[i].b, apex(context, context.edges[i])});
   return steps;
@@ -34,6 +35,7 @@ bool starts_fan(const audit_context& context, index v, index to) {
 vertex_fan follow(const audit_context& context, index v, std::vector<fan_step>& steps,
                   fan_step& start) {
   vertex_fan fan;
+  fan.link.reserve(steps.size() + 1);
   fan_step* step = &start;
   while (true) {
     step->used = true;
@@ -89,51 +91,51 @@ int turns(const audit_context& context, index v, const vertex_fan& fan) {
 }
 
 // Does an open fan come round to its first edge again?
-bool overturned(const audit_context& context, index v, const vertex_fan& fan) {
+bool overturned(const audit_context& context, const filtered_kernel& kernel, index v,
+                const vertex_fan& fan) {
+  const point &at_v = context.at(v), &first = context.at(fan.link[0]);
   for (std::size_t i = 1; i + 1 < fan.link.size(); ++i)
-    if (context.orientation(v, fan.link[i], fan.link[0]) == sign::positive &&
-        context.orientation(v, fan.link[0], fan.link[i + 1]) != sign::negative)
+    if (kernel.orientation(at_v, context.at(fan.link[i]), first) == sign::positive &&
+        kernel.orientation(at_v, first, context.at(fan.link[i + 1])) != sign::negative)
       return true;
   return false;
 }
 
-void check_vertex(audit_context& context, index v, std::size_t leaving) {
+void check_vertex(const audit_context& context, audit_tally& tally, index v) {
+  const std::size_t leaving = context.side_start[v + 1] - context.side_start[v];
   const auto& fans = context.fans[v];
   const auto closed = static_cast<std::size_t>(
       std::count_if(fans.begin(), fans.end(), [](const auto& fan) { return fan.closed; }));
   const std::size_t open = fans.size() - closed;
   if (open != leaving || closed != (leaving == 0 ? 1U : 0U)) {
-    context.found(finding_kind::broken_fan,
-                  "the triangles at " + vertex_text(context, v) + " form " +
-                      std::to_string(closed) + " closed and " + std::to_string(open) +
-                      " open fans, with " + std::to_string(leaving) + " boundary edges leaving it");
+    tally.found(finding_kind::broken_fan,
+                "the triangles at " + vertex_text(context, v) + " form " + std::to_string(closed) +
+                    " closed and " + std::to_string(open) + " open fans, with " +
+                    std::to_string(leaving) + " boundary edges leaving it");
     return;
   }
   const auto comes_back = [](const vertex_fan& fan) {
     return fan.closed || fan.link.front() == fan.link.back();
   };
   for (const vertex_fan& fan : fans)
-    if (comes_back(fan) ? turns(context, v, fan) != 1 : overturned(context, v, fan))
-      context.found(finding_kind::broken_fan, "the triangles at " + vertex_text(context, v) +
-                                                  " turn around it more than once");
+    if (comes_back(fan) ? turns(context, v, fan) != 1 : overturned(context, tally.kernel, v, fan))
+      tally.found(finding_kind::broken_fan,
+                  "the triangles at " + vertex_text(context, v) + " turn around it more than once");
 }
 
 }  // namespace
 
 void check_fans(audit_context& context) {
-  const std::size_t n = context.subject.sites.size();
-  std::vector<std::size_t> leaving(n, 0);
-  for (const directed_piece& side : context.sides) ++leaving[side.a];
-  context.fans.resize(n);
-  const auto& edges = context.edges;
-  for (std::size_t first = 0; first < edges.size();) {
-    std::size_t last = first;
-    while (last < edges.size() && edges[last].a == edges[first].a) ++last;
-    const index v = edges[first].a;
-    context.fans[v] = fans_around(context, v, first, last);
-    check_vertex(context, v, leaving[v]);
-    first = last;
-  }
+  context.fans.resize(context.subject.sites.size());
+  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const std::size_t first = context.edge_start[v], last = context.edge_start[v + 1];
+      if (first == last) continue;
+      context.fans[v] = fans_around(context, static_cast<index>(v), first, last);
+      check_vertex(context, tally, static_cast<index>(v));
+    }
+  };
+  check_in_parallel(context, context.fans.size(), check);
 }
 
 }  // namespace asterism::audit_detail

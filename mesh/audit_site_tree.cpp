@@ -5,68 +5,122 @@
 #include <limits>
 #include <numeric>
 
+#include "asterism/mesh/audit_number.hpp"
+
 namespace asterism::audit_detail {
 namespace {
 
-constexpr std::size_t leaf_size = 4;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Distance along one axis from x to [low, high], as an exact-or-bounded number.
-bounded axis_distance(double x, double low, double high) {
-  if (x < low) return bounded(low) - bounded(x);
-  if (x > high) return bounded(x) - bounded(high);
-  return {0.0};
+// An operation in any rounding mode is off by at most 2^-52 of its result. No value below is a sum
+// of monomials that meet more than eight: `step` bounds them and the roundings of the bound itself
+// for a magnitude, the sum of the monomials' absolute values; `up` the three or four roundings
+// after that. Underflow takes less than that within the ranges that are asked for.
+constexpr double step = 0x1p-48, up = 1 + 0x1p-49;
+
+// An upper bound of the greater root of l^2 - trace l + determinant, which has two; infinite where
+// not known.
+double greatest_eigenvalue(bounded trace, bounded determinant) {
+  const bounded half = trace * bounded(0.5);
+  const double bound = (half + root(half * half - determinant)).upper();
+  return bound < infinity ? bound : infinity;
 }
 
-// Below |q - v|_v^2 for every q of the box. With dx fixed the least of the quadratic form is
-// (det / m22) dx^2, with dy fixed (det / m11) dy^2.
-bounded least_length_squared(const metric_tensor& metric, const bounded& dx, const bounded& dy) {
-  const bounded determinant = tensor_of_doubles(metric).determinant();
-  const bounded by_x = determinant / bounded(metric.m22) * dx * dx;
-  const bounded by_y = determinant / bounded(metric.m11) * dy * dy;
-  return by_x.lower() > by_y.lower() ? by_x : by_y;
+tensor<bounded> adjugate(const tensor<bounded>& m) { return {m.m22, -m.m12, m.m11}; }
+
+bounded trace_of_product(const tensor<bounded>& a, const tensor<bounded>& b) {
+  return a.m11 * b.m11 + bounded(2) * a.m12 * b.m12 + a.m22 * b.m22;
+}
+
+metric_tensor plain_inverse(const metric_tensor& m) {
+  const double d = m.m11 * m.m22 - m.m12 * m.m12;
+  return {m.m22 / d, -m.m12 / d, m.m11 / d};
+}
+
+metric_tensor sum(const metric_tensor& a, const metric_tensor& b) {
+  return {a.m11 + b.m11, a.m12 + b.m12, a.m22 + b.m22};
+}
+
+double product_bound(double a, double b) {
+  const double product = (bounded(a) * bounded(b)).upper();
+  return product < infinity ? product : infinity;
+}
+
+double positive_determinant(const metric_tensor& m) {
+  const double below = positive_bound(tensor_of_doubles(m).determinant().lower());
+  return below < infinity ? below : 0;
 }
 
 }  // namespace
 
 site_tree::site_tree(const std::vector<site>& sites) : order_(sites.size()) {
   std::iota(order_.begin(), order_.end(), index{0});
-  nodes_.reserve(2 * sites.size() / leaf_size + 1);
+  nodes_.reserve(4 * sites.size() / leaf_size + 1);
   if (!sites.empty()) build(0, sites.size(), sites);
+  places_.reserve(sites.size());
+  for (const index w : order_) places_.push_back(sites[w].position);
 }
 
-void site_tree::bound(node& n, const std::vector<site>& sites) const {
-  n.low = {infinity, infinity};
-  n.high = {-infinity, -infinity};
-  n.inverse12_low = infinity;
-  n.inverse12_high = -infinity;
-  n.inverse_determinant = infinity;
+// With B = `inverse`: the eigenvalues of M_w^-1 B^-1 are the inverses of those of B M_w, and the
+// greater of these is divided by the determinant of B M_w to invert the smaller.
+void site_tree::bound_leaf(node& n, const std::vector<site>& sites) const {
+  n.inverse = {0, 0, 0};
+  for (std::size_t i = n.first; i < n.last; ++i)
+    n.inverse = sum(n.inverse, plain_inverse(sites[order_[i]].metric));
+  n.determinant_below = positive_determinant(n.inverse);
+  n.spread_squared = n.determinant_below > 0 ? 0 : infinity;
+  if (n.determinant_below == 0) return;
+  const tensor<bounded> b = tensor_of_doubles(n.inverse);
   for (std::size_t i = n.first; i < n.last; ++i) {
-    const site& s = sites[order_[i]];
-    n.low = {std::min(n.low.x, s.position.x), std::min(n.low.y, s.position.y)};
-    n.high = {std::max(n.high.x, s.position.x), std::max(n.high.y, s.position.y)};
-    const bounded inverse = bounded(1) / tensor_of_doubles(s.metric).determinant();
-    const bounded i12 = -bounded(s.metric.m12) * inverse;
-    n.inverse11 = greatest_bound(n.inverse11, (bounded(s.metric.m22) * inverse).upper());
-    n.inverse22 = greatest_bound(n.inverse22, (bounded(s.metric.m11) * inverse).upper());
-    n.inverse12_low = -greatest_bound(-n.inverse12_low, -i12.lower());
-    n.inverse12_high = greatest_bound(n.inverse12_high, i12.upper());
-    n.inverse_determinant = std::min(n.inverse_determinant, positive_bound(inverse.lower()));
+    const tensor<bounded> m = tensor_of_doubles(sites[order_[i]].metric);
+    const bounded determinant = b.determinant() * m.determinant();
+    const double greatest = greatest_eigenvalue(trace_of_product(b, m), determinant);
+    const double inverse = (bounded(1) / determinant).upper();
+    n.spread_squared = greatest_bound(
+        n.spread_squared, product_bound(greatest, inverse < infinity ? inverse : infinity));
+  }
+}
+
+// M_w >= C^-1 / s for a child with inverse C, and C^-1 >= B^-1 / l with l the greater eigenvalue of
+// C B^-1.
+void site_tree::bound_parent(node& n, const node& left, const node& right) const {
+  n.inverse = sum(left.inverse, right.inverse);
+  n.determinant_below = positive_determinant(n.inverse);
+  n.spread_squared = n.determinant_below > 0 ? 0 : infinity;
+  if (n.determinant_below == 0) return;
+  const tensor<bounded> b = tensor_of_doubles(n.inverse);
+  const bounded inverse = bounded(1) / b.determinant();
+  for (const node* child : {&left, &right}) {
+    const tensor<bounded> c = tensor_of_doubles(child->inverse);
+    const double greatest =
+        greatest_eigenvalue(trace_of_product(c, adjugate(b)) * inverse, c.determinant() * inverse);
+    n.spread_squared =
+        greatest_bound(n.spread_squared, product_bound(greatest, child->spread_squared));
   }
 }
 
 void site_tree::build(std::size_t first, std::size_t last, const std::vector<site>& sites) {
   const std::size_t self = nodes_.size();
   nodes_.emplace_back();
-  nodes_[self].first = first;
-  nodes_[self].last = last;
-  bound(nodes_[self], sites);
-  if (last - first <= leaf_size) return;
+  node n;
+  n.first = first;
+  n.last = last;
+  n.low = {infinity, infinity};
+  n.high = {-infinity, -infinity};
+  for (std::size_t i = first; i < last; ++i) {
+    const point& q = sites[order_[i]].position;
+    n.low = {std::min(n.low.x, q.x), std::min(n.low.y, q.y)};
+    n.high = {std::max(n.high.x, q.x), std::max(n.high.y, q.y)};
+  }
+  if (last - first <= leaf_size) {
+    bound_leaf(n, sites);
+    nodes_[self] = n;
+    return;
+  }
   const std::size_t middle = first + (last - first) / 2;
-  const point low = nodes_[self].low, high = nodes_[self].high;
   // Halved, as the difference of two finite doubles may overflow. The order decides cost alone,
   // and is total because positions are distinct.
-  const bool wide = high.x / 2 - low.x / 2 > high.y / 2 - low.y / 2;
+  const bool wide = n.high.x / 2 - n.low.x / 2 > n.high.y / 2 - n.low.y / 2;
   const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(first), at(middle), at(last), [&](index a, index b) {
     const point &p = sites[a].position, &q = sites[b].position;
@@ -74,46 +128,59 @@ void site_tree::build(std::size_t first, std::size_t last, const std::vector<sit
     return p.y < q.y || (p.y == q.y && p.x < q.x);
   });
   build(first, middle, sites);
-  nodes_[self].right = nodes_.size();
+  n.right = nodes_.size();
   build(middle, last, sites);
+  bound_parent(n, nodes_[self + 1], nodes_[n.right]);
+  nodes_[self] = n;
 }
 
-bool site_tree::too_far(const node& n, const site& v, const star_reach& reach) {
-  const bounded dx = axis_distance(v.position.x, n.low.x, n.high.x);
-  const bounded dy = axis_distance(v.position.y, n.low.y, n.high.y);
-  const bounded length = root(least_length_squared(v.metric, dx, dy));
+site_tree::centre site_tree::centre_of(const site& v, double reach) {
+  return {v.position, v.metric, positive_determinant(v.metric), reach};
+}
+
+// sigma^2 is at most spread_squared times the greater eigenvalue of inverse M_v.
+double site_tree::limit(const node& n, const centre& v) {
+  const metric_tensor &b = n.inverse, &m = v.metric;
+  const double diagonal = b.m11 * m.m11 + b.m22 * m.m22, mixed = 2 * (b.m12 * m.m12);
+  const double half = 0.5 * (diagonal + mixed + step * (diagonal + std::abs(mixed)) + 0x1p-900);
+  const double determinant = n.determinant_below * v.determinant_below * (1 - 0x1p-49);
+  if (!(half < 0x1p500 && n.spread_squared < 0x1p500)) return infinity;
+  const double rest = half * half * up - determinant;
+  const double greatest = (half + std::sqrt(rest > 0 ? rest : 0) * up) * up;
+  const double sigma = std::sqrt(n.spread_squared * greatest * up) * up;
+  return (1 + (sigma > 1 ? sigma : 1)) * v.reach * up;
+}
+
+// With c any vector and g = M_v c, every w has |w|_v >= g.w / |c|_v. c leads to the middle of the
+// box; the least g.w is at one of its corners.
+bool site_tree::too_far(const node& n, const centre& v) {
   const metric_tensor& m = v.metric;
-  // Upper bounds of the trace, a lower one of the determinant of M_w^-1 M_v: its larger eigenvalue
-  // grows with the first and falls with the second.
-  const bounded trace =
-      bounded(n.inverse11) * bounded(m.m11) +
-      bounded(m.m12 > 0 ? n.inverse12_high : n.inverse12_low) * bounded(2) * bounded(m.m12) +
-      bounded(n.inverse22) * bounded(m.m22);
-  const bounded determinant = bounded(n.inverse_determinant) * tensor_of_doubles(m).determinant();
-  const bounded half = trace * bounded(0.5);
-  const bounded sigma = root(half + root(half * half - determinant));
-  return certainly_less((sigma + bounded(1)) * bounded(reach.radius), length) &&
-         certainly_less((sigma + bounded(2)) * bounded(reach.longest), length);
+  const point c{(0.5 * n.low.x + 0.5 * n.high.x) - v.at.x,
+                (0.5 * n.low.y + 0.5 * n.high.y) - v.at.y};
+  const point low{n.low.x - v.at.x, n.low.y - v.at.y}, high{n.high.x - v.at.x, n.high.y - v.at.y};
+  const point g{m.m11 * c.x + m.m12 * c.y, m.m12 * c.x + m.m22 * c.y};
+  const double least = g.x * (g.x > 0 ? low.x : high.x) + g.y * (g.y > 0 ? low.y : high.y);
+  const point extent{std::max(std::abs(low.x), std::abs(high.x)),
+                     std::max(std::abs(low.y), std::abs(high.y))};
+  const double mixed = std::abs(m.m12);
+  const double size = (m.m11 * extent.x + mixed * extent.y) * extent.x +
+                      (mixed * extent.x + m.m22 * extent.y) * extent.y;
+  const double least_below = least - step * size;
+  if (!(least_below > 0x1p-300 && size < 0x1p400 && extent.x + extent.y < 0x1p600)) return false;
+  const double square_above = (c.x * g.x + c.y * g.y + step * size) * up;
+  const auto is_beyond = [&](double most) {
+    return most > 0x1p-250 && least_below * least_below > most * most * square_above * up;
+  };
+  return is_beyond(2 * v.reach) && is_beyond(limit(n, v));
 }
 
-std::vector<index> site_tree::near(const site& v, const star_reach& reach) const {
-  std::vector<index> result;
-  std::vector<std::size_t> open;
-  if (!nodes_.empty()) open.push_back(0);
-  while (!open.empty()) {
-    const std::size_t self = open.back();
-    const node& n = nodes_[self];
-    open.pop_back();
-    if (too_far(n, v, reach)) continue;
-    if (n.right == 0) {
-      for (std::size_t i = n.first; i < n.last; ++i) result.push_back(order_[i]);
-    } else {
-      open.push_back(self + 1);
-      open.push_back(n.right);
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
+bool site_tree::beyond(const point& q, const centre& v, double most) {
+  const metric_tensor& m = v.metric;
+  const point d{q.x - v.at.x, q.y - v.at.y};
+  const double xx = m.m11 * d.x * d.x, yy = m.m22 * d.y * d.y, xy = 2 * (m.m12 * d.x * d.y);
+  const double square = xx + yy + xy - step * (xx + yy + std::abs(xy)), bound = most * most * up;
+  const bool in_range = std::abs(d.x) + std::abs(d.y) < 0x1p400 && square < 0x1p800;
+  return in_range && most > 0x1p-250 && square > bound;
 }
 
 }  // namespace asterism::audit_detail

@@ -68,18 +68,20 @@ star_gap_filter::star_gap_filter(const site& v, const site& x, const site& y)
   const vector2<double> u = balanced_direction(x_, y_, metric);
   middle_ = {bounded(u.x), bounded(u.y)};
   middle_length_squared_ = dot(middle_, metric * middle_);
-  usable_ = dot(middle_, x_.v_covector).certainly_positive() &&
-            dot(middle_, y_.v_covector).certainly_positive();
   middle_bound_x_ = x_.bound(middle_, middle_length_squared_);
   middle_bound_y_ = y_.bound(middle_, middle_length_squared_);
+  // A bound that is not positive says nothing of how far the ray goes.
+  usable_ = dot(middle_, x_.v_covector).certainly_positive() &&
+            dot(middle_, y_.v_covector).certainly_positive() &&
+            middle_bound_x_.certainly_positive() && middle_bound_y_.certainly_positive();
 }
 
-star_reach star_gap_filter::reach() const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (!usable_) return {infinity, infinity};
+double star_gap_filter::reach() const {
+  if (!usable_) return std::numeric_limits<double>::infinity();
   const bounded length = root(middle_length_squared_);
-  return {greatest_bound((length / middle_bound_x_).upper(), (length / middle_bound_y_).upper()),
-          greatest_bound(root(x_.v_length_squared).upper(), root(y_.v_length_squared).upper())};
+  return greatest_bound(
+      greatest_bound((length / middle_bound_x_).upper(), (length / middle_bound_y_).upper()),
+      greatest_bound(root(x_.v_length_squared).upper(), root(y_.v_length_squared).upper()));
 }
 
 namespace {

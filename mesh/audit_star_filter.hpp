@@ -15,7 +15,6 @@
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/audit_number.hpp"
-#include "asterism/mesh/audit_site_tree.hpp"
 
 namespace asterism::audit_detail {
 
@@ -41,13 +40,14 @@ class star_gap_filter {
   // True: edge_test(v, w, x, y) is certainly false, ties included. w lies strictly between the rays
   // from v through x and y.
   bool excludes(const site& w) const;
-  // Beyond it no site is accepted in this gap.
-  star_reach reach() const;
+  // As site_tree wants it: at least 1 / s in the middle direction, and the length of both edges.
+  double reach() const;
 
  private:
   site v_;
   gap_side x_, y_;
-  bool usable_ = false;  // the middle direction is certainly within a right angle of x and y
+  // The middle direction is certainly within a right angle of x and y, and the ray along it ends.
+  bool usable_ = false;
   vector2<bounded> middle_;
   bounded middle_length_squared_;
   bounded middle_bound_x_, middle_bound_y_;

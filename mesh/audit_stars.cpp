@@ -7,40 +7,57 @@
 // Requires what points 0 to 2 prove: no site lies on an edge or inside a triangle, so that a site
 // on the ray of a neighbour is farther than it, and a site in a gap is beyond the gap's edge.
 // Source: the thesis, section 3.3 (INSERTIONTEST) and definition 9.
+//
+// Nearly every question is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
+// for a gap; what it does not know by the auditor's own filter of wider range, and then edge_test.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/audit_context.hpp"
+#include "asterism/mesh/audit_piece_tree.hpp"
+#include "asterism/mesh/audit_site_tree.hpp"
 #include "asterism/mesh/audit_star_filter.hpp"
 
 namespace asterism::audit_detail {
 namespace {
 
+// What all parts of the check look things up in.
+struct star_surroundings {
+  explicit star_surroundings(const audit_context& context)
+      : sites(context.subject.sites), pieces(context) {}
+
+  site_tree sites;
+  piece_tree pieces;
+};
+
 // Does some boundary piece meet the open segment between v and w? Such a w is not seen from v: what
 // v sees is joined to it inside the domain.
 class sight {
  public:
-  explicit sight(const audit_context& context) : context_(context) {}
+  sight(const audit_context& context, const piece_tree& pieces, const filtered_kernel& kernel)
+      : context_(context), pieces_(pieces), kernel_(kernel) {}
 
   bool clear(index v, index w) const {
-    const auto& pieces = context_.pieces;
-    return std::none_of(pieces.begin(), pieces.end(),
-                        [&](index p) { return blocks(context_.subject.boundary[p], v, w); });
+    return pieces_.visit(box_around(context_.at(v), context_.at(w)), [&](index piece) {
+      return !blocks(context_.subject.boundary[piece], v, w);
+    });
   }
 
  private:
+  sign turn(index a, index b, index c) const {
+    return kernel_.orientation(context_.at(a), context_.at(b), context_.at(c));
+  }
+
   bool blocks(const boundary_edge& e, index v, index w) const {
-    const point &p = context_.at(v), &q = context_.at(w);
-    const point &a = context_.at(e.a), &b = context_.at(e.b);
-    if (std::max(a.x, b.x) < std::min(p.x, q.x) || std::min(a.x, b.x) > std::max(p.x, q.x) ||
-        std::max(a.y, b.y) < std::min(p.y, q.y) || std::min(a.y, b.y) > std::max(p.y, q.y))
-      return false;
-    const sign side_a = context_.orientation(v, w, e.a);
-    const sign side_b = context_.orientation(v, w, e.b);
+    const sign side_a = turn(v, w, e.a), side_b = turn(v, w, e.b);
     if (side_a == sign::zero && inside_segment(e.a, v, w)) return true;
     if (side_b == sign::zero && inside_segment(e.b, v, w)) return true;
     if (side_a * side_b != sign::negative) return false;
-    return context_.orientation(e.a, e.b, v) * context_.orientation(e.a, e.b, w) == sign::negative;
+    return turn(e.a, e.b, v) * turn(e.a, e.b, w) == sign::negative;
   }
 
   // For q on the line of v and w.
@@ -50,19 +67,25 @@ class sight {
   }
 
   const audit_context& context_;
+  const piece_tree& pieces_;
+  const filtered_kernel& kernel_;
 };
 
 // One gap of a fan, from x counter-clockwise to y.
-struct star_gap {
+struct fan_gap {
   index x = 0, y = 0;
-  bool on_boundary = false;  // x -> y is a boundary piece or internal: nothing beyond it is seen
-  std::optional<star_gap_filter> filter;
+  bool on_boundary = false;               // x -> y is a piece: nothing beyond it is seen
+  std::optional<star_gap> prepared;       // unless on the boundary
+  std::optional<star_gap_filter> filter;  // only where `prepared` knows no reach
 };
 
 class star_check {
  public:
-  explicit star_check(audit_context& context)
-      : context_(context), sight_(context), tree_(context.subject.sites) {}
+  star_check(const audit_context& context, audit_tally& tally, const star_surroundings& around)
+      : context_(context),
+        tally_(tally),
+        around_(around),
+        sight_(context, around.pieces, tally.kernel) {}
 
   void run(index v) {
     neighbours_.clear();
@@ -70,65 +93,93 @@ class star_check {
       neighbours_.insert(neighbours_.end(), fan.link.begin(), fan.link.end());
       check_neighbours(v, fan);
     }
-    std::sort(neighbours_.begin(), neighbours_.end());
     for (const vertex_fan& fan : context_.fans[v]) {
-      const star_reach reach = list_gaps(v, fan);
-      for (const index w : tree_.near(at(v), reach))
-        if (w != v && !std::binary_search(neighbours_.begin(), neighbours_.end(), w))
-          check_other(v, fan, w);
+      const double reach = list_gaps(v, fan);
+      around_.sites.visit_near(at(v), reach, [&](index w) {
+        if (w == v || is_neighbour(w)) return;
+        check_other(v, fan, w);
+      });
     }
   }
 
  private:
   const site& at(index v) const { return context_.subject.sites[v]; }
+  sign turn(index a, index b, index c) const {
+    return tally_.kernel.orientation(context_.at(a), context_.at(b), context_.at(c));
+  }
 
+  bool is_neighbour(index w) const {
+    return std::find(neighbours_.begin(), neighbours_.end(), w) != neighbours_.end();
+  }
+
+  // Each inner edge of a fan once, from its lesser end: what edge_test is asked about the other end
+  // is the same question, and x and y are next to v there.
   void check_neighbours(index v, const vertex_fan& fan) {
     const std::size_t n = fan.link.size();
     const std::size_t skipped = fan.closed ? 0 : 1;
     for (std::size_t i = skipped; i + skipped < n; ++i) {
       const index w = fan.link[i], x = fan.link[(i + n - 1) % n], y = fan.link[(i + 1) % n];
-      if (context_.orientation(v, x, y) != sign::positive) continue;  // a half turn or more
-      if (context_.orientation(x, y, w) == sign::positive) continue;  // inside the triangle v, x, y
-      if (context_.kernel.edge_test(at(v), at(w), at(x), at(y))) continue;
-      context_.found(finding_kind::star_neighbour_rejected,
-                     "the star of " + vertex_text(context_, v) + " does not accept its neighbour " +
-                         vertex_text(context_, w) + " between " + vertex_text(context_, x) +
-                         " and " + vertex_text(context_, y));
+      if (w < v) continue;
+      const bool by_v = is_asked(v, w, x, y), by_w = is_asked(w, v, y, x);
+      if ((!by_v && !by_w) || tally_.kernel.edge_test(at(v), at(w), at(x), at(y))) continue;
+      if (by_v) report_rejected(v, w, x, y);
+      if (by_w) report_rejected(w, v, y, x);
     }
   }
 
-  // Fills rays_ and gaps_.
-  star_reach list_gaps(index v, const vertex_fan& fan) {
-    star_reach reach;
+  // Not where x to y is a half turn or more, or w inside the triangle v, x, y.
+  bool is_asked(index v, index w, index x, index y) const {
+    return turn(v, x, y) == sign::positive && turn(x, y, w) != sign::positive;
+  }
+
+  void report_rejected(index v, index w, index x, index y) {
+    tally_.found(finding_kind::star_neighbour_rejected,
+                 "the star of " + vertex_text(context_, v) + " does not accept its neighbour " +
+                     vertex_text(context_, w) + " between " + vertex_text(context_, x) + " and " +
+                     vertex_text(context_, y));
+  }
+
+  // Fills rays_ and gaps_; how far from v sites matter to one of them.
+  double list_gaps(index v, const vertex_fan& fan) {
+    double reach = 0;
     rays_.clear();
-    for (const index r : fan.link)
-      rays_.push_back(difference<bounded>(context_.at(r), context_.at(v)));
+    for (const index r : fan.link) rays_.push_back(to(v, r));
     gaps_.clear();
     const std::size_t n = fan.link.size();
     for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
-      star_gap gap{fan.link[i], fan.link[(i + 1) % n], false, {}};
+      fan_gap& gap = gaps_.emplace_back();
+      gap.x = fan.link[i];
+      gap.y = fan.link[(i + 1) % n];
       gap.on_boundary = find_piece(context_, gap.x, gap.y) != context_.subject.boundary.size();
-      if (!gap.on_boundary) {
-        const star_reach own = gap.filter.emplace(at(v), at(gap.x), at(gap.y)).reach();
-        reach = {greatest_bound(reach.radius, own.radius),
-                 greatest_bound(reach.longest, own.longest)};
-      }
-      gaps_.push_back(gap);
+      if (!gap.on_boundary) reach = greatest_bound(reach, prepare(v, gap));
     }
     return reach;
   }
 
-  // Which side of the ray from v to fan.link[i] is w on?
-  sign side(index v, const vertex_fan& fan, std::size_t i, const vector2<bounded>& to_w, index w) {
-    const bounded turned = cross(rays_[i], to_w);
-    if (turned.certainly_positive()) return sign::positive;
-    if (turned.certainly_negative()) return sign::negative;
-    return context_.orientation(v, fan.link[i], w);
+  double prepare(index v, fan_gap& gap) const {
+    gap.prepared.emplace(at(v), at(gap.x), at(gap.y));
+    const double reach = greatest_bound(gap.prepared->reach_radius(), gap.prepared->longest());
+    if (reach < std::numeric_limits<double>::infinity()) return reach;
+    return gap.filter.emplace(at(v), at(gap.x), at(gap.y)).reach();
+  }
+
+  vector2<double> to(index v, index w) const {
+    return {context_.at(w).x - context_.at(v).x, context_.at(w).y - context_.at(v).y};
+  }
+
+  // Which side of the ray from v to fan.link[i] is w on? The area is off by at most four roundings,
+  // 2^-50, of its magnitude; in the range asked for underflow takes less than the rest of 2^-49.
+  sign side(index v, const vertex_fan& fan, std::size_t i, const vector2<double>& to_w, index w) {
+    const double left = rays_[i].x * to_w.y, right = rays_[i].y * to_w.x;
+    const double turned = left - right, size = std::abs(left) + std::abs(right);
+    if (std::abs(turned) > 0x1p-49 * size && size > 0x1p-900 && size < 0x1p1000)
+      return turned > 0 ? sign::positive : sign::negative;
+    return turn(v, fan.link[i], w);
   }
 
   // The gap strictly between whose rays w lies; none on a ray or outside an open fan.
-  const star_gap* gap_of(index v, const vertex_fan& fan, index w) {
-    const auto to_w = difference<bounded>(context_.at(w), context_.at(v));
+  const fan_gap* gap_of(index v, const vertex_fan& fan, index w) {
+    const auto to_w = to(v, w);
     const std::size_t n = fan.link.size();
     sign before = side(v, fan, 0, to_w, w);
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
@@ -140,25 +191,31 @@ class star_check {
   }
 
   void check_other(index v, const vertex_fan& fan, index w) {
-    const star_gap* gap = gap_of(v, fan, w);
+    const fan_gap* gap = gap_of(v, fan, w);
     if (gap == nullptr || gap->on_boundary) return;
-    ++context_.report.star_pairs;
-    if (gap->filter->excludes(at(w))) return;
-    ++context_.report.star_pairs_tested;
-    if (!context_.kernel.edge_test(at(v), at(w), at(gap->x), at(gap->y))) return;
-    if (!sight_.clear(v, w)) return;
-    context_.found(finding_kind::star_site_missing,
-                   "the star of " + vertex_text(context_, v) + " would accept " +
-                       vertex_text(context_, w) + " between " + vertex_text(context_, gap->x) +
-                       " and " + vertex_text(context_, gap->y));
+    ++tally_.part.star_pairs;
+    if (!is_accepted(v, w, *gap) || !sight_.clear(v, w)) return;
+    tally_.found(finding_kind::star_site_missing, "the star of " + vertex_text(context_, v) +
+                                                      " would accept " + vertex_text(context_, w) +
+                                                      " between " + vertex_text(context_, gap->x) +
+                                                      " and " + vertex_text(context_, gap->y));
   }
 
-  audit_context& context_;
+  bool is_accepted(index v, index w, const fan_gap& gap) {
+    const uncertain_bool quick = gap.prepared->accepts(at(w));
+    if (quick.certain()) return quick.value();
+    if (gap.filter && gap.filter->excludes(at(w))) return false;
+    ++tally_.part.star_pairs_tested;
+    return tally_.kernel.edge_test(at(v), at(w), at(gap.x), at(gap.y));
+  }
+
+  const audit_context& context_;
+  audit_tally& tally_;
+  const star_surroundings& around_;
   sight sight_;
-  site_tree tree_;
   // Of the fan at hand; members to spare allocations.
-  std::vector<vector2<bounded>> rays_;
-  std::vector<star_gap> gaps_;
+  std::vector<vector2<double>> rays_;
+  std::vector<fan_gap> gaps_;
   std::vector<index> neighbours_;
 };
 
@@ -166,8 +223,13 @@ class star_check {
 
 void check_stars(audit_context& context) {
   context.report.stars_checked = true;
-  star_check check(context);
-  for (index v = 0; v < context.subject.sites.size(); ++v) check.run(v);
+  const star_surroundings around(context);
+  const std::vector<index>& order = around.sites.order();
+  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    star_check part(context, tally, around);
+    for (std::size_t i = begin; i < end; ++i) part.run(order[i]);
+  };
+  check_in_parallel(context, order.size(), check);
 }
 
 }  // namespace asterism::audit_detail

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Points 0 and 1: numbers, indices, repetitions, orientation.
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -15,22 +17,26 @@ bool finite(const metric_tensor& m) {
   return std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
 }
 
+std::string metric_text(const audit_context& context, index v) {
+  const metric_tensor& m = context.subject.sites[v].metric;
+  return "metric tensor " + number_text(m.m11) + " " + number_text(m.m12) + " " +
+         number_text(m.m22) + " of " + vertex_text(context, v);
+}
+
 void check_sites(audit_context& context) {
   const auto& sites = context.subject.sites;
   context.placed.assign(sites.size(), 0);
   context.measured.assign(sites.size(), 0);
   for (index v = 0; v < sites.size(); ++v) {
     const metric_tensor& m = sites[v].metric;
-    const std::string metric = "metric tensor " + number_text(m.m11) + " " + number_text(m.m12) +
-                               " " + number_text(m.m22) + " of " + vertex_text(context, v);
     context.placed[v] = finite(sites[v].position);
     if (!context.placed[v])
       context.found(finding_kind::not_finite, vertex_text(context, v) + " is not finite");
     if (!finite(m))
-      context.found(finding_kind::not_finite, "the " + metric + " is not finite");
+      context.found(finding_kind::not_finite, "the " + metric_text(context, v) + " is not finite");
     else if (!context.kernel.is_positive_definite(m))
       context.found(finding_kind::metric_not_positive_definite,
-                    "the " + metric + " is not positive definite");
+                    "the " + metric_text(context, v) + " is not positive definite");
     else
       context.measured[v] = context.placed[v];
   }
@@ -40,7 +46,7 @@ void check_positions(audit_context& context) {
   std::vector<index> order;
   for (index v = 0; v < context.placed.size(); ++v)
     if (context.placed[v]) order.push_back(v);
-  std::sort(order.begin(), order.end(), [&](index a, index b) {
+  tbb::parallel_sort(order.begin(), order.end(), [&](index a, index b) {
     if (lexicographically_less(context.at(a), context.at(b))) return true;
     return context.at(a) == context.at(b) && a < b;
   });
@@ -53,11 +59,17 @@ void check_positions(audit_context& context) {
 
 // True when every index is in range and no two are equal and all positions are finite.
 template <class Corners>
-bool usable(audit_context& context, const Corners& corners, const std::string& what) {
+bool usable(audit_context& context, const Corners& corners, const char* kind, std::size_t number) {
+  const auto what = [&] {
+    std::string text = kind;
+    text += ' ';
+    text += std::to_string(number + 1);
+    return text;
+  };
   for (const index v : corners) {
     if (v < context.subject.sites.size()) continue;
     context.found(finding_kind::index_out_of_range,
-                  what + " names vertex " + std::to_string(std::size_t{v} + 1) + " of " +
+                  what() + " names vertex " + std::to_string(std::size_t{v} + 1) + " of " +
                       std::to_string(context.subject.sites.size()));
     return false;
   }
@@ -66,7 +78,7 @@ bool usable(audit_context& context, const Corners& corners, const std::string& w
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) {
     context.found(finding_kind::repeated_corner,
-                  what + " names " + vertex_text(context, *twice) + " twice");
+                  what() + " names " + vertex_text(context, *twice) + " twice");
     return false;
   }
   return std::all_of(corners.begin(), corners.end(),
@@ -76,11 +88,9 @@ bool usable(audit_context& context, const Corners& corners, const std::string& w
 void check_indices(audit_context& context) {
   const mesh& m = context.subject;
   for (index t = 0; t < m.triangles.size(); ++t)
-    if (usable(context, m.triangles[t], "triangle " + std::to_string(std::size_t{t} + 1)))
-      context.triangles.push_back(t);
+    if (usable(context, m.triangles[t], "triangle", t)) context.triangles.push_back(t);
   for (index e = 0; e < m.boundary.size(); ++e)
-    if (usable(context, std::array{m.boundary[e].a, m.boundary[e].b},
-               "boundary edge " + std::to_string(std::size_t{e} + 1)))
+    if (usable(context, std::array{m.boundary[e].a, m.boundary[e].b}, "boundary edge", e))
       context.pieces.push_back(e);
   if (m.given > m.sites.size())
     context.found(finding_kind::index_out_of_range, std::to_string(m.given) +
@@ -95,7 +105,7 @@ void check_repeated_triangles(audit_context& context) {
     std::sort(corners.begin(), corners.end());
     sorted.emplace_back(corners, t);
   }
-  std::sort(sorted.begin(), sorted.end());
+  tbb::parallel_sort(sorted.begin(), sorted.end());
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (sorted[i - 1].first == sorted[i].first)
       context.found(finding_kind::repeated_triangle,
@@ -119,14 +129,19 @@ void check_values(audit_context& context) {
 }
 
 void check_orientations(audit_context& context) {
-  for (const index t : context.triangles) {
-    const triangle& c = context.subject.triangles[t];
-    const sign turn = context.orientation(c[0], c[1], c[2]);
-    if (turn == sign::positive) continue;
-    context.found(finding_kind::orientation,
+  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const index t = context.triangles[i];
+      const triangle& c = context.subject.triangles[t];
+      const sign turn =
+          tally.kernel.orientation(context.at(c[0]), context.at(c[1]), context.at(c[2]));
+      if (turn == sign::positive) continue;
+      tally.found(finding_kind::orientation,
                   triangle_text(context, t) +
                       (turn == sign::zero ? " is flat" : " is not counter-clockwise"));
-  }
+    }
+  };
+  check_in_parallel(context, context.triangles.size(), check);
 }
 
 }  // namespace asterism::audit_detail

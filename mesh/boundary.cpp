@@ -121,6 +121,7 @@ void boundary::split_one(std::size_t piece, index m) {
 std::vector<boundary_edge> boundary::in_order() const {
   std::vector<boundary_edge> ordered;
   std::vector<boundary_edge> by_start;
+  std::vector<index> ends;
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     if (!companions_[i].backward) by_start.push_back(pieces_[i]);
   std::sort(by_start.begin(), by_start.end(), [](const boundary_edge& p, const boundary_edge& q) {
@@ -130,8 +131,11 @@ std::vector<boundary_edge> boundary::in_order() const {
     const auto end = std::find_if(
         begin, by_start.end(), [&](const boundary_edge& p) { return p.segment != begin->segment; });
     // A chain starts at the one vertex that ends no piece of it.
+    ends.clear();
+    for (auto p = begin; p != end; ++p) ends.push_back(p->b);
+    std::sort(ends.begin(), ends.end());
     auto at = std::find_if(begin, end, [&](const boundary_edge& p) {
-      return std::none_of(begin, end, [&](const boundary_edge& q) { return q.b == p.a; });
+      return !std::binary_search(ends.begin(), ends.end(), p.a);
     });
     for (auto steps = end - begin; steps > 0 && at != end; --steps) {
       ordered.push_back(*at);

@@ -8,6 +8,7 @@ target_sources(asterism PRIVATE
   audit_domain.cpp
   audit_edges.cpp
   audit_fans.cpp
+  audit_piece_tree.cpp
   audit_regions.cpp
   audit_site_tree.cpp
   audit_stars.cpp

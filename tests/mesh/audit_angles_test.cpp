@@ -50,6 +50,46 @@ TEST_CASE("an angle equal to the bound passes where its cotangent is rational") 
   CHECK(run(half_square, std::nextafter(45, 0)).certified);
 }
 
+TEST_CASE("plain doubles settle an angle only the right way, and what is the least one") {
+  const std::uint64_t seed = 33;
+  CAPTURE(seed);
+  small_generator random(seed);
+  std::size_t decisions = 0, exact = 0;
+  for (int i = 0; i < 400; ++i) {
+    CAPTURE(i);
+    const double scale = std::ldexp(1.0, i % 7 * 40 - 120), offset = i % 3 == 0 ? 1e6 : 0;
+    mesh m = make_mesh_of({{(offset - 1 + random.between(0, 0.5)) * scale, 0},
+                           {(offset + 1) * scale, random.between(-0.5, 0.5) * scale},
+                           {(offset + random.between(-0.5, 0.5)) * scale, scale}},
+                          {{0, 1, 2}});
+    for (site& s : m.sites) {
+      const double stretch = std::exp(random.between(0, 7)), tilt = random.between(-3, 3);
+      s.metric = {stretch / scale, tilt / scale, (1 + tilt * tilt / stretch) / scale};
+    }
+    long double least = 180;
+    for (const site& s : m.sites)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const point &at = m.sites[c].position, &p = m.sites[(c + 1) % 3].position,
+                    &q = m.sites[(c + 2) % 3].position;
+        const long double ax = p.x - at.x, ay = p.y - at.y, bx = q.x - at.x, by = q.y - at.y;
+        const long double det =
+            1.0L * s.metric.m11 * s.metric.m22 - 1.0L * s.metric.m12 * s.metric.m12;
+        const long double inner =
+            s.metric.m11 * ax * bx + s.metric.m12 * (ax * by + ay * bx) + s.metric.m22 * ay * by;
+        least = std::fmin(least, std::atan2(std::sqrt(det) * (ax * by - ay * bx), inner));
+      }
+    const double degrees = static_cast<double>(least * 180 / std::acos(-1.0L));
+    const audit_report below = run(m, degrees * (1 - 1e-8)), above = run(m, degrees * (1 + 1e-8));
+    CHECK(found(above, finding_kind::angle_below_bound));
+    CHECK_FALSE(found(below, finding_kind::angle_below_bound));
+    CHECK(below.worst.degrees == Approx(degrees).epsilon(1e-9));
+    decisions += below.decisions;
+    exact += below.exact_decisions;
+  }
+  CHECK(decisions == 10 * 400);  // and the winding number
+  CHECK(exact == 400);
+}
+
 TEST_CASE("one unit in the last place decides") {
   for (const double slope : {0.01, 0.2, 0.36397023426620234, 0.7, 0.99}) {
     const mesh m = right_triangle(slope);
