@@ -27,4 +27,16 @@ bool refine_by_arcs(refine_state& state, const triangle& t, double tolerance,
   return false;
 }
 
+std::optional<site> find_place(refine_state& state, const triangle& t, double tolerance,
+                               std::size_t& rejected) {
+  for (const point& q : arc_candidates(state, t)) {
+    if (state.strictly_inside(q)) {
+      const auto s = state.site_at(q);
+      if (s && state.is_farther(*s, tolerance) && state.encroached_by(*s).empty()) return s;
+    }
+    ++rejected;
+  }
+  return std::nullopt;
+}
+
 }  // namespace asterism

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "asterism/core/site.hpp"
@@ -20,5 +21,10 @@ std::vector<point> arc_candidates(const refine_state& state, const triangle& t);
 // Tries the candidates of t in turn. Adds to `rejected` those that failed.
 bool refine_by_arcs(refine_state& state, const triangle& t, double tolerance,
                     std::size_t& rejected);
+
+// The first candidate of t that can simply be inserted: inside, far enough from every site, and
+// encroaching on nothing. Adds to `rejected` those before it.
+std::optional<site> find_place(refine_state& state, const triangle& t, double tolerance,
+                               std::size_t& rejected);
 
 }  // namespace asterism

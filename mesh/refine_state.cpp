@@ -127,6 +127,17 @@ void refine_state::add_interior(const site& s) {
   note_encroached_by(added);
 }
 
+void refine_state::add_interior_later(const site& s) {
+  sites_.push_back(s);
+  near_.add_site(sites_, static_cast<index>(sites_.size() - 1));
+}
+
+void refine_state::add_stars() {
+  const index first = stars_.size();
+  stars_.add_many(oracle(), first);
+  for (index w = first; w < sites_.size(); ++w) note_encroached_by(w);
+}
+
 std::span<const domain_corner> refine_state::corners_at(index v) const {
   const auto [first, last] = std::equal_range(
       corners_.begin(), corners_.end(), domain_corner{v, 0, 0},

@@ -78,6 +78,10 @@ class refine_state {
 
   // Requires a site strictly inside the domain and distinct from the others, and !is_full().
   void add_interior(const site& s);
+  // The same without its star, for many in a row; then, before anything is asked of the stars,
+  // add_stars() makes those.
+  void add_interior_later(const site& s);
+  void add_stars();
   // Splits one piece at its bisector point or shell. False, and nothing changed, when the mesh is
   // full, a new piece would be shorter than `shortest` (metric length, as any of its ends
   // measures), or doubles cannot split it: no double between its ends, or rounding would put a site

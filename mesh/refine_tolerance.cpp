@@ -17,7 +17,7 @@ constexpr double arc_fraction = 0.2;
 constexpr double arc_ladder = 1024;  // from start to floor
 // After a fill, defects are mended at points nearly as far from all sites as the fill's own.
 constexpr double fill_fraction = 0.6;
-constexpr double fill_ladder = 1024;
+constexpr double fill_ladder = 32;
 constexpr double fill_shrink = 0.75;
 constexpr double dart_fraction = 0.5;
 constexpr double dart_ladder = 1024;

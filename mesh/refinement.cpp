@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "asterism/mesh/fill/fill.hpp"
+#include "asterism/mesh/mesh_statistics.hpp"
 #include "asterism/mesh/refine_arcs.hpp"
 #include "asterism/mesh/refine_darts.hpp"
 #include "asterism/mesh/refine_survey.hpp"
@@ -18,6 +19,13 @@
 
 namespace asterism {
 namespace {
+
+// The largest sigma * distance at which no arrangement of sites was found to have a defect at 20
+// degrees (docs/math/refinement.md).
+constexpr double resolved_variation = 0.052;
+// Sites whose metrics differ less than this, the root of the golden ratio, have wedged arcs at any
+// distance that a net has (the same page, point 4).
+constexpr double resolved_distortion = 1.272;
 
 class refinement {
  public:
@@ -57,11 +65,11 @@ class refinement {
       return end("all stars agree and every triangle meets the bound");
     }
     if (state_.is_full()) {
-      if (rebuild_all_stale() || repair()) return;
+      if (rebuild_all_stale()) return;
       return end("the limit of " + std::to_string(options_.max_sites) + " sites was reached");
     }
     if (improve()) return;
-    if (rebuild_all_stale() || repair()) return;
+    if (rebuild_all_stale()) return;
     end(stuck_message());
   }
 
@@ -111,9 +119,11 @@ class refinement {
 
   bool improve() {
     if (options_.strategy == refinement_strategy::poisson_darts) return improve_by_darts();
+    if (options_.strategy == refinement_strategy::guaranteed && improve_in_bulk()) return true;
     while (true) {
       for (const bad_triangle& b : survey_.bad()) {
-        if (parked_.count(b) != 0) continue;
+        if (parked_.count(b) != 0 || steep_.count(b.where) != 0) continue;
+        if (is_at_jump(b)) continue;
         const bool inserted = shorten_tight_corner(state_, b.where, angle_, in_force_) ||
                               refine_by_arcs(state_, b.where, in_force_, rejected_);
         if (state_.field_failure()) return false;
@@ -131,6 +141,76 @@ class refinement {
       if (in_force_ <= tolerance_.floor) return false;
       in_force_ = std::max(tolerance_.floor, tolerance_.shrink * in_force_);
     }
+  }
+
+  // Many bad triangles at once: each is given a site unless one of its sites, or a neighbour of
+  // one, already was in a triangle that got one; what comes of it is then looked at anew. Pieces are
+  // split one by one, in improve().
+  bool improve_in_bulk() {
+    constexpr std::size_t fewest = 32;
+    if (survey_.bad().size() < fewest) return false;
+    std::vector<char> busy(state_.sites().size(), 0);
+    bool any = false;
+    for (const bad_triangle& b : survey_.bad()) {
+      if (state_.is_full()) break;
+      if (parked_.count(b) != 0 || steep_.count(b.where) != 0) continue;
+      if (std::any_of(b.where.begin(), b.where.end(), [&](index v) { return busy[v] != 0; }))
+        continue;
+      if (is_at_jump(b)) continue;
+      const auto s = find_place(state_, b.where, in_force_, rejected_);
+      if (state_.field_failure()) break;
+      if (!s) continue;
+      state_.add_interior_later(*s);
+      any = true;
+      for (const index v : b.where) {
+        busy[v] = 1;
+        for (const sector& part : state_.stars()[v].sectors)
+          for (const index u : part.neighbours) busy[u] = 1;
+      }
+    }
+    if (any) state_.add_stars();
+    retry_ = retry_ || any;
+    return any && !state_.field_failure();
+  }
+
+  // Whether the triangle, or one that shares a site with it, lies across a place where the metric is
+  // too steep; then it is put aside for good.
+  bool is_at_jump(const bad_triangle& b) {
+    if (options_.strategy != refinement_strategy::guaranteed) return false;
+    const bool beside = b.why != badness::too_large &&
+                        std::any_of(b.where.begin(), b.where.end(),
+                                    [this](index v) { return at_jump_.count(v) != 0; });
+    if (!beside && !is_too_steep(b.where)) return false;
+    if (!beside) at_jump_.insert(b.where.begin(), b.where.end());
+    steep_.insert(b.where);
+    return true;
+  }
+
+  // Where the metric varies faster than sites at the floor could resolve (docs/math/refinement.md:
+  // there are no defects where sigma times the distance of sites is small), more sites are of no
+  // use; at a jump of the metric they would pile up for ever.
+  bool is_too_steep(const triangle& t) {
+    const double most = resolved_variation / tolerance_.floor;
+    const triangle_sites sites = sites_of(state_, t);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (t[i] != t[(i + 1) % 3] && steepest_between(sites[i], sites[(i + 1) % 3], most) > most)
+        return true;
+    return false;
+  }
+
+  // The variation of the metric where it is greatest on the way from p to q, found by following the
+  // half over which it changes more; down to where sites could be no nearer.
+  double steepest_between(site p, site q, double enough) {
+    double steepest = variation(p, q);
+    while (steepest <= enough && distortion(p.metric, q.metric) > resolved_distortion) {
+      const auto middle = state_.site_at({p.position.x + (q.position.x - p.position.x) / 2,
+                                          p.position.y + (q.position.y - p.position.y) / 2});
+      if (!middle || middle->position == p.position || middle->position == q.position) break;
+      const bool first = distortion(p.metric, middle->metric) >= distortion(middle->metric, q.metric);
+      (first ? q : p) = *middle;
+      steepest = std::max(steepest, variation(p, q));
+    }
+    return steepest;
   }
 
   // A sharp corner excuses its own angle; the others of its triangles are mended where the arcs
@@ -152,7 +232,7 @@ class refinement {
     for (const bad_triangle& b : survey_.bad()) {
       if (state_.is_full() || state_.field_failure()) return;
       const auto [v, y, x] = b.where;
-      if (parked_.count(b) == 0 && has_triangle(state_.oracle(), v, state_.stars()[v], y, x))
+      if (parked_.count(b) == 0 && steep_.count(b.where) == 0 && has_triangle(state_.oracle(), v, state_.stars()[v], y, x))
         refine_by_arcs(state_, b.where, in_force_, rejected_);
     }
   }
@@ -166,13 +246,29 @@ class refinement {
     return inserted;
   }
 
+  // Names a place, if the metric is too steep at any triangle that is still bad.
+  std::string steep_message() const {
+    std::size_t count = 0;
+    std::optional<triangle> first;
+    for (const bad_triangle& b : survey_.bad()) {
+      if (steep_.count(b.where) == 0) continue;
+      ++count;
+      if (!first) first = b.where;
+    }
+    if (!first) return "";
+    const point& at = state_.sites()[(*first)[0]].position;
+    return "; at " + std::to_string(count) + " of them, one at (" + format_number(at.x) + ", " +
+           format_number(at.y) + "), the metric varies faster than sites " +
+           format_number(tolerance_.floor) + " apart can resolve (a gradation of it might do)";
+  }
+
   std::string stuck_message() const {
     const char* tried = options_.strategy == refinement_strategy::poisson_darts
                             ? "darts"
                             : "candidates on Voronoi arcs";
     return "stuck: " + std::to_string(survey_.bad().size()) + " bad triangles are left, and no " +
            tried + " farther than the tolerance " + format_number(in_force_) +
-           " from every site can be inserted";
+           " from every site can be inserted" + steep_message();
   }
 
   void report_progress() {
@@ -217,6 +313,8 @@ class refinement {
   std::set<bad_triangle> parked_;  // tried in vain with the tolerance in force
   bool retry_ = false;             // something was inserted since some were parked
   index given_;
+  std::set<triangle> steep_;       // where the metric varies too fast
+  std::set<index> at_jump_;        // the sites of the triangles across such places
   std::size_t repairs_ = 0, thorough_at_ = 0;
   std::size_t rejected_ = 0;
   bool complete_ = false, ended_ = false;

@@ -4,6 +4,7 @@ target_sources(asterism PRIVATE
   constructions.cpp
   constructions_polynomial.cpp
   mesh_regions.cpp
+  mesh_statistics.cpp
   mesher.cpp
   refine_arcs.cpp
   refine_boundary.cpp

@@ -136,6 +136,30 @@ void star_set::add_last(const site_oracle& oracle) {
   }
 }
 
+void star_set::add_many(const site_oracle& oracle, index first) {
+  stars_.resize(oracle.size());
+  condition_.resize(oracle.size(), condition::stale);
+  std::vector<index> added(oracle.size() - first);
+  std::iota(added.begin(), added.end(), first);
+  construct(oracle, added, star_search::near);
+  constexpr std::size_t chunk = 16;
+  std::vector<tier_counters> counts(chunk_count(added.size(), chunk));
+  std::vector<index> disturbed = collect_chunks<index>(
+      added.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<index>& out) {
+        const auto kernel = oracle.kernel().fork();
+        const site_oracle own = oracle.with_kernel(*kernel);
+        for (std::size_t i = begin; i < end; ++i)
+          for (const index v : candidate_stars(own, added[i], stars_[added[i]]))
+            if (v < first && would_accept(own, v, stars_[v], added[i])) out.push_back(v);
+        counts[begin / chunk] = kernel->counters();
+      });
+  for (const tier_counters& c : counts) oracle.kernel().count(c);
+  std::sort(disturbed.begin(), disturbed.end());
+  disturbed.erase(std::unique(disturbed.begin(), disturbed.end()), disturbed.end());
+  for (const index v : disturbed) condition_[v] = condition::stale;
+  construct(oracle, disturbed, star_search::near);
+}
+
 void star_set::split_piece(const site_oracle& oracle, index a, index m, index b) {
   touch(a);
   touch(b);

@@ -34,6 +34,9 @@ class star_set {
   // The oracle's last site is new: offers it to the other stars and constructs its own. If it
   // splits a boundary piece, call split_piece instead.
   void add_last(const site_oracle& oracle);
+  // The sites from `first` on are new, none of them on the boundary: their stars, and those of the
+  // sites they disturb, are made anew, in parallel.
+  void add_many(const site_oracle& oracle, index first);
   // The oracle's last site m has just split the piece a -> b of the boundary, which already knows,
   // and its twin if there is one.
   void split_piece(const site_oracle& oracle, index a, index m, index b);
