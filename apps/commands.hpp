@@ -17,6 +17,7 @@ using command = std::function<int()>;
 void add_eval_command(CLI::App& program, command& chosen);
 void add_mesh_command(CLI::App& program, command& chosen);
 void add_verify_command(CLI::App& program, command& chosen);
+void add_certify_command(CLI::App& program, command& chosen);
 void add_draw_command(CLI::App& program, command& chosen);
 
 }  // namespace asterism::apps

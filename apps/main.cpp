@@ -20,11 +20,12 @@ int run(int argc, char** argv) {
   command chosen;
   add_mesh_command(program, chosen);
   add_verify_command(program, chosen);
+  add_certify_command(program, chosen);
   add_eval_command(program, chosen);
   add_draw_command(program, chosen);
   try {
     program.parse(argc, argv);
-    if (!chosen) throw CLI::RequiredError("a command (mesh, verify, eval or draw)");
+    if (!chosen) throw CLI::RequiredError("a command (mesh, verify, certify, eval or draw)");
   } catch (const CLI::ParseError& failure) {
     if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
     std::cerr << "asterism: " << failure.what() << "\nRun with --help for more information.\n";

@@ -30,5 +30,6 @@ target_sources(asterism PRIVATE
   metric_field.cpp
   metric_field_expression.cpp
   metric_field_graded.cpp
+  metric_field_sampled.cpp
   metric_field_layered.cpp)
 target_link_libraries(asterism PRIVATE fmt::fmt muparser::muparser PkgConfig::cairo)

@@ -1,5 +1,6 @@
 target_sources(asterism PRIVATE
   boundary.cpp
+  certify.cpp
   consistency.cpp
   constructions.cpp
   constructions_polynomial.cpp

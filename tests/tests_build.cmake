@@ -55,7 +55,7 @@ endforeach()
 
 # The command through its arguments, files and exit statuses: one Python program a subject.
 if(TARGET asterism_command)
-  foreach(subject eval_command bad_input mesh_command domains)
+  foreach(subject eval_command bad_input mesh_command certify_command domains)
     add_test(NAME "apps: ${subject}"
              COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/apps/${subject}.py)
     set_tests_properties("apps: ${subject}" PROPERTIES

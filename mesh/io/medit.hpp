@@ -28,6 +28,8 @@ namespace asterism {
 struct medit_read_options {
   // Without it a missing .sol is an error; with it every vertex gets the identity.
   bool identity_without_solution = false;
+  // Where the metric is; empty: beside the mesh.
+  std::filesystem::path solution = {};
 };
 
 // `NAME.mesh`, and `NAME.sol` beside it. An edge is internal when there are triangles on both its

@@ -273,7 +273,9 @@ result<mesh> read_medit(const std::filesystem::path& path, const medit_read_opti
   text_scanner source(path.string(), text.value());
   mesh m;
   if (auto failed = medit_reader(source, m).read_mesh()) return std::move(*failed);
-  if (auto failed = read_medit_solution(solution_path(path), m, options)) return std::move(*failed);
+  const std::filesystem::path beside = solution_path(path);
+  const auto& solution = options.solution.empty() ? beside : options.solution;
+  if (auto failed = read_medit_solution(solution, m, options)) return std::move(*failed);
   return m;
 }
 

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "asterism/apps/commands.hpp"
+#include "asterism/apps/option_values.hpp"
+#include "asterism/apps/places.hpp"
+#include "asterism/apps/progress_line.hpp"
+#include "asterism/mesh/certificate.hpp"
+#include "asterism/mesh/certify.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/metric_field_sampled.hpp"
+
+namespace asterism::apps {
+namespace fs = std::filesystem;
+namespace {
+
+struct certify_options {
+  fs::path mesh, solution;
+  std::optional<fs::path> output;
+  double angle_bound = 20;
+  bool repair = false;
+  std::optional<std::size_t> max_sites;
+};
+
+constexpr const char* examples =
+    R"(MESH is a Medit file with triangles, from any program; SOL holds its metric, a symmetric tensor
+m11 m12 m22 at each vertex (default: NAME.sol beside NAME.mesh). The domain is what the file's Edges
+enclose, or, when it lists none, the edges with one triangle. Certified means: every triangle is in
+the stars of its three vertices, none is inverted, none is below the bound as any of the three
+measures it, but at corners that are sharper themselves.
+
+With --repair sites are added, in the metric interpolated from the vertices, until that holds.
+Whatever is certified is written to OUT, with a certificate; anything else only after --repair.
+
+Exit status: 0 certified; 1 not certified; 2 bad usage or input, nothing is written.
+
+Examples:
+  asterism certify bamg.mesh bamg.sol --angle-bound 10
+  asterism certify bamg.mesh --repair -o repaired.mesh)";
+
+constexpr real_range angle_bounds = {
+    0, 60, true, false,
+    "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
+
+int complain(const error& failure, exit_status status) {
+  std::cerr << "asterism: " << failure.message << '\n';
+  return status;
+}
+
+fs::path certificate_path(const fs::path& output) {
+  return fs::path(output).replace_extension(".certificate.json");
+}
+
+std::optional<error> check_files(const certify_options& options) {
+  if (options.repair && !options.output) return error{"--repair: name the file to write with -o"};
+  if (!options.output) return std::nullopt;
+  const auto format = check_output(*options.output);
+  if (!format) return format.failure();
+  std::vector<fs::path> used = {options.mesh, options.solution, *options.output,
+                                certificate_path(*options.output)};
+  if (format.value() == mesh_format::medit) {
+    used.push_back(solution_path(*options.output));
+    if (auto failure = check_place(used.back())) return failure;
+  }
+  if (auto failure = check_distinct(used)) return failure;
+  return check_place(certificate_path(*options.output));
+}
+
+void write_triangles(const certify_report& report, const mesh& m) {
+  constexpr std::size_t most = 20;
+  for (std::size_t i = 0; i < std::min(most, report.not_in_all.size()); ++i) {
+    const triangle& t = m.triangles[report.not_in_all[i]];
+    std::cout << "not of the stars: triangle " << report.not_in_all[i] + 1 << " of vertices "
+              << t[0] + 1 << ", " << t[1] + 1 << ", " << t[2] + 1 << '\n';
+  }
+  if (report.not_in_all.size() > most)
+    std::cout << report.not_in_all.size() - most << " more are not listed\n";
+}
+
+// What the audit found that the other lines do not say already.
+void write_findings(const audit_report& audit) {
+  for (const audit_finding& f : audit.findings)
+    if (f.kind != finding_kind::star_site_missing &&
+        f.kind != finding_kind::star_neighbour_rejected)
+      std::cout << finding_kind_names[static_cast<std::size_t>(f.kind)] << ": " << f.witness
+                << '\n';
+}
+
+void write_report(const certify_report& report, const mesh& m, double angle_bound) {
+  write_findings(report.audit);
+  write_triangles(report, m);
+  std::cout << m.sites.size() << " sites, " << m.triangles.size() << " triangles, "
+            << m.boundary.size() << " boundary edges\n";
+  if (report.compared)
+    std::cout << "triangles in the stars of all three vertices: " << report.in_stars[3]
+              << ", of some: " << report.in_stars[1] + report.in_stars[2]
+              << ", of none: " << report.in_stars[0] << '\n';
+  else
+    std::cout << "stars: not compared, this is no triangulation\n";
+  if (report.unsettled > 0) std::cout << "stars that did not settle: " << report.unsettled << '\n';
+  std::cout << "inverted or flat: " << report.inverted << '\n'
+            << "worst angle: " << std::fixed << std::setprecision(2) << report.audit.worst.degrees
+            << " degrees, triangles below " << std::defaultfloat << angle_bound << ": "
+            << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size() << ")\n"
+            << "edges of metric length 0.71 to 1.41: " << report.unit_edges << " of "
+            << report.edges << std::fixed << std::setprecision(1) << " ("
+            << 100.0 * static_cast<double>(report.unit_edges) / static_cast<double>(report.edges)
+            << "%)\n"
+            << std::defaultfloat << (report.certified() ? "certified\n" : "NOT certified\n");
+}
+
+std::optional<error> write_result(const certify_options& options, const mesh& m,
+                                  const certificate& claim) {
+  write_options how;
+  how.picture.angle_bound = options.angle_bound;
+  if (!claim.complete || !claim.certified) how.note = "Incomplete, not certified: " + claim.reason;
+  const auto written = write_mesh(*options.output, m, how);
+  if (!written) return written.failure();
+  const auto certified = write_certificate(certificate_path(*options.output), claim);
+  if (!certified) return certified.failure();
+  return std::nullopt;
+}
+
+certificate claim_of(const certify_options& options, const mesh& m, const audit_options& asked,
+                     const audit_report& report) {
+  certificate claim = make_certificate(m, asked, report);
+  claim.metric = "of " + options.solution.string();
+  claim.options = {{"mesh", options.mesh.string()}, {"repair", options.repair ? "yes" : "no"}};
+  claim.complete = true;
+  return claim;
+}
+
+int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
+                   const certify_report& report) {
+  if (!options.output) return done;
+  audit_options asked;
+  asked.angle_bound = options.angle_bound;
+  asked.original = &adopted.shape;
+  certificate claim = claim_of(options, adopted.subject, asked, report.audit);
+  claim.reason = "the mesh as it came is certified";
+  if (const auto failure = write_result(options, adopted.subject, claim))
+    return complain(*failure, not_reached);
+  return done;
+}
+
+int repair(const certify_options& options, const adopted_mesh& adopted,
+           const certify_report& before) {
+  if (!before.compared)
+    return complain({"--repair: " + options.mesh.string() +
+                     " is no triangulation, so that it has no domain to go on from"},
+                    not_reached);
+  refinement_options wanted;
+  wanted.angle_bound = options.angle_bound;
+  constexpr std::size_t growth = 10, least = 100000;
+  wanted.max_sites =
+      options.max_sites.value_or(std::max(least, growth * adopted.subject.sites.size()));
+  const auto field = make_sampled_field(adopted.subject);
+  std::optional<result<refinement_outcome>> made;
+  {
+    progress_line line(true);
+    made = make_mesh(adopted.shape, *field, wanted,
+                     [&line](const refinement_progress& progress) { line.show(progress); });
+  }
+  if (!*made) return complain(made->failure(), refused);
+  const refinement_outcome& outcome = made->value();
+  audit_options asked;
+  asked.angle_bound = options.angle_bound;
+  asked.original = &adopted.shape;
+  for (const exempt_corner& corner : outcome.exempt) asked.exempt_corners.push_back(corner.vertex);
+  const audit_report judged = audit(outcome.result, asked);
+  certificate claim = claim_of(options, outcome.result, asked, judged);
+  claim.complete = outcome.complete;
+  claim.reason = outcome.reason;
+  claim.mesher_counters = outcome.counters;
+  if (const auto failure = write_result(options, outcome.result, claim))
+    return complain(*failure, not_reached);
+  const bool reached = outcome.complete && judged.certified;
+  std::cout << "repaired: " << outcome.sites << " sites, "
+            << outcome.sites - adopted.subject.sites.size() << " of them new, " << outcome.triangles
+            << " triangles, worst angle " << std::fixed << std::setprecision(2)
+            << judged.worst.degrees
+            << " degrees: " << (reached ? "certified\n" : "NOT certified\n");
+  if (reached) return done;
+  return complain({"not reached: " + outcome.reason}, not_reached);
+}
+
+int run_certify(certify_options options) {
+  if (options.solution.empty()) options.solution = solution_path(options.mesh);
+  if (const auto failure = check_files(options)) return complain(*failure, refused);
+  medit_read_options how;
+  how.solution = options.solution;
+  auto read = read_medit(options.mesh, how);
+  if (!read) return complain(read.failure(), refused);
+  const auto adopted = adopt_mesh(std::move(read).value());
+  if (!adopted)
+    return complain({options.mesh.string() + ": " + adopted.failure().message}, refused);
+  const std::size_t sites = adopted.value().subject.sites.size();
+  if (options.max_sites && *options.max_sites < sites)
+    return complain({"--max-sites " + std::to_string(*options.max_sites) + ": the mesh has " +
+                     std::to_string(sites) + " vertices already"},
+                    refused);
+  const certify_report report = certify(adopted.value(), options.angle_bound);
+  write_report(report, adopted.value().subject, options.angle_bound);
+  if (report.certified()) return write_as_it_is(options, adopted.value(), report);
+  return options.repair ? repair(options, adopted.value(), report) : not_reached;
+}
+
+}  // namespace
+
+void add_certify_command(CLI::App& program, command& chosen) {
+  auto* const app =
+      program.add_subcommand("certify", "Certify, or repair, a mesh that came from elsewhere");
+  const auto options = std::make_shared<certify_options>();
+  app->add_option("MESH", options->mesh, "What to certify")->required();
+  app->add_option("SOL", options->solution, "Its metric (default: NAME.sol beside NAME.mesh)");
+  app->add_option("-o,--output", options->output, "Where to write what is certified or repaired")
+      ->type_name("OUT");
+  add_real(
+      *app, "--angle-bound", angle_bounds, [options](double x) { options->angle_bound = x; },
+      "Least angle of a triangle, as each of its vertices measures it (default 20)")
+      ->type_name("DEG");
+  app->add_flag("--repair", options->repair, "Add sites until it is certified");
+  add_count(
+      *app, "--max-sites", 3, 100000000,
+      [options](std::uint64_t n) { options->max_sites = static_cast<std::size_t>(n); },
+      "Repair ends at this many (default: ten times as many as there are, at least 100000)")
+      ->type_name("N");
+  app->footer(examples);
+  app->callback([options, &chosen] { chosen = [options] { return run_certify(*options); }; });
+}
+
+}  // namespace asterism::apps

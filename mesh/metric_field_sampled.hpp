@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// A metric field given at the vertices of a mesh.
+#pragma once
+
+#include <memory>
+
+#include "asterism/mesh/mesh.hpp"
+#include "asterism/mesh/metric_field.hpp"
+
+namespace asterism {
+
+// Between the vertices of a triangle logarithms are interpolated linearly ("log-Euclidean",
+// metric_algebra.hpp); at a vertex the tensor is the vertex's own, bit for bit. A point outside all
+// triangles, as rounding puts some, gets what the nearest point of the nearest triangle in its
+// surroundings has, about; where several triangles could have a point the one it is farthest inside
+// of is taken, and of equals the first. Keeps its own copy. Requires what adopt_mesh does;
+// triangles that are flat or clockwise are left out, and there must be one that is not.
+std::unique_ptr<metric_field> make_sampled_field(const mesh& m);
+
+}  // namespace asterism
