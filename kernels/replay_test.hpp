@@ -11,9 +11,10 @@
 namespace asterism {
 
 // One TEST_CASE for the batch protocol's numbers (hexadecimal doubles: bit for bit), ready to be
-// pasted into a file that includes <catch2/catch.hpp> and the kernel's header. It passes when
-// `kernel_type`, the C++ name of a class to be default constructed, answers `expected`; `answered`
-// is only mentioned. The case's name ends in a hash of the record, so that names differ.
+// pasted into a file that includes <catch2/catch.hpp>, asterism/kernels/batch_question.hpp and the
+// kernel's header. It passes when `kernel_type`, the C++ name of a class to be default constructed,
+// answers `expected` or, where its answers are `uncertain`, is undecided; `answered` is only
+// mentioned. The case's name ends in a hash of the record, so that names differ.
 std::string replay_test(std::string_view kernel_type, const batch_record& record, int expected,
                         int answered);
 

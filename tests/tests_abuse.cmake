@@ -4,6 +4,7 @@ enable_language(C)
 find_package(CGAL REQUIRED)
 find_package(Threads REQUIRED)
 find_program(ASTERISM_CLANGXX NAMES clang++ clang++-14)
+file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/abuse)
 
 add_library(asterism_abuse_inputs STATIC abuse/abuse_inputs.cpp)
 asterism_configure(asterism_abuse_inputs)
@@ -19,6 +20,19 @@ asterism_predicates_test(checked_kernel_test
   SOURCES abuse/checked_kernel_test.cpp LINK asterism_abuse_inputs)
 asterism_predicates_test(threads_test
   SOURCES abuse/threads_test.cpp LINK asterism_abuse_inputs Threads::Threads)
+
+# What a difference is reported as, printed, compiled and run.
+add_executable(print_tests abuse/print_tests.cpp)
+asterism_configure(print_tests)
+target_link_libraries(print_tests PRIVATE asterism_abuse_inputs)
+set(printed_tests ${CMAKE_CURRENT_BINARY_DIR}/abuse/printed_tests.inc)
+add_custom_command(OUTPUT ${printed_tests} COMMAND print_tests ${printed_tests} VERBATIM)
+add_executable(printed_tests abuse/printed_tests.cpp ${printed_tests})
+asterism_configure(printed_tests)
+target_include_directories(printed_tests PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/abuse)
+target_link_libraries(printed_tests PRIVATE asterism_test_main asterism_predicates)
+add_test(NAME "abuse: reports of differences are tests that compile and pass"
+         COMMAND printed_tests)
 
 # In the self-check build the library brings shadowed_interval.cpp itself.
 asterism_predicates_test(self_check_test SOURCES abuse/self_check_test.cpp LINK CGAL::CGAL gmp)
@@ -56,7 +70,6 @@ if(CMAKE_CROSSCOMPILING)
   set(native "")
 endif()
 find_program(ASTERISM_GXX NAMES g++)
-file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/abuse)
 foreach(compiler IN ITEMS GXX CLANGXX)
   if(ASTERISM_${compiler})
     set(${compiler}_path ${ASTERISM_${compiler}})
@@ -81,7 +94,7 @@ add_test(NAME "abuse: fast-math is refused where it would be wrong"
 
 # The committed corpus without a fuzzer; and a minute with one, where clang brings it.
 add_executable(replay_corpus
-  fuzz/replay_corpus.cpp fuzz/fuzz_predicates.cpp fuzz/decode_record.cpp)
+  fuzz/replay_corpus.cpp fuzz/fuzz_predicates.cpp fuzz/decode_record.cpp fuzz/parts_as_kernels.cpp)
 asterism_configure(replay_corpus)
 target_link_libraries(replay_corpus PRIVATE asterism_predicates)
 add_test(NAME "fuzz: the corpus again"

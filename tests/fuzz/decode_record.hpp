@@ -18,7 +18,8 @@ namespace asterism::fuzz {
 // place, its negative, a power of two, a raw double; each metric likewise: one before, that one
 // scaled by a power of two or with one number moved by a unit, small integers, L L^T, the one that
 // gives a point of the plane a chosen distance, raw doubles. Missing bytes are zero.
-// Empty when the record is none a kernel accepts: not finite, not positive definite, equal sites.
+// Empty when the record is none a kernel accepts: not finite, not positive definite, equal sites;
+// and for most of the records that take exact arithmetic seconds.
 std::optional<batch_record> decode_record(std::span<const std::uint8_t> bytes);
 
 }  // namespace asterism::fuzz

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The fuzzer's target: one record, the filtered kernel and, where it is certain, the interval
-// kernel against the exact one. A difference prints itself as a test and aborts. The environment
-// variable ASTERISM_FUZZ_COUNTS names a file that gets the numbers of records per predicate.
+// The fuzzer's target: one record, put to the filtered kernel, to intervals and to every part of
+// the filtered kernel that can be asked alone; each certain answer against the exact kernel's. A
+// difference prints itself as a test and aborts. The environment variable ASTERISM_FUZZ_COUNTS
+// names a file that gets the numbers of records, per predicate.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +14,7 @@
 #include "asterism/kernels/interval_kernel.hpp"
 #include "asterism/kernels/replay_test.hpp"
 #include "decode_record.hpp"
+#include "parts_as_kernels.hpp"
 
 namespace {
 
@@ -29,8 +31,9 @@ void write_counts() {
   (void)std::fclose(out);
 }
 
-void expect_equal(const char* kernel_type, const batch_record& record, uncertain_int answer,
-                  int expected) {
+template <class Kernel>
+void expect_agreement(const char* kernel_type, const batch_record& record, int expected) {
+  const uncertain_int answer = ask(Kernel(), record);
   if (!answer.certain() || answer.value() == expected) return;
   std::cerr << replay_test(kernel_type, record, expected, answer.value()) << std::flush;
   std::abort();
@@ -48,7 +51,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!record) return 0;
   ++accepted[static_cast<std::size_t>(record->question)];
   const int expected = ask(exact_kernel(), *record).value();
-  expect_equal("asterism::filtered_kernel", *record, ask(filtered_kernel(), *record), expected);
-  expect_equal("asterism::interval_kernel", *record, ask(interval_kernel(), *record), expected);
+  expect_agreement<filtered_kernel>("asterism::filtered_kernel", *record, expected);
+  expect_agreement<interval_kernel>("asterism::interval_kernel", *record, expected);
+  using namespace fuzz;
+  expect_agreement<gap_of_v_kernel>("asterism::fuzz::gap_of_v_kernel", *record, expected);
+  expect_agreement<gap_of_w_kernel>("asterism::fuzz::gap_of_w_kernel", *record, expected);
+  expect_agreement<fixed_width_kernel>("asterism::fuzz::fixed_width_kernel", *record, expected);
+  expect_agreement<block_of_rows_kernel>("asterism::fuzz::block_of_rows_kernel", *record, expected);
+  expect_agreement<single_row_kernel>("asterism::fuzz::single_row_kernel", *record, expected);
   return 0;
 }

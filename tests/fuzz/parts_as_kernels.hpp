@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// Parts of the product as kernels of their own, so that a question can be put to a part alone where
+// the filtered kernel would have had another part answer. Undecided where the part is, and where a
+// question is not the part's own.
+#pragma once
+
+#include "asterism/core/sign.hpp"
+#include "asterism/core/site.hpp"
+
+namespace asterism::fuzz {
+
+class undecided_kernel {
+ public:
+  uncertain_sign orientation(const point&, const point&, const point&) const { return {}; }
+  uncertain_bool is_positive_definite(const metric_tensor&) const { return {}; }
+  uncertain_sign compare_distance(const site&, const site&, const point&) const { return {}; }
+  uncertain_bool in_wedge(const site&, const site&, const point&) const { return {}; }
+  uncertain_sign dominates(const site&, const site&, const point&) const { return {}; }
+  uncertain_int voronoi_vertex_count(const site&, const site&, const site&) const { return {}; }
+  uncertain_int arc_intersection_count(const site&, const site&, const site&) const { return {}; }
+  uncertain_bool encroaches(const site&, const site&, const site&) const { return {}; }
+  uncertain_bool insertion_test(const site&, const site&, const site&, const site&) const {
+    return {};
+  }
+  uncertain_bool edge_test(const site&, const site&, const site&, const site&) const { return {}; }
+};
+
+// star_gap: the gap of v between x and y, and the one between y and x. Nothing is known of where
+// the sites stand, so the gap has to notice itself what it cannot answer.
+class gap_of_v_kernel : public undecided_kernel {
+ public:
+  uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+};
+// The same question, seen from w.
+class gap_of_w_kernel : public undecided_kernel {
+ public:
+  uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+};
+
+class fixed_width_kernel : public undecided_kernel {
+ public:
+  uncertain_sign orientation(const point& p, const point& q, const point& r) const;
+  uncertain_bool is_positive_definite(const metric_tensor& metric) const;
+  uncertain_sign compare_distance(const site& v, const site& w, const point& q) const;
+  uncertain_bool in_wedge(const site& v, const site& w, const point& q) const;
+  uncertain_sign dominates(const site& v, const site& w, const point& p) const;
+  uncertain_bool insertion_test(const site& v, const site& w, const site& x, const site& y) const;
+  uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+};
+
+// batch_kernel with the question in every row: a block of rows side by side, and one row alone.
+class block_of_rows_kernel : public undecided_kernel {
+ public:
+  uncertain_sign compare_distance(const site& v, const site& w, const point& q) const;
+  uncertain_bool in_wedge(const site& v, const site& w, const point& q) const;
+  uncertain_sign dominates(const site& v, const site& w, const point& p) const;
+  uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+};
+class single_row_kernel : public undecided_kernel {
+ public:
+  uncertain_sign compare_distance(const site& v, const site& w, const point& q) const;
+  uncertain_bool in_wedge(const site& v, const site& w, const point& q) const;
+  uncertain_sign dominates(const site& v, const site& w, const point& p) const;
+  uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+};
+
+}  // namespace asterism::fuzz
