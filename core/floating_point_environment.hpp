@@ -8,8 +8,13 @@
 // a function that is not inlined into the one that holds the scope.
 #pragma once
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+// Clang tells of parts of -ffast-math only when all are on.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error "asterism: exact predicates cannot be compiled with -ffast-math"
+#endif
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error "asterism: exact predicates need doubles that are rounded to doubles: -mfpmath=sse"
 #endif
 
 #if defined(__SSE2__)

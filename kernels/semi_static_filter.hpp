@@ -17,15 +17,12 @@
 // by looking for infinities: rounding towards zero makes none. Derivation: docs/math/tiers.md.
 #pragma once
 
-#ifdef __FAST_MATH__
-#error "asterism: exact predicates cannot be compiled with -ffast-math"
-#endif
-
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
+#include "asterism/core/floating_point_environment.hpp"  // refuses -ffast-math
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
 #include "asterism/kernels/two_doubles.hpp"

@@ -80,7 +80,8 @@ foreach(compiler IN ITEMS GXX CLANGXX)
 endforeach()
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/abuse/abuse_callers.inc CONTENT "${callers}" @ONLY)
 
-add_executable(abuse_matrix abuse/abuse_matrix.cpp abuse/caller_environment.cpp ${caller_objects})
+add_executable(abuse_matrix
+  abuse/abuse_matrix.cpp abuse/caller_environment.cpp fuzz/parts_as_kernels.cpp ${caller_objects})
 asterism_configure(abuse_matrix)
 target_include_directories(abuse_matrix PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/abuse)
 target_link_libraries(abuse_matrix PRIVATE asterism_abuse_inputs)

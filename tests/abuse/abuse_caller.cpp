@@ -8,6 +8,11 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "caller_environment.hpp"
 
+#ifndef __FAST_MATH__
+#include "asterism/kernels/semi_static_filter.hpp"
+#include "asterism/kernels/star_gap.hpp"
+#endif
+
 namespace asterism::abuse {
 
 namespace {
@@ -15,6 +20,32 @@ namespace {
 // Of this translation unit alone, and so all that is instantiated with it: the linker would keep
 // one caller's copy for all.
 class own_kernel : public filtered_kernel {};
+
+#ifndef __FAST_MATH__
+// Headers with plain doubles in them, compiled as the caller is.
+uncertain_int ask_first_tier(const batch_record& r) {
+  const auto s = [&r](std::size_t which) { return site_at(r, which); };
+  const point at = point_at(r, 10);
+  switch (r.question) {
+    case predicate::orientation:
+      return as_integer(semi_static::orientation(point_at(r, 0), point_at(r, 2), point_at(r, 4)));
+    case predicate::is_spd:
+      return as_integer(semi_static::is_positive_definite(metric_at(r, 0)));
+    case predicate::compare_distance:
+      return as_integer(semi_static::compare_distance(s(0), s(1), at));
+    case predicate::in_wedge:
+      return as_integer(semi_static::in_wedge(s(0), s(1), at));
+    case predicate::dominates:
+      return as_integer(semi_static::dominates(s(0), s(1), at));
+    case predicate::edge_test:
+      return as_integer(star_gap(s(0), s(3), s(2)).accepts(s(1)));
+    default:
+      return {};
+  }
+}
+#else
+uncertain_int ask_first_tier(const batch_record&) { return {}; }
+#endif
 
 asterism_status ask_c(const batch_record& r, int* answer) {
   const double* const n = r.numbers.data();
@@ -55,6 +86,8 @@ caller_answer ASTERISM_CALLER(const batch_record& record) {
   result.kept_by_class = current_environment() == before;
   result.status = ask_c(record, &result.by_c_api);
   result.kept_by_c_api = current_environment() == before;
+  result.by_first_tier = ask_first_tier(record);
+  result.kept_by_first_tier = current_environment() == before;
   return result;
 }
 

@@ -12,8 +12,12 @@ struct caller_answer {
   int by_class = 0;           // filtered_kernel
   int by_c_api = 0;           // the C function, when its status is ASTERISM_OK
   int status = 0;             // of the C function
+  // The first tier in the caller's own translation unit: empty where it is undecided, and where
+  // the caller is compiled with -ffast-math, which its headers refuse.
+  uncertain_int by_first_tier;
   bool kept_by_class = true;  // the environment was the same after the call
   bool kept_by_c_api = true;
+  bool kept_by_first_tier = true;
 };
 
 // Asks under the environment that is set.

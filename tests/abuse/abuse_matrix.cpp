@@ -17,6 +17,8 @@
 #include "abuse_inputs.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/replay_test.hpp"
+#include "asterism/kernels/interval_kernel.hpp"
+#include "asterism/tests/fuzz/parts_as_kernels.hpp"
 #include "caller_environment.hpp"
 
 namespace asterism::abuse {
@@ -65,38 +67,81 @@ std::vector<question> draw_questions(const input_class& from, int records) {
   return questions;
 }
 
-void report(const question& q, const named_caller& by, const std::string& environment, int answer,
-            const char* what) {
+void report(const question& q, const std::string& by, const std::string& environment, int answer,
+            const char* what, const char* kernel_type = "asterism::filtered_kernel") {
   static int reported = 0;
   if (++reported > 20) return;  // the count says the rest
-  std::cout << "// " << by.name << ", " << environment << ": " << what << '\n'
-            << replay_test("asterism::filtered_kernel", q.record, q.expected, answer) << '\n';
+  std::cout << "// " << by << ", " << environment << ": " << what << '\n'
+            << replay_test(kernel_type, q.record, q.expected, answer) << '\n';
+}
+
+std::string describe(int rounding, bool flushes) {
+  return "rounding mode " + std::to_string(rounding) + (flushes ? ", FTZ and DAZ" : "");
+}
+
+// What the filtered kernel is made of, and rows of a batch, compiled as the library is.
+template <class Kernel>
+void ask_part(const char* type, const question& q, int rounding, bool flushes, tally& result) {
+  set_environment(rounding, flushes);
+  const caller_environment before = current_environment();
+  const uncertain_int answer = ask(Kernel(), q.record);
+  const bool kept = current_environment() == before;
+  set_default_environment();
+  ++result.answers;
+  if (answer.certain() && answer.value() != q.expected) {
+    ++result.wrong;
+    report(q, "a part", describe(rounding, flushes), answer.value(), "wrong answer", type);
+  }
+  if (!kept) {
+    ++result.environment_changed;
+    report(q, "a part", describe(rounding, flushes), 0, "environment changed", type);
+  }
+}
+
+tally ask_parts(const std::vector<question>& questions, int rounding, bool flushes) {
+  tally result;
+  for (const question& q : questions) {
+    const auto put = [&]<class Kernel>(const Kernel&, const char* type) {
+      ask_part<Kernel>(type, q, rounding, flushes, result);
+    };
+    put(interval_kernel(), "asterism::interval_kernel");
+    put(exact_kernel(), "asterism::exact_kernel");
+    put(fuzz::gap_of_v_kernel(), "asterism::fuzz::gap_of_v_kernel");
+    put(fuzz::gap_of_w_kernel(), "asterism::fuzz::gap_of_w_kernel");
+    put(fuzz::fixed_width_kernel(), "asterism::fuzz::fixed_width_kernel");
+    put(fuzz::block_of_rows_kernel(), "asterism::fuzz::block_of_rows_kernel");
+    put(fuzz::single_row_kernel(), "asterism::fuzz::single_row_kernel");
+  }
+  return result;
 }
 
 tally ask_all(const named_caller& by, const std::vector<question>& questions, int rounding,
               bool flushes) {
-  const std::string environment =
-      "rounding mode " + std::to_string(rounding) + (flushes ? ", FTZ and DAZ" : "");
+  const std::string environment = describe(rounding, flushes);
   tally result;
   for (const question& q : questions) {
     set_environment(rounding, flushes);
     const caller_answer answer = by.ask(q.record);
     set_default_environment();
-    result.answers += 2;
+    result.answers += 2 + (answer.by_first_tier.certain() ? 1 : 0);
+    if (answer.by_first_tier.certain() && answer.by_first_tier.value() != q.expected) {
+      ++result.wrong;
+      report(q, by.name, environment, answer.by_first_tier.value(), "wrong first tier");
+    }
     if (answer.by_class != q.expected) {
       ++result.wrong;
-      report(q, by, environment, answer.by_class, "wrong answer of the class");
+      report(q, by.name, environment, answer.by_class, "wrong answer of the class");
     }
     if (answer.status != 0) {
       ++result.refused;
-      report(q, by, environment, answer.status, "refused by the C function");
+      report(q, by.name, environment, answer.status, "refused by the C function");
     } else if (answer.by_c_api != q.expected) {
       ++result.wrong;
-      report(q, by, environment, answer.by_c_api, "wrong answer of the C function");
+      report(q, by.name, environment, answer.by_c_api, "wrong answer of the C function");
     }
-    if (!answer.kept_by_class || !answer.kept_by_c_api) {
+    if (!answer.kept_by_class || !answer.kept_by_c_api || !answer.kept_by_first_tier) {
       ++result.environment_changed;
-      report(q, by, environment, answer.by_class, "environment changed");
+      report(q, by.name, environment, answer.by_class, "environment changed");
     }
   }
   return result;
@@ -106,24 +151,37 @@ void print_cell(const tally& t) {
   std::printf(" %9ld", t.wrong + t.refused + t.environment_changed);
 }
 
-bool run(int records) {
+void print_heading() {
   for (std::size_t k = 0; k < caller_count; ++k) std::printf("%2zu  %s\n", k + 1, callers[k].name);
+  std::printf(" p  the parts of the filtered kernel, and batches, each alone\n");
   std::printf("\nWrong, refused or with the environment changed, for each caller:\n%-26s", "");
   for (std::size_t k = 0; k < caller_count; ++k) std::printf(" %9zu", k + 1);
-  std::printf("\n");
+  std::printf(" %9s\n", "p");
+}
+
+template <class Ask>
+tally in_all_environments(const Ask& ask_in) {
+  tally cell;
+  for (const int rounding : roundings)
+    for (const bool flushes : {false, true}) cell += ask_in(rounding, flushes);
+  print_cell(cell);
+  return cell;
+}
+
+bool run(int records) {
+  print_heading();
   tally total;
   for (const input_class& from : input_classes()) {
     const std::vector<question> questions = draw_questions(from, records);
     std::printf("%-26s", std::string(from.name).c_str());
-    for (const named_caller& by : callers) {
-      tally cell;
-      for (const int rounding : roundings)
-        for (const bool flushes : {false, true}) cell += ask_all(by, questions, rounding, flushes);
-      print_cell(cell);
-      total += cell;
-    }
+    for (const named_caller& by : callers)
+      total += in_all_environments([&](int rounding, bool flushes) {
+        return ask_all(by, questions, rounding, flushes);
+      });
+    total += in_all_environments(
+        [&](int rounding, bool flushes) { return ask_parts(questions, rounding, flushes); });
     std::printf("\n");
-    std::fflush(stdout);
+    (void)std::fflush(stdout);
   }
   std::printf("\n%ld answers: %ld wrong, %ld refused, %ld times the environment changed\n",
               total.answers, total.wrong, total.refused, total.environment_changed);
