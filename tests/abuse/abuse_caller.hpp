@@ -9,9 +9,9 @@
 namespace asterism::abuse {
 
 struct caller_answer {
-  int by_class = 0;           // filtered_kernel
-  int by_c_api = 0;           // the C function, when its status is ASTERISM_OK
-  int status = 0;             // of the C function
+  int by_class = 0;  // filtered_kernel
+  int by_c_api = 0;  // the C function, when its status is ASTERISM_OK
+  int status = 0;    // of the C function
   // The first tier in the caller's own translation unit: empty where it is undecided, and where
   // the caller is compiled with -ffast-math, which its headers refuse.
   uncertain_int by_first_tier;

@@ -16,8 +16,8 @@
 #include "abuse_caller.hpp"
 #include "abuse_inputs.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
-#include "asterism/kernels/replay_test.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
+#include "asterism/kernels/replay_test.hpp"
 #include "asterism/tests/fuzz/parts_as_kernels.hpp"
 #include "caller_environment.hpp"
 
@@ -175,9 +175,8 @@ bool run(int records) {
     const std::vector<question> questions = draw_questions(from, records);
     std::printf("%-26s", std::string(from.name).c_str());
     for (const named_caller& by : callers)
-      total += in_all_environments([&](int rounding, bool flushes) {
-        return ask_all(by, questions, rounding, flushes);
-      });
+      total += in_all_environments(
+          [&](int rounding, bool flushes) { return ask_all(by, questions, rounding, flushes); });
     total += in_all_environments(
         [&](int rounding, bool flushes) { return ask_parts(questions, rounding, flushes); });
     std::printf("\n");

@@ -198,8 +198,7 @@ std::optional<batch_record> decode_record(std::span<const std::uint8_t> bytes) {
     numbers.add_metric();
   }
   for (std::size_t k = 0; k < 2 * shape.points; ++k) numbers.add_coordinate();
-  if (!is_affordable(record, first / predicate_count) || !is_accepted(record))
-    return std::nullopt;
+  if (!is_affordable(record, first / predicate_count) || !is_accepted(record)) return std::nullopt;
   return record;
 }
 
