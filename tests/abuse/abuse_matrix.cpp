@@ -4,12 +4,15 @@
 // x flush-to-zero. Expected answers come once from the exact kernel in the default environment.
 //   abuse_matrix [RECORDS]   of each class and predicate (default 2)
 // Prints how many answers were wrong, and each wrong one as a test; exit status 1 if there is one.
+#include <algorithm>
 #include <array>
 #include <cfenv>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -37,12 +40,47 @@ constexpr named_caller callers[] = {
 };
 constexpr std::size_t caller_count = std::size(callers);
 
-constexpr std::array<int, 4> roundings = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
 struct question {
   batch_record record;
   int expected;
+  bool costly;  // takes exact arithmetic a good part of a second
 };
+
+// Roots and sections of coordinates, or of metrics, more than 2^400 apart.
+bool is_costly(const batch_record& record) {
+  if (record.question < predicate::voronoi_vertex_count) return false;
+  struct range {
+    int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
+  };
+  std::array<range, 2> of;  // all are sites: of five numbers two are coordinates
+  for (std::size_t k = 0; k < numbers_of(record.question); ++k) {
+    if (record.numbers[k] == 0) continue;
+    range& r = of[k % 5 < 2 ? 0 : 1];
+    r.least = std::min(r.least, std::ilogb(record.numbers[k]));
+    r.most = std::max(r.most, std::ilogb(record.numbers[k]));
+  }
+  const auto is_wide = [](const range& r) { return r.most > r.least && r.most - r.least > 400; };
+  return is_wide(of[0]) || is_wide(of[1]);
+}
+
+struct environment {
+  int rounding;
+  bool flushes;
+};
+constexpr std::array<environment, 8> environments = {{{FE_TONEAREST, false},
+                                                      {FE_UPWARD, true},
+                                                      {FE_DOWNWARD, false},
+                                                      {FE_TOWARDZERO, true},
+                                                      {FE_TONEAREST, true},
+                                                      {FE_UPWARD, false},
+                                                      {FE_DOWNWARD, true},
+                                                      {FE_TOWARDZERO, false}}};
+
+// Costly questions are put to each caller in one environment, another one for the next question and
+// the next caller; all others in all.
+bool is_put(const question& q, std::size_t index, std::size_t caller, std::size_t environment) {
+  return !q.costly || (index + caller) % environments.size() == environment;
+}
 
 struct tally {
   long answers = 0, wrong = 0, refused = 0, environment_changed = 0;
@@ -62,27 +100,27 @@ std::vector<question> draw_questions(const input_class& from, int records) {
   for (std::size_t p = 0; p < predicate_count; ++p)
     for (int i = 0; i < records; ++i) {
       const batch_record record = draw_record(from, static_cast<predicate>(p), random);
-      questions.push_back({record, ask(exact_kernel(), record).value()});
+      questions.push_back({record, ask(exact_kernel(), record).value(), is_costly(record)});
     }
   return questions;
 }
 
-void report(const question& q, const std::string& by, const std::string& environment, int answer,
+std::string describe(const environment& e) {
+  return "rounding mode " + std::to_string(e.rounding) + (e.flushes ? ", FTZ and DAZ" : "");
+}
+
+void report(const question& q, const std::string& by, const environment& e, int answer,
             const char* what, const char* kernel_type = "asterism::filtered_kernel") {
   static int reported = 0;
   if (++reported > 20) return;  // the count says the rest
-  std::cout << "// " << by << ", " << environment << ": " << what << '\n'
+  std::cout << "// " << by << ", " << describe(e) << ": " << what << '\n'
             << replay_test(kernel_type, q.record, q.expected, answer) << '\n';
-}
-
-std::string describe(int rounding, bool flushes) {
-  return "rounding mode " + std::to_string(rounding) + (flushes ? ", FTZ and DAZ" : "");
 }
 
 // What the filtered kernel is made of, and rows of a batch, compiled as the library is.
 template <class Kernel>
-void ask_part(const char* type, const question& q, int rounding, bool flushes, tally& result) {
-  set_environment(rounding, flushes);
+void ask_part(const char* type, const question& q, const environment& e, tally& result) {
+  set_environment(e.rounding, e.flushes);
   const caller_environment before = current_environment();
   const uncertain_int answer = ask(Kernel(), q.record);
   const bool kept = current_environment() == before;
@@ -90,59 +128,53 @@ void ask_part(const char* type, const question& q, int rounding, bool flushes, t
   ++result.answers;
   if (answer.certain() && answer.value() != q.expected) {
     ++result.wrong;
-    report(q, "a part", describe(rounding, flushes), answer.value(), "wrong answer", type);
+    report(q, "a part", e, answer.value(), "wrong answer", type);
   }
   if (!kept) {
     ++result.environment_changed;
-    report(q, "a part", describe(rounding, flushes), 0, "environment changed", type);
+    report(q, "a part", e, 0, "environment changed", type);
   }
 }
 
-tally ask_parts(const std::vector<question>& questions, int rounding, bool flushes) {
+tally ask_parts(const question& q, const environment& e) {
   tally result;
-  for (const question& q : questions) {
-    const auto put = [&]<class Kernel>(const Kernel&, const char* type) {
-      ask_part<Kernel>(type, q, rounding, flushes, result);
-    };
-    put(interval_kernel(), "asterism::interval_kernel");
-    put(exact_kernel(), "asterism::exact_kernel");
-    put(fuzz::gap_of_v_kernel(), "asterism::fuzz::gap_of_v_kernel");
-    put(fuzz::gap_of_w_kernel(), "asterism::fuzz::gap_of_w_kernel");
-    put(fuzz::fixed_width_kernel(), "asterism::fuzz::fixed_width_kernel");
-    put(fuzz::block_of_rows_kernel(), "asterism::fuzz::block_of_rows_kernel");
-    put(fuzz::single_row_kernel(), "asterism::fuzz::single_row_kernel");
-  }
+  const auto put = [&]<class Kernel>(const Kernel&, const char* type) {
+    ask_part<Kernel>(type, q, e, result);
+  };
+  put(interval_kernel(), "asterism::interval_kernel");
+  put(exact_kernel(), "asterism::exact_kernel");
+  put(fuzz::gap_of_v_kernel(), "asterism::fuzz::gap_of_v_kernel");
+  put(fuzz::gap_of_w_kernel(), "asterism::fuzz::gap_of_w_kernel");
+  put(fuzz::fixed_width_kernel(), "asterism::fuzz::fixed_width_kernel");
+  put(fuzz::block_of_rows_kernel(), "asterism::fuzz::block_of_rows_kernel");
+  put(fuzz::single_row_kernel(), "asterism::fuzz::single_row_kernel");
   return result;
 }
 
-tally ask_all(const named_caller& by, const std::vector<question>& questions, int rounding,
-              bool flushes) {
-  const std::string environment = describe(rounding, flushes);
+tally ask_caller(const named_caller& by, const question& q, const environment& e) {
   tally result;
-  for (const question& q : questions) {
-    set_environment(rounding, flushes);
-    const caller_answer answer = by.ask(q.record);
-    set_default_environment();
-    result.answers += 2 + (answer.by_first_tier.certain() ? 1 : 0);
-    if (answer.by_first_tier.certain() && answer.by_first_tier.value() != q.expected) {
-      ++result.wrong;
-      report(q, by.name, environment, answer.by_first_tier.value(), "wrong first tier");
-    }
-    if (answer.by_class != q.expected) {
-      ++result.wrong;
-      report(q, by.name, environment, answer.by_class, "wrong answer of the class");
-    }
-    if (answer.status != 0) {
-      ++result.refused;
-      report(q, by.name, environment, answer.status, "refused by the C function");
-    } else if (answer.by_c_api != q.expected) {
-      ++result.wrong;
-      report(q, by.name, environment, answer.by_c_api, "wrong answer of the C function");
-    }
-    if (!answer.kept_by_class || !answer.kept_by_c_api || !answer.kept_by_first_tier) {
-      ++result.environment_changed;
-      report(q, by.name, environment, answer.by_class, "environment changed");
-    }
+  set_environment(e.rounding, e.flushes);
+  const caller_answer answer = by.ask(q.record);
+  set_default_environment();
+  result.answers += 2 + (answer.by_first_tier.certain() ? 1 : 0);
+  if (answer.by_first_tier.certain() && answer.by_first_tier.value() != q.expected) {
+    ++result.wrong;
+    report(q, by.name, e, answer.by_first_tier.value(), "wrong first tier");
+  }
+  if (answer.by_class != q.expected) {
+    ++result.wrong;
+    report(q, by.name, e, answer.by_class, "wrong answer of the class");
+  }
+  if (answer.status != 0) {
+    ++result.refused;
+    report(q, by.name, e, answer.status, "refused by the C function");
+  } else if (answer.by_c_api != q.expected) {
+    ++result.wrong;
+    report(q, by.name, e, answer.by_c_api, "wrong answer of the C function");
+  }
+  if (!answer.kept_by_class || !answer.kept_by_c_api || !answer.kept_by_first_tier) {
+    ++result.environment_changed;
+    report(q, by.name, e, answer.by_class, "environment changed");
   }
   return result;
 }
@@ -159,11 +191,14 @@ void print_heading() {
   std::printf(" %9s\n", "p");
 }
 
-template <class Ask>
-tally in_all_environments(const Ask& ask_in) {
+// put(question, environment) of every question that is put to this caller.
+template <class Put>
+tally in_all_environments(const std::vector<question>& questions, std::size_t caller,
+                          const Put& put) {
   tally cell;
-  for (const int rounding : roundings)
-    for (const bool flushes : {false, true}) cell += ask_in(rounding, flushes);
+  for (std::size_t e = 0; e < environments.size(); ++e)
+    for (std::size_t k = 0; k < questions.size(); ++k)
+      if (is_put(questions[k], k, caller, e)) cell += put(questions[k], environments[e]);
   print_cell(cell);
   return cell;
 }
@@ -174,11 +209,11 @@ bool run(int records) {
   for (const input_class& from : input_classes()) {
     const std::vector<question> questions = draw_questions(from, records);
     std::printf("%-26s", std::string(from.name).c_str());
-    for (const named_caller& by : callers)
-      total += in_all_environments(
-          [&](int rounding, bool flushes) { return ask_all(by, questions, rounding, flushes); });
-    total += in_all_environments(
-        [&](int rounding, bool flushes) { return ask_parts(questions, rounding, flushes); });
+    for (std::size_t k = 0; k < caller_count; ++k)
+      total += in_all_environments(questions, k, [&](const question& q, const environment& e) {
+        return ask_caller(callers[k], q, e);
+      });
+    total += in_all_environments(questions, caller_count, ask_parts);
     std::printf("\n");
     (void)std::fflush(stdout);
   }
