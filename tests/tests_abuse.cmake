@@ -25,7 +25,7 @@ asterism_predicates_test(threads_test
 add_executable(print_tests abuse/print_tests.cpp)
 asterism_configure(print_tests)
 target_link_libraries(print_tests PRIVATE asterism_abuse_inputs)
-set(printed_tests ${CMAKE_CURRENT_BINARY_DIR}/abuse/printed_tests.inc)
+set(printed_tests ${CMAKE_CURRENT_BINARY_DIR}/abuse/differences.inc)
 add_custom_command(OUTPUT ${printed_tests} COMMAND print_tests ${printed_tests} VERBATIM)
 add_executable(printed_tests abuse/printed_tests.cpp ${printed_tests})
 asterism_configure(printed_tests)
