@@ -202,8 +202,11 @@ class star_check {
   }
 
   bool is_accepted(index v, index w, const fan_gap& gap) {
-    const uncertain_bool quick = gap.prepared->accepts(at(w));
-    if (quick.certain()) return quick.value();
+    const uncertain_bool by_v = gap.prepared->accepts(at(w));
+    if (by_v.certain()) return by_v.value();
+    // The question is the same to w, who often sees it more clearly.
+    const uncertain_bool by_w = star_gap(at(w), at(gap.y), at(gap.x)).accepts(at(v));
+    if (by_w.certain()) return by_w.value();
     if (gap.filter && gap.filter->excludes(at(w))) return false;
     ++tally_.part.star_pairs_tested;
     return tally_.kernel.edge_test(at(v), at(w), at(gap.x), at(gap.y));
