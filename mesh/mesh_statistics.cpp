@@ -13,9 +13,7 @@
 namespace asterism {
 namespace {
 
-double length(const site& from, const point& to) {
-  return std::sqrt(squared_distance(from, to));
-}
+double length(const site& from, const point& to) { return std::sqrt(squared_distance(from, to)); }
 
 // Sums of one chunk of triangles. An edge inside the mesh is met twice, one on the boundary once.
 struct sums {
@@ -59,14 +57,25 @@ void add_triangle(const triangle_sites& t, sums& s) {
 
 }  // namespace
 
-// The eigenvalues of M_p^-1 M_q are t +- sqrt(t^2 - d), t half the trace, d the determinant.
+// The eigenvalues of M_p^-1 M_q are t +- sqrt(t^2 - d), t half the trace, d the determinant. Both
+// tensors are first scaled by one power of two, which changes no ratio, as products of entries
+// beyond 2^+-512 would leave the range of doubles.
 double distortion(const metric_tensor& p, const metric_tensor& q) {
-  const double det_p = determinant(p), det_q = determinant(q);
-  const double t = (p.m22 * q.m11 - 2 * p.m12 * q.m12 + p.m11 * q.m22) / det_p / 2;
-  const double d = det_q / det_p;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double trace = p.m11 + p.m22;
+  if (!(trace > 0 && std::isfinite(trace))) return infinity;
+  const int exponent = -std::ilogb(trace);
+  const auto scaled = [exponent](const metric_tensor& m) {
+    return metric_tensor{std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent),
+                         std::scalbn(m.m22, exponent)};
+  };
+  const metric_tensor a = scaled(p), b = scaled(q);
+  const double det_a = determinant(a), det_b = determinant(b);
+  const double t = (a.m22 * b.m11 - 2 * a.m12 * b.m12 + a.m11 * b.m22) / det_a / 2;
+  const double d = det_b / det_a;
   const double largest = t + std::sqrt(std::max(0.0, t * t - d));
-  const double tau = std::sqrt(std::max({1.0, largest, largest / d}));
-  return tau >= 1 ? tau : std::numeric_limits<double>::infinity();
+  if (!(largest > 0 && d > 0)) return infinity;
+  return std::sqrt(std::max({1.0, largest, largest / d}));
 }
 
 double variation(const site& p, const site& q) {

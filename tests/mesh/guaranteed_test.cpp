@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+//
+// The guaranteed refinement: whole meshes, certified by the auditor, the same for any number of
+// threads; what cannot be done is named.
+#include <tbb/global_control.h>
+
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "asterism/mesh/audit.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "domain_kinds.hpp"
+
+using namespace asterism;
+using namespace asterism::testing;
+
+namespace {
+
+refinement_outcome mesh_of(const domain& d, const metric_field& field,
+                           const refinement_options& options) {
+  auto made = make_mesh(d, field, options);
+  REQUIRE(made.ok());
+  return std::move(made).value();
+}
+
+void check_certified(const domain& d, const metric_field& field, const refinement_options& asked) {
+  const refinement_outcome made = mesh_of(d, field, asked);
+  INFO(made.reason);
+  CHECK(made.complete);
+  audit_options options;
+  options.angle_bound = asked.angle_bound;
+  options.original = &d;
+  for (const exempt_corner& c : made.exempt) options.exempt_corners.push_back(c.vertex);
+  const audit_report report = audit(made.result, options);
+  for (const audit_finding& f : report.findings) UNSCOPED_INFO(f.witness);
+  CHECK(report.certified);
+}
+
+// The field with unit length `size`.
+formula_field sized(const formula_field& field, double size) {
+  return formula_field([field, size](const point& q) {
+    const metric_tensor m = field.at(q).value();
+    const double s = 1 / (size * size);
+    return metric_tensor{s * m.m11, s * m.m12, s * m.m22};
+  });
+}
+
+refinement_options with_size(bool limit) {
+  refinement_options options;
+  options.limit_size = limit;
+  return options;
+}
+
+// Across the y axis, five times finer there.
+formula_field layer_field() {
+  return formula_field([](const point& q) {
+    const double h = 0.2 + 0.8 * std::min(1.0, std::abs(q.x));
+    return metric_tensor{1 / (h * h), 0, 1};
+  });
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool same(const mesh& a, const mesh& b) {
+  const auto same_site = [](const site& s, const site& t) {
+    return same_bits(s.position.x, t.position.x) && same_bits(s.position.y, t.position.y) &&
+           same_bits(s.metric.m11, t.metric.m11) && same_bits(s.metric.m12, t.metric.m12) &&
+           same_bits(s.metric.m22, t.metric.m22);
+  };
+  return a.triangles == b.triangles &&
+         std::equal(a.sites.begin(), a.sites.end(), b.sites.begin(), b.sites.end(), same_site);
+}
+
+}  // namespace
+
+TEST_CASE("guaranteed: domains and smooth metrics, with and without a size, are certified") {
+  const domain slit = with_dangling_segments(), hole = accepted(square_with_hole()),
+               plain = accepted(square());
+  for (const domain* d : {&plain, &hole, &slit}) {
+    for (const formula_field& f : {identity_field(), swirl_field(3), layer_field()}) {
+      check_certified(*d, f, with_size(false));
+      check_certified(*d, sized(f, 0.25), with_size(true));
+    }
+    refinement_options modest = with_size(true);
+    modest.angle_bound = 15;
+    check_certified(*d, sized(sink_field(3), 0.25), modest);
+  }
+}
+
+TEST_CASE("guaranteed: the same mesh with one thread and with two") {
+  const domain d = with_dangling_segments();
+  const formula_field field = sized(swirl_field(3), 0.06);
+  const auto made_by = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return mesh_of(d, field, with_size(true));
+  };
+  const refinement_outcome one = made_by(1), two = made_by(2);
+  CHECK(one.sites > 1000);
+  CHECK(same(one.result, two.result));
+  CHECK(one.reason == two.reason);
+}
+
+TEST_CASE("guaranteed: jumps of the metric end quickly, with the place named") {
+  const formula_field jump([](const point& q) {
+    const double s = q.x < 0.1 ? 16 : 1600;
+    return metric_tensor{s, 0, 16};
+  });
+  {
+    refinement_options options = with_size(true);
+    options.max_sites = 4000;
+    const refinement_outcome made = mesh_of(accepted(square()), jump, options);
+    INFO(made.reason);
+    CHECK_FALSE(made.complete);
+    CHECK(made.sites <= options.max_sites);
+    const bool named = made.reason.find("the metric varies faster") != std::string::npos ||
+                       made.reason.find("the limit of") != std::string::npos;
+    CHECK(named);
+  }
+}
+
+TEST_CASE("guaranteed: the limit on sites is kept and named") {
+  refinement_options options = with_size(true);
+  const domain d = accepted(square());
+  const formula_field fine = sized(swirl_field(3), 0.05);
+  for (const std::size_t most : {4, 100, 500, 1000}) {
+    options.max_sites = most;
+    const auto made = make_mesh(d, fine, options);
+    if (!made.ok()) {  // the segments alone need more
+      CHECK(made.failure().message.find("limit is " + std::to_string(most)) != std::string::npos);
+      continue;
+    }
+    CHECK_FALSE(made.value().complete);
+    CHECK(made.value().sites <= most);
+    CHECK(made.value().reason.find("limit of " + std::to_string(most)) != std::string::npos);
+  }
+}
+
+TEST_CASE("guaranteed: scaled by powers of two, nothing changes but the scale") {
+  const refinement_outcome plain =
+      mesh_of(accepted(square()), sized(swirl_field(3), 0.25), with_size(true));
+  for (const double scale : {0x1p200, 0x1p-200}) {
+    domain d = square();
+    for (point& q : d.vertices) q = {scale * q.x, scale * q.y};
+    const formula_field field([scale](const point& q) {
+      const metric_tensor m = swirl_field(3).at({q.x / scale, q.y / scale}).value();
+      const double s = 16 / scale / scale;
+      return metric_tensor{s * m.m11, s * m.m12, s * m.m22};
+    });
+    const refinement_outcome scaled = mesh_of(accepted(d), field, with_size(true));
+    CHECK(scaled.complete);
+    CHECK(scaled.result.triangles == plain.result.triangles);
+  }
+}
+
+TEST_CASE("guaranteed: far from the origin, sites a millionth apart") {
+  domain d;
+  add_ring(d, box_ring(1e8, 1e8, 1e8 + 1e-5, 1e8 + 1e-5));
+  check_certified(accepted(d), constant_field({1e12, 0, 1e12}), with_size(true));
+}
+
+TEST_CASE("guaranteed: a symmetric grid of given points, every circle through four of them") {
+  domain d = square();
+  for (int i = -3; i <= 3; ++i)
+    for (int j = -3; j <= 3; ++j) d.vertices.push_back({i * 0.25, j * 0.25});
+  for (const bool limit : {false, true}) {
+    check_certified(accepted(d), constant_field({16, 0, 16}), with_size(limit));
+    check_certified(accepted(d), constant_field({16, 0, 64}), with_size(limit));
+  }
+}
