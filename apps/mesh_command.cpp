@@ -83,6 +83,19 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
       [&options](std::uint64_t n) { options.max_sites = static_cast<std::size_t>(n); },
       "Refinement ends at this many (default 100000)")
       ->type_name("N");
+  add_real(
+      app, "--max-seconds", positive_reals, [&job](double x) { job.max_seconds = x; },
+      "Refinement ends after this time")
+      ->type_name("S");
+  add_real(
+      app, "--max-memory", positive_reals, [&job](double x) { job.max_megabytes = x; },
+      "Refinement ends when this much is in use, in megabytes")
+      ->type_name("MB");
+  add_count(
+      app, "--threads", 1, 1024,
+      [&job](std::uint64_t n) { job.threads = static_cast<std::size_t>(n); },
+      "Threads to use (default: one a processor); the mesh is the same for any number")
+      ->type_name("N");
   add_count(
       app, "--seed", 0, UINT64_MAX, [&options](std::uint64_t n) { options.seed = n; },
       "Of the random points and of the darts (default 1)")

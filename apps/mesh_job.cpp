@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/mesh_job.hpp"
 
+#include <tbb/global_control.h>
+
 #include <array>
 #include <charconv>
 #include <iomanip>
@@ -13,12 +15,14 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
+#include "asterism/apps/run_limits.hpp"
 #include "asterism/mesh/audit.hpp"
 #include "asterism/mesh/certificate.hpp"
 #include "asterism/mesh/domain_check.hpp"
 #include "asterism/mesh/domain_sources.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/mesh_statistics.hpp"
 #include "asterism/mesh/metric_field.hpp"
 #include "asterism/mesh/metric_field_graded.hpp"
 
@@ -133,6 +137,8 @@ judged_mesh judge(const mesh_job& job, const prepared_input& input,
   options.original = &input.shape;
   for (const exempt_corner& corner : outcome.exempt)
     options.exempt_corners.push_back(corner.vertex);
+  // Who interrupts a run does not want to wait for the stars of a mesh that is not finished.
+  if (outcome.stopped) options.check_stars = false;
   judged_mesh judged{audit(outcome.result, options), {}};
   judged.claim = make_certificate(outcome.result, options, judged.report);
   judged.claim.metric = job.metric;
@@ -140,6 +146,8 @@ judged_mesh judge(const mesh_job& job, const prepared_input& input,
   judged.claim.complete = outcome.complete;
   judged.claim.reason = outcome.reason;
   judged.claim.mesher_counters = outcome.counters;
+  judged.claim.star_repairs = outcome.star_repairs;
+  judged.claim.measured = by_name(measure(outcome.result));
   return judged;
 }
 
@@ -160,7 +168,8 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
   return std::nullopt;
 }
 
-void write_summary(const refinement_outcome& outcome, const audit_report& report, bool reached) {
+void write_summary(const refinement_outcome& outcome, const audit_report& report, bool reached,
+                   std::optional<double> unit_edges) {
   std::cout << report.sites << " sites, " << report.triangles << " triangles, worst angle "
             << std::fixed << std::setprecision(2) << report.worst.degrees << " degrees, "
             << outcome.disagreeing << " disagreeing, " << outcome.low_angle << " low-angle";
@@ -168,12 +177,16 @@ void write_summary(const refinement_outcome& outcome, const audit_report& report
   if (!report.exempt_corners.empty())
     std::cout << ", " << report.exempt_triangles.size() << " exempt at "
               << report.exempt_corners.size() << " corners";
+  if (unit_edges) std::cout << ", " << *unit_edges * 100 << "% unit edges";
   std::cout << (reached ? ": certified\n" : ": NOT certified, incomplete\n");
 }
 
-int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit_report& report) {
+int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit_report& report,
+             const certificate& claim) {
   const bool reached = outcome.complete && report.certified;
-  if (!job.quiet) write_summary(outcome, report, reached);
+  std::optional<double> unit_edges;
+  if (job.size) unit_edges = claim.measured.at("unit_edges");
+  if (!job.quiet) write_summary(outcome, report, reached, unit_edges);
   if (reached) return done;
   if (!outcome.complete) return complain({"not reached: " + outcome.reason}, not_reached);
   const std::string witness = report.findings.empty() ? "" : ": " + report.findings[0].witness;
@@ -182,13 +195,19 @@ int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit
 
 result<refinement_outcome> mesh_with_progress(const mesh_job& job, const prepared_input& input) {
   progress_line line(!job.quiet);
-  return make_mesh(input.shape, *input.field, job.refinement,
+  const run_limits limits(job.max_seconds, job.max_megabytes);
+  refinement_options options = job.refinement;
+  options.stop = [&limits] { return limits.reason(); };
+  return make_mesh(input.shape, *input.field, options,
                    [&line](const refinement_progress& progress) { line.show(progress); });
 }
 
 }  // namespace
 
 int run_mesh_job(const mesh_job& job) {
+  std::optional<tbb::global_control> threads;
+  if (job.threads > 0)
+    threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
   fs::path certificate_path = job.certificate;
   if (certificate_path.empty())
     certificate_path = fs::path(job.outputs[0]).replace_extension(".certificate.json");
@@ -205,7 +224,7 @@ int run_mesh_job(const mesh_job& job) {
   const judged_mesh judged = judge(job, input.value(), outcome);
   if (const auto failure = write_files(job, certificate_path, outcome.result, judged.claim))
     return complain(*failure, not_reached);
-  return conclude(job, outcome, judged.report);
+  return conclude(job, outcome, judged.report, judged.claim);
 }
 
 }  // namespace asterism::apps

@@ -24,6 +24,9 @@ struct mesh_job {
   refinement_options refinement;  // its seed is the random points' too
   std::vector<std::filesystem::path> outputs;
   std::filesystem::path certificate;  // empty: beside the first output
+  std::size_t threads = 0;             // 0: as many as there are processors
+  std::optional<double> max_seconds;   // of wall time, for refinement
+  std::optional<double> max_megabytes; // of resident memory
   bool ellipses = false;
   bool quiet = false;
 };

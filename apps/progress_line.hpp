@@ -22,6 +22,7 @@ class progress_line {
 
  private:
   bool shown_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point next_{};
 };
 

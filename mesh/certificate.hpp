@@ -36,6 +36,9 @@ struct certificate {
   // The mesh, as counted and audited.
   std::size_t sites = 0, triangles = 0, boundary_pieces = 0, given = 0;
   std::uint64_t fingerprint = 0;
+  std::size_t star_repairs = 0;       // stars a local search had got wrong, mended before the end
+  // What mesh_statistics.hpp measures, by the names there; those that are finite.
+  std::map<std::string, double> measured;
   std::optional<double> angle_bound;  // degrees
   double worst_angle = 180;           // away from exempt corners
   std::vector<index> exempt_corners;

@@ -83,6 +83,13 @@ json mesh_json(const certificate& c) {
           {"fingerprint", hexadecimal(c.fingerprint)}};
 }
 
+json measured_json(const certificate& c) {
+  json result = json::object();
+  for (const auto& [name, value] : c.measured)
+    if (std::isfinite(value)) result[name] = value;
+  return result;
+}
+
 json audit_json(const certificate& c) {
   json found = json::object();
   for (const auto& [kind, count] : c.found) found[kind] = count;
@@ -234,7 +241,9 @@ certificate certificate_of(const json& root) {
   c.complete = read<bool>(outcome, "complete");
   c.reason = read<std::string>(outcome, "reason");
   c.mesher_counters = counters_of(outcome, "decided");
+  c.star_repairs = outcome.contains("star_repairs") ? count_of(outcome, "star_repairs") : 0;
   read_mesh(member(root, "mesh"), c);
+  if (root.contains("measured")) c.measured = read<std::map<std::string, double>>(root, "measured");
   read_audit(member(root, "audit"), c);
   if (!member(root, "domain").is_null()) c.original = domain_of(member(root, "domain"));
   return c;
@@ -255,8 +264,10 @@ std::string certificate_text(const certificate& c) {
                      {"outcome",
                       {{"complete", c.complete},
                        {"reason", c.reason},
+                       {"star_repairs", c.star_repairs},
                        {"decided", counters_json(c.mesher_counters)}}},
                      {"mesh", mesh_json(c)},
+                     {"measured", measured_json(c)},
                      {"audit", audit_json(c)},
                      {"domain", c.original ? domain_json(*c.original) : json(nullptr)}};
   // Text that is not UTF-8 (a file's name may be anything) is replaced, not refused.

@@ -83,6 +83,21 @@ double variation(const site& p, const site& q) {
   return (1 - 1 / tau) / std::min(length(p, q.position), length(q, p.position));
 }
 
+std::map<std::string, double> by_name(const mesh_statistics& s) {
+  return {{"edges", static_cast<double>(s.edges)},
+          {"unit_edges", s.unit_edges},
+          {"mean_length", s.mean_length},
+          {"mean_quality", s.mean_quality},
+          {"least_quality", s.least_quality},
+          {"below_20", s.below_20},
+          {"below_30", s.below_30},
+          {"metric_area", s.metric_area},
+          {"count_ratio", s.count_ratio},
+          {"sigma", s.sigma},
+          {"eps", s.eps},
+          {"sigma_eps", s.sigma_eps}};
+}
+
 mesh_statistics measure(const mesh& m) {
   constexpr std::size_t chunk = 1024;
   const auto parts = collect_chunks<sums>(

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <string>
 
 #include "asterism/mesh/mesh.hpp"
 
@@ -38,5 +40,8 @@ struct mesh_statistics {
 };
 
 mesh_statistics measure(const mesh& m);
+
+// All of it by name, as certificates hold it.
+std::map<std::string, double> by_name(const mesh_statistics& s);
 
 }  // namespace asterism

@@ -35,11 +35,14 @@ struct refinement_options {
   // length 1. Checked only when set (the command line sets it when --size is given).
   bool limit_size = false;
   std::size_t max_sites = 100000;
+  // Asked now and then; a sentence ends refinement, and becomes part of the reason.
+  std::function<std::optional<std::string>()> stop;
   int max_rejected = 100;  // darts in a row before the tolerance shrinks
   std::uint64_t seed = 1;  // darts
 };
 
 struct refinement_progress {
+  bool filling = false;  // sites are being proposed; nothing is known of triangles yet
   std::size_t sites = 0, disagreeing = 0, low_angle = 0, too_large = 0;
 };
 
@@ -51,7 +54,8 @@ struct exempt_corner {
 
 struct refinement_outcome {
   bool complete = false;
-  std::string reason;  // one sentence; why it ended
+  bool stopped = false;  // by options.stop
+  std::string reason;    // one sentence; why it ended
   mesh result;
   double tolerance = 0;  // the one in force at the end
   std::size_t sites = 0, triangles = 0, disagreeing = 0, low_angle = 0, too_large = 0;

@@ -57,6 +57,11 @@ class refinement {
     survey_.update(state_);
     report_progress();
     if (state_.field_failure()) return end("the metric field failed");
+    if (options_.stop)
+      if (const auto why = options_.stop()) {
+        stopped_ = true;
+        return end("stopped: " + *why);
+      }
     if (rebuild_disagreeing()) return;
     if (survey_.bad().empty()) {
       if (improve_at_exempt_corners()) return;
@@ -119,7 +124,9 @@ class refinement {
 
   bool improve() {
     if (options_.strategy == refinement_strategy::poisson_darts) return improve_by_darts();
-    if (options_.strategy == refinement_strategy::guaranteed && improve_in_bulk()) return true;
+    if (options_.strategy == refinement_strategy::guaranteed && options_.limit_size &&
+        improve_in_bulk())
+      return true;
     while (true) {
       for (const bad_triangle& b : survey_.bad()) {
         if (parked_.count(b) != 0 || steep_.count(b.where) != 0) continue;
@@ -273,7 +280,7 @@ class refinement {
 
   void report_progress() {
     if (!progress_) return;
-    progress_({state_.sites().size(), survey_.count(badness::disagreeing),
+    progress_({false, state_.sites().size(), survey_.count(badness::disagreeing),
                survey_.count(badness::low_angle), survey_.count(badness::too_large)});
   }
 
@@ -281,6 +288,7 @@ class refinement {
     refinement_outcome o;
     consistency_report now = check_consistency(state_.oracle(), state_.stars());
     o.complete = complete_;
+    o.stopped = stopped_;
     o.reason = reason_;
     o.result.sites = state_.sites();
     o.result.given = given_;
@@ -317,7 +325,7 @@ class refinement {
   std::set<index> at_jump_;        // the sites of the triangles across such places
   std::size_t repairs_ = 0, thorough_at_ = 0;
   std::size_t rejected_ = 0;
-  bool complete_ = false, ended_ = false;
+  bool complete_ = false, ended_ = false, stopped_ = false;
   std::string reason_;
 };
 
@@ -342,7 +350,8 @@ std::optional<error> check_options(const domain& d, const refinement_options& o)
 
 // The sites the domain is to be filled with, for the strategies that begin so.
 result<filled_domain> propose(const domain& d, const metric_field& field,
-                              const refinement_options& options) {
+                              const refinement_options& options,
+                              const std::function<void(const refinement_progress&)>& progress) {
   filled_domain nothing;
   nothing.divisions.resize(d.segments.size());
   if (options.strategy != refinement_strategy::guaranteed || !options.limit_size) return nothing;
@@ -350,7 +359,10 @@ result<filled_domain> propose(const domain& d, const metric_field& field,
   wanted.distance = largest_circumradius;
   wanted.longest_piece = longest_piece_of_fill;
   wanted.max_sites = options.max_sites;
-  return fill(d, field, wanted);
+  return fill(d, field, wanted, [&](std::size_t sites) {
+    if (progress) progress({true, sites, 0, 0, 0});
+    return !options.stop || !options.stop();
+  });
 }
 
 }  // namespace
@@ -360,7 +372,7 @@ result<refinement_outcome> refine_on(
     const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
   if (const auto refused = check_options(d, options)) return *refused;
-  const auto proposed = propose(d, field, options);
+  const auto proposed = propose(d, field, options, progress);
   if (!proposed) return proposed.failure();
   auto state = refine_state::start_filled(d, field, kernel, options.max_sites, proposed.value());
   if (!state) return state.failure();
