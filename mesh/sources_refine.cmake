@@ -17,6 +17,7 @@ target_sources(asterism PRIVATE
   refine_tolerance.cpp
   refinement.cpp
   star.cpp
+  star_confirmation.cpp
   star_construction.cpp
   star_insertion.cpp
   star_oracle.cpp

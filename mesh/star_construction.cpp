@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/fill/plain_net.hpp"
+#include "asterism/mesh/star_confirmation.hpp"
 #include "asterism/mesh/star_insertion.hpp"
 
 namespace asterism {
@@ -44,7 +44,7 @@ std::vector<index> all_sites(const site_oracle& oracle, index v) {
 
 constructed_star settle(const site_oracle& oracle, index v, star begun,
                         const std::vector<index>& order) {
-  constructed_star built{std::move(begun), false, false};
+  constructed_star built{std::move(begun), false, false, {}};
   star& s = built.content;
   const std::size_t most_offers = most_rounds * order.size();
   std::size_t refused_in_a_row = 0;  // by the star as it is now
@@ -63,9 +63,11 @@ constructed_star settle(const site_oracle& oracle, index v, star begun,
 
 // --- The star from what is near.
 
-// The star guessed in plain doubles, if exact tests confirm it.
-std::optional<star> confirmed_guess(const site_oracle& oracle, index v, const plain_star& guess,
-                                    const std::vector<index>& order) {
+// The star guessed in plain doubles, if exact tests confirm it: at once against all sites there
+// are, or else against the given ones.
+std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, index v,
+                                                const plain_star& guess,
+                                                const std::vector<index>& order) {
   if (guess.size() < 3) return std::nullopt;
   star s;
   s.sectors.push_back({{}, true});
@@ -78,15 +80,21 @@ std::optional<star> confirmed_guess(const site_oracle& oracle, index v, const pl
   for (const index w : ring.neighbours)
     if (!oracle.visible(v, w)) return std::nullopt;
   if (prune(oracle, v, s)) return std::nullopt;
+  if (const auto reach = final_reach(oracle, v, s))
+    return constructed_star{std::move(s), true, false, reach};
   for (const index w : order)
     if (!s.contains(w) && would_accept(oracle, v, s, w)) return std::nullopt;
-  return s;
+  return constructed_star{std::move(s), true, false, {}};
 }
 
-// In doubles; a gap whose vertex is not found has an infinite radius, and one closed by a piece of
-// the boundary none, as it accepts nothing.
-star_reach extent_of(const site_oracle& oracle, index v, const star& s) {
-  star_reach extent;
+// As site_index::visit_reach wants it, but in doubles. A gap whose vertex is not found has an
+// infinite radius, and one closed by a piece of the boundary none, as it accepts nothing.
+struct star_extent {
+  double radius = 0, longest = 0;
+  double reach() const { return std::max(radius, longest); }
+};
+star_extent extent_of(const site_oracle& oracle, index v, const star& s) {
+  star_extent extent;
   for (const sector& part : s.sectors)
     for (std::size_t i = 0; i < part.gaps() || part.neighbours.empty(); ++i) {
       constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -125,8 +133,7 @@ gathered gather(const site_oracle& oracle, index v, double reach) {
 // `guess` is the star of these sites in plain doubles; empty on the boundary.
 constructed_star construct_from(const site_oracle& oracle, index v, const plain_star& guess,
                                 const std::vector<index>& order) {
-  if (auto confirmed = confirmed_guess(oracle, v, guess, order))
-    return {std::move(*confirmed), true, false};
+  if (auto confirmed = confirmed_guess(oracle, v, guess, order)) return std::move(*confirmed);
   return settle(oracle, v, empty_star(oracle.edges(), v), order);
 }
 
@@ -137,7 +144,7 @@ constexpr double reach_of_vertices = 2.1;
 struct local_star {
   constructed_star built;
   gathered among;
-  star_reach extent;
+  star_extent extent;
 };
 
 plain_star guess_star(const site_oracle& oracle, index v, const std::vector<index>& order) {
@@ -151,8 +158,8 @@ double farthest_vertex(const plain_star& guess) {
   return std::sqrt(squared);
 }
 
-// Ends because attempts are counted. Where metrics vary wildly some gaps have no vertex however far one looks; then what is near has to
-// do, until a thorough search.
+// Ends because attempts are counted. Where metrics vary wildly some gaps have no vertex however far
+// one looks; then what is near has to do, until a thorough search.
 local_star construct_near(const site_oracle& oracle, index v) {
   constexpr double spacings = 2.2, infinity = std::numeric_limits<double>::infinity();
   constexpr std::size_t fewest = 6;
@@ -171,7 +178,7 @@ local_star construct_near(const site_oracle& oracle, index v) {
     }
     if (last || (enough && (!interior || wanted <= reach))) {
       constructed_star built = construct_from(oracle, v, guess, among.order);
-      const star_reach extent = extent_of(oracle, v, built.content);
+      const star_extent extent = extent_of(oracle, v, built.content);
       wanted = reach_of_vertices * extent.radius;
       if (last || wanted <= reach) return {std::move(built), std::move(among), extent};
     }
@@ -184,14 +191,16 @@ local_star construct_near(const site_oracle& oracle, index v) {
 std::vector<index> others_in_reach(const site_oracle& oracle, index v, const local_star& from) {
   std::vector<index> known = from.among.order, others;
   std::sort(known.begin(), known.end());
-  oracle.near()->sites().visit_reach(oracle.sites()[v], from.extent, [&](index w) {
-    if (w != v && !std::binary_search(known.begin(), known.end(), w)) others.push_back(w);
-    return true;
-  });
+  oracle.near()->sites().visit_reach(
+      oracle.sites(), oracle.sites()[v], from.extent.reach(), [&](index w) {
+        if (w != v && !std::binary_search(known.begin(), known.end(), w)) others.push_back(w);
+        return true;
+      });
   return others;
 }
 
 constructed_star construct_thoroughly(const site_oracle& oracle, index v, local_star from) {
+  if (from.built.final_reach) return from.built;
   for (std::size_t round = 0; round < most_rounds && !from.among.everything; ++round) {
     std::vector<index> missed;
     for (const index w : others_in_reach(oracle, v, from))
@@ -210,72 +219,7 @@ constructed_star construct_thoroughly(const site_oracle& oracle, index v, local_
   return from.built;
 }
 
-// --- Confirming a star that is there.
-
-// The gaps of a sector that accept anything at all, prepared for many questions.
-struct prepared_sector {
-  const sector* part;
-  std::vector<std::optional<star_gap>> gaps;
-};
-
-std::vector<prepared_sector> prepare(const site_oracle& oracle, index v, const star& s) {
-  std::vector<prepared_sector> prepared;
-  for (const sector& part : s.sectors) {
-    prepared.push_back({&part, std::vector<std::optional<star_gap>>(part.gaps())});
-    for (std::size_t i = 0; i < part.gaps(); ++i) {
-      const index y = part.neighbours[i], x = part.neighbours[part.after(i)];
-      if (y != x && !oracle.edges().is_piece(y, x))
-        prepared.back().gaps[i].emplace(oracle.sites()[v], oracle.sites()[y], oracle.sites()[x]);
-    }
-  }
-  return prepared;
-}
-
-star_reach reach_of(const site_oracle& oracle, const std::vector<prepared_sector>& prepared) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  star_reach reach;
-  for (const prepared_sector& p : prepared) {
-    if (p.gaps.empty()) return {infinity, infinity};
-    for (std::size_t i = 0; i < p.gaps.size(); ++i) {
-      if (p.gaps[i]) {
-        reach.radius = std::max(reach.radius, p.gaps[i]->reach_radius());
-        reach.longest = std::max(reach.longest, p.gaps[i]->longest());
-      } else if (!oracle.edges().is_piece(p.part->neighbours[i],
-                                          p.part->neighbours[p.part->after(i)])) {
-        return {infinity, infinity};
-      }
-    }
-  }
-  return reach;
-}
-
-// Whether w, which is not in the star, would be accepted.
-bool would_accept(const site_oracle& oracle, index v, const star& s,
-                  const std::vector<prepared_sector>& prepared, index w) {
-  const auto certainly_not = [&](const prepared_sector& p) {
-    const placement where = locate(oracle, v, *p.part, w);
-    if (where.kind == placement_kind::outside) return true;
-    if (where.kind == placement_kind::on_ray || !p.gaps[where.at]) return false;
-    const uncertain_bool verdict = p.gaps[where.at]->accepts(oracle.sites()[w]);
-    // Inside the triangle of the gap a site is accepted whatever the arcs say.
-    return verdict.certain() && !verdict.value() &&
-           oracle.orientation(p.part->neighbours[where.at],
-                              p.part->neighbours[p.part->after(where.at)],
-                              w) != sign::positive;
-  };
-  return !std::all_of(prepared.begin(), prepared.end(), certainly_not) &&
-         would_accept(oracle, v, s, w);
-}
-
 }  // namespace
-
-bool is_final(const site_oracle& oracle, index v, const star& s) {
-  const std::vector<prepared_sector> prepared = prepare(oracle, v, s);
-  const star_reach reach = reach_of(oracle, prepared);
-  return oracle.near()->sites().visit_reach(oracle.sites()[v], reach, [&](index w) {
-    return w == v || s.contains(w) || !would_accept(oracle, v, s, prepared, w);
-  });
-}
 
 double farthest_vertex(const site_oracle& oracle, index v, const star& s) {
   return extent_of(oracle, v, s).radius;

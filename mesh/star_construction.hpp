@@ -13,9 +13,12 @@
 //
 // With a neighbourhood only the sites near v are looked at, in two steps. Those within about twice
 // the distance of the farthest Voronoi vertex make the star; where plain doubles guess it right
-// (fill/plain_net.hpp), that is merely confirmed. Then, if asked to be thorough, every site that is
-// not certainly out of reach (site_index.hpp) is offered too.
+// (fill/plain_net.hpp), that is merely confirmed (star_confirmation.hpp), against all sites there
+// are if it can be. Then, if asked to be thorough, every site that is not certainly out of reach
+// (site_index.hpp) is offered too.
 #pragma once
+
+#include <optional>
 
 #include "asterism/mesh/star.hpp"
 #include "asterism/mesh/star_oracle.hpp"
@@ -29,6 +32,8 @@ struct constructed_star {
   bool settled = false;
   // A thorough search changed what the near sites had made of it.
   bool repaired = false;
+  // Known to be final (star_confirmation.hpp), with this reach: no site there is belongs to it.
+  std::optional<double> final_reach;
 };
 
 enum class star_search { near, thorough };
@@ -36,10 +41,6 @@ enum class star_search { near, thorough };
 // Deterministic: a function of the sites, the boundary and v alone.
 constructed_star construct_star(const site_oracle& oracle, index v,
                                 star_search search = star_search::thorough);
-
-// Whether no site at all would be accepted by the star of v: every site not certainly out of reach
-// (lemma 4.3 of docs/math/certificate.md, rigorous bounds) is asked. Requires a neighbourhood.
-bool is_final(const site_oracle& oracle, index v, const star& s);
 
 // The distance from v to the farthest Voronoi vertex of the star's gaps, as v measures; infinite
 // when a gap has none. In doubles, for choosing how far to look.

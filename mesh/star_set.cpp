@@ -2,11 +2,13 @@
 #include "asterism/mesh/star_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "asterism/mesh/local/parallel.hpp"
+#include "asterism/mesh/star_confirmation.hpp"
 #include "asterism/mesh/star_insertion.hpp"
 
 namespace asterism {
@@ -66,13 +68,14 @@ void replace_end(const site_oracle& oracle, index v, star& at_v, index whole, in
 }  // namespace
 
 star_set::star_set(std::vector<star> stars, const std::vector<index>& unsettled)
-    : stars_(std::move(stars)), condition_(stars_.size(), condition::stale) {
+    : stars_(std::move(stars)), condition_(stars_.size(), condition::stale), final_(stars_.size()) {
   for (const index v : unsettled) condition_[v] = condition::unsettled;
 }
 
 void star_set::construct_all(const site_oracle& oracle) {
   stars_.assign(oracle.size(), {});
   condition_.assign(oracle.size(), condition::stale);
+  final_.assign(oracle.size(), {});
   std::vector<index> all(oracle.size());
   std::iota(all.begin(), all.end(), index{0});
   construct(oracle, all, star_search::near);
@@ -92,6 +95,8 @@ std::vector<index> star_set::construct(const site_oracle& oracle, const std::vec
     constructed_star built;
   };
   const bool few = which.size() <= chunk;
+  const bool confirm = search == star_search::thorough && oracle.near() != nullptr;
+  const site_index latest = confirm ? latest_sites(oracle, which) : site_index();
   std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
   std::vector<made> all = collect_chunks<made>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made>& out) {
@@ -99,15 +104,21 @@ std::vector<index> star_set::construct(const site_oracle& oracle, const std::vec
         // A few stars are made by this thread alone, which then may remember answers.
         const site_oracle own = few ? oracle : oracle.with_kernel(*kernel);
         for (std::size_t i = begin; i < end; ++i) {
-          const bool settled = condition_[which[i]] == condition::settled;
-          if (search == star_search::thorough && settled && oracle.near() != nullptr &&
-              is_final(own, which[i], stars_[which[i]]))
+          const index v = which[i];
+          if (confirm && condition_[v] == condition::settled) {
+            if (!is_still_final(own, v, latest))
+              note_final(v, own.size(), final_reach(own, v, stars_[v]));
+            else
+              final_[v].against = own.size();
+            if (final_[v].against != 0) continue;
+          }
+          constructed_star built = construct_star(own, v, search);
+          if (is_news(v, built)) {
+            out.push_back({v, std::move(built)});
             continue;
-          constructed_star built = construct_star(own, which[i], search);
-          if (is_news(which[i], built))
-            out.push_back({which[i], std::move(built)});
-          else
-            condition_[which[i]] = condition::settled;
+          }
+          condition_[v] = condition::settled;
+          note_final(v, own.size(), built.final_reach);
         }
         counts[begin / chunk] = kernel->counters();
       });
@@ -115,21 +126,60 @@ std::vector<index> star_set::construct(const site_oracle& oracle, const std::vec
   std::vector<index> changed;
   for (made& m : all) {
     changed.push_back(m.at);
-    accept(m.at, std::move(m.built));
+    accept(oracle, m.at, std::move(m.built));
   }
   return changed;
+}
+
+void star_set::mark_stale(index v) {
+  condition_[v] = condition::stale;
+  final_[v] = {};
+}
+
+void star_set::note_final(index v, index against, const std::optional<double>& reach) {
+  final_[v] = {};
+  if (!reach) return;
+  // Within this range the float after one next to the double is no less than it, in any
+  // floating-point environment.
+  constexpr double least = 0x1p-100, most = 0x1p100;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const auto above = [](double x) { return std::nextafter(static_cast<float>(x), infinity); };
+  final_[v] = {against, *reach < most ? above(std::max(*reach, least)) : infinity};
+}
+
+// The sites that came after some of these stars were found to be final. None when they are too many
+// for a look at them alone to be worth while; is_still_final() sees that.
+site_index star_set::latest_sites(const site_oracle& oracle,
+                                  const std::vector<index>& which) const {
+  index first = oracle.size();
+  for (const index v : which)
+    if (final_[v].against != 0) first = std::min(first, final_[v].against);
+  site_index latest(oracle.near()->box());
+  if (oracle.size() - first <= oracle.size() / 8)
+    for (index w = first; w < oracle.size(); ++w) latest.insert(oracle.sites(), w);
+  return latest;
+}
+
+// Whether none of the sites that came since v's star was found to be final is in its reach.
+bool star_set::is_still_final(const site_oracle& oracle, index v, const site_index& latest) const {
+  const finality& then = final_[v];
+  if (then.against == oracle.size()) return true;
+  if (then.against == 0 || latest.size() < oracle.size() - then.against) return false;
+  return latest.visit_reach(oracle.sites(), oracle.sites()[v], static_cast<double>(then.reach),
+                            [&](index w) { return w < then.against; });
 }
 
 void star_set::add_last(const site_oracle& oracle) {
   const index w = oracle.size() - 1;
   stars_.resize(oracle.size());
   condition_.resize(oracle.size(), condition::stale);
+  final_.resize(oracle.size());
   rebuild(oracle, w, star_search::near);
   for (const index v : candidate_stars(oracle, w, stars_[w])) {
     if (stars_[v].contains(w)) continue;
     const star before = stars_[v];
     if (!offer(oracle, v, stars_[v], w)) continue;
-    condition_[v] = condition::stale;
+    mark_stale(v);
     touched_.push_back(v);
     for (const sector& part : before.sectors)
       touched_.insert(touched_.end(), part.neighbours.begin(), part.neighbours.end());
@@ -139,6 +189,7 @@ void star_set::add_last(const site_oracle& oracle) {
 void star_set::add_many(const site_oracle& oracle, index first) {
   stars_.resize(oracle.size());
   condition_.resize(oracle.size(), condition::stale);
+  final_.resize(oracle.size());
   std::vector<index> added(oracle.size() - first);
   std::iota(added.begin(), added.end(), first);
   construct(oracle, added, star_search::near);
@@ -156,7 +207,7 @@ void star_set::add_many(const site_oracle& oracle, index first) {
   for (const tier_counters& c : counts) oracle.kernel().count(c);
   std::sort(disturbed.begin(), disturbed.end());
   disturbed.erase(std::unique(disturbed.begin(), disturbed.end()), disturbed.end());
-  for (const index v : disturbed) condition_[v] = condition::stale;
+  for (const index v : disturbed) mark_stale(v);
   construct(oracle, disturbed, star_search::near);
 }
 
@@ -165,7 +216,8 @@ void star_set::split_piece(const site_oracle& oracle, index a, index m, index b)
   touch(b);
   replace_end(oracle, a, stars_[a], b, m);
   replace_end(oracle, b, stars_[b], a, m);
-  condition_[a] = condition_[b] = condition::stale;
+  mark_stale(a);
+  mark_stale(b);
   // Rounded to the inner side, m can only hide sites from each other. Rounded to the outer side it
   // reveals nothing but a and b to each other, whose stars are stale already: a segment that
   // enters the sliver a, m, b through a b can only end in m. Both happen to an internal piece.
@@ -181,8 +233,9 @@ bool star_set::is_news(index v, const constructed_star& built) const {
   return stars_[v] != built.content || !built.settled;
 }
 
-void star_set::accept(index v, constructed_star built) {
+void star_set::accept(const site_oracle& oracle, index v, constructed_star built) {
   touch(v);
+  note_final(v, oracle.size(), built.final_reach);
   condition_[v] = built.settled ? condition::settled : condition::unsettled;
   stars_[v] = std::move(built.content);
 }
@@ -190,7 +243,7 @@ void star_set::accept(index v, constructed_star built) {
 bool star_set::rebuild(const site_oracle& oracle, index v, star_search search) {
   constructed_star built = construct_star(oracle, v, search);
   const bool changed = is_news(v, built);
-  accept(v, std::move(built));
+  accept(oracle, v, std::move(built));
   return changed;
 }
 
@@ -202,7 +255,7 @@ void star_set::remove_hidden(const site_oracle& oracle, index a, index b) {
         if (s.is_forced(i) || !oracle.crosses(v, s.neighbours[i], a, b)) continue;
         touch(v);
         s.neighbours.erase(s.neighbours.begin() + static_cast<std::ptrdiff_t>(i));
-        condition_[v] = condition::stale;
+        mark_stale(v);
       }
     return true;
   };

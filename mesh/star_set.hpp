@@ -8,6 +8,7 @@
 // came after its construction. rebuild() makes a stale star anew.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -54,15 +55,26 @@ class star_set {
 
  private:
   enum class condition : unsigned char { settled, stale, unsettled };
+  // The star, as it is, is final (star_confirmation.hpp) as far as the first `against` sites go;
+  // none of them: not known. The reach is rounded up.
+  struct finality {
+    index against = 0;
+    float reach = 0;
+  };
 
   void remove_hidden(const site_oracle& oracle, index a, index b);
   bool is_news(index v, const constructed_star& built) const;
-  void accept(index v, constructed_star built);
+  void mark_stale(index v);
+  void note_final(index v, index against, const std::optional<double>& reach);
+  site_index latest_sites(const site_oracle& oracle, const std::vector<index>& which) const;
+  bool is_still_final(const site_oracle& oracle, index v, const site_index& latest) const;
+  void accept(const site_oracle& oracle, index v, constructed_star built);
   void touch(index v);  // before a change of v's star
 
   std::vector<index> touched_;
   std::vector<star> stars_;
   std::vector<condition> condition_;
+  std::vector<finality> final_;
 };
 
 }  // namespace asterism

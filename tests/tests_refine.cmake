@@ -1,7 +1,8 @@
 # Stars, consistency and refinement.
 asterism_test(test_star
   SOURCES mesh/star_test.cpp mesh/star_ties_test.cpp mesh/star_boundary_test.cpp
-          mesh/consistency_test.cpp mesh/star_internal_test.cpp)
+          mesh/consistency_test.cpp mesh/star_internal_test.cpp mesh/star_confirmation_test.cpp
+          mesh/audit_meshes.cpp)
 asterism_test(test_refine
   SOURCES mesh/refine_constructions_test.cpp mesh/refine_test.cpp mesh/refine_domains_test.cpp
           mesh/domain_random_test.cpp mesh/audit_meshes.cpp)

@@ -27,10 +27,6 @@ range determinant(const metric_tensor& m) {
   return {product - square - slack, product - square + slack};
 }
 
-double axis_distance(double x, double low, double high) {
-  return x < low ? low - x : x > high ? x - high : 0;
-}
-
 }  // namespace
 
 site_index::site_index(const bounding_box& box)
@@ -130,26 +126,60 @@ double site_index::spacing_near(const site& v) const {
   return spacing;
 }
 
-// The least |q - v|_v over a box beyond v by dx, dy is at least sqrt(det / m22) dx and at least
-// sqrt(det / m11) dy. sigma^2 = t + sqrt(t^2 - d), t half the trace and d the determinant of
-// M_w^-1 M_v, grows with t and falls with d.
-bool site_index::out_of_reach(const node& n, const site& v, const star_reach& reach) {
-  if (n.count == 0) return true;
-  if (!(reach.radius < largest && reach.longest < largest)) return false;
-  const metric_tensor& m = v.metric;
-  const range det = determinant(m);
-  if (!(det.low > smallest && det.high < largest)) return false;
-  const double dx = axis_distance(v.position.x, n.low.x, n.high.x);
-  const double dy = axis_distance(v.position.y, n.low.y, n.high.y);
-  const double length =
-      std::max(std::sqrt(det.low / m.m22) * dx, std::sqrt(det.low / m.m11) * dy) * down;
+site_index::centre site_index::centre_of(const site& v, double reach) {
+  const range det = determinant(v.metric);
+  const bool known = det.low > smallest && det.high < largest && reach < largest;
+  return {&v, known ? det.low : 0, reach};
+}
+
+// (1 + sigma) R for all sites of the node; infinite when not known.
+// sigma^2 = t + sqrt(t^2 - d), t half the trace and d the determinant of M_w^-1 M_v, grows with t
+// and falls with d.
+double site_index::limit(const node& n, const centre& c) {
+  if (!(c.determinant_below > 0)) return infinity;
+  const metric_tensor& m = c.v->metric;
   const double off_diagonal = 2 * (m.m12 > 0 ? n.inverse12_high : n.inverse12_low) * m.m12;
   const double diagonal = n.inverse11 * m.m11 + n.inverse22 * m.m22;
   const double t = (diagonal + off_diagonal + 0x1p-47 * (diagonal + std::abs(off_diagonal))) / 2;
-  const double d = n.inverse_determinant * det.low * down;
+  if (!(t < 0x1p500)) return infinity;  // or not a number
+  const double d = n.inverse_determinant * c.determinant_below * down;
   const double sigma =
       std::sqrt((t + std::sqrt(std::max(0.0, (t * up) * (t * up) - d)) * up) * up) * up;
-  return (sigma + 1) * reach.radius * up < length && (sigma + 2) * reach.longest * up < length;
+  return (1 + (sigma > 1 ? sigma : 1)) * c.reach * up;
+}
+
+// With u any vector and g = M_v u, every w has |w|_v >= g.w / |u|_v. u leads to the middle of the
+// box; the least g.w is at one of its corners. No monomial below passes more than six roundings,
+// and `size` bounds the sum of their magnitudes, of |u|_v^2 as well, to within as many: 2^-48 of it
+// covers the errors. The ranges keep underflow and overflow away: |u|_v^2 is at least the least
+// g.w.
+bool site_index::out_of_reach(const node& n, const centre& c, double limit) {
+  if (!(c.determinant_below > 0 && limit < infinity)) return false;
+  const metric_tensor& m = c.v->metric;
+  const point& at = c.v->position;
+  const point low{n.low.x - at.x, n.low.y - at.y}, high{n.high.x - at.x, n.high.y - at.y};
+  const point u{0.5 * low.x + 0.5 * high.x, 0.5 * low.y + 0.5 * high.y};
+  const point g{m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
+  const double least = g.x * (g.x > 0 ? low.x : high.x) + g.y * (g.y > 0 ? low.y : high.y);
+  const point extent{std::max(std::abs(low.x), std::abs(high.x)),
+                     std::max(std::abs(low.y), std::abs(high.y))};
+  const double mixed = std::abs(m.m12);
+  const double size = (m.m11 * extent.x + mixed * extent.y) * extent.x +
+                      (mixed * extent.x + m.m22 * extent.y) * extent.y;
+  const double least_below = least - 0x1p-48 * size;
+  if (!(least_below > 0x1p-300 && size < 0x1p400 && extent.x + extent.y < 0x1p600)) return false;
+  const double square_above = (u.x * g.x + u.y * g.y + 0x1p-48 * size) * up;
+  return limit > 0x1p-250 && least_below * least_below > limit * limit * square_above * up;
+}
+
+// |q - v|_v > limit, certainly. Monomials of at most six roundings.
+bool site_index::is_beyond(const point& q, const centre& c, double limit) {
+  const metric_tensor& m = c.v->metric;
+  const point d{q.x - c.v->position.x, q.y - c.v->position.y};
+  const double xx = m.m11 * d.x * d.x, yy = m.m22 * d.y * d.y, xy = 2 * (m.m12 * d.x * d.y);
+  const double square = xx + yy + xy - 0x1p-48 * (xx + yy + std::abs(xy));
+  const bool in_range = std::abs(d.x) + std::abs(d.y) < 0x1p400 && square < 0x1p800;
+  return in_range && limit > 0x1p-250 && square > limit * limit * up;
 }
 
 }  // namespace asterism

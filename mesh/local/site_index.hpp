@@ -5,9 +5,10 @@
 // Every node knows the tight box of its sites and ranges of their inverse tensors, so that two
 // kinds of question can be asked: all sites in a box (exact), and all sites that are not certainly
 // out of a star's reach (conservative, for metrics that differ from site to site):
-// with |w|_v the length of w - v as v measures and sigma^2 the largest eigenvalue of M_w^-1 M_v, a
-// site with |w|_v > (1 + sigma) radius and |w|_v > (2 + sigma) longest is accepted in no gap of the
-// star. Source: docs/math/certificate.md, section 4.3.
+// with |w|_v the length of w - v as v measures, sigma^2 the largest eigenvalue of M_w^-1 M_v, or 1
+// if that is more, and R at least the distance to the Voronoi vertex of each gap of the star and
+// the length of each edge at a gap, a site with |w|_v > (1 + sigma) R is accepted in none. Source:
+// docs/math/certificate.md, section 4.3.
 //
 // Deterministic: sites are visited in an order that depends on the insertions alone.
 #pragma once
@@ -21,12 +22,6 @@
 #include "asterism/mesh/domain.hpp"
 
 namespace asterism {
-
-// Both in the metric of the star's centre; infinite where nothing is known.
-struct star_reach {
-  double radius = 0;   // at least the distance to the Voronoi vertex of each gap
-  double longest = 0;  // at least the length of each edge at a gap
-};
 
 class site_index {
  public:
@@ -49,9 +44,11 @@ class site_index {
   // About how far sites are apart near v, as v measures; 0 where that cannot be told.
   double spacing_near(const site& v) const;
 
-  // Likewise for each site not certainly out of reach of v; v itself may be among them.
+  // Likewise for each site not certainly out of reach of v, with R = reach in v's metric, infinite
+  // where nothing is known; v itself may be among them.
   template <class Visit>
-  bool visit_reach(const site& v, const star_reach& reach, Visit&& visit) const;
+  bool visit_reach(const std::vector<site>& sites, const site& v, double reach,
+                   Visit&& visit) const;
 
  private:
   static constexpr int leaf_capacity = 8;
@@ -72,7 +69,16 @@ class site_index {
   static bool apart(const node& n, const point& low, const point& high) {
     return n.high.x < low.x || n.low.x > high.x || n.high.y < low.y || n.low.y > high.y;
   }
-  static bool out_of_reach(const node& n, const site& v, const star_reach& reach);
+  // A star's centre, prepared to be asked how far nodes and sites are.
+  struct centre {
+    const site* v;
+    double determinant_below;  // of its metric; 0 when not known
+    double reach;
+  };
+  static centre centre_of(const site& v, double reach);
+  static double limit(const node& n, const centre& c);
+  static bool out_of_reach(const node& n, const centre& c, double limit);
+  static bool is_beyond(const point& q, const centre& c, double limit);
   static std::uint32_t quadrant(const node& n, const point& q) {
     return (q.x >= n.middle.x ? 1U : 0U) + (q.y >= n.middle.y ? 2U : 0U);
   }
@@ -145,18 +151,32 @@ bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) co
   return true;
 }
 
+// A node is asked whether all of it is beyond what even equal metrics would reach before its own
+// limit is worked out.
 template <class Visit>
-bool site_index::visit_reach(const site& v, const star_reach& reach, Visit&& visit) const {
+bool site_index::visit_reach(const std::vector<site>& sites, const site& v, double reach,
+                             Visit&& visit) const {
+  const centre c = centre_of(v, reach);
   std::array<std::uint32_t, 3 * most_levels + 4> open;
   std::size_t waiting = 0;
   if (!nodes_.empty()) open[waiting++] = 0;
   while (waiting > 0) {
     const node& n = nodes_[open[--waiting]];
-    if (out_of_reach(n, v, reach)) continue;
-    if (n.first_child != none)
+    if (n.count == 0) continue;
+    const bool inner = n.first_child != none;
+    if (inner && !out_of_reach(n, c, 2 * reach)) {
       for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
-    else if (!visit_leaf(n, visit))
-      return false;
+      continue;
+    }
+    const double most = limit(n, c);
+    if (out_of_reach(n, c, most)) continue;
+    if (inner) {
+      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
+      continue;
+    }
+    const bool on =
+        visit_leaf(n, [&](index w) { return is_beyond(sites[w].position, c, most) || visit(w); });
+    if (!on) return false;
   }
   return true;
 }
