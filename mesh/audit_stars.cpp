@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/star_gap.hpp"
@@ -25,11 +26,44 @@
 namespace asterism::audit_detail {
 namespace {
 
+site scaled(const site& s, int places, int metrics) {
+  const auto& [q, m] = s;
+  return {{std::scalbn(q.x, places), std::scalbn(q.y, places)},
+          {std::scalbn(m.m11, metrics), std::scalbn(m.m12, metrics), std::scalbn(m.m22, metrics)}};
+}
+
+// No question about stars changes its answer when all places are multiplied by one number and all
+// metrics by another. Very large and very small ones are brought to about unit size by powers of
+// two, where doubles can decide; if that is exact for every site. Empty otherwise.
+std::vector<site> in_unit_size(const std::vector<site>& sites) {
+  constexpr int ordinary = 64;
+  double reach = 0, steepest = 0;
+  for (const site& s : sites) {
+    reach = std::max({reach, std::abs(s.position.x), std::abs(s.position.y)});
+    steepest = std::max({steepest, s.metric.m11, s.metric.m22});
+  }
+  if (!(reach > 0 && steepest > 0)) return {};
+  const int places = -std::ilogb(reach), metrics = -std::ilogb(steepest);
+  if (std::abs(places) <= ordinary && std::abs(metrics) <= ordinary) return {};
+  std::vector<site> unit;
+  unit.reserve(sites.size());
+  for (const site& s : sites) {
+    unit.push_back(scaled(s, places, metrics));
+    if (!(scaled(unit.back(), -places, -metrics) == s)) return {};
+  }
+  return unit;
+}
+
 // What all parts of the check look things up in.
 struct star_surroundings {
   explicit star_surroundings(const audit_context& context)
-      : sites(context.subject.sites), pieces(context) {}
+      : unit(in_unit_size(context.subject.sites)),
+        at(unit.empty() ? context.subject.sites : unit),
+        sites(at),
+        pieces(context) {}
 
+  std::vector<site> unit;
+  const std::vector<site>& at;
   site_tree sites;
   piece_tree pieces;
 };
@@ -103,7 +137,7 @@ class star_check {
   }
 
  private:
-  const site& at(index v) const { return context_.subject.sites[v]; }
+  const site& at(index v) const { return around_.at[v]; }
   sign turn(index a, index b, index c) const {
     return tally_.kernel.orientation(context_.at(a), context_.at(b), context_.at(c));
   }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "asterism/mesh/constructions_polynomial.hpp"
+#include "asterism/mesh/thin_metric.hpp"
 
 namespace asterism {
 namespace {
@@ -31,28 +32,36 @@ point half_gradient(const site& s, const point& q) {
 }
 
 // Coordinates and metrics of about unit size around the first site, by powers of two, so that
-// scaling loses nothing.
+// scaling loses nothing. Where a metric is thin, those in which it is round come first.
 struct frame {
   point origin;
+  std::optional<round_coordinates> round;
   double length = 1, stretch = 1;
 
   template <std::size_t N>
   explicit frame(const std::array<site, N>& sites) : origin(sites[0].position) {
+    for (const site& s : sites)
+      if (!round && is_thin(s.metric)) round.emplace(origin, s.metric);
     double reach = 0, steepest = 0;
     for (const site& s : sites) {
-      const point d = s.position - origin;
-      reach = std::max({reach, std::abs(d.x), std::abs(d.y)});
-      steepest = std::max({steepest, s.metric.m11, s.metric.m22});
+      const site at = around_origin(s);
+      reach = std::max({reach, std::abs(at.position.x), std::abs(at.position.y)});
+      steepest = std::max({steepest, at.metric.m11, at.metric.m22});
     }
     length = std::ldexp(1.0, std::ilogb(reach));
     stretch = std::ldexp(1.0, std::ilogb(steepest));
   }
+  site around_origin(const site& s) const {
+    return round ? round->inward(s) : site{s.position - origin, s.metric};
+  }
   site inward(const site& s) const {
-    const point d = s.position - origin;
-    const metric_tensor& m = s.metric;
+    const auto [d, m] = around_origin(s);
     return {{d.x / length, d.y / length}, {m.m11 / stretch, m.m12 / stretch, m.m22 / stretch}};
   }
-  point outward(const point& q) const { return origin + length * q; }
+  point outward(const point& q) const {
+    const point d = length * q;
+    return origin + (round ? round->outward(d) : d);
+  }
 };
 
 // On the lines v + u / s, u = d + m n, the bisector of v and w is C s^2 - B s - A = 0.
@@ -158,12 +167,18 @@ double inner_product(const metric_tensor& m, const point& u, const point& w) {
   return m.m11 * (u.x * w.x) + m.m12 * (u.x * w.y + u.y * w.x) + m.m22 * (u.y * w.y);
 }
 
-double squared_distance(const site& s, const point& q) {
-  const point u = q - s.position;
-  return inner_product(s.metric, u, u);
+double squared_length(const metric_tensor& m, const point& u) {
+  const double first = m.m11 * (u.x * u.x), last = m.m22 * (u.y * u.y);
+  const double plain = first + m.m12 * (u.x * u.y + u.y * u.x) + last;
+  constexpr double part = 0x1p-14;  // what is left when as much cancels as in is_thin
+  const double magnitude = first + last;
+  if (plain > part * magnitude || !(magnitude < 0x1p960)) return plain;
+  return squared_length_of_thin(m, u.x, u.y);
 }
 
-double determinant(const metric_tensor& m) { return m.m11 * m.m22 - m.m12 * m.m12; }
+double squared_distance(const site& s, const point& q) {
+  return squared_length(s.metric, q - s.position);
+}
 
 std::vector<point> voronoi_vertices(const site& a, const site& b, const site& c) {
   std::array<site, 3> s{a, b, c};
@@ -198,14 +213,14 @@ std::vector<point> wedge_exits(const site& v, const site& w) {
 
 point bisector_point(const site& a, const site& b) {
   const point d = b.position - a.position;
-  const double from_a = std::sqrt(inner_product(a.metric, d, d));
-  const double from_b = std::sqrt(inner_product(b.metric, d, d));
+  const double from_a = std::sqrt(squared_length(a.metric, d));
+  const double from_b = std::sqrt(squared_length(b.metric, d));
   return a.position + (from_b / (from_a + from_b)) * d;
 }
 
 point point_at_distance(const site& a, const point& b, double distance) {
   const point d = b - a.position;
-  return a.position + (distance / std::sqrt(inner_product(a.metric, d, d))) * d;
+  return a.position + (distance / std::sqrt(squared_length(a.metric, d))) * d;
 }
 
 }  // namespace asterism

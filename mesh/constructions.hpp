@@ -17,9 +17,10 @@ namespace asterism {
 
 // u^T M w.
 double inner_product(const metric_tensor& metric, const point& u, const point& w);
+// u^T M u to about 1e-11, however thin the metric is (thin_metric.hpp).
+double squared_length(const metric_tensor& metric, const point& u);
 // f_s(q), the squared distance from s to q as s measures it.
 double squared_distance(const site& s, const point& q);
-double determinant(const metric_tensor& metric);
 
 // The real points with f_a = f_b = f_c, at most four, each once, nearest (as measured by the three)
 // first. Points at infinity are left out; of infinitely many (three sites with one isotropic

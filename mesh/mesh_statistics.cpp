@@ -9,6 +9,7 @@
 #include "asterism/mesh/constructions.hpp"
 #include "asterism/mesh/local/parallel.hpp"
 #include "asterism/mesh/refine_quality.hpp"
+#include "asterism/mesh/thin_metric.hpp"
 
 namespace asterism {
 namespace {
@@ -31,7 +32,8 @@ void add_edge(const site& p, const site& q, double weight, sums& s) {
   s.sigma = std::max(s.sigma, variation(p, q));
 }
 
-void add_triangle(const triangle_sites& t, sums& s) {
+void add_triangle(const triangle_sites& given, sums& s) {
+  const triangle_sites t = in_round_coordinates(given);
   metric_tensor mean{};
   double squares = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -44,7 +46,7 @@ void add_triangle(const triangle_sites& t, sums& s) {
     squares += squared_distance({t[i].position, mean}, t[(i + 1) % 3].position);
   const point &a = t[0].position, &b = t[1].position, &c = t[2].position;
   const double plane = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
-  const double area = plane * std::sqrt(std::max(0.0, determinant(mean)));
+  const double area = plane * root_of_determinant(mean);
   const double quality = 4 * std::numbers::sqrt3 * area / squares;
   const double angle = smallest_angle(t);
   s.quality += quality;
@@ -59,7 +61,7 @@ void add_triangle(const triangle_sites& t, sums& s) {
 
 // The eigenvalues of M_p^-1 M_q are t +- sqrt(t^2 - d), t half the trace, d the determinant. Both
 // tensors are first scaled by one power of two, which changes no ratio, as products of entries
-// beyond 2^+-512 would leave the range of doubles.
+// beyond 2^+-512 would leave the range of doubles; and a thin p is made round.
 double distortion(const metric_tensor& p, const metric_tensor& q) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double trace = p.m11 + p.m22;
@@ -69,8 +71,13 @@ double distortion(const metric_tensor& p, const metric_tensor& q) {
     return metric_tensor{std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent),
                          std::scalbn(m.m22, exponent)};
   };
-  const metric_tensor a = scaled(p), b = scaled(q);
-  const double det_a = determinant(a), det_b = determinant(b);
+  metric_tensor a = scaled(p), b = scaled(q);
+  if (is_thin(a)) {
+    const round_coordinates round({}, a);
+    a = round.inward({{}, a}).metric;
+    b = round.inward({{}, b}).metric;
+  }
+  const double det_a = a.m11 * a.m22 - a.m12 * a.m12, det_b = b.m11 * b.m22 - b.m12 * b.m12;
   const double t = (a.m22 * b.m11 - 2 * a.m12 * b.m12 + a.m11 * b.m22) / det_a / 2;
   const double d = det_b / det_a;
   const double largest = t + std::sqrt(std::max(0.0, t * t - d));

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/thin_metric.hpp"
 
 namespace asterism {
 namespace {
@@ -39,7 +40,7 @@ point throw_dart(const refine_state& state, const triangle& t, dart_generator& r
   const double turn = 2 * std::numbers::pi * random.uniform();
   // With M = L L^T, the points c + L^-T u, |u| = r, are those at distance r from c.
   const double l11 = std::sqrt(mean.metric.m11), l21 = mean.metric.m12 / l11;
-  const double l22 = std::sqrt(std::max(mean.metric.m22 - l21 * l21, 0.0));
+  const double l22 = std::sqrt(least_across(mean.metric.m22, mean.metric.m12, mean.metric.m11));
   const double y = radius * std::sin(turn) / l22;
   const double x = (radius * std::cos(turn) - l21 * y) / l11;
   return {mean.position.x + x, mean.position.y + y};

@@ -9,6 +9,8 @@
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/kernels/vertex_hints.hpp"
 #include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/double_double.hpp"
+#include "asterism/mesh/thin_metric.hpp"
 
 namespace asterism {
 namespace {
@@ -30,14 +32,38 @@ double inner_product_magnitude(const metric_tensor& m, const point& a, const poi
 bool corner_is_low(const metric_tensor& m, const point& a, const point& b, double cotangent) {
   const double left = inner_product(m, a, b) + 8 * epsilon * inner_product_magnitude(m, a, b);
   if (left <= 0) return false;
-  const double det = determinant(m) - 4 * epsilon * (m.m11 * m.m22 + m.m12 * m.m12);
+  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
+  const double det = product - square - 4 * epsilon * (product + square);
   const double area = cross(a, b) - 8 * epsilon * (std::abs(a.x * b.y) + std::abs(a.y * b.x));
   if (!(det > 0) || !(area > 0)) return true;  // too thin to be sure of in doubles
   return !(left <= cotangent * std::sqrt(det) * area * (1 - 4 * epsilon));
 }
 
+// The same for a thin metric, in twice the precision. Differences of doubles are exact there; the
+// rest are sums of at most 16 operations, each off by less than 2^-102 of its result, so that
+// 2^-97 of the magnitudes covers them. Rounding to doubles is relative, and within the 4 epsilon.
+bool thin_corner_is_low(const metric_tensor& m, const std::array<point, 3>& corner,
+                        double cotangent) {
+  using wide = double_double;
+  const auto& [o, p, q] = corner;
+  const wide ax = wide(p.x) - o.x, ay = wide(p.y) - o.y, bx = wide(q.x) - o.x, by = wide(q.y) - o.y;
+  const point a{ax.high, ay.high}, b{bx.high, by.high};
+  constexpr double part = 0x1p-97;
+  const double inner =
+      static_cast<double>(wide(m.m11) * (ax * bx) + wide(m.m12) * (ax * by + ay * bx) +
+                          wide(m.m22) * (ay * by)) +
+      part * inner_product_magnitude(m, a, b);
+  if (inner <= 0) return false;
+  const double det =
+      static_cast<double>(wide(m.m11) * m.m22 - wide(m.m12) * m.m12) - part * m.m11 * m.m22;
+  const double area =
+      static_cast<double>(ax * by - ay * bx) - part * (std::abs(a.x * b.y) + std::abs(a.y * b.x));
+  if (!(det > 0) || !(area > 0)) return true;
+  return !(inner <= cotangent * std::sqrt(det) * area * (1 - 8 * epsilon));
+}
+
 double angle_between(const metric_tensor& m, const point& a, const point& b) {
-  const double across = std::sqrt(std::max(determinant(m), 0.0)) * cross(a, b);
+  const double across = root_of_determinant(m) * cross(a, b);
   return std::atan2(across, inner_product(m, a, b)) * to_degrees;
 }
 
@@ -53,12 +79,27 @@ bool angle_requirement::is_low(const triangle_sites& t, const std::array<bool, 3
     const point a = difference(t[(i + 1) % 3].position, t[i].position);
     const point b = difference(t[(i + 2) % 3].position, t[i].position);
     for (const site& from : t)
-      if (corner_is_low(from.metric, a, b, cotangent_)) return true;
+      if (corner_is_low(from.metric, a, b, cotangent_) &&
+          !(is_thin(from.metric) &&
+            !thin_corner_is_low(from.metric,
+                                {t[i].position, t[(i + 1) % 3].position, t[(i + 2) % 3].position},
+                                cotangent_)))
+        return true;
   }
   return false;
 }
 
-double smallest_angle(const triangle_sites& t) {
+triangle_sites in_round_coordinates(triangle_sites t) {
+  const auto thin =
+      std::find_if(t.begin(), t.end(), [](const site& s) { return is_thin(s.metric); });
+  if (thin == t.end()) return t;
+  const round_coordinates round(t[0].position, thin->metric);
+  for (site& s : t) s = round.inward(s);
+  return t;
+}
+
+double smallest_angle(const triangle_sites& given) {
+  const triangle_sites t = in_round_coordinates(given);
   double smallest = 180;
   for (std::size_t i = 0; i < 3; ++i) {
     const point a = difference(t[(i + 1) % 3].position, t[i].position);
@@ -69,11 +110,14 @@ double smallest_angle(const triangle_sites& t) {
 }
 
 double corner_angle(const site& corner, const point& first, const point& last) {
-  return angle_between(corner.metric, difference(first, corner.position),
-                       difference(last, corner.position));
+  const metric_tensor& m = corner.metric;
+  const triangle_sites t = in_round_coordinates({corner, {first, m}, {last, m}});
+  return angle_between(t[0].metric, difference(t[1].position, t[0].position),
+                       difference(t[2].position, t[0].position));
 }
 
-double metric_circumradius(const triangle_sites& t) {
+double metric_circumradius(const triangle_sites& given) {
+  const triangle_sites t = in_round_coordinates(given);
   // Newton's method from the centre of the mean circle finds the near vertex of nearly every
   // triangle at a tenth of the cost.
   if (const auto near = numeric::voronoi_vertex_near(t[0], t[1], t[2])) {

@@ -165,7 +165,7 @@ double refine_state::piece_length(std::size_t piece, index from) const {
   const boundary_edge& p = edges_.pieces()[piece];
   const point &a = sites_[p.a].position, &b = sites_[p.b].position;
   const point d{b.x - a.x, b.y - a.y};
-  return std::sqrt(inner_product(sites_[from].metric, d, d));
+  return std::sqrt(squared_length(sites_[from].metric, d));
 }
 
 }  // namespace asterism

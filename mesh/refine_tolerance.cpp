@@ -26,7 +26,7 @@ constexpr double dart_ladder = 1024;
 double squared_distance_to_segment(const site& s, const point& a, const point& b) {
   const point d{b.x - a.x, b.y - a.y}, e{s.position.x - a.x, s.position.y - a.y};
   const double t =
-      std::clamp(inner_product(s.metric, d, e) / inner_product(s.metric, d, d), 0.0, 1.0);
+      std::clamp(inner_product(s.metric, d, e) / squared_length(s.metric, d), 0.0, 1.0);
   return squared_distance(s, {a.x + t * d.x, a.y + t * d.y});
 }
 

@@ -16,6 +16,7 @@
 #include "asterism/mesh/refine_darts.hpp"
 #include "asterism/mesh/refine_survey.hpp"
 #include "asterism/mesh/refine_tolerance.hpp"
+#include "asterism/mesh/unit_frame.hpp"
 
 namespace asterism {
 namespace {
@@ -29,9 +30,11 @@ constexpr double resolved_distortion = 1.272;
 
 class refinement {
  public:
-  refinement(refine_state state, const refinement_options& options, index given,
-             const std::function<void(const refinement_progress&)>& progress)
+  // `frame` is the one the state is in.
+  refinement(refine_state state, const unit_frame& frame, const refinement_options& options,
+             index given, const std::function<void(const refinement_progress&)>& progress)
       : state_(std::move(state)),
+        frame_(frame),
         options_(options),
         progress_(progress),
         angle_(options.angle_bound),
@@ -263,10 +266,11 @@ class refinement {
       if (!first) first = b.where;
     }
     if (!first) return "";
-    const point& at = state_.sites()[(*first)[0]].position;
+    const point at = frame_.outward(state_.sites()[(*first)[0]].position);
     return "; at " + std::to_string(count) + " of them, one at (" + format_number(at.x) + ", " +
            format_number(at.y) + "), the metric varies faster than sites " +
-           format_number(tolerance_.floor) + " apart can resolve (a gradation of it might do)";
+           format_number(frame_.length_outward(tolerance_.floor)) +
+           " apart can resolve (a gradation of it might do)";
   }
 
   std::string stuck_message() const {
@@ -274,8 +278,9 @@ class refinement {
                             ? "darts"
                             : "candidates on Voronoi arcs";
     return "stuck: " + std::to_string(survey_.bad().size()) + " bad triangles are left, and no " +
-           tried + " farther than the tolerance " + format_number(in_force_) +
-           " from every site can be inserted" + steep_message();
+           tried + " farther than the tolerance " +
+           format_number(frame_.length_outward(in_force_)) + " from every site can be inserted" +
+           steep_message();
   }
 
   void report_progress() {
@@ -295,7 +300,8 @@ class refinement {
     o.result.triangles = std::move(now.agreeing);
     o.result.boundary = state_.edges().in_order();
     o.result.disagreeing = std::move(now.disagreeing);
-    o.tolerance = in_force_;
+    frame_.outward(o.result);
+    o.tolerance = frame_.length_outward(in_force_);
     o.sites = o.result.sites.size();
     o.triangles = o.result.triangles.size();
     o.disagreeing = survey_.count(badness::disagreeing);
@@ -311,6 +317,7 @@ class refinement {
   }
 
   refine_state state_;
+  unit_frame frame_;
   const refinement_options& options_;
   const std::function<void(const refinement_progress&)>& progress_;
   angle_requirement angle_;
@@ -321,8 +328,8 @@ class refinement {
   std::set<bad_triangle> parked_;  // tried in vain with the tolerance in force
   bool retry_ = false;             // something was inserted since some were parked
   index given_;
-  std::set<triangle> steep_;       // where the metric varies too fast
-  std::set<index> at_jump_;        // the sites of the triangles across such places
+  std::set<triangle> steep_;  // where the metric varies too fast
+  std::set<index> at_jump_;   // the sites of the triangles across such places
   std::size_t repairs_ = 0, thorough_at_ = 0;
   std::size_t rejected_ = 0;
   bool complete_ = false, ended_ = false, stopped_ = false;
@@ -365,6 +372,19 @@ result<filled_domain> propose(const domain& d, const metric_field& field,
   });
 }
 
+result<refinement_outcome> refine_in(
+    const unit_frame& frame, const star_kernel& kernel, const domain& d, const metric_field& field,
+    const refinement_options& options,
+    const std::function<void(const refinement_progress&)>& progress) {
+  const auto proposed = propose(d, field, options, progress);
+  if (!proposed) return proposed.failure();
+  auto state = refine_state::start_filled(d, field, kernel, options.max_sites, proposed.value());
+  if (!state) return state.failure();
+  return refinement(std::move(state).value(), frame, options, static_cast<index>(d.vertices.size()),
+                    progress)
+      .run();
+}
+
 }  // namespace
 
 result<refinement_outcome> refine_on(
@@ -372,13 +392,10 @@ result<refinement_outcome> refine_on(
     const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
   if (const auto refused = check_options(d, options)) return *refused;
-  const auto proposed = propose(d, field, options, progress);
-  if (!proposed) return proposed.failure();
-  auto state = refine_state::start_filled(d, field, kernel, options.max_sites, proposed.value());
-  if (!state) return state.failure();
-  return refinement(std::move(state).value(), options, static_cast<index>(d.vertices.size()),
-                    progress)
-      .run();
+  const bool lengths_are_free = !options.limit_size && !options.tolerance;
+  const unit_frame frame = unit_frame::choose(d, field, lengths_are_free);
+  if (frame.is_identity()) return refine_in(frame, kernel, d, field, options, progress);
+  return refine_in(frame, kernel, frame.inward(d), framed_field(field, frame), options, progress);
 }
 
 }  // namespace asterism

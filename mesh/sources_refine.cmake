@@ -22,4 +22,6 @@ target_sources(asterism PRIVATE
   star_insertion.cpp
   star_oracle.cpp
   star_set.cpp
+  thin_metric.cpp
+  unit_frame.cpp
   visibility.cpp)

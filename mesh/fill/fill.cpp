@@ -12,6 +12,7 @@
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/local/box_index.hpp"
 #include "asterism/mesh/local/hilbert_order.hpp"
+#include "asterism/mesh/local/neighbourhood.hpp"
 #include "asterism/mesh/local/parallel.hpp"
 #include "asterism/mesh/local/site_index.hpp"
 
@@ -24,13 +25,6 @@ constexpr std::size_t chunk = 256;
 // A new site must be farther than this part of the distance from all others as it measures itself;
 // as they measure, the whole. Asking the whole of both leaves holes where the metric varies.
 constexpr double own_part = 0.6;
-
-// A box around all points within `reach` of q as `metric` measures.
-bounding_box around(const point& q, const metric_tensor& metric, double reach) {
-  const double det = determinant(metric);
-  const double x = reach * std::sqrt(metric.m22 / det), y = reach * std::sqrt(metric.m11 / det);
-  return {{q.x - x, q.y - y}, {q.x + x, q.y + y}};
-}
 
 struct proposal {
   site where;
@@ -205,7 +199,7 @@ class filling {
     const double squared = distance_ * distance_, own = own_part * own_part * squared;
     // Metrics that differ more than this within the distance are beyond what the net can do.
     constexpr double margin = 1.25;
-    const bounding_box near = around(s.position, s.metric, margin * distance_);
+    const bounding_box near = box_around(s, margin * distance_);
     return among.visit_box(sites_, near.low, near.high, [&](index w) {
       return squared_distance(sites_[w], s.position) > squared &&
              squared_distance(s, sites_[w].position) > own;
@@ -214,7 +208,7 @@ class filling {
 
   // Whether no piece has its bisector point nearer to s than to its ends.
   bool stays_clear(const site& s) const {
-    const bounding_box near = around(s.position, s.metric, distance_);
+    const bounding_box near = box_around(s, distance_);
     return pieces_index_.visit(near, [&](std::uint32_t i) {
       const site &a = sites_[intervals_[i].a], &b = sites_[intervals_[i].b];
       const point m = bisector_point(a, b);
@@ -283,7 +277,7 @@ class filling {
     double reach = 2.2 * distance_;
     for (int attempt = 0; attempt < 64; ++attempt, reach *= 2) {
       near.clear();
-      const bounding_box box = around(s.position, s.metric, reach);
+      const bounding_box box = box_around(s, reach);
       const bool all = box.low.x <= box_.low.x && box.low.y <= box_.low.y &&
                        box.high.x >= box_.high.x && box.high.y >= box_.high.y;
       sites_index_.visit_box(sites_, box.low, box.high, [&](index u) {

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/kernels/vertex_hints.hpp"
+#include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/thin_metric.hpp"
 
 namespace asterism {
 namespace {
@@ -33,13 +36,16 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, index v
                                          const std::vector<index>& from) {
   thread_local std::vector<candidate> all;
   all.clear();
-  const site& s = sites[v];
+  site s = sites[v];
+  std::optional<round_coordinates> round;
+  if (is_thin(s.metric)) s = round.emplace(s.position, s.metric).inward(s);
   double nearest = infinity;
   std::size_t first = 0;
   for (const index w : from) {
     if (w == v) continue;
-    const auto d = between(s.position, sites[w].position);
-    const auto dual = apply(sites[w].metric, d), own = apply(s.metric, d);
+    const site other = round ? round->inward(sites[w]) : sites[w];
+    const auto d = between(s.position, other.position);
+    const auto dual = apply(other.metric, d), own = apply(s.metric, d);
     const double inverse = 1 / dot(dual, d);
     const double own_inverse = std::sqrt(inverse / dot(own, d));
     all.push_back({turn_of(d), w, d, inverse * dual + own_inverse * own});
@@ -62,11 +68,8 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, index v
   return all;
 }
 
-}  // namespace
-
-void close_gap(const std::vector<site>& sites, index v, plain_gap& gap, index next) {
-  gap.squared_radius = infinity;
-  const site &s = sites[v], &y = sites[gap.neighbour], &x = sites[next];
+// Vertex and radius of the gap of s between y and x.
+void close_gap(const site& s, const site& y, const site& x, plain_gap& gap) {
   const auto to_y = between(s.position, y.position), to_x = between(s.position, x.position);
   if (!(cross(to_y, to_x) > 0)) return;
   const auto vertex = numeric::voronoi_vertex_near(s, y, x);
@@ -76,6 +79,17 @@ void close_gap(const std::vector<site>& sites, index v, plain_gap& gap, index ne
   if (!(dot(seen, to_y) > 0 && dot(seen, to_x) > 0)) return;
   gap.vertex = {vertex->x, vertex->y};
   gap.squared_radius = dot(seen, *vertex);
+}
+
+}  // namespace
+
+void close_gap(const std::vector<site>& sites, index v, plain_gap& gap, index next) {
+  gap.squared_radius = infinity;
+  const site &s = sites[v], &y = sites[gap.neighbour], &x = sites[next];
+  if (!is_thin(s.metric)) return close_gap(s, y, x, gap);
+  const round_coordinates round(s.position, s.metric);
+  close_gap(round.inward(s), round.inward(y), round.inward(x), gap);
+  gap.vertex = round.outward(gap.vertex);
 }
 
 plain_star build_plain_star(const std::vector<site>& sites, index v,
@@ -110,8 +124,9 @@ bool disturbs(const std::vector<site>& sites, index v, const plain_star& star, i
     const bool past = cross(before, to_w) >= 0, not_beyond = cross(to_w, after) > 0;
     if (wide ? past || not_beyond : past && not_beyond) {
       if (star[i].squared_radius == infinity) return true;
-      const displacement<double> vertex{star[i].vertex.x, star[i].vertex.y};
-      return squared_length(sites[w].metric, vertex - to_w) < star[i].squared_radius;
+      const point& vertex = star[i].vertex;
+      return squared_length(sites[w].metric, point{vertex.x - to_w.x, vertex.y - to_w.y}) <
+             star[i].squared_radius;
     }
     before = after;
   }

@@ -53,7 +53,7 @@ class arc_length {
       return 0;
     }
     const point d{b_.x - a_.x, b_.y - a_.y};
-    return std::sqrt(inner_product(metric.value(), d, d));
+    return std::sqrt(squared_length(metric.value(), d));
   }
 
   void add(double t0, double v0, double t1, double v1, int depth) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/thin_metric.hpp"
 
 namespace asterism {
 namespace {
@@ -78,8 +79,10 @@ bounding_box influence_box(const site& a, const site& b) {
 // (m11 - m12^2 / m22) dx^2.
 bounding_box box_around(const site& s, double distance) {
   const metric_tensor& m = s.metric;
-  const auto half_width = [distance](double own, double mixed, double other) {
-    const double width = distance / std::sqrt(own - mixed * (mixed / other));
+  const bool thin = is_thin(m);
+  const auto half_width = [distance, thin](double own, double mixed, double other) {
+    const double least = thin ? least_across(own, mixed, other) : own - mixed * (mixed / other);
+    const double width = distance / std::sqrt(least);
     return width >= 0 ? width : std::numeric_limits<double>::infinity();
   };
   const double x = half_width(m.m11, m.m12, m.m22), y = half_width(m.m22, m.m12, m.m11);

@@ -139,23 +139,6 @@ TEST_CASE("guaranteed: the limit on sites is kept and named") {
   }
 }
 
-TEST_CASE("guaranteed: scaled by powers of two, nothing changes but the scale") {
-  const refinement_outcome plain =
-      mesh_of(accepted(square()), sized(swirl_field(3), 0.25), with_size(true));
-  for (const double scale : {0x1p200, 0x1p-200}) {
-    domain d = square();
-    for (point& q : d.vertices) q = {scale * q.x, scale * q.y};
-    const formula_field field([scale](const point& q) {
-      const metric_tensor m = swirl_field(3).at({q.x / scale, q.y / scale}).value();
-      const double s = 16 / scale / scale;
-      return metric_tensor{s * m.m11, s * m.m12, s * m.m22};
-    });
-    const refinement_outcome scaled = mesh_of(accepted(d), field, with_size(true));
-    CHECK(scaled.complete);
-    CHECK(scaled.result.triangles == plain.result.triangles);
-  }
-}
-
 TEST_CASE("guaranteed: far from the origin, sites a millionth apart") {
   domain d;
   add_ring(d, box_ring(1e8, 1e8, 1e8 + 1e-5, 1e8 + 1e-5));
