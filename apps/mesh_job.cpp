@@ -114,6 +114,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
   return {{"domain", job.domain},
           {"angle-bound", text_of(asked.angle_bound)},
           {"size", job.size ? text_of(*job.size) : "none"},
+          {"size-delivered", job.size ? text_of(*job.size * outcome.coarser) : "none"},
           {"gradation", job.gradation ? text_of(*job.gradation) : "none"},
           {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
           {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},

@@ -60,6 +60,9 @@ struct refinement_outcome {
   double tolerance = 0;  // the one in force at the end
   std::size_t sites = 0, triangles = 0, disagreeing = 0, low_angle = 0, too_large = 0;
   std::size_t inserted = 0, splits = 0, candidates_rejected = 0;
+  // Where the size wanted would have taken more sites than max_sites allows, edges were made this
+  // many times as long, all of them, and about so many sites would have been wanted.
+  double coarser = 1, sites_wanted = 0;
   // Stars a search of what is near had got wrong, found by looking at all sites, and mended.
   std::size_t star_repairs = 0;
   std::vector<exempt_corner> exempt;

@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "asterism/mesh/fill/fill.hpp"
 #include "asterism/mesh/mesh_statistics.hpp"
 #include "asterism/mesh/refine_arcs.hpp"
+#include "asterism/mesh/refine_budget.hpp"
 #include "asterism/mesh/refine_darts.hpp"
 #include "asterism/mesh/refine_survey.hpp"
 #include "asterism/mesh/refine_tolerance.hpp"
@@ -355,33 +355,15 @@ std::optional<error> check_options(const domain& d, const refinement_options& o)
   return std::nullopt;
 }
 
-// The sites the domain is to be filled with, for the strategies that begin so.
-result<filled_domain> propose(const domain& d, const metric_field& field,
-                              const refinement_options& options,
-                              const std::function<void(const refinement_progress&)>& progress) {
-  filled_domain nothing;
-  nothing.divisions.resize(d.segments.size());
-  if (options.strategy != refinement_strategy::guaranteed || !options.limit_size) return nothing;
-  fill_options wanted;
-  wanted.distance = largest_circumradius;
-  wanted.longest_piece = longest_piece_of_fill;
-  wanted.max_sites = options.max_sites;
-  return fill(d, field, wanted, [&](std::size_t sites) {
-    if (progress) progress({true, sites, 0, 0, 0});
-    return !options.stop || !options.stop();
-  });
-}
-
-result<refinement_outcome> refine_in(
-    const unit_frame& frame, const star_kernel& kernel, const domain& d, const metric_field& field,
-    const refinement_options& options,
+// The proposed sites refined, and what came of it in the domain's own units.
+result<refinement_outcome> refine_filled(
+    const budgeted_filling& filled, const star_kernel& kernel, const domain& d,
+    const metric_field& field, const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
-  const auto proposed = propose(d, field, options, progress);
-  if (!proposed) return proposed.failure();
-  auto state = refine_state::start_filled(d, field, kernel, options.max_sites, proposed.value());
+  auto state = refine_state::start_filled(d, field, kernel, options.max_sites, filled.proposed);
   if (!state) return state.failure();
-  return refinement(std::move(state).value(), frame, options, static_cast<index>(d.vertices.size()),
-                    progress)
+  return refinement(std::move(state).value(), filled.frame, options,
+                    static_cast<index>(d.vertices.size()), progress)
       .run();
 }
 
@@ -394,8 +376,16 @@ result<refinement_outcome> refine_on(
   if (const auto refused = check_options(d, options)) return *refused;
   const bool lengths_are_free = !options.limit_size && !options.tolerance;
   const unit_frame frame = unit_frame::choose(d, field, lengths_are_free);
-  if (frame.is_identity()) return refine_in(frame, kernel, d, field, options, progress);
-  return refine_in(frame, kernel, frame.inward(d), framed_field(field, frame), options, progress);
+  const auto filled = fill_within_budget(frame, d, field, options, progress);
+  if (!filled) return filled.failure();
+  const unit_frame& final_frame = filled.value().frame;
+  auto made = final_frame.is_identity()
+                  ? refine_filled(filled.value(), kernel, d, field, options, progress)
+                  : refine_filled(filled.value(), kernel, final_frame.inward(d),
+                                  framed_field(field, final_frame), options, progress);
+  if (made && filled.value().halvings > 0)
+    report_coarser(filled.value(), options, made.value());
+  return made;
 }
 
 }  // namespace asterism

@@ -9,6 +9,7 @@ target_sources(asterism PRIVATE
   mesher.cpp
   refine_arcs.cpp
   refine_boundary.cpp
+  refine_budget.cpp
   refine_darts.cpp
   refine_placement.cpp
   refine_quality.cpp

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace asterism {
@@ -25,12 +26,15 @@ point unit_frame::outward(const point& q) const {
   return {std::scalbn(q.x, coordinates_), std::scalbn(q.y, coordinates_)};
 }
 metric_tensor unit_frame::inward(const metric_tensor& m) const {
-  return scaled(m, 2 * (coordinates_ - lengths_));
+  return scaled(m, 2 * coordinates_ - squares_);
 }
 metric_tensor unit_frame::outward(const metric_tensor& m) const {
-  return scaled(m, 2 * (lengths_ - coordinates_));
+  return scaled(m, squares_ - 2 * coordinates_);
 }
-double unit_frame::length_outward(double length) const { return std::scalbn(length, lengths_); }
+double unit_frame::length_outward(double length) const {
+  const double root = squares_ % 2 == 0 ? 1 : std::numbers::sqrt2;
+  return std::scalbn(length * root, (squares_ - (squares_ % 2 == 0 ? 0 : 1)) / 2);
+}
 
 unit_frame unit_frame::choose(const domain& d, const metric_field& field, bool lengths_are_free) {
   const bounding_box box = d.box();
@@ -46,7 +50,7 @@ unit_frame unit_frame::choose(const domain& d, const metric_field& field, bool l
     length = side + static_cast<int>(std::floor(std::ilogb(std::max(m.m11, m.m22)) / 2.0));
   }
   if (std::abs(side) <= ordinary_side && std::abs(length) <= ordinary_length) return {};
-  const unit_frame frame(side, length);
+  const unit_frame frame(side, 2 * length);
   return frame.is_exact(d, field) ? frame : unit_frame();
 }
 

@@ -13,7 +13,7 @@
 
 namespace asterism {
 
-// The image is x / 2^coordinates with lengths divided by 2^lengths.
+// The image is x / 2^coordinates with squared lengths divided by 2^squares.
 class unit_frame {
  public:
   unit_frame() = default;
@@ -22,7 +22,10 @@ class unit_frame {
   // at a vertex would leave the range of normal doubles.
   static unit_frame choose(const domain& d, const metric_field& field, bool lengths_are_free);
 
-  bool is_identity() const { return coordinates_ == 0 && lengths_ == 0; }
+  // The same with squared lengths divided by 2^halvings more: as much fewer triangles fit in.
+  unit_frame coarser(int halvings) const { return {coordinates_, squares_ + halvings}; }
+
+  bool is_identity() const { return coordinates_ == 0 && squares_ == 0; }
   point inward(const point& q) const;
   point outward(const point& q) const;
   metric_tensor inward(const metric_tensor& m) const;
@@ -33,10 +36,10 @@ class unit_frame {
   void outward(mesh& m) const;
 
  private:
-  unit_frame(int coordinates, int lengths) : coordinates_(coordinates), lengths_(lengths) {}
+  unit_frame(int coordinates, int squares) : coordinates_(coordinates), squares_(squares) {}
   bool is_exact(const domain& d, const metric_field& field) const;
 
-  int coordinates_ = 0, lengths_ = 0;
+  int coordinates_ = 0, squares_ = 0;
 };
 
 // The field as the image of the domain has it. Both references must outlive it.

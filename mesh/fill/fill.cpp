@@ -59,9 +59,11 @@ class filling {
       distance_ = options_.distance * std::exp2(level);
       divide(level == 0 ? 0 : options_.longest_piece * std::exp2(level));
       while (!failure_ && !full_ && rounds_ < most_rounds) {
-        if (progress && !progress(sites_.size())) full_ = true;
-        if (!round()) break;
+        if (progress && !progress(sites_.size())) full_ = stopped_ = true;
+        if (full_ || !round()) break;
       }
+      needed_ = full_ ? std::max(needed_, static_cast<double>(sites_.size()))
+                      : sites_at_last_level(level);
     }
     if (failure_) return *failure_;
     return outcome();
@@ -78,6 +80,14 @@ class filling {
     std::size_t segment, first, last;  // into the division's points
     index a, b;
   };
+
+  // Half the distance takes twice the sites on segments and four times those inside.
+  double sites_at_last_level(int level) const {
+    const auto on_segments =
+        static_cast<double>(std::count(on_segment_.begin(), on_segment_.end(), 1));
+    const double inside = static_cast<double>(sites_.size()) - on_segments;
+    return on_segments * std::exp2(level) + inside * std::exp2(2 * level);
+  }
 
   double longest_segment() const {
     double longest = 0;
@@ -113,7 +123,10 @@ class filling {
     sites_.push_back(s);
     on_segment_.push_back(on_segment);
     sites_index_.insert(sites_, static_cast<index>(sites_.size() - 1));
+  }
+  bool is_out_of_room() {
     full_ = full_ || sites_.size() >= options_.max_sites;
+    return full_;
   }
 
   bounding_box piece_box(std::size_t i) const {
@@ -133,6 +146,7 @@ class filling {
         ++i;
         continue;
       }
+      if (is_out_of_room()) break;
       const std::size_t middle = now.first + (now.last - now.first) / 2;
       const auto s = site_at(d.points[middle]);
       if (!s) return;
@@ -226,8 +240,8 @@ class filling {
     fresh_from_ = sites_.size();
     site_index chosen(box_);
     for (const proposal& p : proposals) {
-      if (full_) return;
       if (!has_room(chosen, p.where)) continue;
+      if (is_out_of_room()) return;
       add_site(p.where, false);
       chosen.insert(sites_, static_cast<index>(sites_.size() - 1));
     }
@@ -299,6 +313,8 @@ class filling {
     filled_domain filled;
     filled.rounds = rounds_;
     filled.complete = !full_;
+    filled.stopped = stopped_;
+    filled.needed = needed_;
     filled.divisions.resize(divisions_.size());
     for (std::size_t s = 0; s < divisions_.size(); ++s)
       for (const index m : at_division_[s])
@@ -328,7 +344,9 @@ class filling {
   std::size_t fresh_from_ = 0;                   // the sites without stars yet
   double distance_ = 0;                          // of the level
   std::size_t rounds_ = 0;
-  bool full_ = false;
+  bool full_ = false;     // a site was wanted and there was no room
+  bool stopped_ = false;  // by `progress`, which makes it full
+  double needed_ = 0;
   std::optional<error> failure_;
 };
 
@@ -338,7 +356,13 @@ result<filled_domain> fill(const domain& d, const metric_field& field, const fil
                            const std::function<bool(std::size_t)>& progress) {
   auto divisions = divide_segments(d, field, options.longest_piece, options.max_sites);
   if (!divisions) return divisions.failure();
-  return filling(d, field, options, std::move(divisions).value()).run(progress);
+  if (divisions.value().of_each.empty() && !d.segments.empty()) {
+    filled_domain nothing;
+    nothing.divisions.resize(d.segments.size());
+    nothing.needed = divisions.value().pieces;
+    return nothing;
+  }
+  return filling(d, field, options, std::move(divisions.value().of_each)).run(progress);
 }
 
 }  // namespace asterism

@@ -35,12 +35,16 @@ struct filled_domain {
   // In the order of a space-filling curve.
   std::vector<site> interior;
   std::size_t rounds = 0;
-  bool complete = false;  // false: max_sites was reached
+  bool complete = false;  // false: max_sites was reached, or `progress` said so
+  bool stopped = false;   // by `progress`
+  // If not complete: about how many sites it would take, as far as can be told from coarser levels.
+  double needed = 0;
 };
 
 // `d` must have been accepted by check_domain. The same for any number of threads. Fails where the
-// field does, and where segments alone would need more than max_sites points. `progress` is told
-// the number of sites now and then and answers whether to go on.
+// field does, and where lengths leave the range of doubles. `progress` is told the number of sites
+// now and then and answers whether to go on. Where segments alone would need more than max_sites
+// points, nothing is proposed.
 result<filled_domain> fill(const domain& d, const metric_field& field, const fill_options& options,
                            const std::function<bool(std::size_t)>& progress = {});
 

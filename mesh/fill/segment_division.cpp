@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/fill/segment_division.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -135,29 +133,26 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
 
 }  // namespace
 
-result<std::vector<division>> divide_segments(const domain& d, const metric_field& field,
-                                              double longest, std::size_t most_points) {
+result<segment_divisions> divide_segments(const domain& d, const metric_field& field,
+                                          double longest, std::size_t most_points) {
   std::vector<arc_length> measured;
-  double points = 0;
+  segment_divisions made;
   for (const segment& s : d.segments) {
     auto one = arc_length::measure(field, d.vertices[s.a], d.vertices[s.b], longest / 16);
     if (!one) return one.failure();
-    points += one.value().total() / longest;
+    made.pieces += one.value().total() / longest;
     measured.push_back(std::move(one).value());
   }
-  if (!(points <= static_cast<double>(most_points)))
-    return error{
-        fmt::format("the segments of the domain are {:.4g} pieces long in this metric, and the "
-                    "limit is {} sites",
-                    points, most_points)};
+  if (!std::isfinite(made.pieces))
+    return error{"the lengths of the domain's segments in this metric leave the range of doubles"};
+  if (made.pieces > static_cast<double>(most_points)) return made;
   const std::vector<double> wanted = first_pieces(d, measured, longest);
-  std::vector<division> divisions;
   for (std::size_t s = 0; s < d.segments.size(); ++s) {
     const segment& one = d.segments[s];
-    divisions.push_back(divide(d.vertices[one.a], d.vertices[one.b], measured[s], wanted[one.a],
-                               wanted[one.b], longest));
+    made.of_each.push_back(divide(d.vertices[one.a], d.vertices[one.b], measured[s], wanted[one.a],
+                                  wanted[one.b], longest));
   }
-  return divisions;
+  return made;
 }
 
 }  // namespace asterism

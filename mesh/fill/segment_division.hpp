@@ -24,9 +24,14 @@ struct division {
   std::vector<double> lengths;
 };
 
+struct segment_divisions {
+  double pieces = 0;              // about how many there are in all
+  std::vector<division> of_each;  // none when that is more than `most_points`
+};
+
 // One for each segment of `d`, none of whose pieces is much longer than `longest` (metric length).
-// Fails where the field does, and when a segment would need more than `most_points` points.
-result<std::vector<division>> divide_segments(const domain& d, const metric_field& field,
-                                              double longest, std::size_t most_points);
+// Fails where the field does, and where lengths leave the range of doubles.
+result<segment_divisions> divide_segments(const domain& d, const metric_field& field,
+                                          double longest, std::size_t most_points);
 
 }  // namespace asterism

@@ -126,16 +126,39 @@ TEST_CASE("guaranteed: the limit on sites is kept and named") {
   refinement_options options = with_size(true);
   const domain d = accepted(square());
   const formula_field fine = sized(swirl_field(3), 0.05);
-  for (const std::size_t most : {4, 100, 500, 1000}) {
+  const auto needed = static_cast<double>(mesh_of(d, fine, options).sites);
+  for (const std::size_t most : {4, 5, 100, 500, 1000}) {
     options.max_sites = most;
-    const auto made = make_mesh(d, fine, options);
-    if (!made.ok()) {  // the segments alone need more
-      CHECK(made.failure().message.find("limit is " + std::to_string(most)) != std::string::npos);
-      continue;
-    }
-    CHECK_FALSE(made.value().complete);
-    CHECK(made.value().sites <= most);
-    CHECK(made.value().reason.find("limit of " + std::to_string(most)) != std::string::npos);
+    const refinement_outcome made = mesh_of(d, fine, options);
+    INFO(made.reason);
+    CHECK_FALSE(made.complete);
+    CHECK(made.sites <= most);
+    CHECK(made.reason.find("limit of " + std::to_string(most)) != std::string::npos);
+    if (most < 100) continue;
+    // It was a failure where the segments alone needed more, and elsewhere fine in one part of the
+    // domain and coarse in the rest. Now edges are longer everywhere, and all else is as asked.
+    CHECK(made.disagreeing == 0);
+    CHECK(made.low_angle == 0);
+    CHECK(made.too_large > 0);
+    CHECK(made.coarser > 1);
+    CHECK(made.sites > most / 4);
+    CHECK(made.sites_wanted == Approx(needed).epsilon(0.2));
+    CHECK(made.result.sites[0].metric == fine.at(made.result.sites[0].position).value());
+  }
+}
+
+TEST_CASE("guaranteed: a size that takes 4e14 triangles ends soon, and says so") {
+  refinement_options options = with_size(true);
+  options.max_sites = 5000;
+  for (const double size : {1e-7, 1e-30, 1e-100}) {
+    const refinement_outcome made =
+        mesh_of(accepted(square()), sized(identity_field(), size), options);
+    INFO(made.reason);
+    CHECK_FALSE(made.complete);
+    CHECK(made.sites <= options.max_sites);
+    CHECK(made.sites > options.max_sites / 4);
+    CHECK(made.disagreeing == 0);
+    CHECK(made.sites_wanted * size * size == Approx(4.6).epsilon(0.2));
   }
 }
 

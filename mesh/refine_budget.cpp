@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine_budget.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "asterism/mesh/refine_quality.hpp"
+
+namespace asterism {
+namespace {
+
+// Of the limit on sites, for the fill; the rest is for mending.
+constexpr double part_for_filling = 0.8;
+// Each attempt halves the sites at least once, and no problem takes 2^2000 of them.
+constexpr int most_attempts = 2000;
+
+// How many more times the number of sites is to be halved.
+int halvings_for(double needed, std::size_t most_sites) {
+  const double room = part_for_filling * static_cast<double>(most_sites);
+  return std::max(1, static_cast<int>(std::ceil(std::log2(needed / room))));
+}
+
+}  // namespace
+
+result<budgeted_filling> fill_within_budget(
+    const unit_frame& frame, const domain& d, const metric_field& field,
+    const refinement_options& options,
+    const std::function<void(const refinement_progress&)>& progress) {
+  budgeted_filling filled{{}, frame, 0};
+  if (options.strategy != refinement_strategy::guaranteed || !options.limit_size) {
+    filled.proposed.divisions.resize(d.segments.size());
+    return filled;
+  }
+  fill_options wanted;
+  wanted.distance = largest_circumradius;
+  wanted.longest_piece = longest_piece_of_fill;
+  wanted.max_sites = options.max_sites;
+  const auto go_on = [&](std::size_t sites) {
+    if (progress) progress({true, sites, 0, 0, 0});
+    return !options.stop || !options.stop();
+  };
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    filled.frame = frame.coarser(filled.halvings);
+    auto proposed =
+        filled.frame.is_identity()
+            ? fill(d, field, wanted, go_on)
+            : fill(filled.frame.inward(d), framed_field(field, filled.frame), wanted, go_on);
+    if (!proposed) return proposed.failure();
+    filled.proposed = std::move(proposed).value();
+    if (filled.proposed.complete || filled.proposed.stopped) break;
+    filled.halvings += halvings_for(filled.proposed.needed, options.max_sites);
+  }
+  return filled;
+}
+
+void report_coarser(const budgeted_filling& filled, const refinement_options& options,
+                    refinement_outcome& outcome) {
+  const mesh& m = outcome.result;
+  outcome.complete = false;
+  outcome.too_large = static_cast<std::size_t>(
+      std::count_if(m.triangles.begin(), m.triangles.end(), [&m](const triangle& t) {
+        return metric_circumradius({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}) >
+               largest_circumradius;
+      }));
+  outcome.coarser = std::exp2(filled.halvings / 2.0);
+  const auto on_segments = static_cast<double>(m.given + outcome.splits);
+  const double inside = static_cast<double>(outcome.sites) - on_segments;
+  outcome.sites_wanted = on_segments * outcome.coarser + inside * outcome.coarser * outcome.coarser;
+  outcome.reason = fmt::format(
+      "the limit of {} sites was reached: the size wanted takes about {:.3g}; with edges {:.3g} "
+      "times as long, {}",
+      options.max_sites, outcome.sites_wanted, outcome.coarser, outcome.reason);
+}
+
+}  // namespace asterism
