@@ -8,7 +8,9 @@ import command
 
 JOB = ["mesh", "square", "--random-points", "10", "--metric", "swirl:3", "--angle-bound", "20"]
 SUMMARY = (r"\A\d+ sites, \d+ triangles, worst angle \d+\.\d\d degrees, 0 disagreeing, 0 low-angle"
-           r": certified\n\Z")
+           r"{}: certified\n\Z")
+UNSIZED = SUMMARY.format("")
+SIZED = SUMMARY.format(r", \d+\.\d\d% unit edges")
 
 
 def section(lines, keyword):
@@ -25,7 +27,7 @@ class Mesh(command.CommandTest):
 
     def test_the_main_job(self):
         done = self.make("-o", "m.svg", "-o", "m.png", "-o", "m.pdf", "-o", "m.vtu", "--ellipses")
-        self.assertRegex(done.stdout, SUMMARY)
+        self.assertRegex(done.stdout, UNSIZED)
         self.assertEqual(done.stderr, "")
         self.assertEqual(self.files(), ["m.certificate.json", "m.mesh", "m.pdf", "m.png", "m.sol",
                                         "m.svg", "m.vtu"])
@@ -65,7 +67,7 @@ class Mesh(command.CommandTest):
     def test_darts(self):
         done = self.run_command(*JOB[:-1], "10", "--refine", "darts", "-o", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout, SUMMARY)
+        self.assertRegex(done.stdout, UNSIZED)
 
     def test_size(self):
         sites = []
@@ -79,7 +81,7 @@ class Mesh(command.CommandTest):
         for metric in ("layer:0.05,0.3", "shock:4"):
             done = self.run_command("mesh", "square", "--metric", metric, "--size", "1", "-o", "m.mesh")
             self.assertEqual(done.returncode, 0, metric + done.stderr)
-            self.assertRegex(done.stdout, SUMMARY)
+            self.assertRegex(done.stdout, SIZED)
 
     def test_gradation(self):
         job = ["mesh", "square", "--metric", "swirl:3", "--size", "1", "-o", "m.mesh"]
@@ -87,7 +89,7 @@ class Mesh(command.CommandTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         told, summary = done.stdout.splitlines(keepends=True)
         self.assertRegex(told, r"\Agradation: [1-9]\d* of \d+ nodes changed, density at most times [1-9]")
-        self.assertRegex(summary, SUMMARY)
+        self.assertRegex(summary, SIZED)
         asked = json.loads((self.folder / "m.certificate.json").read_text())["asked"]["options"]
         self.assertEqual(asked["gradation"], "1.5")
         self.assertEqual("gradation: " + asked["gradation-done"] + "\n", told)
