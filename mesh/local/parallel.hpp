@@ -5,12 +5,12 @@
 // so that the outcome is the same for every number of threads.
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <vector>
+
+#include "asterism/mesh/local/parallel_for.hpp"
 
 namespace asterism {
 
@@ -26,8 +26,8 @@ void parallel_chunks(std::size_t count, std::size_t chunk, const Work& work) {
     work(std::size_t{0}, std::size_t{0}, count);
     return;
   }
-  tbb::parallel_for(std::size_t{0}, chunks,
-                    [&](std::size_t i) { work(i, i * chunk, std::min(count, (i + 1) * chunk)); });
+  parallel_for(chunks,
+               [&](std::size_t i) { work(i, i * chunk, std::min(count, (i + 1) * chunk)); });
 }
 
 // The concatenation of what append(begin, end, out) adds to `out` for each chunk, in order.
