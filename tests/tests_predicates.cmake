@@ -5,7 +5,8 @@ asterism_predicates_test(core_test
   LINK CGAL::CGAL gmp)
 target_compile_options(core_test PRIVATE -frounding-math)
 asterism_predicates_test(kernels_test
-  SOURCES kernels/tiers_test.cpp kernels/environment_test.cpp kernels/filter_bounds_test.cpp kernels/fixed_width_test.cpp
+  SOURCES kernels/tiers_test.cpp kernels/environment_test.cpp kernels/filter_bounds_test.cpp
+          kernels/error_constants_test.cpp kernels/fixed_width_test.cpp
           kernels/batch_test.cpp)
 asterism_predicates_test(star_gap_test
   SOURCES kernels/star_gap_test.cpp kernels/star_gap_bounds_test.cpp
