@@ -17,8 +17,9 @@ namespace asterism::audit_detail {
 using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
 
-// The exact value lies within `error` of `value`. Overflow makes the error infinite or not a
-// number, so that nothing is certain any more.
+// The exact value lies within `error` of `value`. Results beyond 2^1000 have an infinite error, so
+// that nothing is certain any more: to look for infinities would not do, since an overflow rounded
+// towards zero is the largest double.
 //
 // An operation in any rounding mode is off by at most 2^-52 of its result, or 2^-1022 where that
 // is subnormal. `inflated` charges 2^-51 and 2^-1000, the difference paying for the few roundings
@@ -67,11 +68,14 @@ class bounded {
 
  private:
   static constexpr double smallest = 0x1p-1000;
+  static constexpr double largest = 0x1p1000;
   static constexpr double step = 0x1p-51;
 
   bounded(double value, double error) : value_(value), error_(error) {}
   static bounded inflated(double value, double error) {
-    return {value, (error + std::abs(value) * step) * (1 + 16 * step) + smallest};
+    const double bound = (error + std::abs(value) * step) * (1 + 16 * step) + smallest;
+    const bool in_range = std::abs(value) + bound <= largest;
+    return {value, in_range ? bound : std::numeric_limits<double>::infinity()};
   }
   double slack() const { return (std::abs(value_) + error_) * step + smallest; }
 
