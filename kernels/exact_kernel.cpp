@@ -6,6 +6,7 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/square_root_sum.hpp"
+#include "asterism/kernels/exact_arc.hpp"
 #include "asterism/kernels/exact_to_interval.hpp"
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_arc_point.hpp"
@@ -29,11 +30,11 @@ namespace asterism {
 
 namespace {
 
+using exact::add_zeros;
+using exact::arc;
 using exact::dense_polynomial;
 using exact::real_root;
 using exact::root_line;
-
-using arc = visible_arc<dyadic>;
 
 // The point p of the arc at parameter m, by its weighted displacement from v.
 struct exact_arc_point {
@@ -57,7 +58,7 @@ struct exact_arithmetic {
   }
   template <std::size_t Degree>
   static sign sign_at(const polynomial<dyadic, Degree>& p, real_root& root) {
-    return root.sign_of_value(dense_polynomial(p));
+    return exact::sign_at(p, root);
   }
   template <class... Polynomials>
   static std::optional<std::vector<dyadic>> samples(const Polynomials&... polynomials) {
@@ -66,26 +67,13 @@ struct exact_arithmetic {
     return line.samples();
   }
   static sign function_sign(const arc& on, const arc_function<dyadic>& f, const dyadic& m) {
-    const dyadic radicand = on.e(m);
-    return square_root_sum(on.rational_part(f)(m), f.beta(m), radicand).sign_value();
+    return exact::sign_at(on, f, m);
   }
 };
 
 bool is_true(uncertain_bool answer) { return answer.value(); }
 
 constexpr unsigned tag_arc = 0, tag_x = 1, tag_y = 2, tag_other = 3;
-
-// Cuts at every zero of f along the arc.
-void add_function(root_line& line, const arc& on, const arc_function<dyadic>& f, unsigned tag) {
-  const dense_polynomial norm(on.norm(f));
-  if (!norm.is_zero()) {
-    line.add(norm, tag);
-    return;
-  }
-  // Then f is 2 P or 0 in each section between the zeros of P and beta.
-  line.add(dense_polynomial(on.rational_part(f)), tag);
-  line.add(dense_polynomial(f.beta), tag);
-}
 
 struct insertion_sections {
   insertion_question<dyadic> question;
@@ -102,10 +90,10 @@ struct insertion_sections {
     line.add(dense_polynomial(on.e), tag_arc);
     line.add(dense_polynomial(on.h), tag_arc);
     line.add(dense_polynomial(on.a), tag_arc);
-    add_function(line, on, equidistance_x, tag_x);
-    add_function(line, on, equidistance_y, tag_y);
+    add_zeros(line, on, equidistance_x, tag_x);
+    add_zeros(line, on, equidistance_y, tag_y);
     const auto add_other = [&](const arc_function<dyadic>& f) {
-      add_function(line, on, f, tag_other);
+      add_zeros(line, on, f, tag_other);
     };
     question.at_x.visit_other_critical_functions(add_other);
     question.at_y.visit_other_critical_functions(add_other);
@@ -126,19 +114,7 @@ struct insertion_sections {
 
   // The value of f at a root of the line, on the arc.
   sign value_at(const arc_function<dyadic>& f, real_root& root) const {
-    const arc& on = question.arc;
-    const sign p = exact_arithmetic::sign_at(on.rational_part(f), root);
-    const sign beta = exact_arithmetic::sign_at(f.beta, root);
-    if (p == beta || beta == sign::zero) return p;
-    if (p == sign::zero) return beta;
-    return p * exact_arithmetic::sign_at(on.norm(f), root);  // P^2 against beta^2 E; C > 0
-  }
-
-  bool root_on_arc(real_root& root) const {
-    const arc& on = question.arc;
-    return exact_arithmetic::sign_at(on.e, root) == sign::positive &&
-           (exact_arithmetic::sign_at(on.h, root) == sign::positive ||
-            exact_arithmetic::sign_at(on.a, root) == sign::positive);
+    return exact::sign_at(question.arc, f, root);
   }
 
   // At contact k: positive when the section of z (x or y) allowed there is the one where z is
@@ -154,7 +130,7 @@ struct insertion_sections {
     constexpr std::uint64_t both = (1U << tag_x) | (1U << tag_y);
     exact::cut& at = line.cuts()[k];
     if ((at.vanishing & both) != both) return false;
-    if (!on_arc(k) || !on_arc(k + 1) || !root_on_arc(at.root)) return false;
+    if (!on_arc(k) || !on_arc(k + 1) || !exact::is_on_arc(question.arc, at.root)) return false;
     const bool touch = (allowed(question.at_x, k) && allowed(question.at_y, k + 1)) ||
                        (allowed(question.at_y, k) && allowed(question.at_x, k + 1));
     return touch && value_at(equidistance_x, at.root) == sign::zero &&
