@@ -30,6 +30,7 @@ struct certify_options {
   std::optional<fs::path> output;
   double angle_bound = 20;
   bool repair = false;
+  bool prove_voronoi = false;
   std::optional<std::size_t> max_sites;
 };
 
@@ -117,7 +118,11 @@ void write_report(const certify_report& report, const mesh& m, double angle_boun
             << report.edges << std::fixed << std::setprecision(1) << " ("
             << 100.0 * static_cast<double>(report.unit_edges) / static_cast<double>(report.edges)
             << "%)\n"
-            << std::defaultfloat << (report.certified() ? "certified\n" : "NOT certified\n");
+            << std::defaultfloat;
+  if (report.audit.voronoi != voronoi_verdict::not_asked)
+    std::cout << "dual of the Voronoi diagram: "
+              << voronoi_verdict_names[static_cast<std::size_t>(report.audit.voronoi)] << '\n';
+  std::cout << (report.certified() ? "certified\n" : "NOT certified\n");
 }
 
 std::optional<error> write_result(const certify_options& options, const mesh& m,
@@ -141,9 +146,14 @@ certificate claim_of(const certify_options& options, const mesh& m, const audit_
   return claim;
 }
 
+bool is_dual_as_asked(const certify_options& options, const audit_report& report) {
+  return !options.prove_voronoi || report.voronoi == voronoi_verdict::proved;
+}
+
 int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
                    const certify_report& report) {
-  if (!options.output) return done;
+  const exit_status status = is_dual_as_asked(options, report.audit) ? done : not_reached;
+  if (!options.output) return status;
   audit_options asked;
   asked.angle_bound = options.angle_bound;
   asked.original = &adopted.shape;
@@ -151,7 +161,7 @@ int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
   claim.reason = "the mesh as it came is certified";
   if (const auto failure = write_result(options, adopted.subject, claim))
     return complain(*failure, not_reached);
-  return done;
+  return status;
 }
 
 int repair(const certify_options& options, const adopted_mesh& adopted,
@@ -178,6 +188,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted,
   asked.angle_bound = options.angle_bound;
   asked.original = &adopted.shape;
   for (const exempt_corner& corner : outcome.exempt) asked.exempt_corners.push_back(corner.vertex);
+  asked.check_voronoi = options.prove_voronoi;
   const audit_report judged = audit(outcome.result, asked);
   certificate claim = claim_of(options, outcome.result, asked, judged);
   claim.complete = outcome.complete;
@@ -191,8 +202,11 @@ int repair(const certify_options& options, const adopted_mesh& adopted,
             << " triangles, worst angle " << std::fixed << std::setprecision(2)
             << judged.worst.degrees
             << " degrees: " << (reached ? "certified\n" : "NOT certified\n");
-  if (reached) return done;
-  return complain({"not reached: " + outcome.reason}, not_reached);
+  if (reached && is_dual_as_asked(options, judged)) return done;
+  return complain({reached ? "not proved to be the dual of the Voronoi diagram: " +
+                                 judged.findings.front().witness
+                           : "not reached: " + outcome.reason},
+                  not_reached);
 }
 
 int run_certify(certify_options options) {
@@ -210,7 +224,8 @@ int run_certify(certify_options options) {
     return complain({"--max-sites " + std::to_string(*options.max_sites) + ": the mesh has " +
                      std::to_string(sites) + " vertices already"},
                     refused);
-  const certify_report report = certify(adopted.value(), options.angle_bound);
+  const certify_report report =
+      certify(adopted.value(), options.angle_bound, options.prove_voronoi);
   write_report(report, adopted.value().subject, options.angle_bound);
   if (report.certified()) return write_as_it_is(options, adopted.value(), report);
   return options.repair ? repair(options, adopted.value(), report) : not_reached;
@@ -230,6 +245,8 @@ void add_certify_command(CLI::App& program, command& chosen) {
       *app, "--angle-bound", angle_bounds, [options](double x) { options->angle_bound = x; },
       "Least angle of a triangle, as each of its vertices measures it (default 20)")
       ->type_name("DEG");
+  app->add_flag("--voronoi", options->prove_voronoi,
+                "Prove it the dual of the anisotropic Voronoi diagram, or end with status 1");
   app->add_flag("--repair", options->repair, "Add sites until it is certified");
   add_count(
       *app, "--max-sites", 3, 100000000,

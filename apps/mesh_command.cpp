@@ -110,6 +110,12 @@ void add_output_options(CLI::App& app, mesh_job& job) {
   app.add_option("--certificate", job.certificate,
                  "The certificate's file (default: first OUT with extension .certificate.json)")
       ->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--certify", [&job](const std::string& what) { job.prove_voronoi = what == "voronoi"; },
+         "stars (default): every triangle is in the stars of its corners; voronoi: moreover, the "
+         "mesh is the dual of the anisotropic Voronoi diagram, or the exit status is 1")
+      ->check(CLI::IsMember({"stars", "voronoi"}))
+      ->type_name("WHAT");
   app.add_flag("--ellipses", job.ellipses, "Draw the metric in pictures");
   app.add_flag("--quiet", job.quiet, "No progress, no summary");
 }

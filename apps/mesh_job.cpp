@@ -120,6 +120,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},
           {"tol", asked.tolerance ? text_of(*asked.tolerance) : "chosen"},
           {"tol-at-end", text_of(outcome.tolerance)},
+          {"certify", job.prove_voronoi ? "voronoi" : "stars"},
           {"max-sites", std::to_string(asked.max_sites)},
           {"regions", job.number_regions ? "numbered" : "as given"},
           {"random-points", std::to_string(job.random_points)},
@@ -140,7 +141,9 @@ judged_mesh judge(const mesh_job& job, const prepared_input& input,
     options.exempt_corners.push_back(corner.vertex);
   // Who interrupts a run does not want to wait for the stars of a mesh that is not finished.
   if (outcome.stopped) options.check_stars = false;
+  options.check_voronoi = job.prove_voronoi && !outcome.stopped;
   judged_mesh judged{audit(outcome.result, options), {}};
+  if (job.prove_voronoi && outcome.stopped) judged.report.voronoi = voronoi_verdict::not_reached;
   judged.claim = make_certificate(outcome.result, options, judged.report);
   judged.claim.metric = job.metric;
   judged.claim.options = options_of(job, input, outcome);
@@ -179,6 +182,9 @@ void write_summary(const refinement_outcome& outcome, const audit_report& report
     std::cout << ", " << report.exempt_triangles.size() << " exempt at "
               << report.exempt_corners.size() << " corners";
   if (unit_edges) std::cout << ", " << *unit_edges * 100 << "% unit edges";
+  if (report.voronoi != voronoi_verdict::not_asked)
+    std::cout << ", dual of the Voronoi diagram: "
+              << voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)];
   std::cout << (reached ? ": certified\n" : ": NOT certified, incomplete\n");
 }
 
@@ -188,10 +194,13 @@ int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit
   std::optional<double> unit_edges;
   if (job.size) unit_edges = claim.measured.at("unit_edges");
   if (!job.quiet) write_summary(outcome, report, reached, unit_edges);
-  if (reached) return done;
+  const bool dual_as_asked = !job.prove_voronoi || report.voronoi == voronoi_verdict::proved;
+  if (reached && dual_as_asked) return done;
   if (!outcome.complete) return complain({"not reached: " + outcome.reason}, not_reached);
   const std::string witness = report.findings.empty() ? "" : ": " + report.findings[0].witness;
-  return complain({"the audit refuses the mesh" + witness}, not_reached);
+  return complain({reached ? "not proved to be the dual of the Voronoi diagram" + witness
+                           : "the audit refuses the mesh" + witness},
+                  not_reached);
 }
 
 result<refinement_outcome> mesh_with_progress(const mesh_job& job, const prepared_input& input) {
@@ -207,8 +216,7 @@ result<refinement_outcome> mesh_with_progress(const mesh_job& job, const prepare
 
 int run_mesh_job(const mesh_job& job) {
   std::optional<tbb::global_control> threads;
-  if (job.threads > 0)
-    threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
   fs::path certificate_path = job.certificate;
   if (certificate_path.empty())
     certificate_path = fs::path(job.outputs[0]).replace_extension(".certificate.json");

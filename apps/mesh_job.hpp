@@ -23,10 +23,11 @@ struct mesh_job {
   std::size_t random_points = 0;
   refinement_options refinement;  // its seed is the random points' too
   std::vector<std::filesystem::path> outputs;
-  std::filesystem::path certificate;  // empty: beside the first output
-  std::size_t threads = 0;             // 0: as many as there are processors
-  std::optional<double> max_seconds;   // of wall time, for refinement
-  std::optional<double> max_megabytes; // of resident memory
+  std::filesystem::path certificate;    // empty: beside the first output
+  std::size_t threads = 0;              // 0: as many as there are processors
+  std::optional<double> max_seconds;    // of wall time, for refinement
+  std::optional<double> max_megabytes;  // of resident memory
+  bool prove_voronoi = false;           // that the mesh is the dual of the Voronoi diagram
   bool ellipses = false;
   bool quiet = false;
 };

@@ -25,6 +25,7 @@ struct verify_options {
   std::optional<double> angle_bound;
   std::string domain;
   bool number_regions = false;
+  bool prove_voronoi = false;
 };
 
 constexpr const char* examples =
@@ -96,6 +97,9 @@ void write_verdict(const verify_report& verdict) {
   if (!audit.domain_checked) std::cout << "; no domain to compare with";
   if (!audit.angles_checked) std::cout << "; no angle bound asked for";
   if (!audit.stars_checked) std::cout << "; stars not checked";
+  if (audit.voronoi != voronoi_verdict::not_asked)
+    std::cout << "; dual of the Voronoi diagram: "
+              << voronoi_verdict_names[static_cast<std::size_t>(audit.voronoi)];
   std::cout << '\n';
 }
 
@@ -109,6 +113,7 @@ int run_verify(const verify_options& options) {
 
   audit_options asked;
   asked.angle_bound = options.angle_bound;
+  asked.check_voronoi = options.prove_voronoi;
   if (original.value()) asked.original = &*original.value();
   const verify_report verdict = verify(subject.value(), claim.value(), asked);
   write_verdict(verdict);
@@ -130,6 +135,9 @@ void add_verify_command(CLI::App& program, command& chosen) {
   app->add_option("--domain", options->domain, "What it should be a mesh of")->type_name("DOMAIN");
   app->add_flag("--regions", options->number_regions,
                 "The domain named by --domain was meshed with --regions");
+  app->add_flag("--voronoi", options->prove_voronoi,
+                "Prove it the dual of the anisotropic Voronoi diagram (done without, too, when "
+                "the certificate claims it)");
   app->footer(examples);
   app->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
 }

@@ -38,7 +38,14 @@ const std::array<std::string_view, finding_kind_count> finding_kind_names = {
     "exemption_not_proven",
     "star_neighbour_rejected",
     "star_site_missing",
+    "voronoi_vertex_missing",
+    "voronoi_arc_reversed",
+    "voronoi_site_nearer",
+    "voronoi_boundary_encroached",
 };
+
+const std::array<std::string_view, 4> voronoi_verdict_names = {"not asked", "not reached",
+                                                               "refused", "proved"};
 
 std::size_t audit_report::total_found() const {
   return std::accumulate(found.begin(), found.end(), std::size_t{0});
@@ -69,8 +76,12 @@ audit_report audit(const mesh& subject, const audit_options& options) {
   check_angles(context);
   if (options.check_stars && triangulation) check_stars(context);
 
-  report.counters += context.kernel.counters();
   report.certified = report.total_found() == 0;
+  if (options.check_voronoi) {
+    report.voronoi = voronoi_verdict::not_reached;
+    if (triangulation) check_voronoi(context);
+  }
+  report.counters += context.kernel.counters();
   return report;
 }
 

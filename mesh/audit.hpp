@@ -13,13 +13,17 @@
 //     vertices, hence of any convex combination of them; triangles at an exempt corner excepted;
 //  4. have every triangle in the star of each of its vertices: each star is a fixed point of the
 //     incremental insertion among the sites visible from its centre.
-// docs/math/certificate.md states and proves what each point rests on.
+// When asked for, it is moreover proven or refused that the mesh
+//  5. is the dual of the anisotropic Voronoi diagram of its sites, restricted to the domain, all of
+//     whose arcs are wedged. A mesh can be certified without.
+// docs/math/certificate.md states and proves what each point rests on, voronoi-certificate.md
+// point 5.
 //
 // Input: any mesh, however damaged; indices out of range or numbers that are not finite are
 // findings, never undefined behaviour. Cost: O(n log n) for points 0 to 3 but for long axis-aligned
 // sides, where pairs of boundary boxes are compared; point 4 likewise where the metric is smooth at
-// the scale of an edge, and O(n^2) at worst.
-// Source: the thesis, definitions 4 to 6 and 9, theorem 4.
+// the scale of an edge, and O(n^2) at worst; so does point 5.
+// Source: the thesis, definitions 2 to 6 and 9, theorem 4.
 #pragma once
 
 #include <array>
@@ -67,8 +71,13 @@ enum class finding_kind : std::size_t {
   exemption_not_proven,          // the corner's own angle is not below the bound
   star_neighbour_rejected,       // a neighbour the star would not accept again
   star_site_missing,             // a visible site the star would accept
+  // The last four refuse point 5 alone.
+  voronoi_vertex_missing,       // a triangle without a Voronoi vertex that its corners all see
+  voronoi_arc_reversed,         // Voronoi vertices in the wrong order around an edge
+  voronoi_site_nearer,          // a third site nearer to a point of an arc
+  voronoi_boundary_encroached,  // a third site nearer to a point of a boundary edge
 };
-inline constexpr std::size_t finding_kind_count = 30;
+inline constexpr std::size_t finding_kind_count = 34;
 // As certificates spell them, in the order of `finding_kind`.
 extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
 
@@ -93,9 +102,20 @@ struct audit_options {
   // segment's ends. Rounding is about 2^-53 a split; it decides no topology.
   double deviation_limit = 0x1p-40;
   bool check_stars = true;
+  bool check_voronoi = false;
   // Findings kept of each kind; all are counted.
   std::size_t findings_kept = 20;
 };
+
+enum class voronoi_verdict : std::size_t {
+  not_asked,
+  not_reached,  // the mesh is no triangulation of a region, or was not looked at so far
+  refused,      // the findings say why
+  proved,
+};
+
+// As certificates spell them, in that order.
+extern const std::array<std::string_view, 4> voronoi_verdict_names;
 
 // The least angle of a corner; for information, in floating point.
 struct audited_angle {
@@ -104,7 +124,8 @@ struct audited_angle {
 };
 
 struct audit_report {
-  bool certified = false;
+  bool certified = false;  // points 0 to 4, as far as asked for
+  voronoi_verdict voronoi = voronoi_verdict::not_asked;
   std::vector<audit_finding> findings;
   std::array<std::size_t, finding_kind_count> found{};  // of each kind, kept or not
 
@@ -124,6 +145,8 @@ struct audit_report {
   // kernel's are in `counters`.
   std::size_t decisions = 0, exact_decisions = 0;
   std::size_t star_pairs = 0, star_pairs_tested = 0;  // looked at, and left for edge_test
+  // Arcs against sites, and those of them that needed exact numbers.
+  std::size_t voronoi_pairs = 0, voronoi_pairs_exact = 0;
   tier_counters counters;
 
   std::size_t total_found() const;

@@ -57,6 +57,8 @@ void audit_context::take(audit_tally&& tally) {
   report.exact_decisions += tally.part.exact_decisions;
   report.star_pairs += tally.part.star_pairs;
   report.star_pairs_tested += tally.part.star_pairs_tested;
+  report.voronoi_pairs += tally.part.voronoi_pairs;
+  report.voronoi_pairs_exact += tally.part.voronoi_pairs_exact;
   report.counters += tally.kernel.counters();
 }
 

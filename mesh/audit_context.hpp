@@ -114,6 +114,7 @@ void check_domain_kept(audit_context& context);
 void check_regions(audit_context& context);
 void check_angles(audit_context& context);
 void check_stars(audit_context& context);
+void check_voronoi(audit_context& context);
 
 // Index into context.edges, or the size of it.
 std::size_t find_edge(const audit_context& context, index a, index b);

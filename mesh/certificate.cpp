@@ -68,6 +68,7 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.angles_checked = report.angles_checked;
   c.stars_checked = report.stars_checked;
   c.certified = report.certified;
+  c.voronoi = report.voronoi;
   for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
     if (report.found[kind] != 0) c.found.emplace(finding_kind_names[kind], report.found[kind]);
   for (const audit_finding& f : report.findings)

@@ -36,7 +36,7 @@ struct certificate {
   // The mesh, as counted and audited.
   std::size_t sites = 0, triangles = 0, boundary_pieces = 0, given = 0;
   std::uint64_t fingerprint = 0;
-  std::size_t star_repairs = 0;       // stars a local search had got wrong, mended before the end
+  std::size_t star_repairs = 0;  // stars a local search had got wrong, mended before the end
   // What mesh_statistics.hpp measures, by the names there; those that are finite.
   std::map<std::string, double> measured;
   std::optional<double> angle_bound;  // degrees
@@ -46,6 +46,7 @@ struct certificate {
   double largest_deviation = 0;
   bool domain_checked = false, angles_checked = false, stars_checked = false;
   bool certified = false;
+  voronoi_verdict voronoi = voronoi_verdict::not_asked;
   std::map<std::string, std::size_t> found;  // findings by kind, those that occurred
   std::vector<std::string> witnesses;        // "kind: sentence"
   tier_counters audit_counters;
@@ -78,7 +79,8 @@ struct verify_report {
 };
 
 // Audits again, from the mesh and the certificate alone. From the certificate come the domain, the
-// exempt corners and the angle bound where `options` has none of its own; without a certificate
+// exempt corners and the angle bound where `options` has none of its own, and what it says is the
+// dual of the Voronoi diagram is checked to be; without a certificate
 // exempt corners are looked for, and nothing is known of the domain.
 verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
                      audit_options options);

@@ -97,6 +97,7 @@ json audit_json(const certificate& c) {
           {"domain_checked", c.domain_checked},
           {"angles_checked", c.angles_checked},
           {"stars_checked", c.stars_checked},
+          {"voronoi", voronoi_verdict_names[static_cast<std::size_t>(c.voronoi)]},
           {"worst_angle", c.worst_angle},
           {"exempt_corners", from_one(c.exempt_corners)},
           {"exempt_triangles", from_one(c.exempt_triangles)},
@@ -212,11 +213,22 @@ void read_mesh(const json& object, certificate& c) {
   c.fingerprint = fingerprint_of(object);
 }
 
+// Certificates written before the question could be asked do not answer it.
+voronoi_verdict voronoi_of(const json& object) {
+  if (!object.contains("voronoi")) return voronoi_verdict::not_asked;
+  const auto text = read<std::string>(object, "voronoi");
+  const auto place = std::find(voronoi_verdict_names.begin(), voronoi_verdict_names.end(), text);
+  if (place == voronoi_verdict_names.end())
+    throw malformed("\"voronoi\" holds \"" + text + "\", which is no verdict");
+  return static_cast<voronoi_verdict>(place - voronoi_verdict_names.begin());
+}
+
 void read_audit(const json& object, certificate& c) {
   c.certified = read<bool>(object, "certified");
   c.domain_checked = read<bool>(object, "domain_checked");
   c.angles_checked = read<bool>(object, "angles_checked");
   c.stars_checked = read<bool>(object, "stars_checked");
+  c.voronoi = voronoi_of(object);
   c.worst_angle = read<double>(object, "worst_angle");
   c.exempt_corners = indices_of(object, "exempt_corners");
   c.exempt_triangles = indices_of(object, "exempt_triangles");

@@ -37,13 +37,15 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
     if (!options.angle_bound) options.angle_bound = claim->angle_bound;
     if (options.original == nullptr && claim->original) options.original = &*claim->original;
     if (options.exempt_corners.empty()) options.exempt_corners = claim->exempt_corners;
+    if (claim->voronoi == voronoi_verdict::proved) options.check_voronoi = true;
   } else {
     options.find_exempt_corners = true;
   }
   verify_report report;
   report.audit = audit(subject, options);
   if (claim) report.contradictions = contradictions_of(subject, *claim, report.audit);
-  report.verified = report.audit.certified && report.contradictions.empty();
+  report.verified = report.audit.certified && report.contradictions.empty() &&
+                    (!options.check_voronoi || report.audit.voronoi == voronoi_verdict::proved);
   return report;
 }
 

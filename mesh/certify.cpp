@@ -147,7 +147,7 @@ result<adopted_mesh> adopt_mesh(mesh from_elsewhere) {
   return adopted;
 }
 
-certify_report certify(const adopted_mesh& adopted, double angle_bound) {
+certify_report certify(const adopted_mesh& adopted, double angle_bound, bool check_voronoi) {
   const mesh& m = adopted.subject;
   certify_report report;
   audit_options options;
@@ -155,6 +155,7 @@ certify_report certify(const adopted_mesh& adopted, double angle_bound) {
   options.original = &adopted.shape;
   options.find_exempt_corners = true;
   options.findings_kept = 5;
+  options.check_voronoi = check_voronoi;
   report.audit = audit(m, options);
   report.inverted = report.audit.found[static_cast<std::size_t>(finding_kind::orientation)];
   for (const triangle& t : m.triangles) report.below_bound += smallest_angle(m, t) < angle_bound;

@@ -14,6 +14,9 @@ target_sources(asterism PRIVATE
   audit_stars.cpp
   audit_star_filter.cpp
   audit_values.cpp
+  audit_voronoi.cpp
+  audit_voronoi_arc.cpp
+  audit_voronoi_exact.cpp
   certificate.cpp
   certificate_json.cpp
   certificate_verify.cpp)

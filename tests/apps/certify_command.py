@@ -53,6 +53,16 @@ class Certify(command.CommandTest):
         self.assertRegex(done.stdout, r"\ncertified\n\Z")
         self.assertEqual(self.run_command("verify", "same.mesh").returncode, 0)
 
+    def test_the_voronoi_diagram_when_asked(self):
+        self.make_good()
+        self.assertNotIn("Voronoi", self.run_certify(0, "good.mesh").stdout)
+        done = self.run_certify(0, "good.mesh", "--voronoi", "-o", "same.mesh")
+        self.assertIn("dual of the Voronoi diagram: proved\n", done.stdout)
+        # One site that reaches over its neighbours between the corners of their cells.
+        self.grid(8, lambda x, y: (0.05, 0, 2) if x == y == 0.5 else (1, 0, 1))
+        done = self.run_certify(1, "grid.mesh", "--voronoi", "--angle-bound", "0")
+        self.assertIn("dual of the Voronoi diagram: refused\n", done.stdout)
+
     def test_without_edges_the_rim_is_found(self):
         self.make_good()
         text = (self.folder / "good.mesh").read_text()

@@ -102,6 +102,26 @@ class Mesh(command.CommandTest):
             seen.append([(self.folder / name).read_bytes() for name in ("m.mesh", "m.sol")])
         self.assertEqual(seen[0], seen[1])
 
+    def test_the_voronoi_diagram_is_proved_or_refused(self):
+        def make(status, *more):
+            done = self.run_command("mesh", "square", "--certify", "voronoi", "-o", "m.mesh", *more)
+            self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+            audit = json.loads((self.folder / "m.certificate.json").read_text())["audit"]
+            return done, audit
+        done, audit = make(0, "--metric", "swirl:12", "--size", "0.3")
+        self.assertIn("dual of the Voronoi diagram: proved", done.stdout)
+        self.assertEqual((audit["certified"], audit["voronoi"]), (True, "proved"))
+        self.assertIn("dual of the Voronoi diagram: proved",
+                      self.run_command("verify", "m.mesh").stdout)
+        # Too coarse for the metric: the stars agree, and arcs leave their wedges.
+        done, audit = make(1, "--metric", "swirl:24")
+        self.assertEqual((audit["certified"], audit["voronoi"]), (True, "refused"))
+        self.assertRegex(done.stderr, r"not proved to be the dual.*: triangle \d+ of vertex")
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+        self.assertEqual(self.run_command("verify", "m.mesh", "--voronoi").returncode, 1)
+        self.assertEqual(self.run_command("mesh", "square", "--certify", "all", "-o",
+                                          "x.mesh").returncode, 2)
+
     def test_progress_needs_a_terminal(self):
         self.assertNotIn("\r", self.make().stderr)
 

@@ -125,6 +125,25 @@ TEST_CASE("text that is no certificate") {
   refused(with("\"exempt_corners\": []", "\"exempt_corners\": [0]"), "counts nothing from 1");
   refused(with("\"certified\": true", "\"certified\": 1"), "\"certified\" is not what it should");
   refused(with("\"worst_angle\"", "\"worst\""), "\"worst_angle\" is missing");
+  refused(with("\"not asked\"", "\"likely\""), "\"likely\", which is no verdict");
+}
+
+TEST_CASE("the verdict on the Voronoi diagram is written, read, and checked when it is claimed") {
+  certified_patch made;
+  made.c.voronoi = voronoi_verdict::proved;
+  const std::string text = certificate_text(made.c);
+  const auto read = parse_certificate(text, "c.json");
+  REQUIRE(read.ok());
+  CHECK(read.value().voronoi == voronoi_verdict::proved);
+  const verify_report report = verify(made.p.m, read.value(), {});
+  CHECK(report.verified);
+  CHECK(report.audit.voronoi == voronoi_verdict::proved);
+  // Certificates from before there was such a verdict.
+  const std::string line = "  \"voronoi\": \"proved\",\n";
+  std::string old = text;
+  REQUIRE(old.find(line) != std::string::npos);
+  old.erase(old.find(line), line.size());
+  CHECK(parse_certificate(old, "c.json").value().voronoi == voronoi_verdict::not_asked);
 }
 
 TEST_CASE("a mesh is verified against its certificate") {
