@@ -22,9 +22,12 @@ struct tolerance_range {
   double start = 0;
   double floor = 0;
   double shrink = 0.5;  // of the arcs; refine_darts.hpp has its own
+  double finest = 0;    // after a fill: how near sites may have to be because the metric varies
 };
 
-tolerance_range choose_tolerance(const refine_state& state, const refinement_options& options);
+// `vertices` is the number of the domain's vertices, which are the first sites.
+tolerance_range choose_tolerance(const refine_state& state, index vertices,
+                                 const refinement_options& options);
 
 // Six significant digits, for messages.
 std::string format_number(double value);

@@ -21,9 +21,9 @@
 namespace asterism {
 namespace {
 
-// The largest sigma * distance at which no arrangement of sites was found to have a defect at 20
-// degrees (docs/math/refinement.md).
-constexpr double resolved_variation = 0.052;
+// Up to this sigma * distance refinement has been seen to reach 20 degrees; the proof wants 0.052
+// (docs/math/refinement.md). Beyond it a triangle is given up, so the greater of the two.
+constexpr double resolved_variation = 0.3;
 // Sites whose metrics differ less than this, the root of the golden ratio, have wedged arcs at any
 // distance that a net has (the same page, point 4).
 constexpr double resolved_distortion = 1.272;
@@ -38,7 +38,7 @@ class refinement {
         options_(options),
         progress_(progress),
         angle_(options.angle_bound),
-        tolerance_(choose_tolerance(state_, options)),
+        tolerance_(choose_tolerance(state_, given, options)),
         darts_(options.seed, options.max_rejected, tolerance_.start, tolerance_.floor),
         in_force_(tolerance_.start),
         survey_(state_, angle_, options.limit_size),
@@ -86,29 +86,35 @@ class refinement {
     ended_ = true;
   }
 
-  // Coarse stars keep neighbours they should not: before a site is inserted for a disagreement,
-  // the stars in it are made anew.
+  // Coarse stars keep neighbours they should not, and near searches miss some: before a site is
+  // inserted for a disagreement, the stars in it are made anew, and held against all sites.
   bool rebuild_disagreeing() {
-    std::vector<index> stale;
+    const star_set& stars = state_.stars();
+    std::vector<index> stale, unconfirmed;
     for (const bad_triangle& b : survey_.bad()) {
       if (b.why != badness::disagreeing) break;
-      for (const index v : b.where)
-        if (state_.stars().is_stale(v)) stale.push_back(v);
+      // At a jump of the metric most sites are in reach of most others.
+      const bool given_up = steep_.count(b.where) != 0 || is_at_jump(b);
+      for (const index v : b.where) {
+        if (stars.is_stale(v)) stale.push_back(v);
+        if (!given_up && !stars.is_confirmed(v) && !stars.is_unsettled(v)) unconfirmed.push_back(v);
+      }
     }
-    return rebuild(std::move(stale));
+    return rebuild(std::move(stale), star_search::near) ||
+           rebuild(std::move(unconfirmed), star_search::thorough);
   }
 
   bool rebuild_all_stale() {
     std::vector<index> stale;
     for (index v = 0; v < state_.stars().size(); ++v)
       if (state_.stars().is_stale(v)) stale.push_back(v);
-    return rebuild(std::move(stale));
+    return rebuild(std::move(stale), star_search::near);
   }
 
-  bool rebuild(std::vector<index> stale) {
+  bool rebuild(std::vector<index> stale, star_search search) {
     std::sort(stale.begin(), stale.end());
     stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
-    return !state_.stars().construct(state_.oracle(), stale, star_search::near).empty();
+    return !state_.stars().construct(state_.oracle(), stale, search).empty();
   }
 
   // What a local search can have missed: every star is held against all sites that are not
@@ -200,7 +206,7 @@ class refinement {
   // there are no defects where sigma times the distance of sites is small), more sites are of no
   // use; at a jump of the metric they would pile up for ever.
   bool is_too_steep(const triangle& t) {
-    const double most = resolved_variation / tolerance_.floor;
+    const double most = resolved_variation / tolerance_.finest;
     const triangle_sites sites = sites_of(state_, t);
     for (std::size_t i = 0; i < 3; ++i)
       if (t[i] != t[(i + 1) % 3] && steepest_between(sites[i], sites[(i + 1) % 3], most) > most)
@@ -269,7 +275,7 @@ class refinement {
     const point at = frame_.outward(state_.sites()[(*first)[0]].position);
     return "; at " + std::to_string(count) + " of them, one at (" + format_number(at.x) + ", " +
            format_number(at.y) + "), the metric varies faster than sites " +
-           format_number(frame_.length_outward(tolerance_.floor)) +
+           format_number(frame_.length_outward(tolerance_.finest)) +
            " apart can resolve (a gradation of it might do)";
   }
 

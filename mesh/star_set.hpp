@@ -27,6 +27,8 @@ class star_set {
   index size() const { return static_cast<index>(stars_.size()); }
   const star& operator[](index v) const { return stars_[v]; }
   bool is_stale(index v) const { return condition_[v] == condition::stale; }
+  // The star is known to be final (star_confirmation.hpp) as far as the sites go that there were then.
+  bool is_confirmed(index v) const { return final_[v].against != 0; }
   // Construction met its bound: the star violates (a) or (b) and is a defect of the mesh.
   bool is_unsettled(index v) const { return condition_[v] == condition::unsettled; }
 
