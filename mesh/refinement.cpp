@@ -78,6 +78,10 @@ class refinement {
     }
     if (improve()) return;
     if (rebuild_all_stale()) return;
+    if (confirmed_at_ != state_.sites().size()) {
+      confirmed_at_ = 0;  // once more before giving up
+      return;
+    }
     end(stuck_message());
   }
 
@@ -100,8 +104,11 @@ class refinement {
         if (!given_up && !stars.is_confirmed(v) && !stars.is_unsettled(v)) unconfirmed.push_back(v);
       }
     }
-    return rebuild(std::move(stale), star_search::near) ||
-           rebuild(std::move(unconfirmed), star_search::thorough);
+    if (rebuild(std::move(stale), star_search::near)) return true;
+    // Where metrics vary much all sites are in reach, so this waits until there are a tenth more.
+    if (10 * state_.sites().size() < 11 * confirmed_at_) return false;
+    confirmed_at_ = state_.sites().size();
+    return rebuild(std::move(unconfirmed), star_search::thorough);
   }
 
   bool rebuild_all_stale() {
@@ -336,7 +343,7 @@ class refinement {
   index given_;
   std::set<triangle> steep_;  // where the metric varies too fast
   std::set<index> at_jump_;   // the sites of the triangles across such places
-  std::size_t repairs_ = 0, thorough_at_ = 0;
+  std::size_t repairs_ = 0, thorough_at_ = 0, confirmed_at_ = 0;  // the last two: numbers of sites
   std::size_t rejected_ = 0;
   bool complete_ = false, ended_ = false, stopped_ = false;
   std::string reason_;
