@@ -108,7 +108,8 @@ tolerance_range choose_tolerance(const refine_state& state, index vertices,
   }
   if (options.strategy == refinement_strategy::guaranteed && options.limit_size) {
     const double start = fill_fraction * largest_circumradius, finest = start / finest_part;
-    return {start, std::min(start, smallest_feature(state, vertices, start)) / fill_ladder, fill_shrink, finest};
+    return {start, std::min(start, smallest_feature(state, vertices, start)) / fill_ladder,
+            fill_shrink, finest};
   }
   // With a size limit edges will be about 1 long, however far apart the given sites are.
   const double most = options.limit_size ? 1 : std::numeric_limits<double>::infinity();

@@ -167,8 +167,8 @@ class refinement {
   }
 
   // Many bad triangles at once: each is given a site unless one of its sites, or a neighbour of
-  // one, already was in a triangle that got one; what comes of it is then looked at anew. Pieces are
-  // split one by one, in improve().
+  // one, already was in a triangle that got one; what comes of it is then looked at anew. Pieces
+  // are split one by one, in improve().
   bool improve_in_bulk() {
     constexpr std::size_t fewest = 32;
     if (survey_.bad().size() < fewest) return false;
@@ -196,8 +196,8 @@ class refinement {
     return any && !state_.field_failure();
   }
 
-  // Whether the triangle, or one that shares a site with it, lies across a place where the metric is
-  // too steep; then it is put aside for good.
+  // Whether the triangle, or one that shares a site with it, lies across a place where the metric
+  // is too steep; then it is put aside for good.
   bool is_at_jump(const bad_triangle& b) {
     if (options_.strategy != refinement_strategy::guaranteed) return false;
     const bool beside = b.why != badness::too_large &&
@@ -229,7 +229,8 @@ class refinement {
       const auto middle = state_.site_at({p.position.x + (q.position.x - p.position.x) / 2,
                                           p.position.y + (q.position.y - p.position.y) / 2});
       if (!middle || middle->position == p.position || middle->position == q.position) break;
-      const bool first = distortion(p.metric, middle->metric) >= distortion(middle->metric, q.metric);
+      const bool first =
+          distortion(p.metric, middle->metric) >= distortion(middle->metric, q.metric);
       (first ? q : p) = *middle;
       steepest = std::max(steepest, variation(p, q));
     }
@@ -255,7 +256,8 @@ class refinement {
     for (const bad_triangle& b : survey_.bad()) {
       if (state_.is_full() || state_.field_failure()) return;
       const auto [v, y, x] = b.where;
-      if (parked_.count(b) == 0 && steep_.count(b.where) == 0 && has_triangle(state_.oracle(), v, state_.stars()[v], y, x))
+      if (parked_.count(b) == 0 && steep_.count(b.where) == 0 &&
+          has_triangle(state_.oracle(), v, state_.stars()[v], y, x))
         refine_by_arcs(state_, b.where, in_force_, rejected_);
     }
   }

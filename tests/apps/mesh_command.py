@@ -2,6 +2,9 @@
 """The main job through the real command: files, certificate, exit statuses; and what verify finds
 in meshes that were altered."""
 import json
+import signal
+import subprocess
+import time
 import unittest
 
 import command
@@ -135,6 +138,49 @@ class Mesh(command.CommandTest):
         self.assertEqual(self.run_command("draw", "m.mesh", "-o", "e.svg").returncode, 0)
         self.assertEqual(self.run_command("draw", "m.mesh", "-o", "f.svg", "--ellipses").returncode, 2)
         self.assertNotIn("f.svg", self.files())
+
+
+class Limits(command.CommandTest):
+    LONG = ["mesh", "square", "--metric", "swirl:24", "--size", "0.004", "--max-sites", "5000000", "-o", "m.mesh"]
+
+    def check_partial(self, returncode, stderr, reason):
+        self.assertEqual(returncode, 1, stderr)
+        self.assertIn(f"not reached: stopped: {reason}", stderr)
+        self.assertEqual(self.files(), ["m.certificate.json", "m.mesh", "m.sol"])
+        self.assertIn(reason, json.loads((self.folder / "m.certificate.json").read_text())["outcome"]["reason"])
+        self.assertIn(f"# Incomplete, not certified: stopped: {reason}", (self.folder / "m.mesh").read_text())
+
+    def test_seconds(self):
+        done = self.run_command(*self.LONG, "--max-seconds", "0.5")
+        self.check_partial(done.returncode, done.stderr, "0.5 seconds have passed")
+
+    def test_memory(self):
+        done = self.run_command(*self.LONG, "--max-memory", "30")
+        self.check_partial(done.returncode, done.stderr, "more than 30 megabytes are in use")
+
+    def test_interrupt(self):
+        with subprocess.Popen([command.PROGRAM, *self.LONG], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as run:
+            time.sleep(0.5)
+            run.send_signal(signal.SIGINT)
+            _, told = run.communicate(timeout=240)
+        self.check_partial(run.returncode, told.decode(), "interrupted")
+
+    def test_threads_change_nothing(self):
+        made = []
+        for threads in ("1", "3"):
+            done = self.run_command("mesh", "square", "--metric", "swirl:12", "--size", "0.05", "--threads", threads,
+                                    "-o", "m.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            made.append([(self.folder / name).read_bytes() for name in ("m.mesh", "m.sol")])
+        self.assertEqual(made[0], made[1])
+
+    def test_what_is_no_limit_is_refused(self):
+        for bad in (["--threads", "0"], ["--max-seconds", "-1"], ["--max-memory", "nan"], ["--max-seconds", "soon"]):
+            done = self.run_command(*JOB, *bad, "-o", "m.mesh")
+            self.assertEqual(done.returncode, 2, bad)
+            self.assertIn(bad[0], done.stderr)
+            self.assertEqual(self.files(), [])
 
 
 class Verify(command.CommandTest):

@@ -104,6 +104,42 @@ TEST_CASE("guaranteed: the same mesh with one thread and with two") {
   CHECK(one.reason == two.reason);
 }
 
+// Vertices on opposite walls are level up to 1e-10 of their distance, so each four of them are
+// nearly on one circle, and diagonals are longer than a search from near vertices goes.
+TEST_CASE("guaranteed: a ladder between slanted walls needs no site to be agreed upon") {
+  const formula_field linear([](const point& q) {
+    const double h = 0.002 + 0.198 * std::fabs(q.y);
+    return metric_tensor{25, 0, 1 / (h * h)};
+  });
+  for (const double lean : {0.0, 1e-16, 1e-10, 1e-4}) {
+    domain d;
+    add_ring(d, {{-lean, -0.8}, {0.1, -0.8}, {0.1 + lean, 0.8}, {0, 0.8}});
+    const refinement_outcome made = mesh_of(accepted(d), linear, with_size(true));
+    INFO(lean << ": " << made.reason);
+    CHECK(made.complete);
+    CHECK(made.sites < 120);
+  }
+}
+
+TEST_CASE(
+    "guaranteed: beyond the first pieces at a sharp corner sites come nearer than the floor of "
+    "wide domains") {
+  for (const double height : {0.9, 0.2, 0.05}) {
+    domain d;
+    add_ring(d, {{0, 0}, {10, 0}, {10, height}});
+    check_certified(accepted(d), constant_field({4, 0, 4}), with_size(true));
+  }
+}
+
+TEST_CASE("guaranteed: a steep metric that sites can resolve is not given up") {
+  const formula_field shock([](const point& q) {
+    const double t = std::tanh((q.y - 0.3 * std::sin(2 * q.x)) / 0.1);
+    const double h = 0.25 + 0.75 * t * t;
+    return metric_tensor{1, 0, 1 / (h * h)};
+  });
+  check_certified(accepted(square()), shock, with_size(true));
+}
+
 TEST_CASE("guaranteed: jumps of the metric end quickly, with the place named") {
   const formula_field jump([](const point& q) {
     const double s = q.x < 0.1 ? 16 : 1600;

@@ -79,9 +79,7 @@ TEST_CASE("square, ten points kept: identity, swirl and sink meet their bounds")
 
 TEST_CASE("swirl:12 at 20 degrees: the corners of 22.6 degrees stay undivided") {
   const domain d = square_with_points(1);
-  refinement_options options = with_bound(20);
-  options.strategy = refinement_strategy::voronoi_arcs;  // as economical as it gets
-  const refinement_outcome made = mesh_of(d, swirl_field(12), options);
+  const refinement_outcome made = mesh_of(d, swirl_field(12), with_bound(20));
   REQUIRE(made.complete);
   CHECK(audited(d, made, 20).certified);
   CHECK(made.exempt.empty());
