@@ -2,12 +2,16 @@
 //
 // Point 5 of the auditor: what it proves the dual of the Voronoi diagram is seen to be that by
 // looking at points one by one, and what it refuses it refuses for a reason.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
+#include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit.hpp"
 #include "asterism/mesh/audit_voronoi_arc.hpp"
 #include "asterism/mesh/audit_voronoi_exact.hpp"
@@ -104,6 +108,60 @@ metric_tensor random_metric(small_generator& random, double strength) {
   const double l = std::exp(random.between(-strength, strength)),
                k = std::exp(random.between(-strength, strength));
   return {l * t * t + k * s * s, (l - k) * s * t, l * s * s + k * t * t};
+}
+
+constexpr std::array voronoi_kinds = {
+    finding_kind::voronoi_vertex_missing, finding_kind::voronoi_arc_reversed,
+    finding_kind::voronoi_site_nearer, finding_kind::voronoi_boundary_encroached};
+
+// What there is to find by the definition: exact numbers alone, every site against every arc.
+std::map<finding_kind, std::size_t> judge_slowly(const mesh& m) {
+  const filtered_kernel kernel;
+  std::map<finding_kind, std::size_t> found;
+  for (const finding_kind kind : voronoi_kinds) found[kind] = 0;
+  const auto at = [&](vertex_number v) -> const site& { return m.sites[v]; };
+  std::map<std::pair<vertex_number, vertex_number>, vertex_number> apex;
+  std::map<std::pair<vertex_number, vertex_number>, bool> has_vertex;
+  for (const triangle& t : m.triangles) {
+    const bool there = exact_voronoi_arc(at(t[1]), at(t[2])).vertex(at(t[0])).has_value();
+    found[finding_kind::voronoi_vertex_missing] += !there;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::pair edge{t[i], t[(i + 1) % 3]};
+      apex[edge] = t[(i + 2) % 3];
+      has_vertex[edge] = there;
+    }
+  }
+  for (const auto& [edge, left] : apex) {
+    const auto [v, u] = edge;
+    const std::pair reverse{u, v};
+    const bool on_boundary = apex.count(reverse) == 0;
+    if (on_boundary)
+      for (vertex_number w = 0; w < m.sites.size(); ++w)
+        found[finding_kind::voronoi_boundary_encroached] +=
+            w != v && w != u && kernel.encroaches(at(v), at(u), at(w));
+    if (!on_boundary && v < u) continue;  // the audit asks the other end
+    if (!has_vertex[edge] || (!on_boundary && !has_vertex[reverse])) continue;
+    const exact_voronoi_arc arc(at(v), at(u));
+    const auto to = arc.vertex(at(left)),
+               from = on_boundary ? exact_voronoi_arc::on_segment() : arc.vertex(at(apex[reverse]));
+    const sign order = exact_voronoi_arc::order(*to, *from);
+    found[finding_kind::voronoi_arc_reversed] += order == sign::negative;
+    if (order != sign::positive) continue;
+    for (vertex_number w = 0; w < m.sites.size(); ++w)
+      found[finding_kind::voronoi_site_nearer] +=
+          w != v && w != u && arc.is_nearer(at(w), *from, *to);
+  }
+  return found;
+}
+
+// The same mesh with its vertices in the opposite order, and its triangles started elsewhere.
+mesh renumbered(mesh m) {
+  const auto last = static_cast<vertex_number>(m.sites.size() - 1);
+  std::reverse(m.sites.begin(), m.sites.end());
+  m.given = 0;
+  for (triangle& t : m.triangles) t = {last - t[1], last - t[2], last - t[0]};
+  for (boundary_edge& e : m.boundary) e.a = last - e.a, e.b = last - e.b;
+  return m;
 }
 
 void scale(mesh& m, int exponent) {
@@ -291,4 +349,28 @@ TEST_CASE("enclosed vertices and arcs never contradict exact ones") {
   CHECK(vertices > 200);
   CHECK(nearer > asked / 20);
   CHECK(decided > asked * 97 / 100);
+}
+
+TEST_CASE(
+    "verdicts are those of the definition without any shortcut, however vertices are numbered") {
+  small_generator random(99);
+  int proved = 0, refused = 0;
+  for (int round = 0; round < 10; ++round) {
+    const double strength = 0.15 * round;
+    patch p = make_patch(3, 0.1);
+    for (site& s : p.m.sites) s.metric = random_metric(random, strength);
+    INFO("round " << round);
+    const audit_report report = audit_voronoi(p.m);
+    REQUIRE(report.voronoi != voronoi_verdict::not_reached);
+    const auto slow = judge_slowly(p.m);
+    INFO(kinds(report));
+    for (const finding_kind kind : voronoi_kinds)
+      CHECK(report.found[static_cast<std::size_t>(kind)] == slow.at(kind));
+    (report.voronoi == voronoi_verdict::proved ? proved : refused) += 1;
+    const audit_report turned = audit_voronoi(renumbered(p.m));
+    for (const finding_kind kind : voronoi_kinds)
+      CHECK(turned.found[static_cast<std::size_t>(kind)] == slow.at(kind));
+  }
+  CHECK(proved >= 3);
+  CHECK(refused >= 3);
 }
