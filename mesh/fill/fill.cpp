@@ -2,6 +2,7 @@
 #include "asterism/mesh/fill/fill.hpp"
 
 #include <algorithm>
+#include <boost/container/deque.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -336,7 +337,9 @@ class filling {
   std::vector<site> sites_;
   std::vector<char> on_segment_;  // by site; the given vertices count
   site_index sites_index_;
-  std::vector<plain_star> stars_;
+  // Many and large: a vector would hold them twice while it grows.
+  using star_blocks = boost::container::deque_options_t<boost::container::block_size<1024>>;
+  boost::container::deque<plain_star, void, star_blocks> stars_;
   std::vector<interval> intervals_;
   box_index pieces_index_;
   std::vector<std::vector<index>> at_division_;  // the site at each point of a division
