@@ -4,6 +4,7 @@ target_sources(asterism PRIVATE
   consistency.cpp
   constructions.cpp
   constructions_polynomial.cpp
+  given_distances.cpp
   mesh_regions.cpp
   mesh_statistics.cpp
   mesher.cpp

@@ -8,8 +8,8 @@ asterism_test(test_refine
           mesh/domain_random_test.cpp mesh/audit_meshes.cpp)
 # What is near, and the refinement that rests on it.
 asterism_test(test_local
-  SOURCES mesh/local_index_test.cpp mesh/statistics_test.cpp mesh/thin_metric_test.cpp
-          mesh/audit_meshes.cpp)
+  SOURCES mesh/local_index_test.cpp mesh/given_distances_test.cpp mesh/statistics_test.cpp
+          mesh/thin_metric_test.cpp mesh/audit_meshes.cpp)
 asterism_test(test_guaranteed
   SOURCES mesh/guaranteed_test.cpp mesh/extreme_numbers_test.cpp
   LINK tbb)

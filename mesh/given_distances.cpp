@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/given_distances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/local/hilbert_order.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Squared distance from s to the segment a b, as s measures it.
+double squared_distance_to_segment(const site& s, const point& a, const point& b) {
+  const point d{b.x - a.x, b.y - a.y}, e{s.position.x - a.x, s.position.y - a.y};
+  const double t =
+      std::clamp(inner_product(s.metric, d, e) / squared_length(s.metric, d), 0.0, 1.0);
+  return squared_distance(s, {a.x + t * d.x, a.y + t * d.y});
+}
+
+// Of neighbours along a space-filling curve: seldom much more than the least of all pairs, so that
+// the searches that follow stay small.
+double least_along_curve(std::vector<site> sites, const bounding_box& box) {
+  sort_along_curve(sites, box);
+  double least = infinity;
+  for (std::size_t i = 1; i < sites.size(); ++i)
+    least = std::min({least, squared_distance(sites[i], sites[i - 1].position),
+                      squared_distance(sites[i - 1], sites[i].position)});
+  return least;
+}
+
+// The squared distance of v to the nearest other site, the lesser of what both measure; at most
+// `most`. What is nearer than the radius is seen by both searches, with a factor of two to spare
+// for roundings.
+double nearest_other(const std::vector<site>& sites, const site_index& near, index v, double most) {
+  const site& s = sites[v];
+  double nearest = most;
+  const auto look = [&](index w) {
+    if (w != v)
+      nearest = std::min({nearest, squared_distance(s, sites[w].position),
+                          squared_distance(sites[w], s.position)});
+    return true;
+  };
+  double radius = near.spacing_near(s);
+  if (!(radius > 0)) radius = std::sqrt(std::min(most, 1.0));
+  constexpr int most_searches = 64;
+  for (int search = 0; search < most_searches && radius * radius < infinity; ++search) {
+    near.visit_reach(sites, s, radius, look);
+    near.visit_seeing(s.position, 2 * radius, look);
+    if (nearest <= radius * radius) return nearest;
+    radius = nearest < infinity ? std::sqrt(nearest) * (1 + 0x1p-20) : 4 * radius;
+  }
+  for (index w = 0; w < sites.size(); ++w) look(w);
+  return nearest;
+}
+
+}  // namespace
+
+double shortest_distance(const std::vector<site>& sites, index count, const boundary& edges,
+                         const neighbourhood& near, double most) {
+  const auto end = sites.begin() + static_cast<std::ptrdiff_t>(count);
+  double least = std::min(most * most, least_along_curve({sites.begin(), end}, near.box()));
+  for (index v = 0; v < count; ++v) {
+    // Twice what is asked for: what is not seen certainly is farther, whatever the roundings.
+    const double radius = std::sqrt(least);
+    near.sites().visit_reach(sites, sites[v], radius, [&](index w) {
+      if (w != v) least = std::min(least, squared_distance(sites[v], sites[w].position));
+      return true;
+    });
+    near.pieces().visit(box_around(sites[v], 2 * radius), [&](std::uint32_t i) {
+      const boundary_edge& p = edges.pieces()[i];
+      if (p.a != v && p.b != v)
+        least = std::min(
+            least, squared_distance_to_segment(sites[v], sites[p.a].position, sites[p.b].position));
+      return true;
+    });
+  }
+  return std::sqrt(least);
+}
+
+double median_distance(const std::vector<site>& sites, const neighbourhood& near, double most) {
+  std::vector<double> nearest(sites.size());
+  for (index v = 0; v < sites.size(); ++v)
+    nearest[v] = nearest_other(sites, near.sites(), v, most * most);
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return std::sqrt(*middle);
+}
+
+}  // namespace asterism
