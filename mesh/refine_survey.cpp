@@ -14,21 +14,24 @@ namespace {
 // Whether the triangle v, y, x lies in the corner c of the domain at v. Both turn by less than 180
 // degrees.
 bool lies_in(const site_oracle& oracle, const domain_corner& c, index v, index y, index x) {
-  if (c.vertex != v) return false;
   const boundary_corner ends = oracle.edges().corners(v)[c.sector];
   return oracle.orientation(v, ends.first, y) != sign::negative &&
          oracle.orientation(v, x, ends.last) != sign::negative &&
          oracle.orientation(v, y, ends.last) == sign::positive;
 }
 
-// Each of the triangle's corners that lies in one of the domain's.
+// Each of the triangle's corners that lies in one of the domain's, which are sorted by vertex.
 std::array<bool, 3> corners_in(const site_oracle& oracle, const triangle& t,
                                const std::vector<domain_corner>& corners) {
   std::array<bool, 3> in{};
-  for (std::size_t i = 0; i < 3; ++i)
-    in[i] = std::any_of(corners.begin(), corners.end(), [&](const domain_corner& c) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [first, last] = std::equal_range(
+        corners.begin(), corners.end(), domain_corner{t[i], 0, 0},
+        [](const domain_corner& a, const domain_corner& b) { return a.vertex < b.vertex; });
+    in[i] = std::any_of(first, last, [&](const domain_corner& c) {
       return lies_in(oracle, c, t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
     });
+  }
   return in;
 }
 
