@@ -8,6 +8,7 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/text_lines.hpp"
 
 namespace asterism {
 
@@ -80,16 +81,21 @@ std::string medit_mesh_text(const mesh& m) {
   const text out(contents);
   fmt::format_to(out, "\nVertices\n{}\n", m.sites.size());
   const std::vector<int> references = vertex_references(m);
-  for (std::size_t v = 0; v < m.sites.size(); ++v) {
-    const point& p = m.sites[v].position;
-    fmt::format_to(out, "{:.17g} {:.17g} {}\n", p.x, p.y, references[v]);
-  }
+  append_lines(contents, m.sites.size(), [&](std::size_t v, std::string& line) {
+    append_number(line, m.sites[v].position.x);
+    append_number(line += ' ', m.sites[v].position.y);
+    append_integer(line += ' ', references[v]);
+    line += '\n';
+  });
   fmt::format_to(out, "\nTriangles\n{}\n", m.triangles.size());
-  for (std::size_t i = 0; i < m.triangles.size(); ++i) {
-    const triangle& t = m.triangles[i];
-    fmt::format_to(out, "{} {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1,
-                   m.regions.empty() ? 1 : m.regions[i]);
-  }
+  append_lines(contents, m.triangles.size(), [&](std::size_t i, std::string& line) {
+    for (const index v : m.triangles[i]) {
+      append_integer(line, v + 1);
+      line += ' ';
+    }
+    append_integer(line, m.regions.empty() ? 1 : m.regions[i]);
+    line += '\n';
+  });
   write_boundary(out, m);
   write_list(out, "Corners", corners(m));
   std::vector<index> given(m.given);
@@ -103,9 +109,13 @@ std::string medit_solution_text(const mesh& m) {
   // One field, of type 3: a symmetric tensor, its upper triangle column by column.
   std::string contents = fmt::format(
       "MeshVersionFormatted 2\n\nDimension 2\n\nSolAtVertices\n{}\n1 3\n", m.sites.size());
-  for (const site& s : m.sites)
-    fmt::format_to(std::back_inserter(contents), "{:.17g} {:.17g} {:.17g}\n", s.metric.m11,
-                   s.metric.m12, s.metric.m22);
+  append_lines(contents, m.sites.size(), [&](std::size_t v, std::string& line) {
+    const metric_tensor& metric = m.sites[v].metric;
+    append_number(line, metric.m11);
+    append_number(line += ' ', metric.m12);
+    append_number(line += ' ', metric.m22);
+    line += '\n';
+  });
   contents += "\nEnd\n";
   return contents;
 }

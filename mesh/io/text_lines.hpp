@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// Text of many lines, made in parallel: the same for any number of threads.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "asterism/mesh/local/parallel.hpp"
+
+namespace asterism {
+
+// Seventeen significant digits, enough to read the same double back; what printf's %.17g writes in
+// the C locale.
+inline void append_number(std::string& text, double x) {
+  std::array<char, 32> digits{};  // sign, 17 digits, point, exponent of five
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x,
+                                 std::chars_format::general, 17);
+  text.append(digits.data(), end.ptr);
+}
+
+template <class Integer>
+void append_integer(std::string& text, Integer n) {
+  std::array<char, 24> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), n);
+  text.append(digits.data(), end.ptr);
+}
+
+// Appends what line(i, text) appends, for i in [0, count), in order. Some blocks of lines are made
+// at a time, so that little is held twice.
+template <class Line>
+void append_lines(std::string& text, std::size_t count, const Line& line) {
+  constexpr std::size_t chunk = 2048, at_a_time = 64 * chunk;
+  std::vector<std::string> parts(std::min(at_a_time, count) / chunk + 1);
+  for (std::size_t first = 0; first < count; first += at_a_time) {
+    const std::size_t lines = std::min(at_a_time, count - first);
+    parallel_chunks(lines, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      parts[i].clear();
+      for (std::size_t k = begin; k < end; ++k) line(first + k, parts[i]);
+    });
+    const std::size_t before = text.size();
+    for (std::size_t i = 0; i < chunk_count(lines, chunk); ++i) text += parts[i];
+    // Room for the rest if it is like the beginning, and a little more.
+    if (first == 0 && count > lines)
+      text.reserve(before + static_cast<std::size_t>(
+                                1.1 * static_cast<double>(text.size() - before) *
+                                static_cast<double>(count) / static_cast<double>(lines)));
+  }
+}
+
+}  // namespace asterism
