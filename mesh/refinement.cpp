@@ -76,6 +76,10 @@ class refinement {
       if (rebuild_all_stale()) return;
       return end("the limit of " + std::to_string(options_.max_sites) + " sites was reached");
     }
+    if (is_spent()) {
+      if (!std::exchange(spent_, true) && rebuild_all_stale()) return;
+      return end(spent_message());
+    }
     if (improve()) return;
     if (rebuild_all_stale()) return;
     if (confirmed_at_ != state_.sites().size()) {
@@ -99,9 +103,10 @@ class refinement {
       if (b.why != badness::disagreeing) break;
       // At a jump of the metric most sites are in reach of most others.
       const bool given_up = steep_.count(b.where) != 0 || is_at_jump(b);
+      if (given_up) continue;
       for (const index v : b.where) {
         if (stars.is_stale(v)) stale.push_back(v);
-        if (!given_up && !stars.is_confirmed(v) && !stars.is_unsettled(v)) unconfirmed.push_back(v);
+        if (!stars.is_confirmed(v) && !stars.is_unsettled(v)) unconfirmed.push_back(v);
       }
     }
     if (rebuild(std::move(stale), star_search::near)) return true;
@@ -109,6 +114,28 @@ class refinement {
     if (10 * state_.sites().size() < 11 * confirmed_at_) return false;
     confirmed_at_ = state_.sites().size();
     return rebuild(std::move(unconfirmed), star_search::thorough);
+  }
+
+  // Whether there have been enough more sites since the first triangle was given up. The mesh
+  // cannot become complete any more, and beside a jump of the metric stars with thousands of
+  // neighbours keep the others from agreeing; to go on to the floor would take days.
+  bool is_spent() const {
+    constexpr std::size_t at_least = 1000;
+    return spent_ || is_overworked() ||
+           (!steep_.empty() &&
+            state_.sites().size() > given_up_at_ + std::max(at_least, given_up_at_ / 16));
+  }
+
+  // Counted, not timed, so that every run ends at the same place. Meshes that become complete take
+  // 20 to 100 edge tests a site; where metrics vary wildly every site is in reach of every other.
+  bool is_overworked() const {
+    constexpr std::uint64_t at_least = 2'000'000, for_each = 1000, as_many_as_an_exact_one = 100;
+    const tier_counters counts = state_.kernel().counters();
+    const std::uint64_t work =
+        counts.at(predicate::edge_test, tier::semi_static) +
+        counts.at(predicate::edge_test, tier::interval) +
+        as_many_as_an_exact_one * counts.at(predicate::edge_test, tier::exact);
+    return work > at_least + for_each * state_.sites().size();
   }
 
   bool rebuild_all_stale() {
@@ -204,6 +231,7 @@ class refinement {
                         std::any_of(b.where.begin(), b.where.end(),
                                     [this](index v) { return at_jump_.count(v) != 0; });
     if (!beside && !is_too_steep(b.where)) return false;
+    if (steep_.empty()) given_up_at_ = state_.sites().size();
     if (!beside) at_jump_.insert(b.where.begin(), b.where.end());
     steep_.insert(b.where);
     return true;
@@ -298,6 +326,15 @@ class refinement {
            steep_message();
   }
 
+  std::string spent_message() const {
+    const std::string left =
+        "given up: " + std::to_string(survey_.bad().size()) + " bad triangles are left after ";
+    if (is_overworked())
+      return left + "the most work that is done for so many sites" + steep_message();
+    return left + std::to_string(state_.sites().size() - given_up_at_) +
+           " sites more than there were when the first could not be mended" + steep_message();
+  }
+
   void report_progress() {
     if (!progress_) return;
     progress_({false, state_.sites().size(), survey_.count(badness::disagreeing),
@@ -346,6 +383,8 @@ class refinement {
   std::set<triangle> steep_;  // where the metric varies too fast
   std::set<index> at_jump_;   // the sites of the triangles across such places
   std::size_t repairs_ = 0, thorough_at_ = 0, confirmed_at_ = 0;  // the last two: numbers of sites
+  std::size_t given_up_at_ = 0;  // the number of sites when the first triangle became steep
+  bool spent_ = false;
   std::size_t rejected_ = 0;
   bool complete_ = false, ended_ = false, stopped_ = false;
   std::string reason_;
@@ -398,8 +437,7 @@ result<refinement_outcome> refine_on(
                   ? refine_filled(filled.value(), kernel, d, field, options, progress)
                   : refine_filled(filled.value(), kernel, final_frame.inward(d),
                                   framed_field(field, final_frame), options, progress);
-  if (made && filled.value().halvings > 0)
-    report_coarser(filled.value(), options, made.value());
+  if (made && filled.value().halvings > 0) report_coarser(filled.value(), options, made.value());
   return made;
 }
 

@@ -158,6 +158,18 @@ TEST_CASE("guaranteed: jumps of the metric end quickly, with the place named") {
   }
 }
 
+TEST_CASE("guaranteed: a jump by 1e4 in size ends with the reason") {
+  const formula_field jump([](const point& q) {
+    const double s = q.x < 0.3 ? 0.04 : 400;
+    return metric_tensor{s, 0, s};
+  });
+  const refinement_outcome made = mesh_of(accepted(square()), jump, with_size(true));
+  INFO(made.reason);
+  CHECK_FALSE(made.complete);
+  CHECK(made.sites < 12000);
+  CHECK(made.reason.find("bad triangles are left") != std::string::npos);
+}
+
 TEST_CASE("guaranteed: the limit on sites is kept and named") {
   refinement_options options = with_size(true);
   const domain d = accepted(square());
