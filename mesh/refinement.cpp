@@ -129,7 +129,7 @@ class refinement {
   // Counted, not timed, so that every run ends at the same place. Meshes that become complete take
   // 20 to 100 edge tests a site; where metrics vary wildly every site is in reach of every other.
   bool is_overworked() const {
-    constexpr std::uint64_t at_least = 2'000'000, for_each = 1000, as_many_as_an_exact_one = 100;
+    constexpr std::uint64_t at_least = 1'000'000, for_each = 1000, as_many_as_an_exact_one = 100;
     const tier_counters counts = state_.kernel().counters();
     const std::uint64_t work =
         counts.at(predicate::edge_test, tier::semi_static) +
