@@ -118,16 +118,16 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
     lengths.push_back(total);
   }
   division made;
+  lengths.pop_back();
   for (const double length : lengths) {
     const point q = at_fraction(a, b, measured.fraction_at(length));
-    if (!made.points.empty() && (q == made.points.back() || (q == b && length < total))) continue;
+    if (q == b || (!made.points.empty() && q == made.points.back())) continue;
     made.points.push_back(q);
     made.lengths.push_back(length);
   }
-  if (!(made.points.back() == b)) {
-    made.points.push_back(b);
-    made.lengths.push_back(total);
-  }
+  // Not interpolated: that can miss the end by rounding, which would leave a piece as short.
+  made.points.push_back(b);
+  made.lengths.push_back(total);
   return made;
 }
 
