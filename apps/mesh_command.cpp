@@ -11,12 +11,15 @@ namespace asterism::apps {
 namespace {
 
 constexpr const char* examples =
-    R"(DOMAIN  square ([-1,1]^2), airfoil (NACA 0012 in a box), or a file in Triangle's .poly format.
+    R"(DOMAIN  square ([-1,1]^2), airfoil (NACA 0012 in a box), a file in Triangle's .poly format, or a
+        Medit .mesh: what it covers, with all its vertices and boundary edges. A mesh that meets
+        what is asked already stays as it is; to another, vertices are added.
 SPEC    identity; swirl:K or sink:K (K = 12 when left out), round in the middle of the domain and
         stretched by sqrt(1+K) at distance R from it, R half the longer side of the bounding box;
         layer:H0,H1 (0.001,0.1), flat along the lower side, H1 long, H0 high there and H1 high a
         longer side above; shock:A (50), A times as long as high along a curve, 1 high elsewhere;
-        the benchmarks linear, polar-1, polar-2, circle-1; expr:M11;M12;M22 in x and y.
+        the benchmarks linear, polar-1, polar-2, circle-1; expr:M11;M12;M22 in x and y; or a Medit
+        .mesh: the tensors of the .sol beside it, interpolated.
 OUT     by extension: .mesh (Medit, with the metric in .sol), .vtu (ParaView), .svg .png .pdf.
 
 Exit status: 0 complete and certified; 1 not reached, what is certain is written and says so;

@@ -18,6 +18,7 @@
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/mesh/audit.hpp"
 #include "asterism/mesh/certificate.hpp"
+#include "asterism/mesh/certify.hpp"
 #include "asterism/mesh/domain_check.hpp"
 #include "asterism/mesh/domain_sources.hpp"
 #include "asterism/mesh/io/medit.hpp"
@@ -25,6 +26,7 @@
 #include "asterism/mesh/mesh_statistics.hpp"
 #include "asterism/mesh/metric_field.hpp"
 #include "asterism/mesh/metric_field_graded.hpp"
+#include "asterism/mesh/metric_field_sampled.hpp"
 
 namespace asterism::apps {
 namespace fs = std::filesystem;
@@ -39,7 +41,13 @@ int complain(const error& failure, exit_status status) {
 std::optional<error> check_files(const mesh_job& job, const fs::path& certificate_path) {
   std::vector<fs::path> used = {certificate_path};
   std::error_code ignored;
-  if (fs::is_regular_file(job.domain, ignored)) used.emplace_back(job.domain);
+  std::vector<fs::path> read = {job.domain};
+  if (job.metric.ends_with(".mesh") && job.metric != job.domain) read.emplace_back(job.metric);
+  for (const fs::path& file : read) {
+    if (fs::is_regular_file(file, ignored)) used.push_back(file);
+    if (file.extension() == ".mesh" && fs::is_regular_file(solution_path(file), ignored))
+      used.push_back(solution_path(file));
+  }
   for (const fs::path& output : job.outputs) {
     const auto format = check_output(output);
     if (!format) return format.failure();
@@ -58,8 +66,35 @@ struct prepared_input {
   std::optional<gradation_report> gradation;
 };
 
+// A mesh that is a triangulation, with whatever metric is beside it.
+result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wanted) {
+  medit_read_options how;
+  how.identity_without_solution = !metric_wanted;
+  auto read = read_medit(path, how);
+  if (!read) return read.failure();
+  auto adopted = adopt_mesh(std::move(read).value());
+  if (!adopted) return error{path + ": " + adopted.failure().message};
+  audit_options options;
+  options.check_stars = false;
+  options.angle_bound = 0;
+  const audit_report found = audit(adopted.value().subject, options);
+  if (!found.certified)
+    return error{path + " is no triangulation: " + found.findings.at(0).witness};
+  return adopted;
+}
+
+using made_field = result<std::unique_ptr<metric_field>>;
+
+made_field make_field(const mesh_job& job, const domain& shape) {
+  const double size = job.size.value_or(1);
+  if (!job.metric.ends_with(".mesh")) return make_metric_field(job.metric, shape.box(), size);
+  const auto background = read_triangulation(job.metric, true);
+  if (!background) return background.failure();
+  return make_sampled_field(background.value().subject, size);
+}
+
 result<prepared_input> with_metric(const mesh_job& job, domain shape) {
-  auto field = make_metric_field(job.metric, shape.box(), job.size.value_or(1));
+  auto field = make_field(job, shape);
   if (!field) return field.failure();
   if (!job.gradation)
     return prepared_input{std::move(shape), std::move(field).value(), std::nullopt};
@@ -70,16 +105,32 @@ result<prepared_input> with_metric(const mesh_job& job, domain shape) {
   return prepared_input{std::move(shape), std::move(graded.value().field), graded.value().report};
 }
 
-result<prepared_input> prepare(const mesh_job& job) {
+result<domain> load_and_check(const mesh_job& job) {
   auto loaded = load_domain(job.domain);
   if (!loaded) return loaded.failure();
   if (job.number_regions) loaded.value().number_all_regions = true;
   domain_repairs repairs;
-  const auto checked = check_domain(loaded.value(), &repairs);
-  if (!checked) return checked.failure();
-  if (!job.quiet)
+  auto checked = check_domain(loaded.value(), &repairs);
+  if (checked && !job.quiet)
     for (const std::string& message : repairs.messages)
       std::cerr << "asterism: note: " << message << '\n';
+  return checked;
+}
+
+// What a mesh covers, with its vertices, boundary edges and regions; its metric is not used.
+result<domain> domain_of_mesh(const mesh_job& job) {
+  if (job.number_regions)
+    return error{"--regions: " + job.domain + " is a mesh, which has its regions already"};
+  auto adopted = read_triangulation(job.domain, false);
+  if (!adopted) return adopted.failure();
+  return std::move(adopted.value().shape);
+}
+
+bool is_mesh(const mesh_job& job) { return job.domain.ends_with(".mesh"); }
+
+result<prepared_input> prepare(const mesh_job& job) {
+  const auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job);
+  if (!checked) return checked.failure();
   auto populated = add_random_points(checked.value(), job.random_points, job.refinement.seed);
   if (!populated) return populated.failure();
   const std::size_t given = populated.value().vertices.size();
@@ -207,6 +258,7 @@ result<refinement_outcome> mesh_with_progress(const mesh_job& job, const prepare
   progress_line line(!job.quiet);
   const run_limits limits(job.max_seconds, job.max_megabytes);
   refinement_options options = job.refinement;
+  options.keep_if_complete = is_mesh(job);
   options.stop = [&limits] { return limits.reason(); };
   return make_mesh(input.shape, *input.field, options,
                    [&line](const refinement_progress& progress) { line.show(progress); });

@@ -98,7 +98,7 @@ result<domain> load_domain(std::string_view what) {
   if (what == "airfoil" || what == "naca0012") return airfoil();
   if (what.ends_with(".poly")) return read_poly(std::filesystem::path(what));
   return error{"unknown domain '" + std::string(what) +
-               "': square, airfoil, or a file whose name ends in .poly"};
+               "': square, airfoil, or a file whose name ends in .poly or .mesh"};
 }
 
 result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed) {

@@ -90,6 +90,12 @@ double variation(const site& p, const site& q) {
   return (1 - 1 / tau) / std::min(length(p, q.position), length(q, p.position));
 }
 
+// The root of the ratio of the eigenvalues t +- r, as (t + r) / root of the determinant.
+double aspect(const metric_tensor& m) {
+  const double r = std::hypot(m.m11 / 2 - m.m22 / 2, m.m12);
+  return (m.m11 / 2 + m.m22 / 2 + r) / root_of_determinant(m);
+}
+
 std::map<std::string, double> by_name(const mesh_statistics& s) {
   return {{"edges", static_cast<double>(s.edges)},
           {"unit_edges", s.unit_edges},
@@ -100,6 +106,7 @@ std::map<std::string, double> by_name(const mesh_statistics& s) {
           {"below_30", s.below_30},
           {"metric_area", s.metric_area},
           {"count_ratio", s.count_ratio},
+          {"aspect", s.aspect},
           {"sigma", s.sigma},
           {"eps", s.eps},
           {"sigma_eps", s.sigma_eps}};
@@ -142,6 +149,7 @@ mesh_statistics measure(const mesh& m) {
   result.below_30 = all.below_30 / count;
   result.metric_area = all.area;
   result.count_ratio = count / (all.area * 4 / std::numbers::sqrt3);
+  for (const site& s : m.sites) result.aspect = std::max(result.aspect, aspect(s.metric));
   result.sigma = all.sigma;
   result.eps = all.eps;
   result.sigma_eps = all.sigma * all.eps;

@@ -12,8 +12,8 @@
 
 namespace asterism {
 
-// max(||F_p F_q^-1||, ||F_q F_p^-1||), F^T F = M: by how much two metrics differ at most, in length.
-// At least 1; infinite when it cannot be computed.
+// max(||F_p F_q^-1||, ||F_q F_p^-1||), F^T F = M: by how much two metrics differ at most, in
+// length. At least 1; infinite when it cannot be computed.
 double distortion(const metric_tensor& p, const metric_tensor& q);
 
 // The least sigma for which the two sites obey tau <= 1 / (1 - sigma d) for both their distances d,
@@ -21,10 +21,13 @@ double distortion(const metric_tensor& p, const metric_tensor& q);
 // Source: docs/math/refinement.md, hypothesis H1.
 double variation(const site& p, const site& q);
 
+// Length over width of the metric's unit circle: the root of its condition number.
+double aspect(const metric_tensor& m);
+
 struct mesh_statistics {
   std::size_t edges = 0;
-  // Of the edges, those of metric length in [1/sqrt 2, sqrt 2], and the mean length. A length is the
-  // mean of what the two ends measure.
+  // Of the edges, those of metric length in [1/sqrt 2, sqrt 2], and the mean length. A length is
+  // the mean of what the two ends measure.
   double unit_edges = 0, mean_length = 0;
   // 4 sqrt 3 area / sum of squared lengths, in the mean metric of the three vertices: 1 for an
   // equilateral triangle. The mean over all triangles, and the least.
@@ -34,6 +37,8 @@ struct mesh_statistics {
   // The domain's area in the metric, from the metrics at the vertices; and the triangles there are,
   // as a multiple of those of unit equilateral ones it would take.
   double metric_area = 0, count_ratio = 0;
+  // The longest unit circle of a vertex's metric: length over width.
+  double aspect = 0;
   // The largest variation over an edge, the largest distance from a triangle's sites to their
   // Voronoi vertex, and the product of both: what the theorem on refinement asks about.
   double sigma = 0, eps = 0, sigma_eps = 0;

@@ -35,6 +35,9 @@ struct refinement_options {
   // length 1. Checked only when set (the command line sets it when --size is given).
   bool limit_size = false;
   std::size_t max_sites = 100000;
+  // The domain's vertices are the sites of a mesh: if no triangle of their stars is left to mend,
+  // no site is added and no piece divided, whatever else could still be improved.
+  bool keep_if_complete = false;
   // Asked now and then; a sentence ends refinement, and becomes part of the reason.
   std::function<std::optional<std::string>()> stop;
   int max_rejected = 100;  // darts in a row before the tolerance shrinks

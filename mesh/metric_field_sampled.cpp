@@ -30,10 +30,14 @@ bounding_box box_of_sites(const std::vector<site>& sites) {
   return box;
 }
 
-class sampled_field final : public metric_field {
+class sampled_field final : public sized_field {
  public:
-  explicit sampled_field(const mesh& m)
-      : sites_(m.sites), triangles_(m.triangles), box_(box_of_sites(m.sites)), boxes_(box_) {
+  sampled_field(const mesh& m, double size)
+      : sized_field(size),
+        sites_(m.sites),
+        triangles_(m.triangles),
+        box_(box_of_sites(m.sites)),
+        boxes_(box_) {
     logarithms_.reserve(sites_.size());
     for (const site& s : sites_) logarithms_.push_back(logarithm(s.metric));
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -46,14 +50,14 @@ class sampled_field final : public metric_field {
     }
   }
 
-  result<metric_tensor> at(const point& q) const override {
+ private:
+  result<metric_tensor> unsized(const point& q) const override {
     const found best = locate(q);
     for (const index v : triangles_[best.triangle])
       if (sites_[v].position == q) return sites_[v].metric;
-    return checked_tensor(q, mean(triangles_[best.triangle], best.where));
+    return mean(triangles_[best.triangle], best.where);
   }
 
- private:
   struct found {
     std::uint32_t triangle = 0;
     weights where{1, 0, 0};
@@ -119,8 +123,8 @@ class sampled_field final : public metric_field {
 
 }  // namespace
 
-std::unique_ptr<metric_field> make_sampled_field(const mesh& m) {
-  return std::make_unique<sampled_field>(m);
+std::unique_ptr<metric_field> make_sampled_field(const mesh& m, double size) {
+  return std::make_unique<sampled_field>(m, size);
 }
 
 }  // namespace asterism

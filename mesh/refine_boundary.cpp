@@ -232,7 +232,9 @@ void refine_state::clear_encroachments(double shortest) {
   while (!suspects_.empty() && !is_full()) {
     const std::size_t piece = suspects_.back();
     suspects_.pop_back();
-    if (find_encroacher(piece)) split(piece, shortest);
+    if (!find_encroacher(piece)) continue;
+    if (enough_()) return;
+    split(piece, shortest);
   }
 }
 
@@ -242,7 +244,7 @@ void refine_state::shorten_pieces(double longest) {
       const boundary_edge& p = edges_.pieces()[piece];
       return std::max(piece_length(piece, p.a), piece_length(piece, p.b)) > longest;
     };
-    while (too_long() && split(piece, 0)) {
+    while (too_long() && !enough_() && split(piece, 0)) {
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "asterism/mesh/refine_quality.hpp"
 
@@ -21,6 +22,12 @@ constexpr int most_attempts = 2000;
 int halvings_for(double needed, std::size_t most_sites) {
   const double room = part_for_filling * static_cast<double>(most_sites);
   return std::max(1, static_cast<int>(std::ceil(std::log2(needed / room))));
+}
+
+double sites_on_segments(const mesh& m) {
+  std::vector<char> on(m.sites.size(), 0);
+  for (const boundary_edge& e : m.boundary) on[e.a] = on[e.b] = 1;
+  return static_cast<double>(std::count(on.begin(), on.end(), 1));
 }
 
 }  // namespace
@@ -56,8 +63,8 @@ result<budgeted_filling> fill_within_budget(
   return filled;
 }
 
-void report_coarser(const budgeted_filling& filled, const refinement_options& options,
-                    refinement_outcome& outcome) {
+void report_coarser(int halvings, const refinement_options& options, refinement_outcome& outcome) {
+  if (halvings == 0) return;
   const mesh& m = outcome.result;
   outcome.complete = false;
   outcome.too_large = static_cast<std::size_t>(
@@ -65,8 +72,8 @@ void report_coarser(const budgeted_filling& filled, const refinement_options& op
         return metric_circumradius({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}) >
                largest_circumradius;
       }));
-  outcome.coarser = std::exp2(filled.halvings / 2.0);
-  const auto on_segments = static_cast<double>(m.given + outcome.splits);
+  outcome.coarser = std::exp2(halvings / 2.0);
+  const double on_segments = sites_on_segments(m);
   const double inside = static_cast<double>(outcome.sites) - on_segments;
   outcome.sites_wanted = on_segments * outcome.coarser + inside * outcome.coarser * outcome.coarser;
   outcome.reason = fmt::format(

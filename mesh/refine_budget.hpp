@@ -28,9 +28,8 @@ result<budgeted_filling> fill_within_budget(
     const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress);
 
-// Turns the outcome of a coarser fill into one of what was asked: not complete, with the triangles
-// that are too large counted and the size that was delivered.
-void report_coarser(const budgeted_filling& filled, const refinement_options& options,
-                    refinement_outcome& outcome);
+// With halvings, turns the outcome of a coarser fill into one of what was asked: not complete, with
+// the triangles that are too large counted and the size that was delivered.
+void report_coarser(int halvings, const refinement_options& options, refinement_outcome& outcome);
 
 }  // namespace asterism

@@ -15,10 +15,12 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "asterism/core/result.hpp"
@@ -64,6 +66,10 @@ class refine_state {
   site_oracle oracle() const { return {sites_, edges_, *kernel_, memory_.get(), &near_}; }
   std::size_t splits() const { return splits_; }
   bool is_full() const { return sites_.size() >= most_sites_; }
+
+  // Asked between splits; true ends clear_encroachments and shorten_pieces early. Splits may be
+  // many, and each slow where only exact arithmetic decides.
+  void ask_before_splits(std::function<bool()> enough) { enough_ = std::move(enough); }
 
   // Set when the metric field failed at a point that was tried; nothing can go on then.
   const std::optional<error>& field_failure() const { return field_failure_; }
@@ -137,6 +143,7 @@ class refine_state {
   std::size_t most_sites_;
   std::size_t splits_ = 0;
   std::optional<error> field_failure_;
+  std::function<bool()> enough_ = [] { return false; };
 };
 
 }  // namespace asterism

@@ -45,6 +45,7 @@ class refinement {
         given_(given) {}
 
   result<refinement_outcome> run() {
+    if (options_.stop) state_.ask_before_splits([this] { return options_.stop().has_value(); });
     if (options_.limit_size) state_.shorten_pieces(longest_piece);
     while (!ended_) step();
     if (state_.field_failure()) return *state_.field_failure();
@@ -409,16 +410,42 @@ std::optional<error> check_options(const domain& d, const refinement_options& o)
   return std::nullopt;
 }
 
-// The proposed sites refined, and what came of it in the domain's own units.
+result<refinement_outcome> refine_image(
+    const budgeted_filling& filled, const star_kernel& kernel, const domain& image,
+    const metric_field& field, const refinement_options& options,
+    const std::function<void(const refinement_progress&)>& progress) {
+  auto state = refine_state::start_filled(image, field, kernel, options.max_sites, filled.proposed);
+  if (!state) return state.failure();
+  return refinement(std::move(state).value(), filled.frame, options,
+                    static_cast<index>(image.vertices.size()), progress)
+      .run();
+}
+
+// The proposed sites refined in their frame; what came of it is in the domain's own units.
 result<refinement_outcome> refine_filled(
     const budgeted_filling& filled, const star_kernel& kernel, const domain& d,
     const metric_field& field, const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
-  auto state = refine_state::start_filled(d, field, kernel, options.max_sites, filled.proposed);
-  if (!state) return state.failure();
-  return refinement(std::move(state).value(), filled.frame, options,
-                    static_cast<index>(d.vertices.size()), progress)
-      .run();
+  const unit_frame& frame = filled.frame;
+  if (frame.is_identity()) return refine_image(filled, kernel, d, field, options, progress);
+  return refine_image(filled, kernel, frame.inward(d), framed_field(field, frame), options,
+                      progress);
+}
+
+// Without room for another site: complete if there is nothing to mend.
+result<refinement_outcome> refine_as_given(
+    const unit_frame& frame, const star_kernel& kernel, const domain& d, const metric_field& field,
+    refinement_options options, const std::function<void(const refinement_progress&)>& progress) {
+  options.max_sites = d.vertices.size();
+  budgeted_filling nothing{{}, frame, 0};
+  nothing.proposed.divisions.resize(d.segments.size());
+  auto made = refine_filled(nothing, kernel, d, field, options, progress);
+  if (made && made.value().complete) made.value().reason = "nothing to add: " + made.value().reason;
+  return made;
+}
+
+bool is_final(const result<refinement_outcome>& kept) {
+  return !kept || kept.value().sites_wanted > 0 || kept.value().complete || kept.value().stopped;
 }
 
 }  // namespace
@@ -430,14 +457,21 @@ result<refinement_outcome> refine_on(
   if (const auto refused = check_options(d, options)) return *refused;
   const bool lengths_are_free = !options.limit_size && !options.tolerance;
   const unit_frame frame = unit_frame::choose(d, field, lengths_are_free);
+  const auto as_given = [&](int halvings) {
+    auto kept = refine_as_given(frame.coarser(halvings), kernel, d, field, options, progress);
+    if (kept && kept.value().complete) report_coarser(halvings, options, kept.value());
+    return kept;
+  };
+  if (options.keep_if_complete)
+    if (auto kept = as_given(0); is_final(kept)) return kept;
   const auto filled = fill_within_budget(frame, d, field, options, progress);
   if (!filled) return filled.failure();
-  const unit_frame& final_frame = filled.value().frame;
-  auto made = final_frame.is_identity()
-                  ? refine_filled(filled.value(), kernel, d, field, options, progress)
-                  : refine_filled(filled.value(), kernel, final_frame.inward(d),
-                                  framed_field(field, final_frame), options, progress);
-  if (made && filled.value().halvings > 0) report_coarser(filled.value(), options, made.value());
+  const int halvings = filled.value().halvings;
+  // What the limit allows may be there already.
+  for (int fewer = 1; options.keep_if_complete && fewer <= halvings; ++fewer)
+    if (auto kept = as_given(fewer); is_final(kept)) return kept;
+  auto made = refine_filled(filled.value(), kernel, d, field, options, progress);
+  if (made) report_coarser(halvings, options, made.value());
   return made;
 }
 

@@ -80,6 +80,65 @@ class Mesh(command.CommandTest):
             sites.append(int(done.stdout.split()[0]))
         self.assertGreater(sites[1], 4 * sites[0])
 
+    def sections_kept(self, name):
+        """Vertices, triangles and edges of a mesh, and its metric."""
+        text = (self.folder / f"{name}.mesh").read_text()
+        listed = text.split("Dimension 2")[1].split("#segments")[0]  # the head may hold the reason
+        return listed, (self.folder / f"{name}.sol").read_bytes()
+
+    def test_meshing_a_mesh_again_changes_nothing(self):
+        limited = ["--metric", "swirl:3", "--size", "0.01", "--max-sites", "500"]
+        for first, job, status in (("airfoil", ["--metric", "swirl:12"], 0),
+                                   ("square", ["--metric", "swirl:3", "--size", "0.2"], 0),
+                                   ("square", limited, 1)):
+            for domain, mesh in ((first, "a"), ("a.mesh", "b"), ("b.mesh", "c")):
+                done = self.run_command("mesh", domain, *job, "-o", f"{mesh}.mesh")
+                self.assertEqual(done.returncode, status, done.stderr)
+            self.assertEqual(self.sections_kept("a"), self.sections_kept("b"))
+            self.assertEqual((self.folder / "b.mesh").read_bytes(), (self.folder / "c.mesh").read_bytes())
+            reason = json.loads((self.folder / "b.certificate.json").read_text())["outcome"]["reason"]
+            self.assertIn("nothing to add", reason)
+
+    def test_a_mesh_that_is_too_coarse_gets_vertices(self):
+        self.make()
+        done = self.run_command("mesh", "m.mesh", "--metric", "swirl:3", "--size", "0.2", "-o", "n.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+        old, new = ((self.folder / name).read_text().splitlines() for name in ("m.mesh", "n.mesh"))
+        start, count = section(old, "Vertices")
+        self.assertGreater(section(new, "Vertices")[1], count)
+        for i in range(start, start + count):
+            self.assertEqual(old[i].split()[:2], new[i].split()[:2])
+
+    def test_the_metric_of_another_mesh(self):
+        self.make("--size", "0.3")
+        done = self.run_command("mesh", "m.mesh", "--metric", "m.mesh", "--size", "1", "-o", "n.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.sections_kept("m"), self.sections_kept("n"))
+        done = self.run_command("mesh", "square", "--metric", "m.mesh", "--size", "0.5", "-o", "n.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for job, said in ((["m.mesh", "-o", "m.mesh"], "m.mesh: this file would be used twice"),
+                          (["square", "--metric", "m.mesh", "-o", "m.mesh"], "used twice"),
+                          (["m.mesh", "--regions", "-o", "x.mesh"], "--regions"),
+                          (["none.mesh", "-o", "x.mesh"], "none.mesh: no such file"),
+                          (["square", "--metric", "none.mesh", "-o", "x.mesh"], "none.mesh")):
+            done = self.run_command("mesh", *job)
+            self.assertEqual(done.returncode, 2, job)
+            self.assertIn(said, done.stderr)
+        (self.folder / "m.sol").unlink()
+        done = self.run_command("mesh", "square", "--metric", "m.mesh", "-o", "x.mesh")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("m.sol", done.stderr)
+
+    def test_a_size_beyond_the_limit_is_told(self):
+        done = self.run_command("mesh", "square", "--size", "1e-7", "--max-sites", "2000", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"limit of 2000 sites was reached: the size wanted takes about "
+                                      r"\d\.\d+e\+14; with edges \d\.\d+e\+05 times as long, all stars")
+        asked = json.loads((self.folder / "m.certificate.json").read_text())["asked"]["options"]
+        self.assertEqual(asked["size"], "1e-07")
+        self.assertGreater(float(asked["size-delivered"]), 1e-3)
+
     def test_fields_given_by_lengths(self):
         for metric in ("layer:0.05,0.3", "shock:4"):
             done = self.run_command("mesh", "square", "--metric", metric, "--size", "1", "-o", "m.mesh")

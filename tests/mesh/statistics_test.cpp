@@ -101,6 +101,14 @@ TEST_CASE("distortion of tensors whose determinants leave the range of doubles")
     CHECK(distortion({scale, 0, scale}, {4 * scale, 0, scale / 4}) == 2);
 }
 
+TEST_CASE("aspect is the root of the condition number, whatever the size of the entries") {
+  for (const double scale : {1.0, 0x1p900, 0x1p-900}) {
+    CHECK(aspect({scale, 0, scale}) == 1);
+    CHECK(aspect({scale, 0, 1e12 * scale}) == Approx(1e6));
+    CHECK(aspect({2.5 * scale, 1.5 * scale, 2.5 * scale}) == Approx(2));
+  }
+}
+
 TEST_CASE("variation is per unit of the smaller length") {
   // Twice as long at q: tau = 2; lengths 3 and 6.
   CHECK(variation({{0, 0}, {1, 0, 1}}, {{3, 0}, {4, 0, 4}}) == Approx(0.5 / 3));
