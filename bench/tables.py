@@ -122,8 +122,8 @@ def with_doubles(runs):
     return (f"Of {len(runs)} jobs the auditor certifies {certified('filtered')} with the filtered kernel and"
             f" {certified('double')} with doubles; as many sites and triangles as with exact arithmetic come out in"
             f" {like_exact('filtered')} and {like_exact('double')}. A wrong sign makes stars disagree where they should"
-            " not; the mesher believes them and inserts sites, which mostly ends well by luck, and where most signs"
-            " are wrong does not end.")
+            " not, or hides that they do; the mesher believes it and inserts other sites, which ends well by luck, or"
+            " does not end: then the auditor names what is wrong, or the limit on sites is the end.")
 
 
 def whole(runs):
@@ -140,8 +140,9 @@ def whole(runs):
                 verdict = f"not complete ({found['reason']}); " + verdict
             rows.append([run["name"], kernel, f"{short(spent[len(spent) // 2])} ms",
                          f"{short(spent[0])} - {short(spent[-1])}",
-                         f"{short(spent[len(spent) // 2] / middle)}x", str(found.get("sites", "-")), verdict])
+                         f"{short(spent[len(spent) // 2] / middle)}x", str(found.get("sites", "-")),
+                         str(found.get("triangles", "-")), verdict])
     return ("The square at 20 degrees with the command's own strategy, in the metric named. Each kernel meshes with its own"
             " answers; the auditor, exact and sharing no code with the mesher, judges what comes out.\n\n"
             + with_doubles(runs) + "\n\n"
-            + table(["domain", "kernel", "median", "range", "/ filtered", "sites", "auditor"], rows))
+            + table(["domain", "kernel", "median", "range", "/ filtered", "sites", "triangles", "auditor"], rows))
