@@ -25,13 +25,15 @@ void progress_line::show(const refinement_progress& progress) {
   next_ = now + std::chrono::milliseconds(100);
   const double seconds = std::chrono::duration<double>(now - start_).count();
   std::cerr << wipe << progress.sites << " sites";
-  if (seconds > 1) std::cerr << " (" << static_cast<long>(static_cast<double>(progress.sites) / seconds) << " a second)";
+  if (seconds > 1)
+    std::cerr << " (" << static_cast<long>(static_cast<double>(progress.sites) / seconds)
+              << " a second)";
   if (progress.filling) {
     std::cerr << ", filling" << std::flush;
     return;
   }
-  std::cerr << ", " << progress.disagreeing << " disagreeing, "
-            << progress.low_angle << " low-angle";
+  std::cerr << ", " << progress.disagreeing << " disagreeing, " << progress.low_angle
+            << " low-angle";
   if (progress.too_large > 0) std::cerr << ", " << progress.too_large << " too large";
   std::cerr << " triangles left" << std::flush;
 }
