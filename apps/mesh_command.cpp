@@ -86,6 +86,11 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
       [&options](std::uint64_t n) { options.max_sites = static_cast<std::size_t>(n); },
       "Refinement ends at this many (default 100000)")
       ->type_name("N");
+  add_count(
+      app, "--improve", 0, 1000,
+      [&options](std::uint64_t n) { options.improve_passes = static_cast<std::size_t>(n); },
+      "Passes over the finished mesh, for fewer sites and better shapes (default 0)")
+      ->type_name("N");
   add_real(
       app, "--max-seconds", positive_reals, [&job](double x) { job.max_seconds = x; },
       "Refinement ends after this time")

@@ -158,6 +158,15 @@ std::string text_of(const gradation_report& done) {
   return text;
 }
 
+// What the passes over the finished mesh did, in one line.
+std::string text_of(const improvement_report& done, std::size_t sites) {
+  return std::to_string(done.passes) + " passes of " + std::to_string(done.tries) + " tries, " +
+         std::to_string(done.removed) + " removed, " + std::to_string(done.moved) + " moved, " +
+         std::to_string(done.sites_before) + " to " + std::to_string(sites) +
+         " sites, mean quality " + text_of(done.mean_quality_before) + " to " +
+         text_of(done.mean_quality_after) + (done.stopped ? "; stopped" : "");
+}
+
 std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
                                               const refinement_outcome& outcome) {
   const refinement_options& asked = job.refinement;
@@ -171,6 +180,8 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},
           {"tol", asked.tolerance ? text_of(*asked.tolerance) : "chosen"},
           {"tol-at-end", text_of(outcome.tolerance)},
+          {"improve", std::to_string(asked.improve_passes)},
+          {"improve-done", outcome.improved ? text_of(*outcome.improved, outcome.sites) : "none"},
           {"certify", job.prove_voronoi ? "voronoi" : "stars"},
           {"max-sites", std::to_string(asked.max_sites)},
           {"regions", job.number_regions ? "numbered" : "as given"},
@@ -244,6 +255,8 @@ int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit
   const bool reached = outcome.complete && report.certified;
   std::optional<double> unit_edges;
   if (job.size) unit_edges = claim.measured.at("unit_edges");
+  if (!job.quiet && outcome.improved)
+    std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
   if (!job.quiet) write_summary(outcome, report, reached, unit_edges);
   const bool dual_as_asked = !job.prove_voronoi || report.voronoi == voronoi_verdict::proved;
   if (reached && dual_as_asked) return done;

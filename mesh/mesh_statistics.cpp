@@ -8,7 +8,6 @@
 
 #include "asterism/mesh/constructions.hpp"
 #include "asterism/mesh/local/parallel.hpp"
-#include "asterism/mesh/refine_quality.hpp"
 #include "asterism/mesh/thin_metric.hpp"
 
 namespace asterism {
@@ -32,22 +31,27 @@ void add_edge(const site& p, const site& q, double weight, sums& s) {
   s.sigma = std::max(s.sigma, variation(p, q));
 }
 
-void add_triangle(const triangle_sites& given, sums& s) {
-  const triangle_sites t = in_round_coordinates(given);
+// The triangle in round coordinates.
+triangle_shape shape_in_round(const triangle_sites& t) {
   metric_tensor mean{};
   double squares = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    add_edge(t[i], t[(i + 1) % 3], 1, s);
-    mean.m11 += t[i].metric.m11 / 3;
-    mean.m12 += t[i].metric.m12 / 3;
-    mean.m22 += t[i].metric.m22 / 3;
+  for (const site& s : t) {
+    mean.m11 += s.metric.m11 / 3;
+    mean.m12 += s.metric.m12 / 3;
+    mean.m22 += s.metric.m22 / 3;
   }
   for (std::size_t i = 0; i < 3; ++i)
     squares += squared_distance({t[i].position, mean}, t[(i + 1) % 3].position);
   const point &a = t[0].position, &b = t[1].position, &c = t[2].position;
   const double plane = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
   const double area = plane * root_of_determinant(mean);
-  const double quality = 4 * std::numbers::sqrt3 * area / squares;
+  return {area, 4 * std::numbers::sqrt3 * area / squares};
+}
+
+void add_triangle(const triangle_sites& given, sums& s) {
+  const triangle_sites t = in_round_coordinates(given);
+  for (std::size_t i = 0; i < 3; ++i) add_edge(t[i], t[(i + 1) % 3], 1, s);
+  const auto [area, quality] = shape_in_round(t);
   const double angle = smallest_angle(t);
   s.quality += quality;
   s.least_quality = std::min(s.least_quality, quality);
@@ -95,6 +99,8 @@ double aspect(const metric_tensor& m) {
   const double r = std::hypot(m.m11 / 2 - m.m22 / 2, m.m12);
   return (m.m11 / 2 + m.m22 / 2 + r) / root_of_determinant(m);
 }
+
+triangle_shape shape_of(const triangle_sites& t) { return shape_in_round(in_round_coordinates(t)); }
 
 std::map<std::string, double> by_name(const mesh_statistics& s) {
   return {{"edges", static_cast<double>(s.edges)},

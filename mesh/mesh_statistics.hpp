@@ -9,6 +9,7 @@
 #include <string>
 
 #include "asterism/mesh/mesh.hpp"
+#include "asterism/mesh/refine_quality.hpp"
 
 namespace asterism {
 
@@ -24,13 +25,19 @@ double variation(const site& p, const site& q);
 // Length over width of the metric's unit circle: the root of its condition number.
 double aspect(const metric_tensor& m);
 
+// Of one triangle, in the mean metric of its three sites: its area, negative when it turns
+// clockwise, and 4 sqrt 3 area / sum of squared lengths, 1 for an equilateral one.
+struct triangle_shape {
+  double area = 0, quality = 0;
+};
+triangle_shape shape_of(const triangle_sites& t);
+
 struct mesh_statistics {
   std::size_t edges = 0;
   // Of the edges, those of metric length in [1/sqrt 2, sqrt 2], and the mean length. A length is
   // the mean of what the two ends measure.
   double unit_edges = 0, mean_length = 0;
-  // 4 sqrt 3 area / sum of squared lengths, in the mean metric of the three vertices: 1 for an
-  // equilateral triangle. The mean over all triangles, and the least.
+  // The mean over all triangles, and the least.
   double mean_quality = 0, least_quality = 0;
   // Of the triangles, those whose smallest angle, from all three vertices, is below 20, 30 degrees.
   double below_20 = 0, below_30 = 0;

@@ -42,6 +42,8 @@ struct refinement_options {
   std::function<std::optional<std::string>()> stop;
   int max_rejected = 100;  // darts in a row before the tolerance shrinks
   std::uint64_t seed = 1;  // darts
+  // What is complete is improved in so many passes at most (improvement.hpp); each refines anew.
+  std::size_t improve_passes = 0;
 };
 
 struct refinement_progress {
@@ -53,6 +55,18 @@ struct refinement_progress {
 struct exempt_corner {
   index vertex = 0;
   double angle = 0;  // degrees, as its own metric sees it, between its two segments
+};
+
+// What the passes asked for have brought.
+struct improvement_report {
+  std::size_t passes = 0;          // that were accepted
+  std::size_t tries = 0;           // refinements done for them
+  std::size_t removed = 0;         // sites left out in accepted tries; some may have come again
+  std::size_t moved = 0;           // sites moved in them
+  std::size_t sites_before = 0;    // before the first pass
+  double mean_quality_before = 0;  // mesh_statistics.hpp
+  double mean_quality_after = 0;
+  bool stopped = false;  // by options.stop; the mesh is what had been accepted
 };
 
 struct refinement_outcome {
@@ -71,6 +85,7 @@ struct refinement_outcome {
   std::vector<exempt_corner> exempt;
   std::vector<triangle> exempt_triangles;  // those of result.triangles below the bound at them
   tier_counters counters;
+  std::optional<improvement_report> improved;  // where passes were asked for and it is complete
 };
 
 // `d` must have been accepted by check_domain. Fails only where the metric field does, or for

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "asterism/mesh/improvement.hpp"
 #include "asterism/mesh/mesh_statistics.hpp"
 #include "asterism/mesh/refine_arcs.hpp"
 #include "asterism/mesh/refine_budget.hpp"
@@ -411,14 +412,35 @@ std::optional<error> check_options(const domain& d, const refinement_options& o)
 }
 
 result<refinement_outcome> refine_image(
+    const filled_domain& proposed, const unit_frame& frame, const star_kernel& kernel,
+    const domain& image, const metric_field& field, const refinement_options& options,
+    const std::function<void(const refinement_progress&)>& progress) {
+  auto state = refine_state::start_filled(image, field, kernel, options.max_sites, proposed);
+  if (!state) return state.failure();
+  return refinement(std::move(state).value(), frame, options,
+                    static_cast<index>(image.vertices.size()), progress)
+      .run();
+}
+
+// And improved, if that is asked for.
+result<refinement_outcome> refine_and_improve(
     const budgeted_filling& filled, const star_kernel& kernel, const domain& image,
     const metric_field& field, const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
-  auto state = refine_state::start_filled(image, field, kernel, options.max_sites, filled.proposed);
-  if (!state) return state.failure();
-  return refinement(std::move(state).value(), filled.frame, options,
-                    static_cast<index>(image.vertices.size()), progress)
-      .run();
+  const unit_frame& frame = filled.frame;
+  auto made = refine_image(filled.proposed, frame, kernel, image, field, options, progress);
+  // One that was filled coarser than asked for is not complete, whatever it says of itself.
+  if (!made || filled.halvings > 0) return made;
+  const auto again = [&](const filled_domain& proposed, std::size_t most_sites) {
+    const auto own_kernel = kernel.fork();  // the work done for one mesh is counted from zero
+    refinement_options limited = options;
+    limited.max_sites = most_sites;
+    auto tried = refine_image(proposed, frame, *own_kernel, image, field, limited, progress);
+    kernel.count(own_kernel->counters());
+    return tried;
+  };
+  improve(image, field, frame, options, again, made.value());
+  return made;
 }
 
 // The proposed sites refined in their frame; what came of it is in the domain's own units.
@@ -427,9 +449,9 @@ result<refinement_outcome> refine_filled(
     const metric_field& field, const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
   const unit_frame& frame = filled.frame;
-  if (frame.is_identity()) return refine_image(filled, kernel, d, field, options, progress);
-  return refine_image(filled, kernel, frame.inward(d), framed_field(field, frame), options,
-                      progress);
+  if (frame.is_identity()) return refine_and_improve(filled, kernel, d, field, options, progress);
+  return refine_and_improve(filled, kernel, frame.inward(d), framed_field(field, frame), options,
+                            progress);
 }
 
 // Without room for another site: complete if there is nothing to mend.
@@ -437,6 +459,7 @@ result<refinement_outcome> refine_as_given(
     const unit_frame& frame, const star_kernel& kernel, const domain& d, const metric_field& field,
     refinement_options options, const std::function<void(const refinement_progress&)>& progress) {
   options.max_sites = d.vertices.size();
+  options.improve_passes = 0;  // what is given stays
   budgeted_filling nothing{{}, frame, 0};
   nothing.proposed.divisions.resize(d.segments.size());
   auto made = refine_filled(nothing, kernel, d, field, options, progress);

@@ -5,6 +5,8 @@ target_sources(asterism PRIVATE
   constructions.cpp
   constructions_polynomial.cpp
   given_distances.cpp
+  improvement.cpp
+  improvement_proposal.cpp
   mesh_regions.cpp
   mesh_statistics.cpp
   mesher.cpp

@@ -6,6 +6,9 @@ asterism_test(test_star
 asterism_test(test_refine
   SOURCES mesh/refine_constructions_test.cpp mesh/refine_test.cpp mesh/refine_domains_test.cpp
           mesh/domain_random_test.cpp mesh/audit_meshes.cpp)
+asterism_test(test_improvement
+  SOURCES mesh/improvement_test.cpp mesh/audit_meshes.cpp
+  LINK tbb)
 # What is near, and the refinement that rests on it.
 asterism_test(test_local
   SOURCES mesh/local_index_test.cpp mesh/given_distances_test.cpp mesh/statistics_test.cpp

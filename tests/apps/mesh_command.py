@@ -139,6 +139,33 @@ class Mesh(command.CommandTest):
         self.assertEqual(asked["size"], "1e-07")
         self.assertGreater(float(asked["size-delivered"]), 1e-3)
 
+    def test_improve(self):
+        job = ["mesh", "square", "--metric", "swirl:12", "--size", "0.2", "-o", "m.mesh"]
+        sites, made = [], []
+        for more in ([], ["--improve", "4", "--threads", "1"], ["--improve", "4", "--threads", "2"]):
+            done = self.run_command(*job, *more)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            claim = json.loads((self.folder / "m.certificate.json").read_text())
+            self.assertTrue(claim["audit"]["certified"])
+            sites.append(claim["mesh"]["vertices"])
+            made.append((self.folder / "m.mesh").read_bytes())
+            if not more:
+                self.assertEqual(claim["asked"]["options"]["improve-done"], "none")
+                continue
+            said = done.stdout.splitlines()[0]
+            self.assertRegex(said, r"\Aimprovement: \d+ passes of \d+ tries, \d+ removed, \d+ moved, "
+                                   f"{sites[0]} to {sites[-1]} sites, mean quality 0\\.\\d+ to 0\\.\\d+\\Z")
+            self.assertIn(claim["asked"]["options"]["improve-done"], said)
+        self.assertLess(sites[1], sites[0])
+        self.assertEqual(made[1], made[2])
+
+    def test_passes_that_are_no_number_are_refused(self):
+        for bad in ("-1", "1.5", "many", "1001", "nan"):
+            done = self.run_command(*JOB, "--improve", bad, "-o", "m.mesh")
+            self.assertEqual(done.returncode, 2, bad)
+            self.assertIn("--improve", done.stderr)
+            self.assertEqual(self.files(), [])
+
     def test_fields_given_by_lengths(self):
         for metric in ("layer:0.05,0.3", "shock:4"):
             done = self.run_command("mesh", "square", "--metric", metric, "--size", "1", "-o", "m.mesh")
