@@ -19,6 +19,10 @@ double ingredient_tolerance(double rho) {
   return needed > 0x1p-18 ? needed : 0x1p-18;
 }
 
+// Any direction z + step n is a valid choice, in this range without an overflow, and without an
+// underflow that matters.
+constexpr double least_step = 0x1p-30, most_step = 0x1p10;
+
 // std::fmax is a call, for the sake of NaNs.
 double greater(double a, double b) { return a > b ? a : b; }
 
@@ -302,9 +306,10 @@ bool star_gap::refuted(const candidate& w, double at_lowest) const {
   return closed_towards(x_, w, *top, w.turn_x, 1) && closed_towards(y_, w, *top, w.turn_y, -1);
 }
 
-// Does nothing remain between u and the direction at a right angle to w on the side of z? Either
-// z's bisector comes first all along, or from z's ray on the triangle of v, w and the point
-// contains z. `turn` is the area of w and z, positive; `side` 1 for x, -1 for y.
+// Does nothing remain between u and the direction n at a right angle to w on the side of z? Either
+// z's bisector comes first all along, or it does up to some direction from z's ray on, and beyond
+// that the triangle of v, w and the point contains z. `turn` is the area of w and z, positive;
+// `side` 1 for x, -1 for y.
 bool star_gap::closed_towards(const neighbour& z, const candidate& w, const upper_bound& top,
                               double turn, double side) const {
   const auto& d = w.site.offset;
@@ -319,32 +324,64 @@ bool star_gap::closed_towards(const neighbour& z, const candidate& w, const uppe
     if (lower - at_end > tolerance_ * magnitude) return true;
   }
   const double magnitude = 2 * (top.magnitude * reach + c_size * (extent_squared + reach));
-  return along > tolerance_ * (2 * reach) &&
-         w.ray.c * (square - along) - at_end * turn > tolerance_ * magnitude &&
-         nearer_on_own_ray(z, w, top, turn, side);
+  // C (l - S) (d x z) at n is more.
+  const double room = w.ray.c * (square - along) - at_end * turn - tolerance_ * magnitude;
+  if (!(along > tolerance_ * (2 * reach) && room > 0)) return false;
+  const estimate at_z = top_at(z, w, top, turn, side);
+  // C (S - l) at z is less.
+  const double excess = at_z.value - w.ray.c + tolerance_ * (c_size + at_z.size);
+  if (excess < 0) return true;
+  const double turn_at_most = turn + cross_depth * frame_.rho() * (2 * reach);
+  const double step = greater(least_step * (z.site.extent / extent),
+                              (1 + tolerance_) * ((excess * turn_at_most) / room));
+  if (!(step * extent <= most_step * z.site.extent)) return false;
+  return met_first_at(z, w, {turn, side, step},
+                      {at_z.value + step * at_end, at_z.size + step * top.magnitude});
 }
 
-// S < 1 at z: seen along the ray from v through z, w's bisector lies beyond z.
-bool star_gap::nearer_on_own_ray(const neighbour& z, const candidate& w, const upper_bound& top,
-                                 double turn, double side) const {
+// C S at z itself is less than `value` and the tolerance of `size`.
+star_gap::estimate star_gap::top_at(const neighbour& z, const candidate& w, const upper_bound& top,
+                                    double turn, double side) const {
+  const auto& d = w.site.offset;
   const double extent = w.site.extent, reach = extent * z.site.extent, trace = w.site.trace;
-  const double c_size = c_magnitude(extent, trace), rest_size = c_size + 4 * trace * reach;
-  const double rest = w.ray.c - dot(z.site.offset, w.dual);
-  if (!(rest > tolerance_ * rest_size)) return false;
+  const double c_size = c_magnitude(extent, trace);
+  estimate at_z{dot(z.site.offset, w.dual), 4 * trace * reach};
   if (top.concave) {
-    const double rooted =
-        top.inverse_root * (w.ray.c * dot(u_, z.site.offset) +
-                            side * (w.site.determinant * turn) * cross(u_, w.site.offset));
-    const double rooted_size = top.inverse_root * u_extent_ *
-                               (c_size * z.site.extent + 2 * (trace * trace) * (extent * reach));
-    return rest - rooted > tolerance_ * (rest_size + rooted_size);
+    at_z.value += top.inverse_root * (w.ray.c * dot(u_, z.site.offset) +
+                                      side * (w.site.determinant * turn) * cross(u_, d));
+    at_z.size += top.inverse_root * u_extent_ *
+                 (c_size * z.site.extent + 2 * (trace * trace) * (extent * reach));
+    return at_z;
   }
-  const double z_squared = 2 * (z.site.extent * z.site.extent);
-  const double radicand =
-      w.ray.c * dot(z.site.offset, z.site.offset) - w.site.determinant * (turn * turn);
-  const double radicand_size = c_size * z_squared + 4 * (trace * trace) * (reach * reach);
-  return rest * rest - radicand >
-         tolerance_ * (rest_size * rest_size + radicand_size) + 3 * top.convexity_error * z_squared;
+  const double radicand = radicand_on_ray(w.ray.c, w.site.determinant, z.site.offset, turn);
+  const double size = radicand_on_ray_magnitude(extent, trace, z.site.extent);
+  const double unsure = 6 * top.convexity_error * (z.site.extent * z.site.extent);
+  const double root = std::sqrt(greater(radicand + (tolerance_ * size + unsure), 0));
+  return {at_z.value + root, at_z.size + root};
+}
+
+// Is z's lower bound, times C, more than `top` in the direction z + step n? It then is from u to
+// there, being concave.
+bool star_gap::met_first_at(const neighbour& z, const candidate& w, const direction_beyond& e,
+                            const estimate& top) const {
+  const auto& d = w.site.offset;
+  const double extent = w.site.extent, own = z.site.extent;
+  estimate lower{e.step * (e.side * dot(z.slope, quarter_turn(d))),
+                 e.step * (z.slope_magnitude * extent)};
+  if (z.bend > 0) {
+    const double radicand = radicand_beyond(z.site.offset, d, e.turn, z.bend, e.step);
+    const double size = radicand_beyond_magnitude(own, extent, z.bend, e.step);
+    const double least = radicand - tolerance_ * size;
+    if (!(least > 0)) return false;
+    const double at_least = 1 + std::sqrt(least / z.c);
+    lower.value += at_least;
+    lower.size += at_least;
+  } else {
+    lower.value += dot(z.slope, z.site.offset);
+    lower.size += z.slope_magnitude * own;
+  }
+  const double size = c_magnitude(extent, w.site.trace) * lower.size + top.size;
+  return w.ray.c * lower.value - top.value > tolerance_ * size;
 }
 
 }  // namespace asterism

@@ -9,9 +9,9 @@
 // that ray with the bisectors of v, x and v, y. If the ray meets w's bisector first, that meeting
 // is a witness, once it is seen by w and dominated by w over x and y. If it certainly meets w's
 // last, a convex upper bound of w's first meeting, a concave lower bound of x's and one of y's,
-// compared at the ends of a cone each, leave w no direction. Any direction is a valid choice; that
-// of the vertex decides nearly all. Proofs and constants: docs/math/star-gap.md,
-// docs/math/certificate.md section 4.
+// compared at the ends of a cone each, leave w no direction. Any direction is a valid choice: that
+// of the vertex, and beyond x and y one each, where the triangle of v, w and the point takes over.
+// Proofs and constants: docs/math/star-gap.md, docs/math/certificate.md section 4.
 #pragma once
 
 #include <optional>
@@ -62,6 +62,14 @@ class star_gap {
   };
   struct candidate;
   struct upper_bound;
+  // Known to within a tolerance of `size`.
+  struct estimate {
+    double value, size;
+  };
+  // z + step n, n at a right angle to w on the side of z, `turn` the area of w and z.
+  struct direction_beyond {
+    double turn, side, step;
+  };
 
   bool find_vertex();
   void aim_between();
@@ -76,8 +84,10 @@ class star_gap {
   bool refuted(const candidate& w, double at_lowest) const;
   bool closed_towards(const neighbour& z, const candidate& w, const upper_bound& top, double turn,
                       double side) const;
-  bool nearer_on_own_ray(const neighbour& z, const candidate& w, const upper_bound& top,
-                         double turn, double side) const;
+  estimate top_at(const neighbour& z, const candidate& w, const upper_bound& top, double turn,
+                  double side) const;
+  bool met_first_at(const neighbour& z, const candidate& w, const direction_beyond& e,
+                    const estimate& top) const;
 
   star_gap_detail::normal_frame frame_;
   neighbour x_, y_;

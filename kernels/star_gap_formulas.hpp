@@ -46,8 +46,26 @@ Number steepness_towards(const Number& s, const displacement<Number>& d, const N
   return ((c_x - (along + along)) * s + (across + across)) * s + a_x;
 }
 
+// With S linear in u plus the root of this, over C: the radicand at u = z, turn = d x z.
+template <class Number>
+Number radicand_on_ray(const Number& c, const Number& determinant, const displacement<Number>& z,
+                       const Number& turn) {
+  return c * dot(z, z) - determinant * (turn * turn);
+}
+
+// |e|^2 - bend (e x z)^2 for e = z + step n, n = +-J d with n . z = turn.
+template <class Number>
+Number radicand_beyond(const displacement<Number>& z, const displacement<Number>& d,
+                       const Number& turn, const Number& bend, const Number& step) {
+  const Number along = dot(d, z);
+  return dot(z, z) + step * ((turn + turn) + step * (dot(d, d) - bend * (along * along)));
+}
+
 inline constexpr int ray_depth = 12, c_depth = 8, discriminant_depth = 16, convexity_depth = 9,
                      steepness_depth = 14, cross_depth = 5;
+// Nothing compared with the tolerance carries more than these factors besides its quotients and
+// roots.
+inline constexpr int side_condition_depth = 24;
 
 // `s` at least the parameter, all arguments positive.
 inline double ray_magnitude(double s, double extent, double trace, double u) {
@@ -65,6 +83,15 @@ inline double steepness_magnitude(double s, double extent, double extent_x, doub
                                   double u) {
   return 4 * s * trace_x * (s * extent_x * (extent_x + 2 * extent) + extent * u) +
          (u * u) * (1 + trace_x);
+}
+inline double radicand_on_ray_magnitude(double extent, double trace, double extent_z) {
+  const double reach = extent * extent_z;
+  return (reach * reach) * (8 * trace + 4 * (trace * trace));
+}
+inline double radicand_beyond_magnitude(double extent_z, double extent, double bend, double step) {
+  const double reach = extent * extent_z;
+  return 2 * (extent_z * extent_z) +
+         step * (4 * reach + step * (2 * (extent * extent) + 4 * bend * (reach * reach)));
 }
 
 }  // namespace asterism::star_gap_detail

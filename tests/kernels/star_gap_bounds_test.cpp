@@ -66,7 +66,16 @@ TEST_CASE("depths and magnitudes of the gap's bounds are those of the formulas",
     CHECK(convex.depth < convexity_depth);
     CHECK(steep.depth < steepness_depth);
     CHECK(turn.depth < cross_depth);
+    // The side conditions' radicands, `bend` and `step` chosen.
+    const counted own = radicand_on_ray(ray.c, {1, z.trace * z.trace}, d_x, turn);
+    const counted bend{0, z.trace}, step{0, z.s};
+    const counted beyond = radicand_beyond(d_x, d, turn, bend, step);
+    CHECK(own.depth < side_condition_depth);
+    CHECK(beyond.depth < side_condition_depth);
     const double rounded = 1 - 1e-12;
+    CHECK(rounded * own.magnitude <= radicand_on_ray_magnitude(z.extent, z.trace, z.extent_x));
+    CHECK(rounded * beyond.magnitude <=
+          radicand_beyond_magnitude(z.extent_x, z.extent, z.trace, z.s));
     CHECK(rounded * at_s.magnitude <= ray_magnitude(z.s, z.extent, z.trace, z.u));
     CHECK(rounded * ray.c.magnitude <= c_magnitude(z.extent, z.trace));
     CHECK(rounded * discriminant.magnitude <= discriminant_magnitude(z.extent, z.trace, z.u));
@@ -74,6 +83,34 @@ TEST_CASE("depths and magnitudes of the gap's bounds are those of the formulas",
     CHECK(rounded * steep.magnitude <=
           steepness_magnitude(z.s, z.extent, z.extent_x, z.trace_x, z.u));
   }
+}
+
+// docs/math/star-gap.md, section 3: of what a gap compares at z + step n. Quotients and roots are
+// ingredients and carry none here.
+TEST_CASE("no side condition carries more roundings than the tolerance has room for",
+          "[star_gap]") {
+  const auto d = offset(1), z = offset(1), u = direction(1), n_d = apply(tensor(1), d);
+  const counted step{0, 1}, quotient{0, 1}, c = dot(d, n_d), turn = cross(d, z), determinant{1, 1},
+                                            bend = determinant * quotient;
+  const counted leant = quotient * (u.x + bend * cross(u, z) * z.y) + quotient * n_d.x;
+  const displacement<counted> slope{leant, leant};
+  const counted tangent = c * (step * dot(slope, d) + dot(slope, z));
+  const counted rooted = c * (step * dot(slope, d) + (quotient + quotient));
+  const counted top_at_z =
+      dot(z, n_d) + quotient * (c * dot(u, z) + determinant * turn * cross(u, d));
+  const counted at_end =
+      dot(d, n_d) + cross(u, d) * quotient * convexity(c, determinant, d) + quotient;
+  // Of C only that it is an ingredient counts where it multiplies: it is known to within one.
+  const int of_c = c.depth;
+  const counted top = top_at_z + step * at_end;
+  CHECK(tangent.depth - of_c + 1 < side_condition_depth);
+  CHECK(rooted.depth - of_c + 1 < side_condition_depth);
+  CHECK(top.depth + 1 < side_condition_depth);
+  const counted room = quotient * (dot(d, d) - dot(d, z)) - at_end * turn;
+  CHECK(room.depth < side_condition_depth);
+  // Three ingredients and these roundings, below a tolerance of eight ingredients.
+  constexpr double ingredient = 0x1p14;  // in units of rho, at least
+  CHECK(3 * ingredient + side_condition_depth + 1 < 8 * ingredient);
 }
 
 // docs/math/star-gap.md, section 2, step by step: relative errors in units of eps sigma, with

@@ -160,6 +160,20 @@ TEST_CASE("guaranteed: dividing a segment leaves no piece of a rounding error's 
   }
 }
 
+// Sites are offered up to twice as far as the neighbours they stand behind; the field is steep
+// enough for a fifth of the questions to need more than one direction of the gap.
+TEST_CASE("guaranteed: in a steep field doubles decide nearly every edge test") {
+  const formula_field field = sized(swirl_field(24), 0.06);
+  const refinement_outcome made = mesh_of(accepted(square()), field, with_size(true));
+  CHECK(made.complete);
+  const auto by = [&](tier t) {
+    return static_cast<double>(made.counters.at(predicate::edge_test, t));
+  };
+  INFO(by(tier::semi_static) << ", " << by(tier::interval) << ", " << by(tier::exact));
+  CHECK(by(tier::semi_static) > 10000);
+  CHECK(by(tier::interval) + by(tier::exact) < 0.01 * by(tier::semi_static));
+}
+
 TEST_CASE("guaranteed: jumps of the metric end quickly, with the place named") {
   const formula_field jump([](const point& q) {
     const double s = q.x < 0.1 ? 16 : 1600;
