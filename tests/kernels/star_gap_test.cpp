@@ -132,10 +132,9 @@ bool second_route(const question& q) {
 uncertain_bool ask(const question& q) { return star_gap(q.v, q.y, q.x).accepts(q.w); }
 
 // w moved along its ray to the last place where the gap knows the answer, on either side.
-question at_the_border_of_knowledge(question q, sequence& random) {
+question at_the_border_of_knowledge(question q, bool from_yes) {
   const star_gap gap(q.v, q.y, q.x);
   const auto d = between(q.v.position, q.w.position);
-  const bool from_yes = random.integer(0, 1) == 1;
   double known = from_yes ? 0.05 : 20, unknown = 1;
   const auto at = [&](double factor) {
     site w = q.w;
@@ -149,6 +148,40 @@ question at_the_border_of_knowledge(question q, sequence& random) {
   q.w = at(known);
   return q;
 }
+
+// Accepted in a direction beyond a neighbour, though at the gap's vertex w comes last. v, w, y, x.
+constexpr question accepted_beyond[] = {{{{0, 0}, {1.082, -0.08667, 0.5196}},
+                                         {{-1.345, 0.3912}, {0.4105, 0.1924, 0.6391}},
+                                         {{-0.6465, 0.7527}, {2.147, -0.4155, 0.3478}},
+                                         {{0.1328, -0.9721}, {1.018, -0.02244, 1.38}}},
+                                        {{{0, 0}, {1.129, -0.5939, 1.937}},
+                                         {{-0.9886, -0.4104}, {2.191, 0.4886, 3.899}},
+                                         {{-0.9822, -0.01631}, {1.334, -0.163, 0.4955}},
+                                         {{0.4859, -0.7326}, {0.811, -0.4461, 2.393}}},
+                                        {{{0, 0}, {1.62, 0.5405, 2.65}},
+                                         {{0.7555, -0.08185}, {1.205, 0.5199, 2.242}},
+                                         {{0.7093, -0.1098}, {0.9303, 0.1143, 1.676}},
+                                         {{-0.5692, 0.6948}, {3.709, 3.543, 5.346}}},
+                                        {{{0, 0}, {2.682, 0.008811, 1.106}},
+                                         {{0.2811, -0.8118}, {2.271, -0.1282, 2.447}},
+                                         {{-0.4815, 0.4154}, {3.911, -1.124, 0.9926}},
+                                         {{0.3003, -0.775}, {2.17, -0.42, 0.5351}}},
+                                        {{{0, 0}, {0.9441, -0.372, 1.103}},
+                                         {{-0.7604, -0.9003}, {1.09, -0.6914, 0.8471}},
+                                         {{-0.817, -0.5369}, {0.4424, -0.1012, 0.8981}},
+                                         {{0.5336, -0.3919}, {0.474, 0.02532, 1.27}}},
+                                        {{{0, 0}, {3.297, 0.1377, 0.8969}},
+                                         {{-1.01, -0.3788}, {0.7043, -0.2017, 0.8282}},
+                                         {{-0.9881, -0.1539}, {1.325, 0.2024, 0.6617}},
+                                         {{0.5746, -0.8184}, {1.984, 0.3586, 0.8031}}},
+                                        {{{0, 0}, {1.185, 0.4249, 0.8415}},
+                                         {{1.159, -0.1734}, {0.3863, -0.1285, 1.03}},
+                                         {{0.3073, -0.9516}, {3.054, 0.5905, 1.653}},
+                                         {{0.9965, 0.08386}, {0.8473, -0.32, 0.5769}}},
+                                        {{{0, 0}, {0.3897, -0.1716, 0.5293}},
+                                         {{-1.461, -1.26}, {1.605, -0.0772, 0.5298}},
+                                         {{-0.7304, 0.6831}, {0.6465, -0.0113, 2.599}},
+                                         {{-0.5504, -0.8349}, {0.4266, 0.1328, 0.9521}}}};
 
 void check_right(const question& q, const uncertain_bool& answer, std::uint64_t replay) {
   if (!answer.certain()) return;
@@ -184,11 +217,36 @@ TEST_CASE("what a gap decides is right at the border of what it knows", "[star_g
       for (int k = 0; k < 300; ++k) {
         const std::uint64_t replay = random.state;
         if (const auto drawn = draw(f, random)) {
-          const question q = at_the_border_of_knowledge(*drawn, random);
+          const question q = at_the_border_of_knowledge(*drawn, random.integer(0, 1) == 1);
           check_right(q, ask(q), replay);
         }
       }
     }
+  }
+}
+
+// Where the direction of the vertex refuses and a direction beyond x or y would not, only what is
+// asked there stands between a site and a wrong answer.
+TEST_CASE("nothing is refused that is accepted beyond a neighbour", "[star_gap]") {
+  sequence random{22};
+  for (const question& base : accepted_beyond) {
+    int refused = 0;
+    for (int k = 0; k < 150; ++k) {
+      const std::uint64_t replay = random.state;
+      question q = base;
+      const double change = power(random, 1e-3, 0.3);
+      for (site* s : {&q.w, &q.y, &q.x}) {
+        s->metric = changed(s->metric, change, random);
+        s->position.x += 0.1 * change * random.real(-1, 1);
+        s->position.y += 0.1 * change * random.real(-1, 1);
+      }
+      check_right(q, ask(q), replay);
+      const question border = at_the_border_of_knowledge(q, false);
+      const uncertain_bool answer = ask(border);
+      refused += answer.certainly(false);
+      check_right(border, answer, replay);
+    }
+    CHECK(refused > 50);
   }
 }
 
@@ -199,7 +257,8 @@ TEST_CASE("rounding modes and flushing leave what a gap decides right", "[star_g
     const auto drawn = draw(families[k % std::size(families)], random);
     if (!drawn) continue;
     const bool near = k % 16 == 3 && !families[k % std::size(families)].grid;
-    const question q = near ? at_the_border_of_knowledge(*drawn, random) : *drawn;
+    const question q =
+        near ? at_the_border_of_knowledge(*drawn, random.integer(0, 1) == 1) : *drawn;
 #if defined(__SSE2__)
     const unsigned before = _mm_getcsr();
     if (random.integer(0, 1) == 1) _mm_setcsr(before | 0x8040U);
