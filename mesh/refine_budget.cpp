@@ -45,6 +45,7 @@ result<budgeted_filling> fill_within_budget(
   wanted.distance = largest_circumradius;
   wanted.longest_piece = longest_piece_of_fill;
   wanted.max_sites = options.max_sites;
+  if (options.stop) wanted.enough = [&options] { return options.stop().has_value(); };
   const auto go_on = [&](std::size_t sites) {
     if (progress) progress({true, sites, 0, 0, 0});
     return !options.stop || !options.stop();

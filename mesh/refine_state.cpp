@@ -40,9 +40,12 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
 
 result<refine_state> refine_state::start_filled(const domain& d, const metric_field& field,
                                                 const star_kernel& kernel, std::size_t most_sites,
-                                                const filled_domain& filling) {
+                                                const filled_domain& filling,
+                                                std::function<bool()> enough) {
   auto state = prepare(d, field, kernel, most_sites);
   if (!state) return state;
+  state.value().stars_.ask_between_stars(enough);
+  state.value().ask_before_splits(std::move(enough));
   state.value().divide(d, filling);
   state.value().add_proposed(filling.interior);
   state.value().construct_stars();

@@ -54,7 +54,8 @@ class refine_state {
   // other sites those are taken that are inside what then is the domain and encroach on nothing.
   static result<refine_state> start_filled(const domain& d, const metric_field& field,
                                            const star_kernel& kernel, std::size_t most_sites,
-                                           const filled_domain& filling);
+                                           const filled_domain& filling,
+                                           std::function<bool()> enough = {});
 
   const std::vector<site>& sites() const { return sites_; }
   const boundary& edges() const { return edges_; }
@@ -67,8 +68,9 @@ class refine_state {
   std::size_t splits() const { return splits_; }
   bool is_full() const { return sites_.size() >= most_sites_; }
 
-  // Asked between splits; true ends clear_encroachments and shorten_pieces early. Splits may be
-  // many, and each slow where only exact arithmetic decides.
+  // Asked between splits and, if given to start_filled(), between stars; true ends
+  // clear_encroachments and shorten_pieces early. Splits may be many, and each slow where only
+  // exact arithmetic decides.
   void ask_before_splits(std::function<bool()> enough) { enough_ = std::move(enough); }
 
   // Set when the metric field failed at a point that was tried; nothing can go on then.

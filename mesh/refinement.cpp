@@ -46,7 +46,6 @@ class refinement {
         given_(given) {}
 
   result<refinement_outcome> run() {
-    if (options_.stop) state_.ask_before_splits([this] { return options_.stop().has_value(); });
     if (options_.limit_size) state_.shorten_pieces(longest_piece);
     while (!ended_) step();
     if (state_.field_failure()) return *state_.field_failure();
@@ -415,7 +414,10 @@ result<refinement_outcome> refine_image(
     const filled_domain& proposed, const unit_frame& frame, const star_kernel& kernel,
     const domain& image, const metric_field& field, const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
-  auto state = refine_state::start_filled(image, field, kernel, options.max_sites, proposed);
+  std::function<bool()> enough;
+  if (options.stop) enough = [&options] { return options.stop().has_value(); };
+  auto state = refine_state::start_filled(image, field, kernel, options.max_sites, proposed,
+                                          std::move(enough));
   if (!state) return state.failure();
   return refinement(std::move(state).value(), frame, options,
                     static_cast<index>(image.vertices.size()), progress)

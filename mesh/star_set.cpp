@@ -104,6 +104,8 @@ std::vector<index> star_set::construct(const site_oracle& oracle, const std::vec
         // A few stars are made by this thread alone, which then may remember answers.
         const site_oracle own = few ? oracle : oracle.with_kernel(*kernel);
         for (std::size_t i = begin; i < end; ++i) {
+          constexpr std::size_t at_a_time = 8;
+          if (enough_ && i % at_a_time == 0 && enough_()) break;
           const index v = which[i];
           if (confirm && condition_[v] == condition::settled) {
             if (!is_still_final(own, v, latest))

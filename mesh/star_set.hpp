@@ -8,6 +8,7 @@
 // came after its construction. rebuild() makes a stale star anew.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,10 +25,15 @@ class star_set {
   // Stars from elsewhere, taken as they are: all stale, but those named, which count as unsettled.
   explicit star_set(std::vector<star> stars, const std::vector<index>& unsettled = {});
 
+  // Asked while many stars are made, from any thread; once it says true the rest stay as they are:
+  // stale, and empty if they are new. Whoever sets it ends refinement then.
+  void ask_between_stars(std::function<bool()> enough) { enough_ = std::move(enough); }
+
   index size() const { return static_cast<index>(stars_.size()); }
   const star& operator[](index v) const { return stars_[v]; }
   bool is_stale(index v) const { return condition_[v] == condition::stale; }
-  // The star is known to be final (star_confirmation.hpp) as far as the sites go that there were then.
+  // The star is known to be final (star_confirmation.hpp) as far as the sites go that there were
+  // then.
   bool is_confirmed(index v) const { return final_[v].against != 0; }
   // Construction met its bound: the star violates (a) or (b) and is a defect of the mesh.
   bool is_unsettled(index v) const { return condition_[v] == condition::unsettled; }
@@ -73,6 +79,7 @@ class star_set {
   void accept(const site_oracle& oracle, index v, constructed_star built);
   void touch(index v);  // before a change of v's star
 
+  std::function<bool()> enough_;
   std::vector<index> touched_;
   std::vector<star> stars_;
   std::vector<condition> condition_;

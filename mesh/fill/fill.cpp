@@ -258,6 +258,7 @@ class filling {
           std::vector<index> near;
           for (std::size_t i = begin; i < end; ++i) {
             const auto w = static_cast<index>(first + i);
+            if (is_enough(i)) break;
             build_with_neighbourhood(w, near);
             for (const index u : near)
               if (u < first && disturbs(sites_, u, stars_[u], w)) out.push_back({u, w});
@@ -273,6 +274,7 @@ class filling {
     parallel_chunks(starts.size() - 1, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
       std::vector<index> candidates;
       for (std::size_t i = begin; i < end; ++i) {
+        if (is_enough(i)) break;
         const index v = pairs[starts[i]].star;
         candidates.clear();
         for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
@@ -283,6 +285,11 @@ class filling {
     changed_.clear();
     for (std::size_t i = 0; i + 1 < starts.size(); ++i) changed_.push_back(pairs[starts[i]].star);
     for (std::size_t w = first; w < sites_.size(); ++w) changed_.push_back(static_cast<index>(w));
+  }
+
+  bool is_enough(std::size_t i) const {
+    constexpr std::size_t at_a_time = 8;
+    return options_.enough && i % at_a_time == 0 && options_.enough();
   }
 
   // The star of w among all sites so near that no farther one could belong to it; `near` is left

@@ -27,6 +27,8 @@ struct fill_options {
   double distance = 0.75;      // from every point of the domain to the nearest site, metric length
   double longest_piece = 0.9;  // of the segments, metric length
   std::size_t max_sites = 100000;
+  // Asked between stars, from any thread, where a round takes long; true ends as `progress` does.
+  std::function<bool()> enough;
 };
 
 struct filled_domain {
