@@ -44,8 +44,8 @@ result<refine_state> refine_state::start_filled(const domain& d, const metric_fi
                                                 std::function<bool()> enough) {
   auto state = prepare(d, field, kernel, most_sites);
   if (!state) return state;
-  state.value().stars_.ask_between_stars(enough);
-  state.value().ask_before_splits(std::move(enough));
+  if (enough) state.value().stars_.ask_between_stars(enough);
+  if (enough) state.value().ask_before_splits(std::move(enough));
   state.value().divide(d, filling);
   state.value().add_proposed(filling.interior);
   state.value().construct_stars();
