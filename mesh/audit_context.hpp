@@ -84,8 +84,8 @@ struct audit_context {
 // so that the report is that of one thread. Of the context a check may write only what belongs to
 // its chunk alone.
 template <class Check>
-void check_in_parallel(audit_context& context, std::size_t count, const Check& check) {
-  constexpr std::size_t chunk = 1024;
+void check_in_parallel(audit_context& context, std::size_t count, const Check& check,
+                       std::size_t chunk = 1024) {
   std::vector<audit_tally> tallies(chunk_count(count, chunk));
   parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
     tallies[i].findings_kept = context.options.findings_kept;

@@ -57,6 +57,7 @@ site_tree::site_tree(const std::vector<site>& sites) : order_(sites.size()) {
   std::iota(order_.begin(), order_.end(), index{0});
   nodes_.reserve(4 * sites.size() / leaf_size + 1);
   if (!sites.empty()) build(0, sites.size(), sites);
+  groups_.push_back(sites.size());
   places_.reserve(sites.size());
   for (const index w : order_) places_.push_back(sites[w].position);
 }
@@ -114,6 +115,7 @@ void site_tree::build(std::size_t first, std::size_t last, const std::vector<sit
   }
   if (last - first <= leaf_size) {
     bound_leaf(n, sites);
+    groups_.push_back(first);
     nodes_[self] = n;
     return;
   }
@@ -135,29 +137,79 @@ void site_tree::build(std::size_t first, std::size_t last, const std::vector<sit
 }
 
 site_tree::centre site_tree::centre_of(const site& v, double reach) {
-  return {v.position, v.metric, positive_determinant(v.metric), reach};
+  return {v.position, v.position, v.metric, positive_determinant(v.metric), reach, 1};
+}
+
+// With B the first star's metric and tau^2 the spread, |u|_B <= tau |u|_v and
+// M_w^-1 M_v <= tau^2 M_w^-1 B: what is beyond (1 + tau sigma_B) tau reach as B measures is too far
+// from v, sigma_B that of B in place of M_v.
+std::optional<site_tree::centre> site_tree::centre_of(const std::vector<reaching>& stars) {
+  constexpr double most_spread = 4;
+  if (stars.empty()) return std::nullopt;
+  centre all = centre_of(stars.front().v, 0);
+  const tensor<bounded> b = tensor_of_doubles(all.metric);
+  const bounded inverse = bounded(1) / b.determinant();
+  for (const auto& [v, reach] : stars) {
+    const point& q = v.position;
+    all.low = {std::min(all.low.x, q.x), std::min(all.low.y, q.y)};
+    all.high = {std::max(all.high.x, q.x), std::max(all.high.y, q.y)};
+    all.reach = std::max(all.reach, reach);
+    const tensor<bounded> m = tensor_of_doubles(v.metric);
+    const bounded determinant = m.determinant() * inverse;
+    const double greatest =
+        greatest_eigenvalue(trace_of_product(m, adjugate(b)) * inverse, determinant);
+    const double against = (bounded(greatest) / determinant).upper();
+    all.spread_squared = greatest_bound(all.spread_squared, greatest_bound(greatest, against));
+  }
+  if (!(all.spread_squared < most_spread && all.reach < infinity)) return std::nullopt;
+  all.reach *= std::sqrt(all.spread_squared) * up;
+  return all;
+}
+
+bool site_tree::gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves) const {
+  leaves.clear();
+  const std::optional<centre> all = centre_of(stars);
+  if (all) visit_leaves(*all, [&](std::size_t leaf) { leaves.push_back(leaf); });
+  return all.has_value();
+}
+
+// The trace of tau^2 inverse M_v, from above: at least its greater eigenvalue.
+double site_tree::trace_above(const node& n, const centre& v) {
+  const metric_tensor &b = n.inverse, &m = v.metric;
+  const double diagonal = b.m11 * m.m11 + b.m22 * m.m22, mixed = 2 * (b.m12 * m.m12);
+  const double magnitude = diagonal + std::abs(mixed);
+  const double trace = (diagonal + mixed + step * magnitude + 0x1p-899) * v.spread_squared * up;
+  return trace < 0x1p501 && n.spread_squared < 0x1p500 ? trace : infinity;
 }
 
 // sigma^2 is at most spread_squared times the greater eigenvalue of inverse M_v.
 double site_tree::limit(const node& n, const centre& v) {
-  const metric_tensor &b = n.inverse, &m = v.metric;
-  const double diagonal = b.m11 * m.m11 + b.m22 * m.m22, mixed = 2 * (b.m12 * m.m12);
-  const double half = 0.5 * (diagonal + mixed + step * (diagonal + std::abs(mixed)) + 0x1p-900);
-  const double determinant = n.determinant_below * v.determinant_below * (1 - 0x1p-49);
-  if (!(half < 0x1p500 && n.spread_squared < 0x1p500)) return infinity;
+  const double half = 0.5 * trace_above(n, v);
+  if (half == infinity) return infinity;
+  const double own = v.determinant_below * (v.spread_squared * v.spread_squared);
+  const double determinant = n.determinant_below * own * (1 - 0x1p-49);
   const double rest = half * half * up - determinant;
   const double greatest = (half + std::sqrt(rest > 0 ? rest : 0) * up) * up;
   const double sigma = std::sqrt(n.spread_squared * greatest * up) * up;
   return (1 + (sigma > 1 ? sigma : 1)) * v.reach * up;
 }
 
+// (1 + sigma)^2 <= 2 + 2 sigma^2.
+double site_tree::rough_squared_limit(const node& n, const centre& v) {
+  const double trace = trace_above(n, v);
+  if (trace == infinity) return infinity;
+  const double sigma_squared = n.spread_squared * trace * up;
+  return 2 * (1 + (sigma_squared > 1 ? sigma_squared : 1)) * (v.reach * v.reach * up) * up;
+}
+
 // With c any vector and g = M_v c, every w has |w|_v >= g.w / |c|_v. c leads to the middle of the
-// box; the least g.w is at one of its corners.
-bool site_tree::too_far(const node& n, const centre& v) {
+// box of all w - v; the least g.w is at one of its corners.
+site_tree::approach site_tree::approach_of(const node& n, const centre& v) {
+  const point low{n.low.x - v.high.x, n.low.y - v.high.y};
+  const point high{n.high.x - v.low.x, n.high.y - v.low.y};
+  if (low.x <= 0 && low.y <= 0 && high.x >= 0 && high.y >= 0) return {};  // they meet
   const metric_tensor& m = v.metric;
-  const point c{(0.5 * n.low.x + 0.5 * n.high.x) - v.at.x,
-                (0.5 * n.low.y + 0.5 * n.high.y) - v.at.y};
-  const point low{n.low.x - v.at.x, n.low.y - v.at.y}, high{n.high.x - v.at.x, n.high.y - v.at.y};
+  const point c{0.5 * low.x + 0.5 * high.x, 0.5 * low.y + 0.5 * high.y};
   const point g{m.m11 * c.x + m.m12 * c.y, m.m12 * c.x + m.m22 * c.y};
   const double least = g.x * (g.x > 0 ? low.x : high.x) + g.y * (g.y > 0 ? low.y : high.y);
   const point extent{std::max(std::abs(low.x), std::abs(high.x)),
@@ -166,17 +218,27 @@ bool site_tree::too_far(const node& n, const centre& v) {
   const double size = (m.m11 * extent.x + mixed * extent.y) * extent.x +
                       (mixed * extent.x + m.m22 * extent.y) * extent.y;
   const double least_below = least - step * size;
-  if (!(least_below > 0x1p-300 && size < 0x1p400 && extent.x + extent.y < 0x1p600)) return false;
-  const double square_above = (c.x * g.x + c.y * g.y + step * size) * up;
-  const auto is_beyond = [&](double most) {
-    return most > 0x1p-250 && least_below * least_below > most * most * square_above * up;
-  };
-  return is_beyond(2 * v.reach) && is_beyond(limit(n, v));
+  if (!(least_below > 0x1p-300 && size < 0x1p400 && extent.x + extent.y < 0x1p600)) return {};
+  return {least_below * least_below, (c.x * g.x + c.y * g.y + step * size) * up};
+}
+
+bool site_tree::approach::is_beyond(double squared_limit) const {
+  return squared_limit > 0x1p-500 && squared_least > squared_limit * square_above * up;
+}
+
+// What is nearer than equal metrics would reach, and what is farther than a rougher bound, need no
+// root.
+bool site_tree::too_far(const node& n, const centre& v) {
+  const approach a = approach_of(n, v);
+  if (!a.is_beyond(4 * (v.reach * v.reach) * up)) return false;
+  if (a.is_beyond(rough_squared_limit(n, v))) return true;
+  const double most = limit(n, v);
+  return a.is_beyond(most * most * up);
 }
 
 bool site_tree::beyond(const point& q, const centre& v, double most) {
   const metric_tensor& m = v.metric;
-  const point d{q.x - v.at.x, q.y - v.at.y};
+  const point d{q.x - v.low.x, q.y - v.low.y};
   const double xx = m.m11 * d.x * d.x, yy = m.m22 * d.y * d.y, xy = 2 * (m.m12 * d.x * d.y);
   const double square = xx + yy + xy - step * (xx + yy + std::abs(xy)), bound = most * most * up;
   const bool in_range = std::abs(d.x) + std::abs(d.y) < 0x1p400 && square < 0x1p800;

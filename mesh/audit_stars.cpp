@@ -113,6 +113,16 @@ struct fan_gap {
   std::optional<star_gap_filter> filter;  // only where `prepared` knows no reach
 };
 
+// One fan of v's star, made ready to be asked about other sites.
+struct prepared_fan {
+  index v = 0;
+  const vertex_fan* fan = nullptr;
+  std::vector<index> neighbours;  // of all fans of v
+  std::vector<vector2<double>> rays;
+  std::vector<fan_gap> gaps;
+  double reach = 0;  // how far from v sites matter to one of the gaps
+};
+
 class star_check {
  public:
   star_check(const audit_context& context, audit_tally& tally, const star_surroundings& around)
@@ -121,18 +131,28 @@ class star_check {
         around_(around),
         sight_(context, around.pieces, tally.kernel) {}
 
-  void run(index v) {
-    neighbours_.clear();
-    for (const vertex_fan& fan : context_.fans[v]) {
-      neighbours_.insert(neighbours_.end(), fan.link.begin(), fan.link.end());
-      check_neighbours(v, fan);
-    }
-    for (const vertex_fan& fan : context_.fans[v]) {
-      const double reach = list_gaps(v, fan);
-      around_.sites.visit_near(at(v), reach, [&](index w) {
-        if (w == v || is_neighbour(w)) return;
-        check_other(v, fan, w);
-      });
+  // Of vertices near each other: the sites around are looked for once for all of them.
+  void run(const index* begin, const index* end) {
+    used_ = 0;
+    for (const index* v = begin; v != end; ++v)
+      for (const vertex_fan& fan : context_.fans[*v]) {
+        check_neighbours(*v, fan);
+        prepare(*v, fan);
+      }
+    reaching_.clear();
+    for (std::size_t i = 0; i < used_; ++i)
+      if (is_finite(prepared_[i].reach))
+        reaching_.push_back({at(prepared_[i].v), prepared_[i].reach});
+    const bool gathered = around_.sites.gather(reaching_, leaves_);
+    for (std::size_t i = 0; i < used_; ++i) {
+      const prepared_fan& p = prepared_[i];
+      const auto look = [&](index w) {
+        if (w != p.v && !is_neighbour(p, w)) check_other(p, w);
+      };
+      if (gathered && is_finite(p.reach))
+        around_.sites.visit_near(leaves_, at(p.v), p.reach, look);
+      else
+        around_.sites.visit_near(at(p.v), p.reach, look);
     }
   }
 
@@ -142,8 +162,10 @@ class star_check {
     return tally_.kernel.orientation(context_.at(a), context_.at(b), context_.at(c));
   }
 
-  bool is_neighbour(index w) const {
-    return std::find(neighbours_.begin(), neighbours_.end(), w) != neighbours_.end();
+  static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
+
+  static bool is_neighbour(const prepared_fan& p, index w) {
+    return std::find(p.neighbours.begin(), p.neighbours.end(), w) != p.neighbours.end();
   }
 
   // Each inner edge of a fan once, from its lesser end: what edge_test is asked about the other end
@@ -173,21 +195,26 @@ class star_check {
                      vertex_text(context_, y));
   }
 
-  // Fills rays_ and gaps_; how far from v sites matter to one of them.
-  double list_gaps(index v, const vertex_fan& fan) {
-    double reach = 0;
-    rays_.clear();
-    for (const index r : fan.link) rays_.push_back(to(v, r));
-    gaps_.clear();
+  void prepare(index v, const vertex_fan& fan) {
+    if (used_ == prepared_.size()) prepared_.emplace_back();
+    prepared_fan& p = prepared_[used_++];
+    p.v = v;
+    p.fan = &fan;
+    p.reach = 0;
+    p.neighbours.clear();
+    for (const vertex_fan& each : context_.fans[v])
+      p.neighbours.insert(p.neighbours.end(), each.link.begin(), each.link.end());
+    p.rays.clear();
+    for (const index r : fan.link) p.rays.push_back(to(v, r));
+    p.gaps.clear();
     const std::size_t n = fan.link.size();
     for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
-      fan_gap& gap = gaps_.emplace_back();
+      fan_gap& gap = p.gaps.emplace_back();
       gap.x = fan.link[i];
       gap.y = fan.link[(i + 1) % n];
       gap.on_boundary = find_piece(context_, gap.x, gap.y) != context_.subject.boundary.size();
-      if (!gap.on_boundary) reach = greatest_bound(reach, prepare(v, gap));
+      if (!gap.on_boundary) p.reach = greatest_bound(p.reach, prepare(v, gap));
     }
-    return reach;
   }
 
   double prepare(index v, fan_gap& gap) const {
@@ -201,35 +228,35 @@ class star_check {
     return {context_.at(w).x - context_.at(v).x, context_.at(w).y - context_.at(v).y};
   }
 
-  // Which side of the ray from v to fan.link[i] is w on? The area is off by at most four roundings,
+  // Which side of the ray from v to link[i] is w on? The area is off by at most four roundings,
   // 2^-50, of its magnitude; in the range asked for underflow takes less than the rest of 2^-49.
-  sign side(index v, const vertex_fan& fan, std::size_t i, const vector2<double>& to_w, index w) {
-    const double left = rays_[i].x * to_w.y, right = rays_[i].y * to_w.x;
+  sign side(const prepared_fan& p, std::size_t i, const vector2<double>& to_w, index w) const {
+    const double left = p.rays[i].x * to_w.y, right = p.rays[i].y * to_w.x;
     const double turned = left - right, size = std::abs(left) + std::abs(right);
     if (std::abs(turned) > 0x1p-49 * size && size > 0x1p-900 && size < 0x1p1000)
       return turned > 0 ? sign::positive : sign::negative;
-    return turn(v, fan.link[i], w);
+    return turn(p.v, p.fan->link[i], w);
   }
 
   // The gap strictly between whose rays w lies; none on a ray or outside an open fan.
-  const fan_gap* gap_of(index v, const vertex_fan& fan, index w) {
-    const auto to_w = to(v, w);
-    const std::size_t n = fan.link.size();
-    sign before = side(v, fan, 0, to_w, w);
-    for (std::size_t i = 0; i < gaps_.size(); ++i) {
-      const sign after = side(v, fan, (i + 1) % n, to_w, w);
-      if (before == sign::positive && after == sign::negative) return &gaps_[i];
+  const fan_gap* gap_of(const prepared_fan& p, index w) const {
+    const auto to_w = to(p.v, w);
+    const std::size_t n = p.rays.size();
+    sign before = side(p, 0, to_w, w);
+    for (std::size_t i = 0; i < p.gaps.size(); ++i) {
+      const sign after = side(p, (i + 1) % n, to_w, w);
+      if (before == sign::positive && after == sign::negative) return &p.gaps[i];
       before = after;
     }
     return nullptr;
   }
 
-  void check_other(index v, const vertex_fan& fan, index w) {
-    const fan_gap* gap = gap_of(v, fan, w);
+  void check_other(const prepared_fan& p, index w) {
+    const fan_gap* gap = gap_of(p, w);
     if (gap == nullptr || gap->on_boundary) return;
     ++tally_.part.star_pairs;
-    if (!is_accepted(v, w, *gap) || !sight_.clear(v, w)) return;
-    tally_.found(finding_kind::star_site_missing, "the star of " + vertex_text(context_, v) +
+    if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
+    tally_.found(finding_kind::star_site_missing, "the star of " + vertex_text(context_, p.v) +
                                                       " would accept " + vertex_text(context_, w) +
                                                       " between " + vertex_text(context_, gap->x) +
                                                       " and " + vertex_text(context_, gap->y));
@@ -254,10 +281,11 @@ class star_check {
   audit_tally& tally_;
   const star_surroundings& around_;
   sight sight_;
-  // Of the fan at hand; members to spare allocations.
-  std::vector<vector2<double>> rays_;
-  std::vector<fan_gap> gaps_;
-  std::vector<index> neighbours_;
+  // Of the vertices at hand; members to spare allocations.
+  std::vector<prepared_fan> prepared_;  // the first used_
+  std::size_t used_ = 0;
+  std::vector<site_tree::reaching> reaching_;
+  std::vector<std::size_t> leaves_;
 };
 
 }  // namespace
@@ -266,11 +294,14 @@ void check_stars(audit_context& context) {
   context.report.stars_checked = true;
   const star_surroundings around(context);
   const std::vector<index>& order = around.sites.order();
+  const std::vector<std::size_t>& groups = around.sites.groups();
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     star_check part(context, tally, around);
-    for (std::size_t i = begin; i < end; ++i) part.run(order[i]);
+    for (std::size_t i = begin; i < end; ++i)
+      part.run(order.data() + groups[i], order.data() + groups[i + 1]);
   };
-  check_in_parallel(context, order.size(), check);
+  constexpr std::size_t at_a_time = 128;
+  check_in_parallel(context, groups.size() - 1, check, at_a_time);
 }
 
 }  // namespace asterism::audit_detail

@@ -132,20 +132,34 @@ site_index::centre site_index::centre_of(const site& v, double reach) {
   return {&v, known ? det.low : 0, reach};
 }
 
-// (1 + sigma) R for all sites of the node; infinite when not known.
-// sigma^2 = t + sqrt(t^2 - d), t half the trace and d the determinant of M_w^-1 M_v, grows with t
-// and falls with d.
-double site_index::limit(const node& n, const centre& c) {
+// Half the trace of M_w^-1 M_v for all sites of the node, from above; infinite when not known.
+double site_index::half_trace_above(const node& n, const centre& c) {
   if (!(c.determinant_below > 0)) return infinity;
   const metric_tensor& m = c.v->metric;
   const double off_diagonal = 2 * (m.m12 > 0 ? n.inverse12_high : n.inverse12_low) * m.m12;
   const double diagonal = n.inverse11 * m.m11 + n.inverse22 * m.m22;
   const double t = (diagonal + off_diagonal + 0x1p-47 * (diagonal + std::abs(off_diagonal))) / 2;
-  if (!(t < 0x1p500)) return infinity;  // or not a number
+  return t < 0x1p500 ? t : infinity;  // infinite if not a number
+}
+
+// (1 + sigma) R for all sites of the node; infinite when not known.
+// sigma^2 = t + sqrt(t^2 - d), t half the trace and d the determinant of M_w^-1 M_v, grows with t
+// and falls with d.
+double site_index::limit(const node& n, const centre& c) {
+  const double t = half_trace_above(n, c);
+  if (t == infinity) return infinity;
   const double d = n.inverse_determinant * c.determinant_below * down;
   const double sigma =
       std::sqrt((t + std::sqrt(std::max(0.0, (t * up) * (t * up) - d)) * up) * up) * up;
   return (1 + (sigma > 1 ? sigma : 1)) * c.reach * up;
+}
+
+// The square of a limit that is not as near, without a root: (1 + sigma)^2 <= 2 + 2 sigma^2, and
+// sigma^2 <= 2 t.
+double site_index::rough_squared_limit(const node& n, const centre& c) {
+  const double t = half_trace_above(n, c);
+  if (t == infinity) return infinity;
+  return 2 * (1 + (2 * t > 1 ? 2 * t : 1)) * (c.reach * c.reach * up) * up;
 }
 
 // With u any vector and g = M_v u, every w has |w|_v >= g.w / |u|_v. u leads to the middle of the
@@ -153,11 +167,11 @@ double site_index::limit(const node& n, const centre& c) {
 // and `size` bounds the sum of their magnitudes, of |u|_v^2 as well, to within as many: 2^-48 of it
 // covers the errors. The ranges keep underflow and overflow away: |u|_v^2 is at least the least
 // g.w.
-bool site_index::out_of_reach(const node& n, const centre& c, double limit) {
-  if (!(c.determinant_below > 0 && limit < infinity)) return false;
-  const metric_tensor& m = c.v->metric;
+site_index::approach site_index::approach_of(const node& n, const centre& c) {
   const point& at = c.v->position;
   const point low{n.low.x - at.x, n.low.y - at.y}, high{n.high.x - at.x, n.high.y - at.y};
+  if (low.x <= 0 && low.y <= 0 && high.x >= 0 && high.y >= 0) return {};  // v is in the box
+  const metric_tensor& m = c.v->metric;
   const point u{0.5 * low.x + 0.5 * high.x, 0.5 * low.y + 0.5 * high.y};
   const point g{m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
   const double least = g.x * (g.x > 0 ? low.x : high.x) + g.y * (g.y > 0 ? low.y : high.y);
@@ -167,9 +181,23 @@ bool site_index::out_of_reach(const node& n, const centre& c, double limit) {
   const double size = (m.m11 * extent.x + mixed * extent.y) * extent.x +
                       (mixed * extent.x + m.m22 * extent.y) * extent.y;
   const double least_below = least - 0x1p-48 * size;
-  if (!(least_below > 0x1p-300 && size < 0x1p400 && extent.x + extent.y < 0x1p600)) return false;
-  const double square_above = (u.x * g.x + u.y * g.y + 0x1p-48 * size) * up;
-  return limit > 0x1p-250 && least_below * least_below > limit * limit * square_above * up;
+  if (!(least_below > 0x1p-300 && size < 0x1p400 && extent.x + extent.y < 0x1p600)) return {};
+  return {least_below * least_below, (u.x * g.x + u.y * g.y + 0x1p-48 * size) * up};
+}
+
+bool site_index::approach::is_beyond(double squared_limit) const {
+  return squared_limit > 0x1p-500 && squared_least > squared_limit * square_above * up;
+}
+
+// Most nodes are nearer than even equal metrics would reach, or farther than a rougher limit:
+// neither takes a root.
+bool site_index::out_of_reach(const node& n, const centre& c) {
+  if (!(c.determinant_below > 0)) return false;
+  const approach a = approach_of(n, c);
+  if (!a.is_beyond(4 * (c.reach * c.reach) * up)) return false;
+  if (a.is_beyond(rough_squared_limit(n, c))) return true;
+  const double most = limit(n, c);
+  return a.is_beyond(most * most * up);
 }
 
 // |q - v|_v > limit, certainly. Monomials of at most six roundings.

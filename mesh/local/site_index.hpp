@@ -76,8 +76,16 @@ class site_index {
     double reach;
   };
   static centre centre_of(const site& v, double reach);
+  // Every |w - v|_v^2 of the node is at least squared_least / square_above, if that is positive.
+  struct approach {
+    double squared_least = 0, square_above = 0;
+    bool is_beyond(double squared_limit) const;
+  };
+  static approach approach_of(const node& n, const centre& c);
+  static double half_trace_above(const node& n, const centre& c);
   static double limit(const node& n, const centre& c);
-  static bool out_of_reach(const node& n, const centre& c, double limit);
+  static double rough_squared_limit(const node& n, const centre& c);
+  static bool out_of_reach(const node& n, const centre& c);
   static bool is_beyond(const point& q, const centre& c, double limit);
   static std::uint32_t quadrant(const node& n, const point& q) {
     return (q.x >= n.middle.x ? 1U : 0U) + (q.y >= n.middle.y ? 2U : 0U);
@@ -151,8 +159,6 @@ bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) co
   return true;
 }
 
-// A node is asked whether all of it is beyond what even equal metrics would reach before its own
-// limit is worked out.
 template <class Visit>
 bool site_index::visit_reach(const std::vector<site>& sites, const site& v, double reach,
                              Visit&& visit) const {
@@ -162,18 +168,12 @@ bool site_index::visit_reach(const std::vector<site>& sites, const site& v, doub
   if (!nodes_.empty()) open[waiting++] = 0;
   while (waiting > 0) {
     const node& n = nodes_[open[--waiting]];
-    if (n.count == 0) continue;
-    const bool inner = n.first_child != none;
-    if (inner && !out_of_reach(n, c, 2 * reach)) {
+    if (n.count == 0 || out_of_reach(n, c)) continue;
+    if (n.first_child != none) {
       for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
       continue;
     }
     const double most = limit(n, c);
-    if (out_of_reach(n, c, most)) continue;
-    if (inner) {
-      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
-      continue;
-    }
     const bool on =
         visit_leaf(n, [&](index w) { return is_beyond(sites[w].position, c, most) || visit(w); });
     if (!on) return false;

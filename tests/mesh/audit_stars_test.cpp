@@ -129,6 +129,19 @@ TEST_CASE("a lattice of ties is judged as without any shortcut") {
   }
 }
 
+namespace {
+
+// Whether |w - v|_v > (1 + sigma) reach, in more digits.
+bool is_too_far(const site& v, double reach, const site& w) {
+  const long double sigma = std::sqrt(std::fmax(1.0L, sigma_squared(w.metric, v.metric)));
+  const long double dx = w.position.x - v.position.x, dy = w.position.y - v.position.y;
+  const metric_tensor& m = v.metric;
+  const long double length = std::sqrt(m.m11 * dx * dx + 2 * m.m12 * dx * dy + m.m22 * dy * dy);
+  return length > (1 + sigma) * reach * (1 - 1e-12L);
+}
+
+}  // namespace
+
 TEST_CASE("the tree leaves out only sites that are too far") {
   const std::uint64_t seed = 32;
   CAPTURE(seed);
@@ -148,19 +161,56 @@ TEST_CASE("the tree leaves out only sites that are too far") {
       for (std::size_t w = 0; w < sites.size(); ++w) {
         if (seen[w] != 0) continue;
         ++left_out;
-        const long double sigma =
-            std::sqrt(std::fmax(1.0L, sigma_squared(sites[w].metric, v.metric)));
-        const long double dx = sites[w].position.x - v.position.x,
-                          dy = sites[w].position.y - v.position.y;
-        const metric_tensor& m = v.metric;
-        const long double length =
-            std::sqrt(m.m11 * dx * dx + 2 * m.m12 * dx * dy + m.m22 * dy * dy);
-        wrong += !(length > (1 + sigma) * reach * (1 - 1e-12L));
+        wrong += !is_too_far(v, reach, sites[w]);
       }
     }
   }
   CHECK(wrong == 0);
   CHECK(left_out > 500000);
+}
+
+TEST_CASE("one descent for several stars leaves out only sites that are too far from each") {
+  const std::uint64_t seed = 33;
+  CAPTURE(seed);
+  small_generator random(seed);
+  std::size_t left_out = 0, wrong = 0, together = 0, groups = 0;
+  for (int round = 0; round < 36; ++round) {
+    const double offset = round % 4 == 3 ? 1e8 : 0, scale = std::ldexp(1.0, 200 * (round % 5 - 2));
+    // Stretched by up to 10^6 in one direction, nearly the same everywhere; or at random.
+    const double length = std::pow(10.0, round % 4 * 2), turn = random.between(0, 3);
+    std::vector<site> sites;
+    for (int i = 0; i < 600; ++i) {
+      const double along = random.between(-1, 1) * length, across = random.between(-1, 1);
+      const double angle = turn + 0.05 / length * across, c = std::cos(angle), s = std::sin(angle);
+      const double thin = 1 / (length * length);
+      const metric_tensor same = {thin * c * c + s * s, (thin - 1) * c * s, thin * s * s + c * c};
+      sites.push_back({{(offset + c * along - s * across) * scale, (s * along + c * across) * scale},
+                       round % 3 == 2 ? random_metric(random, 2) : same});
+    }
+    const audit_detail::site_tree tree(sites);
+    std::vector<std::size_t> leaves;
+    for (std::size_t g = 0; g + 1 < tree.groups().size(); ++g) {
+      std::vector<audit_detail::site_tree::reaching> stars;
+      for (std::size_t i = tree.groups()[g]; i < tree.groups()[g + 1]; ++i)
+        stars.push_back({sites[tree.order()[i]], scale * std::exp(random.between(-4, -2))});
+      ++groups;
+      if (!tree.gather(stars, leaves)) continue;
+      ++together;
+      for (const auto& [v, reach] : stars) {
+        std::vector<char> seen(sites.size(), 0);
+        tree.visit_near(leaves, v, reach, [&](auto w) { seen[w] = 1; });
+        for (std::size_t w = 0; w < sites.size(); ++w) {
+          if (seen[w] != 0) continue;
+          ++left_out;
+          wrong += !is_too_far(v, reach, sites[w]);
+        }
+      }
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(left_out > 1000000);
+  CHECK(2 * together > groups);
+  CHECK(together < groups);
 }
 
 TEST_CASE("an infinite reach leaves nothing out") {
