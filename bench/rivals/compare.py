@@ -11,6 +11,7 @@ import statistics
 import subprocess
 import sys
 
+import growth_plot
 from contenders import Asterism, Bamg, Case, Failed
 
 HEAD = ["metric", "wanted", "program", "lengths", "triangles", "wall", "processor", "peak memory",
@@ -30,7 +31,7 @@ class Measured:
     """Calls of one contender on one case."""
 
     def __init__(self, contender):
-        self.contender, self.runs, self.failure = contender, [], ""
+        self.contender, self.runs, self.failure, self.triangles = contender, [], "", 0
 
     def attempt(self, what):
         if self.failure:
@@ -100,6 +101,43 @@ def first_line(*command):
     return (done.stdout + done.stderr).strip().split("\n")[0] if done.returncode == 0 else "unknown"
 
 
+def growth(done):
+    """Cost of ten times more triangles, and the points of the plot."""
+    rows, curves = [], {}
+    for m in done:
+        if m.runs and not m.failure:
+            curves.setdefault(m.contender.case.metric, {}).setdefault(m.contender.name, []).append(
+                (m.triangles, m.wall()))
+    for metric, lines in curves.items():
+        for name, points in lines.items():
+            steps = [f"{(t / s) / (n / k) * 10:.1f}" for (k, s), (n, t) in zip(points, points[1:])]
+            if steps:
+                rows.append([metric, name, ", ".join(f"{n:.3g}" for n, _ in points), ", ".join(steps)])
+    return table(["metric", "program", "triangles", "ten times more cost"], rows), curves
+
+
+def phases(build, metric, size):
+    """Where the time goes and what a second thread brings, in one process."""
+    done = subprocess.run([build / "bench" / "phases_bench", metric, repr(size), "3"], capture_output=True,
+                          text=True, check=False)
+    if done.returncode != 0:
+        return f"phases_bench failed: {done.stderr.strip()}\n"
+    found = json.loads(done.stdout)
+    t = found["seconds"]
+    rows = [[what, seconds(t[f"{what}, one thread"]), seconds(t[f"{what}, all threads"]),
+             f"{t[f'{what}, one thread'] / t[f'{what}, all threads']:.2f}x"]
+            for what in ("refinement", "audit", "bulk building", "refinement in doubles")]
+    both, audit = "refinement, all threads", "audit, all threads"
+    return "\n".join([
+        f"`{metric}`, {found['triangles']} triangles, {found['threads']} threads, medians of {found['rounds']} rounds"
+        " that took turns. Refinement is fill, stars, survey and mending; bulk building makes all stars at once from"
+        " the sites and boundary of the mesh that came out, and holds each against all sites.\n",
+        table(["phase", "one thread", "all threads", "speed-up"], rows),
+        f"The audit is {100 * t[audit] / (t[audit] + t[both]):.1f} % of refinement and audit together, files left out;"
+        f" refinement with filtered predicates takes {t[both] / t['refinement in doubles, all threads']:.2f} times as"
+        " long as with plain doubles, whose stars disagree more often.\n"])
+
+
 def introduction(bamg):
     here = pathlib.Path(__file__).parent
     package = first_line("dpkg-query", "-W", "-f", "${Package} ${Version}", "freefem++")
@@ -128,6 +166,9 @@ def arguments():
     parser.add_argument("--metrics", nargs="*", default=["identity", "swirl:24", "sink:24", "layer:0.001,0.1"])
     parser.add_argument("--triangles", nargs="*", type=int, default=[1000, 10000, 100000, 1000000])
     parser.add_argument("--ours", nargs="*", default=["--refine guaranteed", "--refine voronoi@1000"])
+    parser.add_argument("--alone", nargs="*", default=["swirl:24@4000000"], help="METRIC@N: without the rival")
+    parser.add_argument("--phases", type=int, default=1000000, help="triangles; 0: none")
+    parser.add_argument("--plot", type=pathlib.Path, help="the plot's file")
     parser.add_argument("--limit", type=int, default=600, help="seconds a call")
     return parser.parse_args()
 
@@ -140,18 +181,33 @@ def main():
     build, command = asked.build.resolve(), str(asked.build.resolve() / "apps" / "asterism")
     ours = chosen(subprocess.run([command, "mesh", "--help"], capture_output=True, text=True, check=True).stdout,
                   asked.ours)
-    opening, rows = introduction(bamg), []
-    for metric in asked.metrics:
-        for triangles in asked.triangles:
-            folder = asked.work.resolve() / f"{metric.replace(':', '_')}-{triangles}"
-            shutil.rmtree(folder, ignore_errors=True)
-            case = Case(build / "bench", metric, triangles, folder, asked.limit)
-            contenders = [Bamg(case, bamg)]
-            contenders += [Asterism(case, command, words) for words, most in ours
-                           if most is None or triangles <= most]
-            rows += [m.row() for m in compare(case, contenders)]
-            shutil.rmtree(folder)
-    print(opening + "\n" + table(HEAD, rows), end="")
+    opening, done = introduction(bamg), []
+    sizes = [(metric, triangles, True) for metric in asked.metrics for triangles in asked.triangles]
+    sizes += [(metric, int(n), False) for metric, _, n in (entry.partition("@") for entry in asked.alone)]
+    rows = []
+    for metric, triangles, beside in sizes:
+        folder = asked.work.resolve() / f"{metric.replace(':', '_')}-{triangles}"
+        shutil.rmtree(folder, ignore_errors=True)
+        case = Case(build / "bench", metric, triangles, folder, asked.limit)
+        contenders = [Bamg(case, bamg)] if beside else []
+        contenders += [Asterism(case, command, words) for words, most in ours
+                       if most is None or triangles <= most]
+        measured = compare(case, contenders)
+        rows += [m.row() for m in measured]
+        done += measured
+        for m in measured:
+            m.triangles = m.contender.count() if m.runs else 0
+        shutil.rmtree(folder)
+    text, curves = growth(done)
+    page = [opening, table(HEAD, rows), "## Growth\n", "Time is wall time; 10 would be linear.\n", text]
+    if asked.plot:
+        asked.plot.write_text(growth_plot.svg(curves), encoding="utf-8")
+        page.append("![time a triangle against triangles](../figures/growth.svg)\n")
+    if asked.phases:
+        size = float(subprocess.run([build / "bench" / "mesh_statistics", "size", "swirl:24", str(asked.phases)],
+                                    capture_output=True, text=True, check=True).stdout)
+        page += ["## Threads, and the audit's share\n", phases(build, "swirl:24", size)]
+    print("\n".join(page), end="")
 
 
 if __name__ == "__main__":
