@@ -45,7 +45,9 @@ def goals(timed):
         add(f"batch of 8 / scalar double: {given}", Ratio(samples["batch of 8"], samples["double"]), 2, "1x")
     exact = timed["edge_test"]["uniform"]["exact"].median
     note = ("Ratios of medians; in brackets, lower quartile over upper to upper over lower. The exact tier alone takes"
-            f" {duration(exact)} for an edge test with random smooth metrics.\n\n")
+            f" {duration(exact)} for an edge test with random smooth metrics. With equal metrics an edge test is an"
+            " in-circle test that also looks at which sides x and y are on: EPICK asked the same is the row \"with"
+            " orientations\"; \"alone\" asks less.\n\n")
     return note + table(["", "measured", "at most", "reached", "aim"], rows)
 
 

@@ -184,8 +184,9 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
       const double angle = turn + 0.05 / length * across, c = std::cos(angle), s = std::sin(angle);
       const double thin = 1 / (length * length);
       const metric_tensor same = {thin * c * c + s * s, (thin - 1) * c * s, thin * s * s + c * c};
-      sites.push_back({{(offset + c * along - s * across) * scale, (s * along + c * across) * scale},
-                       round % 3 == 2 ? random_metric(random, 2) : same});
+      sites.push_back(
+          {{(offset + c * along - s * across) * scale, (s * along + c * across) * scale},
+           round % 3 == 2 ? random_metric(random, 2) : same});
     }
     const audit_detail::site_tree tree(sites);
     std::vector<std::size_t> leaves;
