@@ -240,6 +240,7 @@ void write_summary(const refinement_outcome& outcome, const audit_report& report
             << std::fixed << std::setprecision(2) << report.worst.degrees << " degrees, "
             << outcome.disagreeing << " disagreeing, " << outcome.low_angle << " low-angle";
   if (outcome.too_large > 0) std::cout << ", " << outcome.too_large << " too large";
+  if (outcome.unmade > 0) std::cout << ", " << outcome.unmade << " stars never made";
   if (!report.exempt_corners.empty())
     std::cout << ", " << report.exempt_triangles.size() << " exempt at "
               << report.exempt_corners.size() << " corners";

@@ -76,6 +76,7 @@ struct refinement_outcome {
   mesh result;
   double tolerance = 0;  // the one in force at the end
   std::size_t sites = 0, triangles = 0, disagreeing = 0, low_angle = 0, too_large = 0;
+  std::size_t unmade = 0;  // sites whose star was never made, as the run ended before
   std::size_t inserted = 0, splits = 0, candidates_rejected = 0;
   // Where the size wanted would have taken more sites than max_sites allows, edges were made this
   // many times as long, all of them, and about so many sites would have been wanted.

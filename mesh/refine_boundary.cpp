@@ -228,14 +228,16 @@ bool refine_state::split_at_place(const point& q, double shortest) {
   return first && split(*first, shortest);
 }
 
-void refine_state::clear_encroachments(double shortest) {
+bool refine_state::clear_encroachments(double shortest) {
   while (!suspects_.empty() && !is_full()) {
+    if (is_overworked()) return false;
     const std::size_t piece = suspects_.back();
     suspects_.pop_back();
     if (!find_encroacher(piece)) continue;
-    if (enough_()) return;
+    if (enough_()) return false;
     split(piece, shortest);
   }
+  return true;
 }
 
 void refine_state::shorten_pieces(double longest) {
@@ -244,7 +246,7 @@ void refine_state::shorten_pieces(double longest) {
       const boundary_edge& p = edges_.pieces()[piece];
       return std::max(piece_length(piece, p.a), piece_length(piece, p.b)) > longest;
     };
-    while (too_long() && !enough_() && split(piece, 0)) {
+    while (too_long() && !enough_() && !is_overworked() && split(piece, 0)) {
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "asterism/mesh/refine_quality.hpp"
+#include "asterism/mesh/refine_tolerance.hpp"
 
 namespace asterism {
 namespace {
@@ -58,10 +59,20 @@ result<budgeted_filling> fill_within_budget(
             : fill(filled.frame.inward(d), framed_field(field, filled.frame), wanted, go_on);
     if (!proposed) return proposed.failure();
     filled.proposed = std::move(proposed).value();
-    if (filled.proposed.complete || filled.proposed.stopped) break;
+    if (filled.proposed.complete || filled.proposed.stopped || filled.proposed.crowded) break;
     filled.halvings += halvings_for(filled.proposed.needed, options.max_sites);
   }
   return filled;
+}
+
+void report_crowded(const budgeted_filling& filled, refinement_outcome& outcome) {
+  const auto& crowded = filled.proposed.crowded;
+  if (!crowded || outcome.complete) return;
+  const point at = filled.frame.outward(crowded->where);
+  outcome.reason = fmt::format(
+      "the metric varies too fast for sites to be spread: of {} proposed, the one at ({}, {}) has "
+      "{} neighbours (a gradation of it might do); only the given vertices are meshed",
+      crowded->sites, format_number(at.x), format_number(at.y), crowded->neighbours);
 }
 
 void report_coarser(int halvings, const refinement_options& options, refinement_outcome& outcome) {

@@ -28,6 +28,10 @@ result<budgeted_filling> fill_within_budget(
     const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress);
 
+// Where the fill was given up and the outcome, of the given vertices alone, is not complete, its
+// reason says so, with the place.
+void report_crowded(const budgeted_filling& filled, refinement_outcome& outcome);
+
 // With halvings, turns the outcome of a coarser fill into one of what was asked: not complete, with
 // the triangles that are too large counted and the size that was delivered.
 void report_coarser(int halvings, const refinement_options& options, refinement_outcome& outcome);

@@ -7,6 +7,7 @@
 #include "asterism/mesh/constructions.hpp"
 #include "asterism/mesh/local/parallel.hpp"
 #include "asterism/mesh/refine_quality.hpp"
+#include "asterism/mesh/work_bound.hpp"
 
 namespace asterism {
 
@@ -27,6 +28,7 @@ result<refine_state> refine_state::prepare(const domain& d, const metric_field& 
 }
 
 void refine_state::construct_stars() {
+  stars_.bound_work();
   stars_.construct_all(oracle());
   for (std::size_t piece = 0; piece < edges_.pieces().size(); ++piece) suspects_.push_back(piece);
 }
@@ -80,6 +82,10 @@ void refine_state::add_proposed(const std::vector<site>& proposed) {
     sites_.push_back(proposed[i]);
     near_.add_site(sites_, static_cast<index>(sites_.size() - 1));
   }
+}
+
+bool refine_state::is_overworked() const {
+  return part_of_work_bound(kernel_->counters(), sites_.size()) > 1;
 }
 
 void refine_state::find_corners() {

@@ -68,6 +68,10 @@ class refine_state {
   std::size_t splits() const { return splits_; }
   bool is_full() const { return sites_.size() >= most_sites_; }
 
+  // Whether the most work that is done for so many sites was done (work_bound.hpp). Counted, not
+  // timed, so that every run ends at the same place.
+  bool is_overworked() const;
+
   // Asked between splits and, if given to start_filled(), between stars; true ends
   // clear_encroachments and shorten_pieces early. Splits may be many, and each slow where only
   // exact arithmetic decides.
@@ -97,9 +101,10 @@ class refine_state {
   bool split(std::size_t piece, double shortest);
   // Splits the piece that q lies on, if there is one; where, and whether, is split()'s affair.
   bool split_at_place(const point& q, double shortest);
-  // Splits pieces until none is encroached by a site, as far as split() allows.
-  void clear_encroachments(double shortest);
-  // Splits pieces longer than `longest`, as far as split() allows.
+  // Splits pieces until none is encroached by a site, as far as split() allows. False when it ended
+  // early, stopped or overworked.
+  bool clear_encroachments(double shortest);
+  // Splits pieces longer than `longest`, as far as split() allows, until stopped or overworked.
   void shorten_pieces(double longest);
 
   // The corners at a vertex, of all those in corners().

@@ -57,7 +57,7 @@ class refinement {
   // repairs one (there are finitely many between insertions), or shrinks the tolerance towards its
   // floor, or ends.
   void step() {
-    state_.clear_encroachments(tolerance_.floor);
+    const bool cleared = state_.clear_encroachments(tolerance_.floor);
     survey_.update(state_);
     report_progress();
     if (state_.field_failure()) return end("the metric field failed");
@@ -66,6 +66,7 @@ class refinement {
         stopped_ = true;
         return end("stopped: " + *why);
       }
+    if (!cleared) return end(spent_message());
     if (rebuild_disagreeing()) return;
     if (survey_.bad().empty()) {
       if (improve_at_exempt_corners()) return;
@@ -122,21 +123,9 @@ class refinement {
   // neighbours keep the others from agreeing; to go on to the floor would take days.
   bool is_spent() const {
     constexpr std::size_t at_least = 1000;
-    return spent_ || is_overworked() ||
+    return spent_ || state_.is_overworked() ||
            (!steep_.empty() &&
             state_.sites().size() > given_up_at_ + std::max(at_least, given_up_at_ / 16));
-  }
-
-  // Counted, not timed, so that every run ends at the same place. Meshes that become complete take
-  // 20 to 100 edge tests a site; where metrics vary wildly every site is in reach of every other.
-  bool is_overworked() const {
-    constexpr std::uint64_t at_least = 1'000'000, for_each = 1000, as_many_as_an_exact_one = 100;
-    const tier_counters counts = state_.kernel().counters();
-    const std::uint64_t work =
-        counts.at(predicate::edge_test, tier::semi_static) +
-        counts.at(predicate::edge_test, tier::interval) +
-        as_many_as_an_exact_one * counts.at(predicate::edge_test, tier::exact);
-    return work > at_least + for_each * state_.sites().size();
   }
 
   bool rebuild_all_stale() {
@@ -173,6 +162,7 @@ class refinement {
       return true;
     while (true) {
       for (const bad_triangle& b : survey_.bad()) {
+        if (state_.is_overworked()) return true;  // is_spent() ends it
         if (parked_.count(b) != 0 || steep_.count(b.where) != 0) continue;
         if (is_at_jump(b)) continue;
         const bool inserted = shorten_tight_corner(state_, b.where, angle_, in_force_) ||
@@ -203,7 +193,7 @@ class refinement {
     std::vector<char> busy(state_.sites().size(), 0);
     bool any = false;
     for (const bad_triangle& b : survey_.bad()) {
-      if (state_.is_full()) break;
+      if (state_.is_full() || state_.is_overworked()) break;
       if (parked_.count(b) != 0 || steep_.count(b.where) != 0) continue;
       if (std::any_of(b.where.begin(), b.where.end(), [&](index v) { return busy[v] != 0; }))
         continue;
@@ -283,7 +273,7 @@ class refinement {
   // insertions. Triangles that have gone meanwhile are passed over.
   void insert_for_large() {
     for (const bad_triangle& b : survey_.bad()) {
-      if (state_.is_full() || state_.field_failure()) return;
+      if (state_.is_full() || state_.is_overworked() || state_.field_failure()) return;
       const auto [v, y, x] = b.where;
       if (parked_.count(b) == 0 && steep_.count(b.where) == 0 &&
           has_triangle(state_.oracle(), v, state_.stars()[v], y, x))
@@ -330,7 +320,7 @@ class refinement {
   std::string spent_message() const {
     const std::string left =
         "given up: " + std::to_string(survey_.bad().size()) + " bad triangles are left after ";
-    if (is_overworked())
+    if (state_.is_overworked())
       return left + "the most work that is done for so many sites" + steep_message();
     return left + std::to_string(state_.sites().size() - given_up_at_) +
            " sites more than there were when the first could not be mended" + steep_message();
@@ -348,6 +338,10 @@ class refinement {
     o.complete = complete_;
     o.stopped = stopped_;
     o.reason = reason_;
+    o.unmade = state_.stars().unmade();
+    if (o.unmade > 0)
+      o.reason += "; the stars of " + std::to_string(o.unmade) + " of " +
+                  std::to_string(state_.sites().size()) + " sites were never made";
     o.result.sites = state_.sites();
     o.result.given = given_;
     o.result.triangles = std::move(now.agreeing);
@@ -491,6 +485,12 @@ result<refinement_outcome> refine_on(
     if (auto kept = as_given(0); is_final(kept)) return kept;
   const auto filled = fill_within_budget(frame, d, field, options, progress);
   if (!filled) return filled.failure();
+  if (filled.value().proposed.crowded) {
+    // Its sites are each in reach of most others: exact stars of them would take hours.
+    auto kept = refine_as_given(frame, kernel, d, field, options, progress);
+    if (kept) report_crowded(filled.value(), kept.value());
+    return kept;
+  }
   const int halvings = filled.value().halvings;
   // What the limit allows may be there already.
   for (int fewer = 1; options.keep_if_complete && fewer <= halvings; ++fewer)

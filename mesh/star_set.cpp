@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "asterism/mesh/local/parallel.hpp"
 #include "asterism/mesh/star_confirmation.hpp"
 #include "asterism/mesh/star_insertion.hpp"
+#include "asterism/mesh/work_bound.hpp"
 
 namespace asterism {
 namespace {
@@ -87,19 +89,56 @@ void star_set::touch(index v) {
     touched_.insert(touched_.end(), part.neighbours.begin(), part.neighbours.end());
 }
 
+double star_set::part_of_work_bound(const site_oracle& oracle) const {
+  if (!is_work_bounded_) return 0;
+  return asterism::part_of_work_bound(oracle.kernel().counters(), oracle.size());
+}
+
+std::size_t star_set::unmade() const {
+  return static_cast<std::size_t>(
+      std::count_if(stars_.begin(), stars_.end(), [](const star& s) { return s.sectors.empty(); }));
+}
+
+// In blocks, between which the work done is looked at: the larger the longer it stays little.
 std::vector<index> star_set::construct(const site_oracle& oracle, const std::vector<index>& which,
                                        star_search search) {
-  constexpr std::size_t chunk = 64;
-  struct made {
-    index at;
-    constructed_star built;
-  };
-  const bool few = which.size() <= chunk;
+  constexpr std::size_t first_block = 256, careful_block = 128;
+  constexpr double much = 0.25, most = 2;
   const bool confirm = search == star_search::thorough && oracle.near() != nullptr;
   const site_index latest = confirm ? latest_sites(oracle, which) : site_index();
+  std::vector<made_star> all;
+  std::size_t block = first_block;
+  for (std::size_t at = 0; at < which.size();) {
+    const double part = part_of_work_bound(oracle);
+    if (part > most) break;
+    const std::size_t end = std::min(which.size(), at + (part > much ? careful_block : block));
+    std::vector<made_star> more =
+        construct_block(oracle, std::span(which).subspan(at, end - at), search,
+                        confirm ? &latest : nullptr, which.size());
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+    at = end;
+    block *= 2;
+  }
+  std::vector<index> changed;
+  for (made_star& m : all) {
+    changed.push_back(m.at);
+    accept(oracle, m.at, std::move(m.built));
+  }
+  return changed;
+}
+
+// Those of which there is news. `latest` is given if settled stars are to be confirmed; `in_all`
+// is how many are made in all blocks.
+std::vector<star_set::made_star> star_set::construct_block(const site_oracle& oracle,
+                                                           std::span<const index> which,
+                                                           star_search search,
+                                                           const site_index* latest,
+                                                           std::size_t in_all) {
+  constexpr std::size_t chunk = 64;
+  const bool few = in_all <= chunk;
   std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
-  std::vector<made> all = collect_chunks<made>(
-      which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made>& out) {
+  std::vector<made_star> all = collect_chunks<made_star>(
+      which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
         const auto kernel = oracle.kernel().fork();
         // A few stars are made by this thread alone, which then may remember answers.
         const site_oracle own = few ? oracle : oracle.with_kernel(*kernel);
@@ -107,8 +146,8 @@ std::vector<index> star_set::construct(const site_oracle& oracle, const std::vec
           constexpr std::size_t at_a_time = 8;
           if (enough_ && i % at_a_time == 0 && enough_()) break;
           const index v = which[i];
-          if (confirm && condition_[v] == condition::settled) {
-            if (!is_still_final(own, v, latest))
+          if (latest != nullptr && condition_[v] == condition::settled) {
+            if (!is_still_final(own, v, *latest))
               note_final(v, own.size(), final_reach(own, v, stars_[v]));
             else
               final_[v].against = own.size();
@@ -125,12 +164,7 @@ std::vector<index> star_set::construct(const site_oracle& oracle, const std::vec
         counts[begin / chunk] = kernel->counters();
       });
   for (const tier_counters& c : counts) oracle.kernel().count(c);
-  std::vector<index> changed;
-  for (made& m : all) {
-    changed.push_back(m.at);
-    accept(oracle, m.at, std::move(m.built));
-  }
-  return changed;
+  return all;
 }
 
 void star_set::mark_stale(index v) {

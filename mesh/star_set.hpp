@@ -8,8 +8,10 @@
 // came after its construction. rebuild() makes a stale star anew.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,13 @@ class star_set {
   // Asked while many stars are made, from any thread; once it says true the rest stay as they are:
   // stale, and empty if they are new. Whoever sets it ends refinement then.
   void ask_between_stars(std::function<bool()> enough) { enough_ = std::move(enough); }
+
+  // Gives up making many stars once the kernel was asked twice what is done for so many sites
+  // (work_bound.hpp); the rest stay as they are, as above.
+  void bound_work() { is_work_bounded_ = true; }
+
+  // How many stars were never made: empty.
+  std::size_t unmade() const;
 
   index size() const { return static_cast<index>(stars_.size()); }
   const star& operator[](index v) const { return stars_[v]; }
@@ -70,6 +79,15 @@ class star_set {
     float reach = 0;
   };
 
+  struct made_star {
+    index at;
+    constructed_star built;
+  };
+
+  double part_of_work_bound(const site_oracle& oracle) const;
+  std::vector<made_star> construct_block(const site_oracle& oracle, std::span<const index> which,
+                                         star_search search, const site_index* latest,
+                                         std::size_t in_all);
   void remove_hidden(const site_oracle& oracle, index a, index b);
   bool is_news(index v, const constructed_star& built) const;
   void mark_stale(index v);
@@ -80,6 +98,7 @@ class star_set {
   void touch(index v);  // before a change of v's star
 
   std::function<bool()> enough_;
+  bool is_work_bounded_ = false;
   std::vector<index> touched_;
   std::vector<star> stars_;
   std::vector<condition> condition_;

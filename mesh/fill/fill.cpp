@@ -2,8 +2,10 @@
 #include "asterism/mesh/fill/fill.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <boost/container/deque.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -72,6 +74,8 @@ class filling {
 
  private:
   static constexpr int most_levels = 40;
+  // Of how many sites the stars are made between two looks at the work done, once that is much.
+  static constexpr std::size_t block = 1024;
   // Each round but the last of a level inserts a site; this only stops a run whose numbers have
   // gone wrong.
   static constexpr std::size_t most_rounds = 4000;
@@ -88,6 +92,16 @@ class filling {
         static_cast<double>(std::count(on_segment_.begin(), on_segment_.end(), 1));
     const double inside = static_cast<double>(sites_.size()) - on_segments;
     return on_segments * std::exp2(level) + inside * std::exp2(2 * level);
+  }
+
+  // Counted, not timed, so that every fill ends at the same place; by sums that are the same for
+  // any number of threads. Fills of metrics that sites can follow disturb 5 to 110 stars a site and
+  // go through 30 to 2600 candidates a site; where metrics vary wildly every site disturbs a part
+  // of all others, and both grow with the number of sites.
+  bool is_overworked(std::uint64_t parts = 1) const {
+    constexpr std::uint64_t at_least = 1'000'000, for_each = 1000, candidates_for_one = 25;
+    const std::uint64_t most = at_least + for_each * sites_.size();
+    return parts * disturbed_ > most || parts * (candidates_ / candidates_for_one) > most;
   }
 
   double longest_segment() const {
@@ -173,7 +187,9 @@ class filling {
         changed_.size(), chunk,
         [&](std::size_t begin, std::size_t end, std::vector<proposal>& out) {
           const filtered_kernel kernel;
-          for (std::size_t i = begin; i < end; ++i) propose(kernel, changed_[i], out);
+          std::uint64_t looked_at = 0;
+          for (std::size_t i = begin; i < end; ++i) propose(kernel, changed_[i], looked_at, out);
+          candidates_ += looked_at;
         });
     if (const auto at =
             std::find_if(proposals.begin(), proposals.end(),
@@ -189,7 +205,8 @@ class filling {
   }
 
   // The Voronoi vertices of the star's triangles that are far enough from all sites and inside.
-  void propose(const filtered_kernel& kernel, index v, std::vector<proposal>& out) const {
+  void propose(const filtered_kernel& kernel, index v, std::uint64_t& looked_at,
+               std::vector<proposal>& out) const {
     const plain_star& star = stars_[v];
     const point& centre = sites_[v].position;
     for (std::size_t i = 0; i < star.size(); ++i) {
@@ -205,26 +222,29 @@ class filling {
         continue;
       }
       const site s{q, metric.value()};
-      if (has_room(sites_index_, s) && stays_clear(s) && locator_.contains(kernel, q))
+      if (has_room(sites_index_, s, looked_at) && stays_clear(s, looked_at) &&
+          locator_.contains(kernel, q))
         out.push_back({s, gap.squared_radius, v});
     }
   }
 
-  bool has_room(const site_index& among, const site& s) const {
+  bool has_room(const site_index& among, const site& s, std::uint64_t& looked_at) const {
     const double squared = distance_ * distance_, own = own_part * own_part * squared;
     // Metrics that differ more than this within the distance are beyond what the net can do.
     constexpr double margin = 1.25;
     const bounding_box near = box_around(s, margin * distance_);
     return among.visit_box(sites_, near.low, near.high, [&](index w) {
+      ++looked_at;
       return squared_distance(sites_[w], s.position) > squared &&
              squared_distance(s, sites_[w].position) > own;
     });
   }
 
   // Whether no piece has its bisector point nearer to s than to its ends.
-  bool stays_clear(const site& s) const {
+  bool stays_clear(const site& s, std::uint64_t& looked_at) const {
     const bounding_box near = box_around(s, distance_);
     return pieces_index_.visit(near, [&](std::uint32_t i) {
+      ++looked_at;
       const site &a = sites_[intervals_[i].a], &b = sites_[intervals_[i].b];
       const point m = bisector_point(a, b);
       return squared_distance(s, m) > squared_distance(a, m);
@@ -240,51 +260,77 @@ class filling {
                      [&](const proposal& a, const proposal& b) { return band(a) > band(b); });
     fresh_from_ = sites_.size();
     site_index chosen(box_);
+    std::uint64_t looked_at = 0;
     for (const proposal& p : proposals) {
-      if (!has_room(chosen, p.where)) continue;
-      if (is_out_of_room()) return;
+      if (!has_room(chosen, p.where, looked_at)) continue;
+      if (is_out_of_room()) break;
       add_site(p.where, false);
       chosen.insert(sites_, static_cast<index>(sites_.size() - 1));
     }
+    candidates_ += looked_at;
   }
 
   // Stars of the sites since fresh_from_, and of those they disturb. Sets changed_.
   void renew_stars() {
-    const std::size_t first = fresh_from_;
     stars_.resize(sites_.size());
-    std::vector<disturbed> pairs = collect_chunks<disturbed>(
-        sites_.size() - first, chunk,
-        [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
-          std::vector<index> near;
-          for (std::size_t i = begin; i < end; ++i) {
-            const auto w = static_cast<index>(first + i);
-            if (is_enough(i)) break;
-            build_with_neighbourhood(w, near);
-            for (const index u : near)
-              if (u < first && disturbs(sites_, u, stars_[u], w)) out.push_back({u, w});
-          }
-        });
+    std::vector<disturbed> pairs;
+    for (std::size_t at = fresh_from_; at < sites_.size() && !full_;) {
+      constexpr std::uint64_t quarter = 4;
+      const std::size_t end =
+          is_overworked(quarter) ? std::min(sites_.size(), at + block) : sites_.size();
+      const std::vector<disturbed> more = make_stars(at, end);
+      pairs.insert(pairs.end(), more.begin(), more.end());
+      disturbed_ += more.size();
+      at = end;
+      if (is_overworked()) full_ = crowded_ = true;
+    }
     std::sort(pairs.begin(), pairs.end(), [](const disturbed& a, const disturbed& b) {
       return a.star != b.star ? a.star < b.star : a.by < b.by;
     });
+    changed_.clear();
+    if (!full_) renew_disturbed(pairs);
+    for (std::size_t w = fresh_from_; w < sites_.size(); ++w)
+      changed_.push_back(static_cast<index>(w));
+  }
+
+  // Of the sites from `first` to before `last`, and which stars of older ones they disturb.
+  std::vector<disturbed> make_stars(std::size_t first, std::size_t last) {
+    return collect_chunks<disturbed>(
+        last - first, chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
+          std::vector<index> near;
+          std::uint64_t looked_at = 0;
+          for (std::size_t i = begin; i < end; ++i) {
+            const auto w = static_cast<index>(first + i);
+            if (is_enough(i)) break;
+            build_with_neighbourhood(w, near, looked_at);
+            for (const index u : near)
+              if (u < fresh_from_ && disturbs(sites_, u, stars_[u], w)) out.push_back({u, w});
+          }
+          candidates_ += looked_at;
+        });
+  }
+
+  // The pairs are sorted by star, which is added to changed_.
+  void renew_disturbed(const std::vector<disturbed>& pairs) {
     std::vector<std::size_t> starts;
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (i == 0 || pairs[i].star != pairs[i - 1].star) starts.push_back(i);
     starts.push_back(pairs.size());
     parallel_chunks(starts.size() - 1, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
       std::vector<index> candidates;
+      std::uint64_t looked_at = 0;
       for (std::size_t i = begin; i < end; ++i) {
         if (is_enough(i)) break;
         const index v = pairs[starts[i]].star;
         candidates.clear();
         for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
         for (std::size_t j = starts[i]; j < starts[i + 1]; ++j) candidates.push_back(pairs[j].by);
+        looked_at += candidates.size();
         stars_[v] = build_plain_star(sites_, v, candidates);
       }
+      candidates_ += looked_at;
     });
-    changed_.clear();
     for (std::size_t i = 0; i + 1 < starts.size(); ++i) changed_.push_back(pairs[starts[i]].star);
-    for (std::size_t w = first; w < sites_.size(); ++w) changed_.push_back(static_cast<index>(w));
   }
 
   bool is_enough(std::size_t i) const {
@@ -294,7 +340,7 @@ class filling {
 
   // The star of w among all sites so near that no farther one could belong to it; `near` is left
   // holding them.
-  void build_with_neighbourhood(index w, std::vector<index>& near) {
+  void build_with_neighbourhood(index w, std::vector<index>& near, std::uint64_t& looked_at) {
     const site& s = sites_[w];
     double reach = 2.2 * distance_;
     for (int attempt = 0; attempt < 64; ++attempt, reach *= 2) {
@@ -303,6 +349,7 @@ class filling {
       const bool all = box.low.x <= box_.low.x && box.low.y <= box_.low.y &&
                        box.high.x >= box_.high.x && box.high.y >= box_.high.y;
       sites_index_.visit_box(sites_, box.low, box.high, [&](index u) {
+        ++looked_at;
         if (u != w && (all || squared_distance(s, sites_[u].position) <= reach * reach))
           near.push_back(u);
         return true;
@@ -317,12 +364,23 @@ class filling {
     }
   }
 
+  // The site whose star has most neighbours; of several, the first.
+  std::optional<crowded_site> most_crowded() const {
+    if (!crowded_ || stars_.empty()) return std::nullopt;
+    const auto most = std::max_element(
+        stars_.begin(), stars_.end(),
+        [](const plain_star& a, const plain_star& b) { return a.size() < b.size(); });
+    const auto at = static_cast<std::size_t>(most - stars_.begin());
+    return crowded_site{sites_[at].position, most->size(), sites_.size()};
+  }
+
   result<filled_domain> outcome() const {
     filled_domain filled;
     filled.rounds = rounds_;
     filled.complete = !full_;
     filled.stopped = stopped_;
     filled.needed = needed_;
+    filled.crowded = most_crowded();
     filled.divisions.resize(divisions_.size());
     for (std::size_t s = 0; s < divisions_.size(); ++s)
       for (const index m : at_division_[s])
@@ -356,6 +414,10 @@ class filling {
   std::size_t rounds_ = 0;
   bool full_ = false;     // a site was wanted and there was no room
   bool stopped_ = false;  // by `progress`, which makes it full
+  bool crowded_ = false;  // is_overworked(), which makes it full as well
+  // Of all rounds: stars disturbed by new sites, and sites and pieces looked at as candidates.
+  std::uint64_t disturbed_ = 0;
+  std::atomic<std::uint64_t> candidates_ = 0;
   double needed_ = 0;
   std::optional<error> failure_;
 };

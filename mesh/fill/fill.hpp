@@ -6,7 +6,8 @@
 // Farthest first, from coarse to fine: on each level the segments are divided, and Voronoi vertices
 // of a net of plain stars (plain_net.hpp) that are farther than the level's distance from all sites
 // become sites, many in a round. It ends because sites of one level keep their distance: at most
-// about (4/pi) eps^-2 of the metric area (docs/math/refinement.md). The rounds are bounded besides.
+// about (4/pi) eps^-2 of the metric area (docs/math/refinement.md). The rounds are bounded besides,
+// and so is the work for each site, by counts.
 //
 // What comes out is a proposal, in doubles. That each site is strictly inside the domain is exact,
 // as are the given vertices; everything else is for exact stars to judge.
@@ -14,6 +15,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "asterism/core/result.hpp"
@@ -31,14 +33,24 @@ struct fill_options {
   std::function<bool()> enough;
 };
 
+// Where a fill was given up because sites could not be spread.
+struct crowded_site {
+  point where;
+  std::size_t neighbours = 0;  // in its star
+  std::size_t sites = 0;       // there were when the fill ended
+};
+
 struct filled_domain {
   // Of each segment the points that divide it, in its direction, ends left out.
   std::vector<std::vector<site>> divisions;
   // In the order of a space-filling curve.
   std::vector<site> interior;
   std::size_t rounds = 0;
-  bool complete = false;  // false: max_sites was reached, or `progress` said so
+  bool complete = false;  // false: max_sites was reached, it is crowded, or `progress` said so
   bool stopped = false;   // by `progress`
+  // The most crowded site, if the fill was given up after the most work that is done for so many
+  // sites: the metric varies so fast that each is near a part of all others.
+  std::optional<crowded_site> crowded;
   // If not complete: about how many sites it would take, as far as can be told from coarser levels.
   double needed = 0;
 };

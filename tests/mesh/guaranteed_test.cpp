@@ -204,6 +204,44 @@ TEST_CASE("guaranteed: a jump by 1e4 in size ends with the reason") {
   CHECK(made.reason.find("bad triangles are left") != std::string::npos);
 }
 
+// The fill went on for minutes, in which every site was a neighbour of a part of all others.
+TEST_CASE("guaranteed: a metric too wild for sites to be spread ends by count, with the place") {
+  const formula_field wild = sized(swirl_field(1e8), 10);
+  const auto made_by = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return mesh_of(accepted(square()), wild, with_size(true));
+  };
+  const refinement_outcome one = made_by(1), two = made_by(2);
+  INFO(one.reason);
+  CHECK_FALSE(one.complete);
+  CHECK(one.sites == 4);
+  CHECK(one.reason.find("the metric varies too fast for sites to be spread: of ") == 0);
+  CHECK(one.unmade == 0);
+  CHECK(same(one.result, two.result));
+  CHECK(one.reason == two.reason);
+}
+
+// 200 units long and 0.0002 high: every site is in the influence of most pieces.
+TEST_CASE("guaranteed: a domain far thinner than its units are apart ends by count") {
+  const refinement_outcome made =
+      mesh_of(accepted(square()), sized(constant_field({1e8, 0, 1e-4}), 100), with_size(true));
+  INFO(made.reason);
+  CHECK_FALSE(made.complete);
+  CHECK(made.sites < 20000);
+  CHECK(made.reason.find("the most work that is done for so many sites") != std::string::npos);
+}
+
+TEST_CASE("guaranteed: stars that were never made are counted where a run is stopped") {
+  refinement_options options = with_size(true);
+  options.stop = [] { return std::optional<std::string>("at once"); };
+  const refinement_outcome made =
+      mesh_of(accepted(square()), sized(identity_field(), 0.1), options);
+  INFO(made.reason);
+  CHECK(made.stopped);
+  CHECK(made.unmade == made.sites);
+  CHECK(made.reason.find("were never made") != std::string::npos);
+}
+
 TEST_CASE("guaranteed: the limit on sites is kept and named") {
   refinement_options options = with_size(true);
   const domain d = accepted(square());

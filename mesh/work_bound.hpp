@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// How much is asked of the predicates for so many sites before a refinement is given up.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "asterism/kernels/tier_counters.hpp"
+
+namespace asterism {
+
+// Meshes that become complete take 7 to 1000 edge tests a site, and 60 to 8000 answers of other
+// predicates, nearly all of them orientations (of sites with respect to pieces of the boundary).
+// Where metrics vary wildly every site is in reach of every other and every piece: both grow with
+// the number of sites. This is the work done as a part of the most that is done: 1 is the bound.
+inline double part_of_work_bound(const tier_counters& counts, std::size_t sites) {
+  constexpr double edge_tests_at_least = 1e6, edge_tests_for_each = 1e3, others_at_least = 1e8,
+                   others_for_each = 1e4;
+  constexpr std::uint64_t as_many_as_an_exact_one = 100;
+  std::uint64_t edge_tests = 0, others = 0;
+  for (std::size_t which = 0; which < predicate_count; ++which) {
+    const auto of = static_cast<predicate>(which);
+    (of == predicate::edge_test ? edge_tests : others) +=
+        counts.at(of, tier::semi_static) + counts.at(of, tier::interval) +
+        as_many_as_an_exact_one * counts.at(of, tier::exact);
+  }
+  const auto n = static_cast<double>(sites);
+  return std::max(static_cast<double>(edge_tests) / (edge_tests_at_least + edge_tests_for_each * n),
+                  static_cast<double>(others) / (others_at_least + others_for_each * n));
+}
+
+}  // namespace asterism
