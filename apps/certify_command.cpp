@@ -19,7 +19,9 @@
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/metric_field.hpp"
 #include "asterism/mesh/metric_field_sampled.hpp"
+#include "asterism/mesh/refine_tolerance.hpp"
 
 namespace asterism::apps {
 namespace fs = std::filesystem;
@@ -27,6 +29,8 @@ namespace {
 
 struct certify_options {
   fs::path mesh, solution;
+  std::optional<std::string> metric;  // instead of a solution
+  double size = 1;
   std::optional<fs::path> output;
   double angle_bound = 20;
   bool repair = false;
@@ -36,19 +40,23 @@ struct certify_options {
 
 constexpr const char* examples =
     R"(MESH is a Medit file with triangles, from any program; SOL holds its metric, a symmetric tensor
-m11 m12 m22 at each vertex (default: NAME.sol beside NAME.mesh). The domain is what the file's Edges
+m11 m12 m22 at each vertex (default: NAME.sol beside NAME.mesh), or is BAMG's NAME.mtr; --metric and
+--size give it by a formula instead, as for 'asterism mesh'. The domain is what the file's Edges
 enclose, or, when it lists none, the edges with one triangle. Certified means: every triangle is in
 the stars of its three vertices, none is inverted, none is below the bound as any of the three
 measures it, but at corners that are sharper themselves.
 
-With --repair sites are added, in the metric interpolated from the vertices, until that holds.
-Whatever is certified is written to OUT, with a certificate; anything else only after --repair.
+With --repair sites are added, in the metric of the formula or interpolated from the vertices, until
+that holds. Whatever is certified is written to OUT, with a certificate; anything else only after
+--repair.
 
 Exit status: 0 certified; 1 not certified; 2 bad usage or input, nothing is written.
 
 Examples:
-  asterism certify bamg.mesh bamg.sol --angle-bound 10
-  asterism certify bamg.mesh --repair -o repaired.mesh)";
+  asterism certify bamg.mesh bamg.mtr --angle-bound 10
+  asterism certify bamg.mesh --metric swirl:24 --size 0.02 --repair -o repaired.mesh)";
+
+constexpr real_range sizes = {1e-150, 1e150, true, true, "positive, from 1e-150 to 1e150"};
 
 constexpr real_range angle_bounds = {
     0, 60, true, false,
@@ -68,8 +76,8 @@ std::optional<error> check_files(const certify_options& options) {
   if (!options.output) return std::nullopt;
   const auto format = check_output(*options.output);
   if (!format) return format.failure();
-  std::vector<fs::path> used = {options.mesh, options.solution, *options.output,
-                                certificate_path(*options.output)};
+  std::vector<fs::path> used = {options.mesh, *options.output, certificate_path(*options.output)};
+  if (!options.metric) used.push_back(options.solution);
   if (format.value() == mesh_format::medit) {
     used.push_back(solution_path(*options.output));
     if (auto failure = check_place(used.back())) return failure;
@@ -140,8 +148,9 @@ std::optional<error> write_result(const certify_options& options, const mesh& m,
 certificate claim_of(const certify_options& options, const mesh& m, const audit_options& asked,
                      const audit_report& report) {
   certificate claim = make_certificate(m, asked, report);
-  claim.metric = "of " + options.solution.string();
+  claim.metric = options.metric.value_or("of " + options.solution.string());
   claim.options = {{"mesh", options.mesh.string()}, {"repair", options.repair ? "yes" : "no"}};
+  if (options.metric) claim.options["size"] = format_number(options.size);
   claim.complete = true;
   return claim;
 }
@@ -164,7 +173,7 @@ int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
   return status;
 }
 
-int repair(const certify_options& options, const adopted_mesh& adopted,
+int repair(const certify_options& options, const adopted_mesh& adopted, const metric_field& field,
            const certify_report& before) {
   if (!before.compared)
     return complain({"--repair: " + options.mesh.string() +
@@ -175,11 +184,10 @@ int repair(const certify_options& options, const adopted_mesh& adopted,
   constexpr std::size_t growth = 10, least = 100000;
   wanted.max_sites =
       options.max_sites.value_or(std::max(least, growth * adopted.subject.sites.size()));
-  const auto field = make_sampled_field(adopted.subject);
   std::optional<result<refinement_outcome>> made;
   {
     progress_line line(true);
-    made = make_mesh(adopted.shape, *field, wanted,
+    made = make_mesh(adopted.shape, field, wanted,
                      [&line](const refinement_progress& progress) { line.show(progress); });
   }
   if (!*made) return complain(made->failure(), refused);
@@ -209,26 +217,68 @@ int repair(const certify_options& options, const adopted_mesh& adopted,
                   not_reached);
 }
 
+using made_field = result<std::unique_ptr<metric_field>>;
+
+// The field of --metric, placed in the box of the vertices, and their tensors from it.
+made_field measure_by_formula(const certify_options& options, mesh& m) {
+  if (m.sites.empty()) return error{options.mesh.string() + ": there are no vertices"};
+  bounding_box box{m.sites[0].position, m.sites[0].position};
+  for (const site& s : m.sites) {
+    const point& q = s.position;
+    box.low = {std::min(box.low.x, q.x), std::min(box.low.y, q.y)};
+    box.high = {std::max(box.high.x, q.x), std::max(box.high.y, q.y)};
+  }
+  auto field = make_metric_field(*options.metric, box, options.size);
+  if (!field) return field;
+  for (std::size_t v = 0; v < m.sites.size(); ++v) {
+    const auto metric = field.value()->at(m.sites[v].position);
+    if (!metric)
+      return error{options.mesh.string() + ": vertex " + std::to_string(v + 1) + ": " +
+                   metric.failure().message};
+    m.sites[v].metric = metric.value();
+  }
+  return field;
+}
+
+struct measured_mesh {
+  adopted_mesh adopted;
+  std::unique_ptr<metric_field> field;
+};
+
+result<measured_mesh> read_measured(const certify_options& options) {
+  medit_read_options how;
+  how.solution = options.solution;
+  how.without_solution = options.metric.has_value();
+  auto read = read_medit(options.mesh, how);
+  if (!read) return read.failure();
+  std::unique_ptr<metric_field> formula;
+  if (options.metric) {
+    auto made = measure_by_formula(options, read.value());
+    if (!made) return made.failure();
+    formula = std::move(made).value();
+  }
+  auto adopted = adopt_mesh(std::move(read).value());
+  if (!adopted) return error{options.mesh.string() + ": " + adopted.failure().message};
+  return measured_mesh{std::move(adopted).value(), std::move(formula)};
+}
+
 int run_certify(certify_options options) {
   if (options.solution.empty()) options.solution = solution_path(options.mesh);
   if (const auto failure = check_files(options)) return complain(*failure, refused);
-  medit_read_options how;
-  how.solution = options.solution;
-  auto read = read_medit(options.mesh, how);
-  if (!read) return complain(read.failure(), refused);
-  const auto adopted = adopt_mesh(std::move(read).value());
-  if (!adopted)
-    return complain({options.mesh.string() + ": " + adopted.failure().message}, refused);
-  const std::size_t sites = adopted.value().subject.sites.size();
+  auto measured = read_measured(options);
+  if (!measured) return complain(measured.failure(), refused);
+  const adopted_mesh& adopted = measured.value().adopted;
+  const std::size_t sites = adopted.subject.sites.size();
   if (options.max_sites && *options.max_sites < sites)
     return complain({"--max-sites " + std::to_string(*options.max_sites) + ": the mesh has " +
                      std::to_string(sites) + " vertices already"},
                     refused);
-  const certify_report report =
-      certify(adopted.value(), options.angle_bound, options.prove_voronoi);
-  write_report(report, adopted.value().subject, options.angle_bound);
-  if (report.certified()) return write_as_it_is(options, adopted.value(), report);
-  return options.repair ? repair(options, adopted.value(), report) : not_reached;
+  const certify_report report = certify(adopted, options.angle_bound, options.prove_voronoi);
+  write_report(report, adopted.subject, options.angle_bound);
+  if (report.certified()) return write_as_it_is(options, adopted, report);
+  if (!options.repair) return not_reached;
+  if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);
+  return repair(options, adopted, *measured.value().field, report);
 }
 
 }  // namespace
@@ -238,7 +288,15 @@ void add_certify_command(CLI::App& program, command& chosen) {
       program.add_subcommand("certify", "Certify, or repair, a mesh that came from elsewhere");
   const auto options = std::make_shared<certify_options>();
   app->add_option("MESH", options->mesh, "What to certify")->required();
-  app->add_option("SOL", options->solution, "Its metric (default: NAME.sol beside NAME.mesh)");
+  auto* const solution =
+      app->add_option("SOL", options->solution, "Its metric (default: NAME.sol beside NAME.mesh)");
+  auto* const metric = app->add_option("--metric", options->metric, "Its metric, by a formula");
+  metric->type_name("SPEC")->excludes(solution);
+  add_real(
+      *app, "--size", sizes, [options](double x) { options->size = x; },
+      "Length of an edge of metric length 1, in the metric as given by --metric")
+      ->type_name("H")
+      ->needs(metric);
   app->add_option("-o,--output", options->output, "Where to write what is certified or repaired")
       ->type_name("OUT");
   add_real(

@@ -11,7 +11,7 @@
 // is kept in comments (`#segments`, numbers from 1), which other programs skip.
 //
 // Read: versions 1 to 3, keywords in any order and any number to a line; comments; sections of
-// known shape that mean nothing here are skipped by their counts. Refused: three dimensions (a
+// known shape that mean nothing here, BAMG's among them, are skipped by their counts. Refused: three dimensions (a
 // third coordinate, other than a Z of 0 in a file of Dimension 3 without volume elements, is too),
 // binary files, unknown sections, quadrilaterals, numbers that are not finite, indices out of
 // range. Source: P. Frey, "MEDIT: an interactive mesh visualization software", INRIA RT-0253, 2001.
@@ -28,6 +28,8 @@ namespace asterism {
 struct medit_read_options {
   // Without it a missing .sol is an error; with it every vertex gets the identity.
   bool identity_without_solution = false;
+  // No .sol is looked for: every vertex gets the identity.
+  bool without_solution = false;
   // Where the metric is; empty: beside the mesh.
   std::filesystem::path solution = {};
 };

@@ -25,7 +25,7 @@ struct skipped_section {
   std::string_view keyword;
   int words_in_2d, words_in_3d;
 };
-constexpr std::array<skipped_section, 12> skipped_sections = {{
+constexpr std::array<skipped_section, 20> skipped_sections = {{
     {"Corners", 1, 1},
     {"Ridges", 1, 1},
     {"RequiredEdges", 1, 1},
@@ -38,7 +38,26 @@ constexpr std::array<skipped_section, 12> skipped_sections = {{
     {"TangentAtEdges", 3, 3},
     {"SubDomainFromMesh", 4, 4},
     {"SubDomain", 4, 4},
+    {"SubDomainFromGeom", 4, 4},
+    {"CrackedEdges", 2, 2},
+    {"VertexOnGeometricVertex", 2, 2},
+    {"VertexOnGeometricEdge", 3, 3},
+    {"EdgeOnGeometricEdge", 2, 2},
+    {"VertexOnSupportVertex", 2, 2},
+    {"VertexOnSupportEdge", 3, 3},
+    {"VertexOnSupportTriangle", 4, 4},
 }};
+
+// Those of BAMG's that hold one text in quotation marks, or one number and no count.
+constexpr std::array<std::string_view, 4> texts = {
+    "Identifier", "Geometry", "MeshSupportOfVertices", "IdentityOfMeshSupport"};
+constexpr std::array<std::string_view, 2> single_numbers = {"MaximalAngleOfCorner",
+                                                            "AngleOfCornerBound"};
+
+template <std::size_t N>
+bool is_among(const std::array<std::string_view, N>& all, std::string_view text) {
+  return std::find(all.begin(), all.end(), text) != all.end();
+}
 
 class medit_reader {
  public:
@@ -54,6 +73,7 @@ class medit_reader {
   failure read_edges();
   failure read_required();
   failure skip(const word& keyword, int words);
+  failure skip_text(const word& keyword);
 
   // The count of a section that may occur once.
   result<std::size_t> read_count(std::string_view keyword, bool& seen);
@@ -115,6 +135,11 @@ failure medit_reader::read_section(const word& keyword) {
   for (const skipped_section& s : skipped_sections)
     if (keyword.text == s.keyword)
       return skip(keyword, dimension_ == 2 ? s.words_in_2d : s.words_in_3d);
+  if (is_among(texts, keyword.text)) return skip_text(keyword);
+  if (is_among(single_numbers, keyword.text)) {
+    const auto value = read_number(keyword.text);
+    return value.ok() ? failure{} : value.failure();
+  }
   if (keyword.text == "Quadrilaterals" || keyword.text == "Tetrahedra" ||
       keyword.text == "Hexahedra" || keyword.text == "Prisms" || keyword.text == "Pyramids") {
     const auto count = to_count(source_, source_.next(), keyword.text);
@@ -224,6 +249,21 @@ failure medit_reader::skip(const word& keyword, int words) {
   if (!count.ok()) return count.failure();
   for (std::size_t i = 0; i < count.value() * static_cast<std::size_t>(words); ++i)
     if (const auto value = read_number(keyword.text); !value.ok()) return value.failure();
+  return {};
+}
+
+failure medit_reader::skip_text(const word& keyword) {
+  const word first = source_.next();
+  if (first.empty() || first.text.front() != '"')
+    return source_.failure(first.line, std::string(keyword.text) + ": a text in \" wanted, not " +
+                                           quoted_token(first.text));
+  word last = first;
+  while (last.text.back() != '"' ||
+         (last.text.data() == first.text.data() && last.text.size() < 2)) {
+    last = source_.next();
+    if (last.empty())
+      return source_.failure(first.line, std::string(keyword.text) + ": the text has no end");
+  }
   return {};
 }
 

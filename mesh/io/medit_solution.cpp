@@ -54,6 +54,38 @@ failure read_sections(text_scanner& source, mesh& m) {
   return {};
 }
 
+failure read_bamg_metric(text_scanner& source, mesh& m) {
+  const word w = source.next(), entries = source.next();
+  const auto count = to_count(source, w, "number of vertices");
+  if (!count.ok()) return count.failure();
+  if (count.value() != m.sites.size())
+    return source.failure(w.line, std::to_string(count.value()) + " tensors for " +
+                                      std::to_string(m.sites.size()) + " vertices");
+  if (entries.text != "1" && entries.text != "3")
+    return source.failure(entries.line,
+                          "1 or 3 numbers a vertex wanted, not " + quoted_token(entries.text));
+  for (site& s : m.sites) {
+    std::array<double, 3> tensor{};
+    const std::size_t wanted = entries.text == "1" ? 1 : 3;
+    const word first = source.next();
+    for (std::size_t i = 0; i < wanted; ++i) {
+      const auto value = to_number(source, i == 0 ? first : source.next(), "entry of a tensor");
+      if (!value.ok()) return value.failure();
+      tensor[i] = value.value();
+    }
+    if (wanted == 1 && !(tensor[0] > 0))
+      return source.failure(first.line,
+                            "a length must be positive, not " + quoted_token(first.text));
+    const double round = 1 / (tensor[0] * tensor[0]);
+    s.metric = wanted == 1 ? metric_tensor{round, 0, round}
+                           : metric_tensor{tensor[0], tensor[1], tensor[2]};
+  }
+  const word more = source.next();
+  if (!more.empty())
+    return source.failure(more.line, quoted_token(more.text) + " after the last tensor");
+  return {};
+}
+
 }  // namespace
 
 result<int> read_medit_header(text_scanner& source) {
@@ -82,14 +114,15 @@ result<int> read_medit_header(text_scanner& source) {
 std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh& m,
                                          const medit_read_options& options) {
   std::error_code status;
-  if (options.identity_without_solution && !std::filesystem::exists(path, status)) {
+  if (options.without_solution ||
+      (options.identity_without_solution && !std::filesystem::exists(path, status))) {
     for (site& s : m.sites) s.metric = {1, 0, 1};
     return {};
   }
   const auto text = read_text_file(path);
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
-  return read_sections(source, m);
+  return path.extension() == ".mtr" ? read_bamg_metric(source, m) : read_sections(source, m);
 }
 
 }  // namespace asterism

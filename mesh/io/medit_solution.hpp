@@ -17,7 +17,9 @@ namespace asterism {
 // `MeshVersionFormatted 1..3`, `Dimension 2 or 3`: returns the dimension.
 result<int> read_medit_header(text_scanner& source);
 
-// One tensor a site of `m`, from a .sol file; nothing is returned when all went well.
+// One tensor a site of `m`, from a .sol file, or from one of BAMG's, NAME.mtr: the number of
+// vertices, 1 or 3, and for each a length h, meaning the tensor I/h^2, or m11 m12 m22. Nothing is
+// returned when all went well.
 std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh& m,
                                          const medit_read_options& options);
 

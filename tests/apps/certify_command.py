@@ -158,6 +158,54 @@ class Certify(command.CommandTest):
         self.assertRegex(done.stderr, "no triangulation")
         self.assertNotIn("out.mesh", self.files())
 
+    # The sections BAMG writes, quoted names with blanks in them among them.
+    BAMG = ["MeshVersionFormatted 1", "", "Dimension", "2", "", "Identifier",
+            '"B=background.mesh, G=square.mesh;2, Date: 01/02/03 10:02 43s"', "", "Geometry", '"square.mesh"', "",
+            "Vertices", "4", "0 0 1", "1 0 2", "1 1 3", "0 1 4", "Edges", "4", "1 2 1", "2 3 2", "3 4 3", "4 1 4",
+            "Triangles", "2", "1 2 4 1", "2 3 4 1", "SubDomainFromMesh", "1", "3 1 1 1", "VertexOnGeometricVertex",
+            "2", "1 1", "2 2", "VertexOnGeometricEdge", "1", "3 1 0.5", "EdgeOnGeometricEdge", "1", "1 1",
+            "MeshSupportOfVertices", '"background.mesh"', "IdentityOfMeshSupport", '"B"', "VertexOnSupportVertex", "1",
+            "1 1", "VertexOnSupportEdge", "1", "2 1 7.5e-11", "VertexOnSupportTriangle", "1", "3 1 0.25 0.5", "End"]
+
+    def test_a_mesh_as_bamg_writes_it(self):
+        self.write("b.mesh", "\n".join(self.BAMG) + "\n")
+        self.write("b.mtr", "4 3\n1 0.5 2\n1 0.5 2\n1 0.5 2\n1 0.5 2\n")
+        self.write("round.mtr", "4 1\n0.5\n0.5\n0.5\n0.5\n")
+        self.write("b.sol", solution([(1, 0.5, 2)] * 4))
+        said = self.run_certify(0, "b.mesh", "b.sol").stdout
+        self.assertIn("4 sites, 2 triangles, 4 boundary edges", said)
+        self.assertEqual(self.run_certify(0, "b.mesh", "b.mtr").stdout, said)
+        self.assertEqual(self.run_certify(0, "b.mesh", "--metric", "expr:1;0.5;2").stdout, said)
+        half = self.run_certify(0, "b.mesh", "--metric", "identity", "--size", "0.5").stdout
+        self.assertEqual(self.run_certify(0, "b.mesh", "round.mtr").stdout, half)
+        for text, needle in (("4 2\n1 1\n1 1\n1 1\n1 1\n", "b.mtr:1: 1 or 3 numbers a vertex wanted, not '2'"),
+                             ("3 1\n1 1 1\n", "b.mtr:1: 3 tensors for 4 vertices"),
+                             ("4 1\n1\n1\n0\n1\n", "b.mtr:4: a length must be positive, not '0'"),
+                             ("4 1\n1 1 1 1\n1\n", "b.mtr:3: '1' after the last tensor"),
+                             ("4 1\n1 1 nan 1\n", "b.mtr:2: ")):
+            self.write("b.mtr", text)
+            self.assertIn(needle, self.run_certify(2, "b.mesh", "b.mtr").stderr)
+        for line, needle in ((6, "open.mesh:7: Identifier: the text has no end"),
+                             (9, "open.mesh:10: Geometry: a text in \" wanted, not 'square'")):
+            lines = list(self.BAMG)
+            lines[line] = '"B' if line == 6 else "square"
+            text = "\n".join(lines)
+            self.write("open.mesh", text.replace('"background.mesh"', "0").replace('"B"', "0")
+                       if line == 9 else "\n".join(lines[:7]))
+            self.assertIn(needle, self.run_certify(2, "open.mesh", "--metric", "identity").stderr)
+
+    def test_a_formula_measures_and_repairs(self):
+        self.grid(8, lambda x, y: (1, 0, 1))
+        done = self.run_certify(0, "grid.mesh", "--metric", "swirl:12", "--repair", "-o", "repaired.mesh")
+        self.assertIn(" of them new", done.stdout)
+        self.assertEqual(self.run_command("verify", "repaired.mesh").returncode, 0)
+        claim = json.loads((self.folder / "repaired.certificate.json").read_text())
+        self.assertEqual(claim["asked"]["metric"], "swirl:12")
+        for words, needle in ((["grid.sol", "--metric", "identity"], "SOL"), (["--size", "2"], "--metric"),
+                              (["--metric", "swril"], "swril"), (["--metric", "expr:x-0.5;0;1"], "vertex 1"),
+                              (["--metric", "identity", "--size", "-1"], "--size")):
+            self.assertIn(needle, self.run_certify(2, "grid.mesh", *words).stderr)
+
     def test_what_cannot_be_read_or_meant_is_refused(self):
         corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
         good = medit(corners, [(1, 2, 3, 0)])
