@@ -77,7 +77,8 @@ class site_tree {
   void bound_parent(node& n, const node& left, const node& right) const;
   static centre centre_of(const site& v, double reach);
   static std::optional<centre> centre_of(const std::vector<reaching>& stars);
-  // For all w of the node and v of the centre, |w - v|^2 in its metric is at least squared_least / square_above, if that is positive.
+  // For all w of the node and v of the centre, |w - v|^2 in its metric is at least squared_least /
+  // square_above, if that is positive.
   struct approach {
     double squared_least = 0, square_above = 0;
     bool is_beyond(double squared_limit) const;
