@@ -24,11 +24,12 @@ result<refine_state> refine_state::prepare(const domain& d, const metric_field& 
   state.edges_ = std::move(edges).value();
   state.near_ = neighbourhood(state.sites_, state.edges_);
   state.find_corners();
+  state.given_ = d.vertices.size();
   return state;
 }
 
 void refine_state::construct_stars() {
-  stars_.bound_work();
+  stars_.bound_work(given_);
   stars_.construct_all(oracle());
   for (std::size_t piece = 0; piece < edges_.pieces().size(); ++piece) suspects_.push_back(piece);
 }
@@ -85,7 +86,7 @@ void refine_state::add_proposed(const std::vector<site>& proposed) {
 }
 
 bool refine_state::is_overworked() const {
-  return part_of_work_bound(kernel_->counters(), sites_.size()) > 1;
+  return part_of_work_bound(kernel_->counters(), sites_.size(), given_) > 1;
 }
 
 void refine_state::find_corners() {

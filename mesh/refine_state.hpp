@@ -148,6 +148,7 @@ class refine_state {
   std::vector<domain_corner> corners_;
   std::vector<std::size_t> suspects_;  // pieces that may be encroached
   std::size_t most_sites_;
+  std::size_t given_ = 0;  // the domain's vertices, which are the first sites
   std::size_t splits_ = 0;
   std::optional<error> field_failure_;
   std::function<bool()> enough_ = [] { return false; };

@@ -90,8 +90,8 @@ void star_set::touch(index v) {
 }
 
 double star_set::part_of_work_bound(const site_oracle& oracle) const {
-  if (!is_work_bounded_) return 0;
-  return asterism::part_of_work_bound(oracle.kernel().counters(), oracle.size());
+  if (!given_) return 0;
+  return asterism::part_of_work_bound(oracle.kernel().counters(), oracle.size(), *given_);
 }
 
 std::size_t star_set::unmade() const {

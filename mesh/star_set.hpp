@@ -31,9 +31,9 @@ class star_set {
   // stale, and empty if they are new. Whoever sets it ends refinement then.
   void ask_between_stars(std::function<bool()> enough) { enough_ = std::move(enough); }
 
-  // Gives up making many stars once the kernel was asked twice what is done for so many sites
-  // (work_bound.hpp); the rest stay as they are, as above.
-  void bound_work() { is_work_bounded_ = true; }
+  // Gives up making many stars once the kernel was asked twice what is done for so many sites, and
+  // so many given vertices among them (work_bound.hpp); the rest stay as they are, as above.
+  void bound_work(std::size_t given) { given_ = given; }
 
   // How many stars were never made: empty.
   std::size_t unmade() const;
@@ -98,7 +98,7 @@ class star_set {
   void touch(index v);  // before a change of v's star
 
   std::function<bool()> enough_;
-  bool is_work_bounded_ = false;
+  std::optional<std::size_t> given_;
   std::vector<index> touched_;
   std::vector<star> stars_;
   std::vector<condition> condition_;
