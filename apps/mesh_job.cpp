@@ -268,8 +268,8 @@ int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit
                   not_reached);
 }
 
-result<refinement_outcome> mesh_with_progress(const mesh_job& job, const prepared_input& input) {
-  progress_line line(!job.quiet);
+result<refinement_outcome> mesh_with_progress(const mesh_job& job, const prepared_input& input,
+                                              progress_line& line) {
   const run_limits limits(job.max_seconds, job.max_megabytes);
   refinement_options options = job.refinement;
   options.keep_if_complete = is_mesh(job);
@@ -292,11 +292,17 @@ int run_mesh_job(const mesh_job& job) {
   if (input.value().gradation && !job.quiet)
     std::cout << "gradation: " << text_of(*input.value().gradation) << '\n';
 
-  const auto made = mesh_with_progress(job, input.value());
-  if (!made) return complain(made.failure(), refused);
+  std::optional<progress_line> line(!job.quiet);
+  const auto made = mesh_with_progress(job, input.value(), *line);
+  if (!made) {
+    line.reset();
+    return complain(made.failure(), refused);
+  }
   const refinement_outcome& outcome = made.value();
 
+  line->show("auditing");
   const judged_mesh judged = judge(job, input.value(), outcome);
+  line.reset();
   if (const auto failure = write_files(job, certificate_path, outcome.result, judged.claim))
     return complain(*failure, not_reached);
   return conclude(job, outcome, judged.report, judged.claim);

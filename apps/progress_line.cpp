@@ -25,6 +25,8 @@ void progress_line::show(const refinement_progress& progress) {
   next_ = now + std::chrono::milliseconds(100);
   const double seconds = std::chrono::duration<double>(now - start_).count();
   std::cerr << wipe << progress.sites << " sites";
+  if (progress.sites_expected > static_cast<double>(progress.sites))
+    std::cerr << " of about " << static_cast<long>(progress.sites_expected);
   if (seconds > 1)
     std::cerr << " (" << static_cast<long>(static_cast<double>(progress.sites) / seconds)
               << " a second)";
@@ -36,6 +38,10 @@ void progress_line::show(const refinement_progress& progress) {
             << " low-angle";
   if (progress.too_large > 0) std::cerr << ", " << progress.too_large << " too large";
   std::cerr << " triangles left" << std::flush;
+}
+
+void progress_line::show(const char* what) const {
+  if (shown_) std::cerr << wipe << what << std::flush;
 }
 
 }  // namespace asterism::apps

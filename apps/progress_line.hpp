@@ -19,6 +19,7 @@ class progress_line {
 
   // At most ten times a second.
   void show(const refinement_progress& progress);
+  void show(const char* what) const;
 
  private:
   bool shown_;

@@ -49,6 +49,7 @@ struct refinement_options {
 struct refinement_progress {
   bool filling = false;  // sites are being proposed; nothing is known of triangles yet
   std::size_t sites = 0, disagreeing = 0, low_angle = 0, too_large = 0;
+  double sites_expected = 0;  // while filling, about; 0 when that cannot be told yet
 };
 
 // Corner of the domain whose angle in its own metric is below the bound: it cannot be met there.

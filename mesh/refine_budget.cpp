@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/metric_field_featured.hpp"
 #include "asterism/mesh/refine_quality.hpp"
 #include "asterism/mesh/refine_tolerance.hpp"
 
@@ -31,6 +34,41 @@ double sites_on_segments(const mesh& m) {
   return static_cast<double>(std::count(on.begin(), on.end(), 1));
 }
 
+// From so many vertices on, sites are spread as the segments will need them before anything else.
+constexpr std::size_t many_vertices = 2000;
+
+// Every proposed site as the field, not the one it was spread by, measures there.
+std::optional<error> measure_anew(const metric_field& field, filled_domain& proposed) {
+  const auto measure = [&](std::vector<site>& sites) -> std::optional<error> {
+    for (site& s : sites) {
+      const auto metric = field.at(s.position);
+      if (!metric) return metric.failure();
+      s.metric = metric.value();
+    }
+    return std::nullopt;
+  };
+  for (std::vector<site>& division : proposed.divisions)
+    if (auto failure = measure(division)) return failure;
+  return measure(proposed.interior);
+}
+
+// The domain in `frame`, filled as the segments and, where that is limited, the size want it.
+// Nothing where they want more sites than there may be.
+using featured_filling = result<std::optional<filled_domain>>;
+featured_filling fill_by_features(const domain& d, const metric_field& field, bool limit_size,
+                                  fill_options wanted, const fill_progress& go_on) {
+  const double longest = limit_size ? 1 : std::numeric_limits<double>::infinity();
+  const auto featured = featured_field::make(d, field, longest);
+  if (!featured) return featured.failure();
+  wanted.is_uneven = true;
+  auto proposed = fill(d, featured.value(), wanted, go_on);
+  if (!proposed) return proposed.failure();
+  if (!proposed.value().complete && !proposed.value().stopped)
+    return featured_filling(std::nullopt);
+  if (auto failure = measure_anew(field, proposed.value())) return *failure;
+  return featured_filling(std::move(proposed).value());
+}
+
 }  // namespace
 
 result<budgeted_filling> fill_within_budget(
@@ -38,7 +76,8 @@ result<budgeted_filling> fill_within_budget(
     const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
   budgeted_filling filled{{}, frame, 0};
-  if (options.strategy != refinement_strategy::guaranteed || !options.limit_size) {
+  const bool is_large = d.vertices.size() >= many_vertices;
+  if (options.strategy != refinement_strategy::guaranteed || !(options.limit_size || is_large)) {
     filled.proposed.divisions.resize(d.segments.size());
     return filled;
   }
@@ -47,10 +86,27 @@ result<budgeted_filling> fill_within_budget(
   wanted.longest_piece = longest_piece_of_fill;
   wanted.max_sites = options.max_sites;
   if (options.stop) wanted.enough = [&options] { return options.stop().has_value(); };
-  const auto go_on = [&](std::size_t sites) {
-    if (progress) progress({true, sites, 0, 0, 0});
+  const auto go_on = [&](std::size_t sites, double needed) {
+    refinement_progress now{true, sites, 0, 0, 0};
+    now.sites_expected = needed;
+    if (progress) progress(now);
     return !options.stop || !options.stop();
   };
+  if (is_large) {
+    auto featured = frame.is_identity()
+                        ? fill_by_features(d, field, options.limit_size, wanted, go_on)
+                        : fill_by_features(frame.inward(d), framed_field(field, frame),
+                                           options.limit_size, wanted, go_on);
+    if (!featured) return featured.failure();
+    if (featured.value()) {
+      filled.proposed = *std::move(featured).value();
+      return filled;
+    }
+    if (!options.limit_size) {
+      filled.proposed.divisions.resize(d.segments.size());
+      return filled;
+    }
+  }
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     filled.frame = frame.coarser(filled.halvings);
     auto proposed =

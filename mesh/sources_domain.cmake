@@ -29,6 +29,7 @@ target_sources(asterism PRIVATE
   metric_angle.cpp
   metric_field.cpp
   metric_field_expression.cpp
+  metric_field_featured.cpp
   metric_field_graded.cpp
   metric_field_sampled.cpp
   metric_field_layered.cpp)

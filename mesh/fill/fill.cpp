@@ -52,7 +52,7 @@ class filling {
         sites_index_(box_),
         pieces_index_(box_) {}
 
-  result<filled_domain> run(const std::function<bool(std::size_t)>& progress) {
+  result<filled_domain> run(const fill_progress& progress) {
     int levels = 0;
     const double widest = longest_segment();
     while (levels < most_levels && options_.distance * std::exp2(levels) < widest) ++levels;
@@ -62,7 +62,7 @@ class filling {
       distance_ = options_.distance * std::exp2(level);
       divide(level == 0 ? 0 : options_.longest_piece * std::exp2(level));
       while (!failure_ && !full_ && rounds_ < most_rounds) {
-        if (progress && !progress(sites_.size())) full_ = stopped_ = true;
+        if (progress && !progress(sites_.size(), needed_)) full_ = stopped_ = true;
         if (full_ || !round()) break;
       }
       needed_ = full_ ? std::max(needed_, static_cast<double>(sites_.size()))
@@ -212,9 +212,16 @@ class filling {
     for (std::size_t i = 0; i < star.size(); ++i) {
       const plain_gap& gap = star[i];
       const index next = star[i + 1 < star.size() ? i + 1 : 0].neighbour;
-      if (!(gap.squared_radius > distance_ * distance_) || gap.squared_radius == infinity) continue;
-      if (v > gap.neighbour || v > next) continue;  // another star proposes it
-      const point q{centre.x + gap.vertex.x, centre.y + gap.vertex.y};
+      const bool found = gap.squared_radius < infinity;
+      if (!(gap.squared_radius > distance_ * distance_) || !(found || options_.is_uneven)) continue;
+      if (v > gap.neighbour || (found && v > next)) continue;  // another star proposes it
+      point q{centre.x + gap.vertex.x, centre.y + gap.vertex.y};
+      double squared_radius = gap.squared_radius;
+      if (!found) {
+        q = bisector_point(sites_[v], sites_[gap.neighbour]);
+        squared_radius = squared_distance(sites_[v], q);
+        if (!(squared_radius > distance_ * distance_)) continue;
+      }
       if (q.x < box_.low.x || q.x > box_.high.x || q.y < box_.low.y || q.y > box_.high.y) continue;
       const auto metric = field_.at(q);
       if (!metric) {
@@ -224,7 +231,7 @@ class filling {
       const site s{q, metric.value()};
       if (has_room(sites_index_, s, looked_at) && stays_clear(s, looked_at) &&
           locator_.contains(kernel, q))
-        out.push_back({s, gap.squared_radius, v});
+        out.push_back({s, squared_radius, v});
     }
   }
 
@@ -425,7 +432,7 @@ class filling {
 }  // namespace
 
 result<filled_domain> fill(const domain& d, const metric_field& field, const fill_options& options,
-                           const std::function<bool(std::size_t)>& progress) {
+                           const fill_progress& progress) {
   auto divisions = divide_segments(d, field, options.longest_piece, options.max_sites);
   if (!divisions) return divisions.failure();
   if (divisions.value().of_each.empty() && !d.segments.empty()) {

@@ -29,6 +29,9 @@ struct fill_options {
   double distance = 0.75;      // from every point of the domain to the nearest site, metric length
   double longest_piece = 0.9;  // of the segments, metric length
   std::size_t max_sites = 100000;
+  // Lengths wanted may differ by large factors from one site to its neighbours: where no Voronoi
+  // vertex is found, the bisector on the way to the neighbour will do.
+  bool is_uneven = false;
   // Asked between stars, from any thread, where a round takes long; true ends as `progress` does.
   std::function<bool()> enough;
 };
@@ -55,11 +58,15 @@ struct filled_domain {
   double needed = 0;
 };
 
+// Told the number of sites and about how many there will be (0 when that cannot be told yet);
+// answers whether to go on.
+using fill_progress = std::function<bool(std::size_t sites, double needed)>;
+
 // `d` must have been accepted by check_domain. The same for any number of threads. Fails where the
 // field does, and where lengths leave the range of doubles. `progress` is told the number of sites
 // now and then and answers whether to go on. Where segments alone would need more than max_sites
 // points, nothing is proposed.
 result<filled_domain> fill(const domain& d, const metric_field& field, const fill_options& options,
-                           const std::function<bool(std::size_t)>& progress = {});
+                           const fill_progress& progress = {});
 
 }  // namespace asterism

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <random>
 
 #include "asterism/mesh/audit.hpp"
@@ -234,6 +235,37 @@ TEST_CASE("guaranteed: stars that were never made are counted where a run is sto
   CHECK(made.stopped);
   CHECK(made.unmade == made.sites);
   CHECK(made.reason.find("were never made") != std::string::npos);
+}
+
+TEST_CASE("guaranteed: polygons of many short segments, with a size and without") {
+  // A regular one, whose corners are all on a circle, and a wavy one.
+  const auto polygon = [](index n, double wave) {
+    domain d;
+    for (index i = 0; i < n; ++i) {
+      const double t = 2 * std::numbers::pi * i / n, r = 1 + wave * std::sin(9 * t);
+      d.vertices.push_back({r * std::cos(t), r * std::sin(t)});
+      d.segments.push_back({i, (i + 1) % n, 1});
+    }
+    return accepted(d);
+  };
+  const auto check = [](const domain& d, bool limit_size, std::size_t most_sites,
+                        double questions) {
+    refinement_options options = with_size(limit_size);
+    options.max_sites = 100000;
+    const formula_field coarse([](const point&) { return metric_tensor{400, 0, 400}; });
+    const refinement_outcome made = mesh_of(d, coarse, options);
+    INFO(made.reason);
+    CHECK(made.complete);
+    CHECK(made.sites < most_sites);
+    const auto asked =
+        static_cast<double>(made.counters.at(predicate::orientation, tier::semi_static));
+    CHECK(asked < questions * static_cast<double>(made.sites));
+  };
+  // Before sites were spread as the segments need them, every vertex saw all others.
+  check(polygon(2500, 0), true, 16000, 1000);
+  check(polygon(2500, 0.3), true, 12000, 1000);
+  check(polygon(2500, 0.3), false, 8000, 5000);
+  check(polygon(600, 0), false, 2500, 50000);
 }
 
 TEST_CASE("guaranteed: the limit on sites is kept and named") {

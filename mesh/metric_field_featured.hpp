@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Where a domain has many vertices, sites are first spread as its short segments will need them:
+// near together there, farther apart inside. Triangles of 20 degrees grow about so; without this
+// every vertex sees a good part of all others until refinement has put sites between them, one by
+// one. It decides where sites are proposed and nothing else: they are given the field's own metric.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "asterism/mesh/domain.hpp"
+#include "asterism/mesh/local/site_index.hpp"
+#include "asterism/mesh/metric_field.hpp"
+
+namespace asterism {
+
+// The tensor of `field` divided by h^2: with l_v the shorter segment at the vertex v, in the metric
+// there, and |q - v| measured at q, h is the least of `longest` and of 1.3 l_v + 0.7 |q - v| over
+// all vertices. Isolated vertices have no say.
+class featured_field : public metric_field {
+ public:
+  // `d` as accepted by check_domain; `field` must outlive this. Fails where the field does.
+  static result<featured_field> make(const domain& d, const metric_field& field, double longest);
+
+  // From any thread.
+  result<metric_tensor> at(const point& q) const override;
+
+ private:
+  featured_field(const metric_field& field, double longest) : field_(&field), longest_(longest) {}
+  double length_at(const site& q) const;
+
+  const metric_field* field_;
+  double longest_;
+  bounding_box box_;
+  std::vector<site> vertices_;
+  std::vector<double> shorter_;        // l_v; infinite without a segment
+  std::map<int, site_index> octaves_;  // the vertices with l_v from 2^k to 2^(k + 1)
+};
+
+}  // namespace asterism
