@@ -116,8 +116,8 @@ def growth(done):
     return table(["metric", "program", "triangles", "ten times more cost"], rows), curves
 
 
-def phases(build, metric, size):
-    """Where the time goes and what a second thread brings, in one process."""
+def phases(build, metric, size, wall):
+    """Where the time goes and what a second thread brings, in one process. `wall`: of the command, if known."""
     done = subprocess.run([build / "bench" / "phases_bench", metric, repr(size), "3"], capture_output=True,
                           text=True, check=False)
     if done.returncode != 0:
@@ -133,7 +133,8 @@ def phases(build, metric, size):
         " that took turns. Refinement is fill, stars, survey and mending; bulk building makes all stars at once from"
         " the sites and boundary of the mesh that came out, and holds each against all sites.\n",
         table(["phase", "one thread", "all threads", "speed-up"], rows),
-        f"The audit is {100 * t[audit] / (t[audit] + t[both]):.1f} % of refinement and audit together, files left out;"
+        f"The audit is {100 * t[audit] / (t[audit] + t[both]):.1f} % of refinement and audit together, files left out"
+        + (f", and {100 * t[audit] / wall:.1f} % of the {wall:.3g} s of the whole command" if wall else "") + ";"
         f" refinement with filtered predicates takes {t[both] / t['refinement in doubles, all threads']:.2f} times as"
         " long as with plain doubles, whose stars disagree more often.\n"])
 
@@ -206,7 +207,9 @@ def main():
     if asked.phases:
         size = float(subprocess.run([build / "bench" / "mesh_statistics", "size", "swirl:24", str(asked.phases)],
                                     capture_output=True, text=True, check=True).stdout)
-        page += ["## Threads, and the audit's share\n", phases(build, "swirl:24", size)]
+        wall = next((m.wall() for m in done if isinstance(m.contender, Asterism) and m.runs and
+                     (m.contender.case.metric, m.contender.case.triangles) == ("swirl:24", asked.phases)), None)
+        page += ["## Threads, and the audit's share\n", phases(build, "swirl:24", size, wall)]
     print("\n".join(page), end="")
 
 
