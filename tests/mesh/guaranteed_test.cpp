@@ -268,6 +268,27 @@ TEST_CASE("guaranteed: polygons of many short segments, with a size and without"
   check(polygon(600, 0), false, 2500, 50000);
 }
 
+TEST_CASE(
+    "guaranteed: thin metrics, in which edge tests are exact, are not given up for the work") {
+  // The square stretched by `aspect` along a turned axis, and the metric that undoes it.
+  for (const double aspect : {1e2, 1e4, 1e6, 1e7})
+    for (const double turn : {0.1, 0.7, 1.3}) {
+      const double c = std::cos(turn), s = std::sin(turn), thin = 1 / (aspect * aspect);
+      domain stretched = square();
+      for (point& q : stretched.vertices) {
+        const double along = aspect * (c * q.x + s * q.y), across = c * q.y - s * q.x;
+        q = {c * along - s * across, s * along + c * across};
+      }
+      const metric_tensor m{100 * (c * c * thin + s * s), 100 * c * s * (thin - 1),
+                            100 * (s * s * thin + c * c)};
+      const formula_field undone([&m](const point&) { return m; });
+      const refinement_outcome made = mesh_of(accepted(stretched), undone, with_size(true));
+      INFO(aspect << ", turned by " << turn << ": " << made.reason);
+      CHECK(made.complete);
+      CHECK(made.sites < 700);
+    }
+}
+
 TEST_CASE("guaranteed: the limit on sites is kept and named") {
   refinement_options options = with_size(true);
   const domain d = accepted(square());
