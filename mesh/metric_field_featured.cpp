@@ -43,11 +43,11 @@ result<featured_field> featured_field::make(const domain& d, const metric_field&
 }
 
 result<metric_tensor> featured_field::at(const point& q) const {
-  const auto metric = field_->at(q);
+  auto metric = field_->at(q);
   if (!metric) return metric;
-  const double h = length_at({q, metric.value()}), inverse = 1 / (h * h);
-  if (!(inverse > 0 && inverse < infinity)) return metric;
   const metric_tensor& m = metric.value();
+  const double h = length_at({q, m}), inverse = 1 / (h * h);
+  if (!(inverse > 0 && inverse < infinity)) return metric;
   return metric_tensor{m.m11 * inverse, m.m12 * inverse, m.m22 * inverse};
 }
 
