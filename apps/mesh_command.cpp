@@ -77,6 +77,9 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
          "arcs; darts: random points")
       ->check(CLI::IsMember(strategies))
       ->type_name("HOW");
+  app.add_flag("--no-relaxation{false}", options.relax,
+               "Keep to the metric where stars cannot agree in it, and end with disagreeing "
+               "triangles; else it is made to vary more slowly until they agree, and that is told");
   add_real(
       app, "--tol", positive_reals, [&options](double x) { options.tolerance = x; },
       "Least metric distance between sites (default: chosen, and reported)")

@@ -186,6 +186,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"max-sites", std::to_string(asked.max_sites)},
           {"regions", job.number_regions ? "numbered" : "as given"},
           {"random-points", std::to_string(job.random_points)},
+          {"relax", asked.relax ? "where needed" : "no"},
           {"seed", std::to_string(asked.seed)}};
 }
 
@@ -213,8 +214,14 @@ judged_mesh judge(const mesh_job& job, const prepared_input& input,
   judged.claim.reason = outcome.reason;
   judged.claim.mesher_counters = outcome.counters;
   judged.claim.star_repairs = outcome.star_repairs;
+  judged.claim.relaxed = outcome.relaxed;
   judged.claim.measured = by_name(measure(outcome.result));
   return judged;
+}
+
+std::string text_of_low(const relaxation_report& relaxed, double angle_bound) {
+  return std::to_string(relaxed.low_triangles.size()) + " triangles are below " +
+         text_of(angle_bound) + " degrees as the metric given measures them";
 }
 
 // The certificate comes last: where it is, everything else is too.
@@ -224,7 +231,10 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
   options.picture.ellipses = job.ellipses;
   options.picture.angle_bound = job.refinement.angle_bound;
   if (!claim.complete || !claim.certified)
-    options.note = "Incomplete, not certified: " + claim.reason;
+    options.note = claim.relaxed && claim.certified
+                       ? "Incomplete, certified in a relaxed metric: " +
+                             text_of_low(*claim.relaxed, job.refinement.angle_bound)
+                       : "Incomplete, not certified: " + claim.reason;
   for (const fs::path& output : job.outputs) {
     const auto written = write_mesh(output, made, options);
     if (!written) return written.failure();
@@ -248,7 +258,13 @@ void write_summary(const refinement_outcome& outcome, const audit_report& report
   if (report.voronoi != voronoi_verdict::not_asked)
     std::cout << ", dual of the Voronoi diagram: "
               << voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)];
-  std::cout << (reached ? ": certified\n" : ": NOT certified, incomplete\n");
+  const char* relaxed = outcome.relaxed ? " in a relaxed metric" : "";
+  if (reached)
+    std::cout << ": certified" << relaxed << '\n';
+  else if (outcome.relaxed && report.certified)
+    std::cout << ": certified" << relaxed << ", NOT complete\n";
+  else
+    std::cout << ": NOT certified, incomplete\n";
 }
 
 int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit_report& report,
@@ -258,6 +274,7 @@ int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit
   if (job.size) unit_edges = claim.measured.at("unit_edges");
   if (!job.quiet && outcome.improved)
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
+  if (!job.quiet && outcome.relaxed && reached) std::cout << "relaxed: " << outcome.reason << '\n';
   if (!job.quiet) write_summary(outcome, report, reached, unit_edges);
   const bool dual_as_asked = !job.prove_voronoi || report.voronoi == voronoi_verdict::proved;
   if (reached && dual_as_asked) return done;

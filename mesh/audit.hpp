@@ -138,6 +138,7 @@ struct audit_report {
   audited_angle worst_exempt;           // over those at them, below the bound or not
   std::vector<index> exempt_corners;    // proven, ascending
   std::vector<index> exempt_triangles;  // those below the bound at them, ascending
+  std::vector<index> low_triangles;     // all others below the bound, ascending
   // Upper bound of the distance of a split point from its segment, in units of the domain.
   double largest_deviation = 0;
 

@@ -53,6 +53,8 @@ void audit_context::take(audit_tally&& tally) {
   keep_least(report.worst_exempt, tally.part.worst_exempt);
   report.exempt_triangles.insert(report.exempt_triangles.end(), tally.part.exempt_triangles.begin(),
                                  tally.part.exempt_triangles.end());
+  report.low_triangles.insert(report.low_triangles.end(), tally.part.low_triangles.begin(),
+                              tally.part.low_triangles.end());
   report.decisions += tally.part.decisions;
   report.exact_decisions += tally.part.exact_decisions;
   report.star_pairs += tally.part.star_pairs;

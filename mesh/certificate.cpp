@@ -63,6 +63,7 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.worst_angle = report.worst.degrees;
   c.exempt_corners = report.exempt_corners;
   c.exempt_triangles = report.exempt_triangles;
+  c.low_triangles = report.low_triangles;
   c.largest_deviation = report.largest_deviation;
   c.domain_checked = report.domain_checked;
   c.angles_checked = report.angles_checked;

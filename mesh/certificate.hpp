@@ -20,6 +20,7 @@
 #include "asterism/mesh/audit.hpp"
 #include "asterism/mesh/domain.hpp"
 #include "asterism/mesh/mesh.hpp"
+#include "asterism/mesh/mesher.hpp"
 
 namespace asterism {
 
@@ -37,12 +38,15 @@ struct certificate {
   std::size_t sites = 0, triangles = 0, boundary_pieces = 0, given = 0;
   std::uint64_t fingerprint = 0;
   std::size_t star_repairs = 0;  // stars a local search had got wrong, mended before the end
+  // Where the mesh is of another metric than the one asked for; without the tensors given.
+  std::optional<relaxation_report> relaxed;
   // What mesh_statistics.hpp measures, by the names there; those that are finite.
   std::map<std::string, double> measured;
   std::optional<double> angle_bound;  // degrees
   double worst_angle = 180;           // away from exempt corners
   std::vector<index> exempt_corners;
   std::vector<index> exempt_triangles;
+  std::vector<index> low_triangles;  // below the bound, and not exempt
   double largest_deviation = 0;
   bool domain_checked = false, angles_checked = false, stars_checked = false;
   bool certified = false;

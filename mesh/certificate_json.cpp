@@ -21,6 +21,10 @@ using json = nlohmann::ordered_json;  // keys in the order written: the text is 
 
 constexpr std::string_view format_name = "asterism certificate 1";
 
+// In the order of relaxation_kind.
+constexpr std::array<std::string_view, 4> relaxation_kind_names = {"softened", "graded", "constant",
+                                                                   "without demands"};
+
 // Thrown by the readers below, inside parse_certificate alone.
 struct malformed : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -90,6 +94,23 @@ json measured_json(const certificate& c) {
   return result;
 }
 
+// The metric the mesh is of, held against the one asked for.
+json relaxed_json(const certificate& c) {
+  if (!c.relaxed) return nullptr;
+  const relaxation_report& r = *c.relaxed;
+  return {{"why", r.why},
+          {"kind", relaxation_kind_names[static_cast<std::size_t>(r.kind)]},
+          {"power", r.power},
+          {"beta", r.beta},
+          {"reach", r.reach},
+          {"tries", r.tries},
+          {"vertices_changed", r.changed},
+          {"most_longer", r.most_longer},
+          {"most_shorter", r.most_shorter},
+          {"worst_angle_as_given", r.worst_angle},
+          {"low_triangles_as_given", from_one(r.low_triangles)}};
+}
+
 json audit_json(const certificate& c) {
   json found = json::object();
   for (const auto& [kind, count] : c.found) found[kind] = count;
@@ -101,6 +122,7 @@ json audit_json(const certificate& c) {
           {"worst_angle", c.worst_angle},
           {"exempt_corners", from_one(c.exempt_corners)},
           {"exempt_triangles", from_one(c.exempt_triangles)},
+          {"low_triangles", from_one(c.low_triangles)},
           {"largest_boundary_deviation",
            std::isfinite(c.largest_deviation) ? json(c.largest_deviation) : json(nullptr)},
           {"findings", std::move(found)},
@@ -223,6 +245,30 @@ voronoi_verdict voronoi_of(const json& object) {
   return static_cast<voronoi_verdict>(place - voronoi_verdict_names.begin());
 }
 
+// Certificates written before metrics were relaxed say nothing of it.
+std::optional<relaxation_report> relaxed_of(const json& outcome) {
+  if (!outcome.contains("relaxed") || outcome["relaxed"].is_null()) return std::nullopt;
+  const json& object = outcome["relaxed"];
+  relaxation_report r;
+  r.why = read<std::string>(object, "why");
+  const auto kind = read<std::string>(object, "kind");
+  const auto place =
+      std::find(relaxation_kind_names.begin(), relaxation_kind_names.end(), kind);
+  if (place == relaxation_kind_names.end())
+    throw malformed("\"kind\" holds \"" + kind + "\", which is no way to relax a metric");
+  r.kind = static_cast<relaxation_kind>(place - relaxation_kind_names.begin());
+  r.power = read<double>(object, "power");
+  r.beta = read<double>(object, "beta");
+  r.reach = read<double>(object, "reach");
+  r.tries = count_of(object, "tries");
+  r.changed = count_of(object, "vertices_changed");
+  r.most_longer = read<double>(object, "most_longer");
+  r.most_shorter = read<double>(object, "most_shorter");
+  r.worst_angle = read<double>(object, "worst_angle_as_given");
+  r.low_triangles = indices_of(object, "low_triangles_as_given");
+  return r;
+}
+
 void read_audit(const json& object, certificate& c) {
   c.certified = read<bool>(object, "certified");
   c.domain_checked = read<bool>(object, "domain_checked");
@@ -232,6 +278,7 @@ void read_audit(const json& object, certificate& c) {
   c.worst_angle = read<double>(object, "worst_angle");
   c.exempt_corners = indices_of(object, "exempt_corners");
   c.exempt_triangles = indices_of(object, "exempt_triangles");
+  if (object.contains("low_triangles")) c.low_triangles = indices_of(object, "low_triangles");
   const json& deviation = member(object, "largest_boundary_deviation");
   c.largest_deviation = deviation.is_null() ? std::numeric_limits<double>::infinity()
                                             : read<double>(object, "largest_boundary_deviation");
@@ -254,6 +301,7 @@ certificate certificate_of(const json& root) {
   c.reason = read<std::string>(outcome, "reason");
   c.mesher_counters = counters_of(outcome, "decided");
   c.star_repairs = outcome.contains("star_repairs") ? count_of(outcome, "star_repairs") : 0;
+  c.relaxed = relaxed_of(outcome);
   read_mesh(member(root, "mesh"), c);
   if (root.contains("measured")) c.measured = read<std::map<std::string, double>>(root, "measured");
   read_audit(member(root, "audit"), c);
@@ -277,6 +325,7 @@ std::string certificate_text(const certificate& c) {
                       {{"complete", c.complete},
                        {"reason", c.reason},
                        {"star_repairs", c.star_repairs},
+                       {"relaxed", relaxed_json(c)},
                        {"decided", counters_json(c.mesher_counters)}}},
                      {"mesh", mesh_json(c)},
                      {"measured", measured_json(c)},

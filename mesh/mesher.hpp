@@ -44,6 +44,10 @@ struct refinement_options {
   std::uint64_t seed = 1;  // darts
   // What is complete is improved in so many passes at most (improvement.hpp); each refines anew.
   std::size_t improve_passes = 0;
+  // Where the stars cannot agree in the metric as given, it is made to vary more slowly until they
+  // do (relaxation.hpp), and the outcome says so; `guaranteed` alone. Without this a run ends with
+  // disagreeing triangles there.
+  bool relax = true;
 };
 
 struct refinement_progress {
@@ -70,6 +74,23 @@ struct improvement_report {
   bool stopped = false;  // by options.stop; the mesh is what had been accepted
 };
 
+enum class relaxation_kind { softened, graded, constant, without_demands };
+
+// The mesh is of another metric than the one given, in which the stars could not agree.
+struct relaxation_report {
+  std::string why;  // how refinement ended in the metric as given, one sentence
+  relaxation_kind kind = relaxation_kind::softened;  // relaxation.hpp
+  double power = 1;            // of the aspects where they are softened
+  double beta = 1, reach = 1;  // graded: lengths differ by beta at most over the length reach
+  std::size_t tries = 0;  // meshes begun until the stars agreed, the one in the metric given left out
+  std::vector<metric_tensor> given;  // of each site, what the field says there
+  std::size_t changed = 0;           // sites with another tensor than that
+  double most_longer = 1, most_shorter = 1;  // by which some length at a site is measured so
+  // As the tensors given measure them, away from corners that are sharp in these.
+  double worst_angle = 180;
+  std::vector<index> low_triangles;  // below the bound, ascending
+};
+
 struct refinement_outcome {
   bool complete = false;
   bool stopped = false;  // by options.stop
@@ -78,6 +99,8 @@ struct refinement_outcome {
   double tolerance = 0;  // the one in force at the end
   std::size_t sites = 0, triangles = 0, disagreeing = 0, low_angle = 0, too_large = 0;
   std::size_t unmade = 0;  // sites whose star was never made, as the run ended before
+  bool jumps = false;      // some disagree where the metric jumps, or all but jumps
+  bool crowded = false;    // the fill was given up (fill/fill.hpp): the given vertices alone
   std::size_t inserted = 0, splits = 0, candidates_rejected = 0;
   // Where the size wanted would have taken more sites than max_sites allows, edges were made this
   // many times as long, all of them, and about so many sites would have been wanted.
@@ -88,6 +111,9 @@ struct refinement_outcome {
   std::vector<triangle> exempt_triangles;  // those of result.triangles below the bound at them
   tier_counters counters;
   std::optional<improvement_report> improved;  // where passes were asked for and it is complete
+  // Complete, if the mesh is of a relaxed metric, means that the angle bound is met in the metric
+  // given as well.
+  std::optional<relaxation_report> relaxed;
 };
 
 // `d` must have been accepted by check_domain. Fails only where the metric field does, or for

@@ -124,6 +124,7 @@ result<budgeted_filling> fill_within_budget(
 void report_crowded(const budgeted_filling& filled, refinement_outcome& outcome) {
   const auto& crowded = filled.proposed.crowded;
   if (!crowded || outcome.complete) return;
+  outcome.crowded = true;
   const point at = filled.frame.outward(crowded->where);
   outcome.reason = fmt::format(
       "the metric varies too fast for sites to be spread: of {} proposed, the one at ({}, {}) has "

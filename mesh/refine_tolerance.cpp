@@ -15,7 +15,8 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double arc_fraction = 0.2;
-constexpr double arc_ladder = 1024;  // from start to floor
+constexpr double arc_ladder = 1024;      // from start to floor
+constexpr double arc_finest_part = 256;  // of start
 // After a fill, defects are mended at points nearly as far from all sites as the fill's own.
 constexpr double fill_fraction = 0.6;
 constexpr double fill_ladder = 128;  // from start to floor
@@ -61,7 +62,9 @@ tolerance_range choose_tolerance(const refine_state& state, index vertices,
     const double start = dart_fraction * median_distance(state.sites(), near, most);
     return {start, std::min(start, shortest) / dart_ladder};
   }
-  return {arc_fraction * shortest, arc_fraction * shortest / arc_ladder};
+  tolerance_range arcs{arc_fraction * shortest, arc_fraction * shortest / arc_ladder};
+  arcs.finest = arcs.start / arc_finest_part;
+  return arcs;
 }
 
 std::string format_number(double value) {

@@ -22,7 +22,7 @@ struct tolerance_range {
   double start = 0;
   double floor = 0;
   double shrink = 0.5;  // of the arcs; refine_darts.hpp has its own
-  double finest = 0;    // after a fill: how near sites may have to be because the metric varies
+  double finest = 0;    // how near sites may have to be because the metric varies; not of darts
 };
 
 // `vertices` is the number of the domain's vertices, which are the first sites.

@@ -79,7 +79,8 @@ class refinement {
       return end("the limit of " + std::to_string(options_.max_sites) + " sites was reached");
     }
     if (is_spent()) {
-      if (!std::exchange(spent_, true) && rebuild_all_stale()) return;
+      const bool again = !is_for_relaxation() && !std::exchange(spent_, true);
+      if (again && rebuild_all_stale()) return;
       return end(spent_message());
     }
     if (improve()) return;
@@ -111,6 +112,7 @@ class refinement {
         if (!stars.is_confirmed(v) && !stars.is_unsettled(v)) unconfirmed.push_back(v);
       }
     }
+    if (is_for_relaxation()) return false;
     if (rebuild(std::move(stale), star_search::near)) return true;
     // Where metrics vary much all sites are in reach, so this waits until there are a tenth more.
     if (10 * state_.sites().size() < 11 * confirmed_at_) return false;
@@ -123,10 +125,14 @@ class refinement {
   // neighbours keep the others from agreeing; to go on to the floor would take days.
   bool is_spent() const {
     constexpr std::size_t at_least = 1000;
-    return spent_ || state_.is_overworked() ||
+    return spent_ || is_for_relaxation() || state_.is_overworked() ||
            (!steep_.empty() &&
             state_.sites().size() > given_up_at_ + std::max(at_least, given_up_at_ / 16));
   }
+
+  // What disagrees across a jump goes on to, whatever is mended elsewhere: the metric will be
+  // relaxed for it, and all be meshed anew (relaxation.hpp).
+  bool is_for_relaxation() const { return options_.relax && jump_disagrees_; }
 
   bool rebuild_all_stale() {
     std::vector<index> stale;
@@ -218,12 +224,15 @@ class refinement {
   // is too steep; then it is put aside for good.
   bool is_at_jump(const bad_triangle& b) {
     if (options_.strategy != refinement_strategy::guaranteed) return false;
+    // Without a size triangles may be so large that the metric is another at every corner.
+    if (!options_.limit_size && b.why != badness::disagreeing) return false;
     const bool beside = b.why != badness::too_large &&
                         std::any_of(b.where.begin(), b.where.end(),
                                     [this](index v) { return at_jump_.count(v) != 0; });
     if (!beside && !is_too_steep(b.where)) return false;
     if (steep_.empty()) given_up_at_ = state_.sites().size();
     if (!beside) at_jump_.insert(b.where.begin(), b.where.end());
+    if (b.why == badness::disagreeing) jump_disagrees_ = true;
     steep_.insert(b.where);
     return true;
   }
@@ -337,6 +346,7 @@ class refinement {
     consistency_report now = check_consistency(state_.oracle(), state_.stars());
     o.complete = complete_;
     o.stopped = stopped_;
+    o.jumps = jump_disagrees_;
     o.reason = reason_;
     o.unmade = state_.stars().unmade();
     if (o.unmade > 0)
@@ -379,7 +389,7 @@ class refinement {
   std::set<index> at_jump_;   // the sites of the triangles across such places
   std::size_t repairs_ = 0, thorough_at_ = 0, confirmed_at_ = 0;  // the last two: numbers of sites
   std::size_t given_up_at_ = 0;  // the number of sites when the first triangle became steep
-  bool spent_ = false;
+  bool spent_ = false, jump_disagrees_ = false;
   std::size_t rejected_ = 0;
   bool complete_ = false, ended_ = false, stopped_ = false;
   std::string reason_;

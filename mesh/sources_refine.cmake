@@ -20,6 +20,7 @@ target_sources(asterism PRIVATE
   refine_survey.cpp
   refine_tolerance.cpp
   refinement.cpp
+  relaxation.cpp
   star.cpp
   star_confirmation.cpp
   star_construction.cpp

@@ -20,7 +20,7 @@ namespace asterism {
 // them. This is the work done as a part of the most that is done: 1 is the bound.
 inline double part_of_work_bound(const tier_counters& counts, std::size_t sites,
                                  std::size_t given) {
-  constexpr double edge_tests_at_least = 1e6, edge_tests_for_each = 1e3, edge_tests_a_pair = 20,
+  constexpr double edge_tests_at_least = 2e5, edge_tests_for_each = 1e3, edge_tests_a_pair = 20,
                    others_at_least = 1e8, others_for_each = 1e5, others_a_pair = 1000;
   std::uint64_t edge_tests = 0, others = 0;
   for (std::size_t which = 0; which < predicate_count; ++which) {

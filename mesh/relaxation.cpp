@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/relaxation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/audit.hpp"
+#include "asterism/mesh/metric_algebra.hpp"
+#include "asterism/mesh/metric_field_graded.hpp"
+#include "asterism/mesh/metric_field_sized.hpp"
+#include "asterism/mesh/refine_budget.hpp"
+#include "asterism/mesh/refinement.hpp"
+#include "asterism/mesh/unit_frame.hpp"
+
+namespace asterism {
+namespace {
+
+metric_tensor times(double factor, const metric_tensor& m) {
+  return {factor * m.m11, factor * m.m12, factor * m.m22};
+}
+
+// A field in other units of length. Where it fails, in the box but perhaps not in the domain, it
+// says nothing: `elsewhere` is so weak that no intersection takes notice of it.
+class rescaled_field : public metric_field {
+ public:
+  rescaled_field(const metric_field& field, double factor, const metric_tensor& elsewhere)
+      : field_(&field), factor_(factor), elsewhere_(elsewhere) {}
+  result<metric_tensor> at(const point& q) const override {
+    const auto given = field_->at(q);
+    return given ? times(factor_, given.value()) : elsewhere_;
+  }
+
+ private:
+  const metric_field* field_;
+  double factor_;
+  metric_tensor elsewhere_;
+};
+
+// The same density of sites, with triangles less thin: the aspect raised to a power below one.
+class softened_field : public metric_field {
+ public:
+  softened_field(const metric_field& field, double power) : field_(&field), power_(power) {}
+  result<metric_tensor> at(const point& q) const override {
+    const auto given = field_->at(q);
+    if (!given) return given;
+    const tensor_logarithm l = logarithm(given.value());
+    const double density = (l.l11 + l.l22) / 2;
+    return checked_tensor(q, exponential({density + power_ * (l.l11 - density), power_ * l.l12,
+                                          density + power_ * (l.l22 - density)}));
+  }
+
+ private:
+  const metric_field* field_;
+  double power_;
+};
+
+class constant_field : public metric_field {
+ public:
+  explicit constant_field(const metric_tensor& m) : m_(m) {}
+  result<metric_tensor> at(const point& q) const override { return checked_tensor(q, m_); }
+
+ private:
+  metric_tensor m_;
+};
+
+// Made in a frame and in other units; seen from outside.
+class relaxed_field : public metric_field {
+ public:
+  relaxed_field(std::unique_ptr<metric_field> inner, double factor, const unit_frame& frame)
+      : inner_(std::move(inner)), factor_(factor), frame_(frame) {}
+  result<metric_tensor> at(const point& q) const override {
+    const auto there = inner_->at(frame_.inward(q));
+    if (!there) return there;
+    return checked_tensor(q, frame_.outward(times(factor_, there.value())));
+  }
+
+ private:
+  std::unique_ptr<metric_field> inner_;
+  double factor_;
+  unit_frame frame_;
+};
+
+metric_tensor mean_of(const std::vector<metric_tensor>& tensors) {
+  tensor_logarithm mean;
+  const double part = 1 / static_cast<double>(tensors.size());
+  for (const metric_tensor& m : tensors) {
+    const tensor_logarithm l = logarithm(m);
+    mean = {mean.l11 + part * l.l11, mean.l12 + part * l.l12, mean.l22 + part * l.l22};
+  }
+  return exponential(mean);
+}
+
+// The ratios of lengths as b and a measure them: the greatest, and the greatest the other way. In
+// long doubles since squares of tensors may leave the range of doubles.
+std::pair<double, double> longer_and_shorter(const metric_tensor& b, const metric_tensor& a) {
+  const long double a11 = a.m11, a12 = a.m12, a22 = a.m22, b11 = b.m11, b12 = b.m12, b22 = b.m22;
+  const long double determinant = a11 * a22 - a12 * a12;
+  const long double half = (b11 * a22 - 2 * b12 * a12 + b22 * a11) / (2 * determinant);
+  const long double product = (b11 * b22 - b12 * b12) / determinant;
+  const long double greatest = half + std::sqrt(std::max(half * half - product, 0.0L));
+  const double longer = std::sqrt(static_cast<double>(greatest));
+  return {longer, longer / std::sqrt(static_cast<double>(product))};
+}
+
+// One way to make the metric slower; `reach` is in the frame.
+struct relaxation_step {
+  relaxation_kind kind = relaxation_kind::softened;
+  double power = 1, beta = 1, reach = 1;  // as in relaxation_report
+};
+
+class relaxation {
+ public:
+  relaxation(const star_kernel& kernel, const domain& d, const metric_field& field,
+             const refinement_options& options,
+             const std::function<void(const refinement_progress&)>& progress,
+             refinement_outcome as_given)
+      : kernel_(kernel),
+        domain_(d),
+        field_(field),
+        options_(options),
+        progress_(progress),
+        as_given_(std::move(as_given)),
+        frame_(unit_frame::choose(d, field, !options.limit_size && !options.tolerance)),
+        image_(frame_.inward(d)),
+        framed_(field, frame_) {}
+
+  result<refinement_outcome> run() {
+    if (auto failure = measure_sites()) return *failure;
+    if (!as_given_.jumps)
+      for (const double power : {0.7, 0.5})
+        if (is_final(attempt({relaxation_kind::softened, power, 1, 1}))) return conclude();
+    constexpr double part_of_domain = 1.0 / 16;
+    double reach = options_.limit_size ? 1 : part_of_domain * extent_;
+    for (const double beta : {1.5, 1.2}) {
+      if (is_final(attempt({relaxation_kind::graded, 1, beta, reach}))) return conclude();
+      if (crowded_) break;
+      if (longer_edges_ <= reach) continue;
+      reach = 2 * longer_edges_;  // fewer sites, and more for the slower metric
+      if (is_final(attempt({relaxation_kind::graded, 1, beta, reach}))) return conclude();
+    }
+    for (const auto kind : {relaxation_kind::constant, relaxation_kind::without_demands})
+      if (is_final(attempt({kind, 1, 1, extent_}))) return conclude();
+    return std::move(as_given_);
+  }
+
+ private:
+  // The mean of the metric and the extent of the domain in it, both in the frame.
+  std::optional<error> measure_sites() {
+    std::vector<metric_tensor> tensors;
+    for (const site& s : as_given_.result.sites) {
+      const auto m = field_.at(s.position);
+      if (!m) return m.failure();
+      tensors.push_back(frame_.inward(m.value()));
+    }
+    mean_ = mean_of(tensors);
+    const bounding_box box = image_.box();
+    const double x = box.high.x - box.low.x, y = box.high.y - box.low.y;
+    extent_ = std::sqrt(mean_.m11 * x * x + 2 * std::abs(mean_.m12) * x * y + mean_.m22 * y * y);
+    return std::nullopt;
+  }
+
+  // Empty where it cannot be made, or is what has been meshed already.
+  std::unique_ptr<metric_field> make_field() const {
+    const auto outward = [this](std::unique_ptr<metric_field> inner, double factor) {
+      return std::make_unique<relaxed_field>(std::move(inner), factor, frame_);
+    };
+    if (step_.kind == relaxation_kind::softened)
+      return outward(std::make_unique<softened_field>(framed_, step_.power), 1);
+    if (step_.kind != relaxation_kind::graded)
+      return outward(std::make_unique<constant_field>(mean_), 1);
+    constexpr double weak = 0x1p-60;
+    const double factor = 1 / (step_.reach * step_.reach);
+    const double least = weak * factor * std::min(mean_.m11, mean_.m22);
+    auto graded = grade_metric(
+        std::make_unique<rescaled_field>(framed_, factor, metric_tensor{least, 0, least}),
+        image_.box(), {.beta = step_.beta});
+    if (!graded || graded.value().report.changed == 0) return nullptr;
+    return outward(std::move(graded.value().field), 1 / factor);
+  }
+
+  // Whether sites can be spread, and how many times as long edges will be for the limit on them.
+  void try_to_fill(const metric_field& relaxed) {
+    crowded_ = false;
+    longer_edges_ = 1;
+    if (!options_.limit_size || step_.kind != relaxation_kind::graded) return;
+    const auto filled = fill_within_budget(frame_, domain_, relaxed, options_, progress_);
+    if (!filled) return;
+    crowded_ = filled.value().proposed.crowded.has_value();
+    longer_edges_ = std::exp2(filled.value().halvings / 2.0);
+  }
+
+  // Leaves what came of it in tried_; nothing where sites cannot be spread, or edges will be longer
+  // than the field was made for.
+  const std::optional<refinement_outcome>& attempt(const relaxation_step& step) {
+    step_ = step;
+    tried_.reset();
+    const auto relaxed = make_field();
+    if (!relaxed) return tried_;
+    try_to_fill(*relaxed);
+    if (crowded_ || longer_edges_ > step.reach) return tried_;
+    ++tries_;
+    refinement_options options = options_;
+    options.keep_if_complete = false;
+    if (step.kind == relaxation_kind::without_demands) {
+      options.angle_bound = 0;
+      options.limit_size = false;
+    }
+    const auto own_kernel = kernel_.fork();  // the work done for one mesh is counted from zero
+    auto made = refine_on(*own_kernel, domain_, *relaxed, options, progress_);
+    kernel_.count(own_kernel->counters());
+    if (made) tried_ = std::move(made).value();
+    return tried_;
+  }
+
+  static bool is_final(const std::optional<refinement_outcome>& tried) {
+    if (!tried) return false;
+    const bool agrees = tried->disagreeing == 0 && tried->unmade == 0 && !tried->crowded;
+    return agrees || tried->stopped;
+  }
+
+  result<refinement_outcome> conclude() {
+    if (tried_->stopped) {
+      as_given_.stopped = true;
+      as_given_.reason = tried_->reason + ", in the metric relaxed; before that, in the metric given, " +
+                         as_given_.reason;
+      return std::move(as_given_);
+    }
+    relaxation_report report;
+    report.why = as_given_.reason;
+    report.kind = step_.kind;
+    report.power = step_.power;
+    report.beta = step_.beta;
+    report.reach = frame_.length_outward(step_.reach);
+    report.tries = tries_;
+    if (auto failure = compare(report)) return *failure;
+    judge(report);
+    if (step_.kind == relaxation_kind::without_demands) tried_->complete = false;
+    tried_->complete = tried_->complete && report.low_triangles.empty();
+    tried_->reason = reason(report);
+    tried_->relaxed = std::move(report);
+    return *std::move(tried_);
+  }
+
+  // The sites' own tensors with those the field gives.
+  std::optional<error> compare(relaxation_report& report) const {
+    for (const site& s : tried_->result.sites) {
+      const auto given = field_.at(s.position);
+      if (!given) return given.failure();
+      report.given.push_back(given.value());
+      if (given.value() == s.metric) continue;
+      ++report.changed;
+      const auto [longer, shorter] =
+          longer_and_shorter(frame_.inward(s.metric), frame_.inward(given.value()));
+      report.most_longer = std::max(report.most_longer, longer);
+      report.most_shorter = std::max(report.most_shorter, shorter);
+    }
+    return std::nullopt;
+  }
+
+  // The angles in the metric given, by the auditor's exact test.
+  void judge(relaxation_report& report) const {
+    mesh as_given = tried_->result;
+    for (index v = 0; v < as_given.sites.size(); ++v) as_given.sites[v].metric = report.given[v];
+    audit_options options;
+    options.angle_bound = options_.angle_bound;
+    options.find_exempt_corners = true;
+    options.check_stars = false;
+    audit_report found = audit(as_given, options);
+    report.worst_angle = found.worst.degrees;
+    report.low_triangles = std::move(found.low_triangles);
+  }
+
+  static std::string metric_text(const relaxation_report& report) {
+    switch (report.kind) {
+      case relaxation_kind::softened:
+        return fmt::format("the metric with aspects to the power of {}", report.power);
+      case relaxation_kind::graded:
+        return fmt::format("the metric graded with {} over the length {:.4g}", report.beta,
+                           report.reach);
+      case relaxation_kind::constant:
+        return "one metric for all";
+      case relaxation_kind::without_demands:
+        break;
+    }
+    return "one metric for all, with no demands on angles and sizes";
+  }
+
+  std::string reason(const relaxation_report& report) const {
+    return fmt::format(
+        "stars cannot agree in the metric given ({}); they agree in {}, which differs from it at {} "
+        "of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as the "
+        "metric given measures them {} triangles are below {} degrees, the worst {:.2f}",
+        report.why, metric_text(report), report.changed, report.given.size(), report.most_longer,
+        report.most_shorter, tried_->reason, report.low_triangles.size(), options_.angle_bound,
+        report.worst_angle);
+  }
+
+  const star_kernel& kernel_;
+  const domain& domain_;
+  const metric_field& field_;
+  const refinement_options& options_;
+  const std::function<void(const refinement_progress&)>& progress_;
+  refinement_outcome as_given_;
+  unit_frame frame_;
+  domain image_;  // in the frame, as all that follows
+  framed_field framed_;
+  metric_tensor mean_;
+  double extent_ = 0;
+  std::optional<refinement_outcome> tried_;
+  relaxation_step step_;  // of the last attempt, as what follows
+  bool crowded_ = false;
+  double longer_edges_ = 1;
+  std::size_t tries_ = 0;
+};
+
+}  // namespace
+
+bool wants_relaxation(const refinement_outcome& made, const refinement_options& options) {
+  return options.relax && options.strategy == refinement_strategy::guaranteed && !made.stopped &&
+         !made.complete && (made.disagreeing > 0 || made.unmade > 0 || made.crowded);
+}
+
+result<refinement_outcome> refine_relaxed(
+    const star_kernel& kernel, const domain& d, const metric_field& field,
+    const refinement_options& options,
+    const std::function<void(const refinement_progress&)>& progress, refinement_outcome as_given) {
+  return relaxation(kernel, d, field, options, progress, std::move(as_given)).run();
+}
+
+}  // namespace asterism
