@@ -296,8 +296,7 @@ class angle_check {
         failed |= !is_wide(t, at, perspective, may_fail, above[i]);
       }
     }
-    if (failed)
-      (may_fail ? tally_.part.exempt_triangles : tally_.part.low_triangles).push_back(t);
+    if (failed) (may_fail ? tally_.part.exempt_triangles : tally_.part.low_triangles).push_back(t);
   }
 
  private:

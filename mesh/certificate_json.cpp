@@ -252,8 +252,7 @@ std::optional<relaxation_report> relaxed_of(const json& outcome) {
   relaxation_report r;
   r.why = read<std::string>(object, "why");
   const auto kind = read<std::string>(object, "kind");
-  const auto place =
-      std::find(relaxation_kind_names.begin(), relaxation_kind_names.end(), kind);
+  const auto place = std::find(relaxation_kind_names.begin(), relaxation_kind_names.end(), kind);
   if (place == relaxation_kind_names.end())
     throw malformed("\"kind\" holds \"" + kind + "\", which is no way to relax a metric");
   r.kind = static_cast<relaxation_kind>(place - relaxation_kind_names.begin());

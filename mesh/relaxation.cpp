@@ -227,7 +227,8 @@ class relaxation {
   result<refinement_outcome> conclude() {
     if (tried_->stopped) {
       as_given_.stopped = true;
-      as_given_.reason = tried_->reason + ", in the metric relaxed; before that, in the metric given, " +
+      as_given_.reason = tried_->reason +
+                         ", in the metric relaxed; before that, in the metric given, " +
                          as_given_.reason;
       return std::move(as_given_);
     }
@@ -293,8 +294,10 @@ class relaxation {
 
   std::string reason(const relaxation_report& report) const {
     return fmt::format(
-        "stars cannot agree in the metric given ({}); they agree in {}, which differs from it at {} "
-        "of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as the "
+        "stars cannot agree in the metric given ({}); they agree in {}, which differs from it at "
+        "{} "
+        "of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as "
+        "the "
         "metric given measures them {} triangles are below {} degrees, the worst {:.2f}",
         report.why, metric_text(report), report.changed, report.given.size(), report.most_longer,
         report.most_shorter, tried_->reason, report.low_triangles.size(), options_.angle_bound,

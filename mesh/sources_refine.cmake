@@ -4,6 +4,12 @@ target_sources(asterism PRIVATE
   consistency.cpp
   constructions.cpp
   constructions_polynomial.cpp
+  fitting.cpp
+  fitting_energy.cpp
+  fitting_mesh.cpp
+  fitting_mesh_build.cpp
+  fitting_moves.cpp
+  fitting_surgery.cpp
   given_distances.cpp
   improvement.cpp
   improvement_proposal.cpp
