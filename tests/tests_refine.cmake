@@ -13,6 +13,9 @@ asterism_test(test_improvement
 asterism_test(test_local
   SOURCES mesh/local_index_test.cpp mesh/given_distances_test.cpp mesh/statistics_test.cpp
           mesh/thin_metric_test.cpp mesh/audit_meshes.cpp)
+asterism_test(test_relaxation
+  SOURCES mesh/relaxation_test.cpp
+  LINK tbb)
 asterism_test(test_guaranteed
   SOURCES mesh/guaranteed_test.cpp mesh/extreme_numbers_test.cpp
   LINK tbb)
