@@ -11,8 +11,8 @@
 //     without a size over a sixteenth of the domain; over more where the limit on sites makes edges
 //     longer.
 //  3. Everywhere the same: the log-Euclidean mean of the tensors at the sites there are.
-//  4. The same without demands on angles and sizes. Equal metrics make stars those of a constrained
-//     Delaunay triangulation, which agree.
+//  4. The same without demands on angles and sizes. Where no piece is encroached, equal metrics
+//     make the stars those of one Delaunay triangulation.
 // Eight meshes at most, each of which ends by the bounds of refinement.
 //
 // What holds: the tensors delivered and given are both reported, the mesh is certified in the

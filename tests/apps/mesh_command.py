@@ -59,13 +59,55 @@ class Mesh(command.CommandTest):
                                 "--max-sites", "40", "-o", "m.mesh", "-o", "m.vtu", "-o", "m.svg",
                                 "--certificate", "c.json")
         self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stdout, "NOT certified, incomplete")
+        self.assertRegex(done.stdout, "NOT complete|NOT certified, incomplete")
         self.assertRegex(done.stderr, r"\Aasterism: not reached: .*40")
         self.assertFalse(json.loads((self.folder / "c.json").read_text())["outcome"]["complete"])
         for name in ("m.mesh", "m.vtu", "m.svg"):
             head = (self.folder / name).read_text().splitlines()[1]
             self.assertRegex(head, "Incomplete, not certified: .*40", name)
         self.assertEqual(self.run_command("verify", "m.mesh", "--certificate", "c.json").returncode, 1)
+
+    def test_a_metric_in_which_stars_cannot_agree(self):
+        turning = "expr:sin(6*x)*sin(6*y)>0?100:4;0;sin(6*x)*sin(6*y)>0?4:100"
+        job = ["mesh", "square", "--metric", turning, "--size", "1", "-o", "m.mesh", "-o", "m.svg"]
+        done = self.run_command(*job)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, ", 0 disagreeing, .*: certified in a relaxed metric, NOT complete\n")
+        self.assertRegex(done.stderr, r"\Aasterism: not reached: stars cannot agree in the metric given .*"
+                         r"one at \(\S+, \S+\).*; they agree in the metric graded with 1.5 .*"
+                         r"as the metric given measures them \d+ triangles are below 20 degrees")
+        claim = json.loads((self.folder / "m.certificate.json").read_text())
+        self.assertTrue(claim["audit"]["certified"])
+        self.assertEqual(claim["audit"]["low_triangles"], [])
+        relaxed = claim["outcome"]["relaxed"]
+        self.assertEqual(relaxed["kind"], "graded")
+        low = relaxed["low_triangles_as_given"]
+        self.assertGreater(len(low), 0)
+        self.assertEqual(low, sorted(set(low)))
+        self.assertLess(relaxed["worst_angle_as_given"], 20)
+        self.assertLessEqual(low[-1], claim["mesh"]["triangles"])
+        self.assertRegex((self.folder / "m.svg").read_text().splitlines()[1],
+                         "Incomplete, certified in a relaxed metric: %d triangles are below 20" % len(low))
+        done = self.run_command("verify", "m.mesh", "--certificate", "none.json")
+        self.assertEqual(done.returncode, 2)
+        (self.folder / "m.certificate.json").unlink()
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+
+        done = self.run_command(*job, "--no-relaxation")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, ", [1-9]\\d* disagreeing, .*: NOT certified, incomplete\n")
+        claim = json.loads((self.folder / "m.certificate.json").read_text())
+        self.assertIsNone(claim["outcome"]["relaxed"])
+        self.assertEqual(claim["asked"]["options"]["relax"], "no")
+
+    def test_a_jump_in_size_is_complete_and_told(self):
+        done = self.run_command("mesh", "square", "--metric", "expr:x<0.1?100:1;0;x<0.1?100:1",
+                                "--size", "1", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"\Arelaxed: stars cannot agree in the metric given .*"
+                         "measures them 0 triangles are below 20 degrees")
+        self.assertRegex(done.stdout, ": certified in a relaxed metric\n\\Z")
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
 
     def test_darts(self):
         done = self.run_command(*JOB[:-1], "10", "--refine", "darts", "-o", "m.mesh")
