@@ -505,8 +505,15 @@ result<refinement_outcome> refine_on(
   // What the limit allows may be there already.
   for (int fewer = 1; options.keep_if_complete && fewer <= halvings; ++fewer)
     if (auto kept = as_given(fewer); is_final(kept)) return kept;
-  auto made = refine_filled(filled.value(), kernel, d, field, options, progress);
-  if (made) report_coarser(halvings, options, made.value());
+  return refine_from(filled.value(), kernel, d, field, options, progress);
+}
+
+result<refinement_outcome> refine_from(
+    const budgeted_filling& filled, const star_kernel& kernel, const domain& d,
+    const metric_field& field, const refinement_options& options,
+    const std::function<void(const refinement_progress&)>& progress) {
+  auto made = refine_filled(filled, kernel, d, field, options, progress);
+  if (made) report_coarser(filled.halvings, options, made.value());
   return made;
 }
 

@@ -7,6 +7,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/refine_budget.hpp"
 #include "asterism/mesh/star_kernel.hpp"
 
 namespace asterism {
@@ -16,6 +17,12 @@ namespace asterism {
 result<refinement_outcome> refine_on(
     const star_kernel& kernel, const domain& d, const metric_field& field,
     const refinement_options& options,
+    const std::function<void(const refinement_progress&)>& progress);
+
+// The same from sites proposed already, which must not be crowded.
+result<refinement_outcome> refine_from(
+    const budgeted_filling& filled, const star_kernel& kernel, const domain& d,
+    const metric_field& field, const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress);
 
 }  // namespace asterism

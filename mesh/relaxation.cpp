@@ -212,42 +212,40 @@ class relaxation {
     return beyond > part * asked;
   }
 
-  // Whether sites can be spread, and how many times as long edges will be for the limit on them.
-  void try_to_fill(const metric_field& relaxed) {
-    crowded_ = false;
-    longer_edges_ = 1;
-    if (!options_.limit_size || step_.kind == relaxation_kind::constant ||
-        step_.kind == relaxation_kind::without_demands)
-      return;
-    crowded_ = varies_too_fast(relaxed);
-    if (crowded_ || step_.kind != relaxation_kind::graded) return;
-    const auto filled = fill_within_budget(frame_, domain_, relaxed, options_, progress_);
-    if (!filled) return;
-    crowded_ = filled.value().proposed.crowded.has_value();
-    longer_edges_ = std::exp2(filled.value().halvings / 2.0);
-  }
-
   // Leaves what came of it in tried_; nothing where sites cannot be spread, or edges will be longer
   // than the field was made for.
   const std::optional<refinement_outcome>& attempt(const relaxation_step& step) {
     step_ = step;
     tried_.reset();
-    const auto relaxed = make_field();
-    if (!relaxed) return tried_;
-    try_to_fill(*relaxed);
-    if (crowded_ || longer_edges_ > step.reach) return tried_;
-    ++tries_;
+    crowded_ = false;
+    longer_edges_ = 1;
     refinement_options options = options_;
-    options.keep_if_complete = false;
     if (step.kind == relaxation_kind::without_demands) {
       options.angle_bound = 0;
       options.limit_size = false;
     }
+    const auto relaxed = make_field();
+    if (!relaxed) return tried_;
+    const bool may_vary =
+        step.kind == relaxation_kind::softened || step.kind == relaxation_kind::graded;
+    crowded_ = options.limit_size && may_vary && varies_too_fast(*relaxed);
+    if (crowded_) return tried_;
+    const auto filled = fill_within_budget(frame_, domain_, *relaxed, options, progress_);
+    if (!filled) return tried_;
+    crowded_ = filled.value().proposed.crowded.has_value();
+    longer_edges_ = std::exp2(filled.value().halvings / 2.0);
+    if (crowded_ || (may_vary && longer_edges_ > step.reach)) return tried_;
+    refine(filled.value(), *relaxed, options);
+    return tried_;
+  }
+
+  void refine(const budgeted_filling& filled, const metric_field& relaxed,
+              const refinement_options& options) {
+    ++tries_;
     const auto own_kernel = kernel_.fork();  // the work done for one mesh is counted from zero
-    auto made = refine_on(*own_kernel, domain_, *relaxed, options, progress_);
+    auto made = refine_from(filled, *own_kernel, domain_, relaxed, options, progress_);
     kernel_.count(own_kernel->counters());
     if (made) tried_ = std::move(made).value();
-    return tried_;
   }
 
   static bool is_final(const std::optional<refinement_outcome>& tried) {
