@@ -43,7 +43,7 @@ class fitter {
     found_.triangles = mesh_.count();
     found_.moves = moves_.moves();
     found_.flips = moves_.flips();
-    found_.stopped = moves_.has_enough();
+    found_.stopped = moves_.is_stopped();
     propose(segments, box);
     return std::move(found_);
   }

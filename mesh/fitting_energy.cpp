@@ -33,6 +33,17 @@ double margin_energy(double g, double margin) {
   return h > 0 ? weight_of_stars * (h * h + h) : 0;
 }
 
+// The least f_w / f_a on the part of the segment a b that is no nearer to b. With q = a + s (b - a)
+// and y = 1 / s it is a quadratic in y, for y from that of the bisector point on.
+double least_ratio(const fit_site& a, const point& b, double length_a, double length_b,
+                   const fit_site& w) {
+  const point d = w.seen(b.x - a.position.x, b.y - a.position.y);
+  const point e = w.seen(a.position.x - w.position.x, a.position.y - w.position.y);
+  const double square = e.x * e.x + e.y * e.y, mixed = e.x * d.x + e.y * d.y;
+  const double y = std::max(-mixed / square, (length_a + length_b) / length_b);
+  return (square * y * y + 2 * mixed * y + d.x * d.x + d.y * d.y) / (length_a * length_a);
+}
+
 }  // namespace
 
 double fit_site::squared_distance(const point& q) const {
@@ -106,6 +117,15 @@ double piece_energy(const voronoi_centre& centre, const point& a, const point& b
   const double height = ux * (c.y - a.y) - uy * (c.x - a.x);
   const double inside = ux * (centre.position.y - a.y) - uy * (centre.position.x - a.x);
   return margin_energy(inside / height, piece_margin);
+}
+
+double encroachment_energy(const fit_site& a, const fit_site& b, const fit_site& w) {
+  if (!surely_turns_left(a.position, b.position, w.position)) return 0;
+  const double length_a = std::sqrt(a.squared_distance(b.position)),
+               length_b = std::sqrt(b.squared_distance(a.position));
+  const double least = std::min(least_ratio(a, b.position, length_a, length_b, w),
+                                least_ratio(b, a.position, length_b, length_a, w));
+  return margin_energy(least - 1, far_margin);
 }
 
 }  // namespace asterism::fitting

@@ -14,7 +14,8 @@
 // r its distance and g = d(x)^2 / r^2 - 1 as the site across measures: stars disagree about the
 // edge where g < 0, so with h = (margin - g) / margin, if that is positive, h^2 + h times a weight.
 // Of a piece of a segment (piece_energy) the same, with g how far x is on the inner side, as a part
-// of the height of the triangle: a piece whose triangle has its x behind it is encroached.
+// of the height of the triangle: a piece whose triangle has its x behind it is encroached. And once
+// more (encroachment_energy) with g from the point of the piece where a site near it comes first.
 #pragma once
 
 #include <cstdint>
@@ -60,5 +61,8 @@ voronoi_centre find_centre(const fit_site& a, const fit_site& b, const fit_site&
 double far_site_energy(const voronoi_centre& centre, const fit_site& far);
 // The piece a b with the third vertex c of its triangle on the left.
 double piece_energy(const voronoi_centre& centre, const point& a, const point& b, const point& c);
+// g = f_w / min(f_a, f_b) - 1 where that is least on the piece a b: w encroaches where it is below
+// zero (predicates/encroachment.hpp). Zero unless w is on the left.
+double encroachment_energy(const fit_site& a, const fit_site& b, const fit_site& w);
 
 }  // namespace asterism::fitting

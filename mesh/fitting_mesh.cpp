@@ -45,6 +45,7 @@ index fitted_mesh::far_vertex(index t, std::size_t edge) const {
 
 double fitted_mesh::edge_energy(index t, std::size_t edge) const {
   const fit_triangle& here = triangles_[t];
+  if (here.segment[edge] != none && sharp_[t] != 0) return 0;
   if (here.segment[edge] != none)
     return piece_energy(centres_[t], sites_[here.v[(edge + 1) % 3]].position,
                         sites_[here.v[(edge + 2) % 3]].position, sites_[here.v[edge]].position);
@@ -54,6 +55,49 @@ double fitted_mesh::edge_energy(index t, std::size_t edge) const {
 double fitted_mesh::own_star_energy(index t) const {
   if (!judges_stars_) return 0;
   return edge_energy(t, 0) + edge_energy(t, 1) + edge_energy(t, 2);
+}
+
+double fitted_mesh::energy(index t) const {
+  double sum = shapes_[t] + own_star_energy(t);
+  if (judges_stars_)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (triangles_[t].segment[i] != none) sum += encroachment_on(t, i);
+  return sum;
+}
+
+// By the neighbours of either end, on the triangle's side of the piece; one of both counts twice.
+double fitted_mesh::encroachment_on(index t, std::size_t edge) const {
+  const index a = triangles_[t].v[(edge + 1) % 3], b = triangles_[t].v[(edge + 2) % 3];
+  double sum = 0;
+  for (const index end : {a, b})
+    for (const index s : around_[end]) {
+      const fit_triangle& near = triangles_[s];
+      const index w = near.v[(near.corner_of(end) + 1) % 3];
+      if (w != a && w != b && kinds_[w] == vertex_kind::free)
+        sum += encroachment_energy(sites_[a], sites_[b], sites_[w]);
+    }
+  return sum;
+}
+
+// On pieces that end at v by all, and on those that end at a neighbour by v.
+double fitted_mesh::encroachment_around(index v) const {
+  double sum = 0;
+  for (const index t : around_[v]) {
+    const fit_triangle& here = triangles_[t];
+    const std::size_t at = here.corner_of(v);
+    for (const std::size_t i : {(at + 1) % 3, (at + 2) % 3})
+      if (here.segment[i] != none) sum += encroachment_on(t, i);
+    const index u = here.v[(at + 2) % 3];
+    if (kinds_[u] == vertex_kind::free || kinds_[v] != vertex_kind::free) continue;
+    for (const index s : around_[u])
+      for (std::size_t i = 0; i < 3; ++i) {
+        const fit_triangle& near = triangles_[s];
+        const index a = near.v[(i + 1) % 3], b = near.v[(i + 2) % 3];
+        if (near.segment[i] == none || near.v[i] == u || a == v || b == v) continue;
+        sum += encroachment_energy(sites_[a], sites_[b], sites_[v]);
+      }
+  }
+  return sum;
 }
 
 double fitted_mesh::energy_around(index v) const {
@@ -66,7 +110,7 @@ double fitted_mesh::energy_around(index v) const {
     if (triangles_[t].segment[i] != none) continue;
     sum += far_site_energy(centres_[triangles_[t].next[i]], sites_[v]);
   }
-  return sum;
+  return sum + encroachment_around(v);
 }
 
 double fitted_mesh::star_energy_of_pair(index t, index s) const {

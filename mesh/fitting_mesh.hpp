@@ -70,10 +70,8 @@ class fitted_mesh {
 
   double shape(index t) const { return shapes_[t]; }
   double shape_of(const std::array<index, 3>& v) const;
-  // Of the edges as the triangle's own centre sees them.
-  double own_star_energy(index t) const;
-  // shape and own_star_energy.
-  double energy(index t) const { return shapes_[t] + own_star_energy(t); }
+  // The shape, the edges as the triangle's own centre sees them, and who encroaches on its pieces.
+  double energy(index t) const;
   // Of an edge as t sees it: across to its far site, or as a piece.
   double edge_energy(index t, std::size_t edge) const;
   // The vertex across edge i; requires a next triangle.
@@ -124,6 +122,10 @@ class fitted_mesh {
   struct merge_plan {
     std::vector<index> gone, stay;
   };
+
+  double own_star_energy(index t) const;
+  double encroachment_on(index t, std::size_t edge) const;
+  double encroachment_around(index v) const;
 
   fitted_mesh(const domain& d, const metric_field& field) : domain_(&d), field_(&field) {}
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int visits_before_rest = 3;
 // Of a visit: less is nothing. More wakes the neighbours.
-constexpr double least_gain = 1e-4, waking_gain = 1e-3;
+constexpr double least_gain = 1e-6, waking_gain = 1e-4;
 constexpr double move_margin = 1e-13, flip_margin = 1e-12;
 constexpr int rounds_of_relaxing = 4;
 constexpr double first_step_of_relaxing = 0.4;

@@ -31,7 +31,9 @@ class mover {
   // The vertices, and those that triangles connect them to, over so many edges.
   std::vector<index> ring(std::span<const index> seeds, int depth);
   void wake(std::span<const index> vertices);
+  // Asks; once there was enough, or the field failed, it stays so.
   bool has_enough();
+  bool is_stopped() const { return stopped_; }
 
   std::size_t moves() const { return moves_; }
   std::size_t flips() const { return flips_; }

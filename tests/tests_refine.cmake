@@ -9,6 +9,8 @@ asterism_test(test_refine
 asterism_test(test_improvement
   SOURCES mesh/improvement_test.cpp mesh/audit_meshes.cpp
   LINK tbb)
+asterism_test(test_fitting
+  SOURCES mesh/fitting_test.cpp)
 # What is near, and the refinement that rests on it.
 asterism_test(test_local
   SOURCES mesh/local_index_test.cpp mesh/given_distances_test.cpp mesh/statistics_test.cpp
