@@ -43,6 +43,7 @@ index fitted_mesh::far_vertex(index t, std::size_t edge) const {
   return next.v[(next.corner_of(from) + 1) % 3];
 }
 
+// A piece at a sharp corner cannot have the centre on its inner side, and need not.
 double fitted_mesh::edge_energy(index t, std::size_t edge) const {
   const fit_triangle& here = triangles_[t];
   if (here.segment[edge] != none && sharp_[t] != 0) return 0;
@@ -66,6 +67,7 @@ double fitted_mesh::energy(index t) const {
 }
 
 // By the neighbours of either end, on the triangle's side of the piece; one of both counts twice.
+// Those on segments are left out: near corners they cannot help it.
 double fitted_mesh::encroachment_on(index t, std::size_t edge) const {
   const index a = triangles_[t].v[(edge + 1) % 3], b = triangles_[t].v[(edge + 2) % 3];
   double sum = 0;
@@ -399,14 +401,15 @@ void fitted_mesh::keep() { logs_ = false; }
 
 void fitted_mesh::undo() {
   logs_ = false;
-  for (auto entry = log_.rbegin(); entry != log_.rend(); ++entry) {
-    if (entry->triangle != none) {
-      set_triangle(entry->triangle, entry->old_triangle.v, entry->old_triangle.segment);
+  std::reverse(log_.begin(), log_.end());
+  for (const log_entry& entry : log_) {
+    if (entry.triangle != none) {
+      set_triangle(entry.triangle, entry.old_triangle.v, entry.old_triangle.segment);
       continue;
     }
-    sites_[entry->vertex] = entry->old_site;
-    places_[entry->vertex].along = entry->old_along;
-    for (const index t : around_[entry->vertex]) judge(t);
+    sites_[entry.vertex] = entry.old_site;
+    places_[entry.vertex].along = entry.old_along;
+    for (const index t : around_[entry.vertex]) judge(t);
   }
   sites_.resize(sites_before_);
   kinds_.resize(sites_before_);

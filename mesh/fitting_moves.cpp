@@ -114,8 +114,8 @@ double mover::relax(std::span<const index> seeds, int depth) {
     const double step = first_step_of_relaxing / (1 + 0.3 * round);
     for (const index v : near) {
       change += visit(v, step, parts_of_relaxing);
-      for (std::size_t i = 0; i < mesh_->around(v).size(); ++i)
-        change += flip_changed_edges(mesh_->around(v)[i]);
+      const std::vector<index> around = mesh_->around(v);  // flips change it
+      for (const index t : around) change += flip_changed_edges(t);
     }
   }
   return change;
