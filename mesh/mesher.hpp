@@ -92,6 +92,16 @@ struct relaxation_report {
   std::vector<index> low_triangles;  // below the bound, ascending
 };
 
+// The metric given turns by so much over an edge that refinement did not make stars agree; a mesh
+// of the metric relaxed was fitted to it (fitting.hpp), and then they did, in the metric given.
+struct fitting_report {
+  std::string why;                                   // how refinement ended before, one sentence
+  relaxation_kind kind = relaxation_kind::softened;  // of the metric whose mesh was fitted
+  double power = 1;
+  std::size_t rounds = 0, moves = 0, flips = 0, collapses = 0, insertions = 0;
+  std::size_t low_before = 0;  // triangles below the bound in the mesh that was fitted
+};
+
 struct refinement_outcome {
   bool complete = false;
   bool stopped = false;  // by options.stop
@@ -115,6 +125,7 @@ struct refinement_outcome {
   // Complete, if the mesh is of a relaxed metric, means that the angle bound is met in the metric
   // given as well.
   std::optional<relaxation_report> relaxed;
+  std::optional<fitting_report> fitted;  // then it is not relaxed
 };
 
 // `d` must have been accepted by check_domain. Fails only where the metric field does, or for

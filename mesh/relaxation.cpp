@@ -11,91 +11,16 @@
 #include <vector>
 
 #include "asterism/mesh/audit.hpp"
+#include "asterism/mesh/fitting.hpp"
 #include "asterism/mesh/mesh_statistics.hpp"
 #include "asterism/mesh/metric_algebra.hpp"
-#include "asterism/mesh/metric_field_graded.hpp"
-#include "asterism/mesh/metric_field_sized.hpp"
+#include "asterism/mesh/metric_field_relaxed.hpp"
 #include "asterism/mesh/refine_budget.hpp"
 #include "asterism/mesh/refinement.hpp"
 #include "asterism/mesh/unit_frame.hpp"
 
 namespace asterism {
 namespace {
-
-metric_tensor times(double factor, const metric_tensor& m) {
-  return {factor * m.m11, factor * m.m12, factor * m.m22};
-}
-
-// A field in other units of length. Where it fails, in the box but perhaps not in the domain, it
-// says nothing: `elsewhere` is so weak that no intersection takes notice of it.
-class rescaled_field : public metric_field {
- public:
-  rescaled_field(const metric_field& field, double factor, const metric_tensor& elsewhere)
-      : field_(&field), factor_(factor), elsewhere_(elsewhere) {}
-  result<metric_tensor> at(const point& q) const override {
-    const auto given = field_->at(q);
-    return given ? times(factor_, given.value()) : elsewhere_;
-  }
-
- private:
-  const metric_field* field_;
-  double factor_;
-  metric_tensor elsewhere_;
-};
-
-// The same density of sites, with triangles less thin: the aspect raised to a power below one.
-class softened_field : public metric_field {
- public:
-  softened_field(const metric_field& field, double power) : field_(&field), power_(power) {}
-  result<metric_tensor> at(const point& q) const override {
-    const auto given = field_->at(q);
-    if (!given) return given;
-    const tensor_logarithm l = logarithm(given.value());
-    const double density = (l.l11 + l.l22) / 2;
-    return checked_tensor(q, exponential({density + power_ * (l.l11 - density), power_ * l.l12,
-                                          density + power_ * (l.l22 - density)}));
-  }
-
- private:
-  const metric_field* field_;
-  double power_;
-};
-
-class constant_field : public metric_field {
- public:
-  explicit constant_field(const metric_tensor& m) : m_(m) {}
-  result<metric_tensor> at(const point& q) const override { return checked_tensor(q, m_); }
-
- private:
-  metric_tensor m_;
-};
-
-// Made in a frame and in other units; seen from outside.
-class relaxed_field : public metric_field {
- public:
-  relaxed_field(std::unique_ptr<metric_field> inner, double factor, const unit_frame& frame)
-      : inner_(std::move(inner)), factor_(factor), frame_(frame) {}
-  result<metric_tensor> at(const point& q) const override {
-    const auto there = inner_->at(frame_.inward(q));
-    if (!there) return there;
-    return checked_tensor(q, frame_.outward(times(factor_, there.value())));
-  }
-
- private:
-  std::unique_ptr<metric_field> inner_;
-  double factor_;
-  unit_frame frame_;
-};
-
-metric_tensor mean_of(const std::vector<metric_tensor>& tensors) {
-  tensor_logarithm mean;
-  const double part = 1 / static_cast<double>(tensors.size());
-  for (const metric_tensor& m : tensors) {
-    const tensor_logarithm l = logarithm(m);
-    mean = {mean.l11 + part * l.l11, mean.l12 + part * l.l12, mean.l22 + part * l.l22};
-  }
-  return exponential(mean);
-}
 
 // The ratios of lengths as b and a measure them: the greatest, and the greatest the other way. In
 // long doubles since squares of tensors may leave the range of doubles.
@@ -168,21 +93,14 @@ class relaxation {
 
   // Empty where it cannot be made, or is what has been meshed already.
   std::unique_ptr<metric_field> make_field() const {
-    const auto outward = [this](std::unique_ptr<metric_field> inner, double factor) {
-      return std::make_unique<relaxed_field>(std::move(inner), factor, frame_);
-    };
+    std::unique_ptr<metric_field> made;
     if (step_.kind == relaxation_kind::softened)
-      return outward(std::make_unique<softened_field>(framed_, step_.power), 1);
-    if (step_.kind != relaxation_kind::graded)
-      return outward(std::make_unique<constant_field>(mean_), 1);
-    constexpr double weak = 0x1p-60;
-    const double factor = 1 / (step_.reach * step_.reach);
-    const double least = weak * factor * std::min(mean_.m11, mean_.m22);
-    auto graded = grade_metric(
-        std::make_unique<rescaled_field>(framed_, factor, metric_tensor{least, 0, least}),
-        image_.box(), {.beta = step_.beta});
-    if (!graded || graded.value().report.changed == 0) return nullptr;
-    return outward(std::move(graded.value().field), 1 / factor);
+      made = soften(framed_, step_.power);
+    else if (step_.kind == relaxation_kind::graded)
+      made = grade_over(framed_, image_.box(), step_.beta, step_.reach, mean_);
+    else
+      made = same_everywhere(mean_);
+    return made ? seen_from_outside(std::move(made), frame_) : nullptr;
   }
 
   // Whether an edge of length 1 ends, at many places of a lattice over the box, where lengths are
@@ -196,7 +114,8 @@ class relaxation {
     const bounding_box box = image_.box();
     int asked = 0, beyond = 0;
     for (int i = 0; i < lattice * lattice; ++i) {
-      const double u = (i % lattice + 0.5) / lattice, v = (i / lattice + 0.5) / lattice;
+      const int row = i / lattice, column = i % lattice;
+      const double u = (column + 0.5) / lattice, v = (row + 0.5) / lattice;
       const point q{box.low.x + u * (box.high.x - box.low.x),
                     box.low.y + v * (box.high.y - box.low.y)};
       const auto here = field.at(q);
@@ -271,11 +190,51 @@ class relaxation {
     report.tries = tries_;
     if (auto failure = compare(report)) return *failure;
     judge(report);
+    if (!getenv("NOFIT")) if (auto fitted = fit_to_given(report)) return *std::move(fitted);
     if (step_.kind == relaxation_kind::without_demands) tried_->complete = false;
     tried_->complete = tried_->complete && report.low_triangles.empty();
     tried_->reason = reason(report);
     tried_->relaxed = std::move(report);
     return *std::move(tried_);
+  }
+
+  // The mesh fitted to the metric given, if its stars agree there and all is as asked. At a jump no
+  // fitting helps.
+  std::optional<refinement_outcome> fit_to_given(const relaxation_report& report) const {
+    if (as_given_.jumps || report.low_triangles.empty() || !tried_->complete ||
+        step_.kind == relaxation_kind::constant)
+      return std::nullopt;
+    mesh start = tried_->result;
+    for (site& s : start.sites) s = {frame_.inward(s.position), frame_.inward(s.metric)};
+    fitting_options wanted;
+    wanted.angle_bound = options_.angle_bound;
+    if (options_.stop) wanted.enough = [this] { return options_.stop().has_value(); };
+    auto done = fit(image_, framed_, start, wanted);
+    if (!done || done.value().stopped) return std::nullopt;
+    refinement_options options = options_;
+    // Another site would not leave its neighbours where they fit.
+    options.max_sites = image_.vertices.size() + done.value().proposed.interior.size();
+    for (const auto& division : done.value().proposed.divisions)
+      options.max_sites += division.size();
+    options.improve_passes = 0;  // which would begin with another fill's distances
+    options.keep_if_complete = false;
+    options.limit_size = false;  // the fitting kept to the density, with other shapes
+    const auto own_kernel = kernel_.fork();
+    auto made = refine_from({std::move(done.value().proposed), frame_, 0}, *own_kernel, domain_,
+                            field_, options, progress_);
+    kernel_.count(own_kernel->counters());
+    if (made)
+      fprintf(stderr, "fit: tri %zu low %zu worst %g rounds %zu moves %zu: %s\n",
+              done.value().triangles, done.value().low, done.value().worst_angle,
+              done.value().rounds, done.value().moves, made.value().reason.c_str()),
+          fprintf(stderr, "disagreeing %zu low %zu\n", made.value().disagreeing,
+                  made.value().low_angle);
+    if (!made || !made.value().complete) return std::nullopt;
+    const fitted_domain& f = done.value();
+    made.value().fitted = fitting_report{report.why,  report.kind,  report.power,
+                                         f.rounds,    f.moves,      f.flips,
+                                         f.collapses, f.insertions, report.low_triangles.size()};
+    return std::move(made).value();
   }
 
   // The sites' own tensors with those the field gives.

@@ -31,6 +31,7 @@ target_sources(asterism PRIVATE
   metric_field_expression.cpp
   metric_field_featured.cpp
   metric_field_graded.cpp
+  metric_field_relaxed.cpp
   metric_field_sampled.cpp
   metric_field_layered.cpp)
 target_link_libraries(asterism PRIVATE fmt::fmt muparser::muparser PkgConfig::cairo)
