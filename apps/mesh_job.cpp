@@ -167,6 +167,15 @@ std::string text_of(const improvement_report& done, std::size_t sites) {
          text_of(done.mean_quality_after) + (done.stopped ? "; stopped" : "");
 }
 
+// What fitting did, in one line.
+std::string text_of(const fitting_report& done) {
+  return "from aspects to the power of " + text_of(done.power) + ", " +
+         std::to_string(done.low_before) + " triangles below the bound before, " +
+         std::to_string(done.rounds) + " rounds, " + std::to_string(done.moves) + " moves, " +
+         std::to_string(done.flips) + " flips, " + std::to_string(done.collapses) + " merged, " +
+         std::to_string(done.insertions) + " split";
+}
+
 std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
                                               const refinement_outcome& outcome) {
   const refinement_options& asked = job.refinement;
@@ -186,6 +195,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"max-sites", std::to_string(asked.max_sites)},
           {"regions", job.number_regions ? "numbered" : "as given"},
           {"random-points", std::to_string(job.random_points)},
+          {"fit-done", outcome.fitted ? text_of(*outcome.fitted) : "none"},
           {"relax", asked.relax ? "where needed" : "no"},
           {"seed", std::to_string(asked.seed)}};
 }
@@ -274,6 +284,7 @@ int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit
   if (job.size) unit_edges = claim.measured.at("unit_edges");
   if (!job.quiet && outcome.improved)
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
+  if (!job.quiet && outcome.fitted) std::cout << "fitted: " << text_of(*outcome.fitted) << '\n';
   if (!job.quiet && outcome.relaxed && reached) std::cout << "relaxed: " << outcome.reason << '\n';
   if (!job.quiet) write_summary(outcome, report, reached, unit_edges);
   const bool dual_as_asked = !job.prove_voronoi || report.voronoi == voronoi_verdict::proved;

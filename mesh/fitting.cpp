@@ -8,7 +8,6 @@
 #include "asterism/mesh/fitting_mesh.hpp"
 #include "asterism/mesh/fitting_moves.hpp"
 #include "asterism/mesh/fitting_surgery.hpp"
-#include "asterism/mesh/local/hilbert_order.hpp"
 #include "asterism/mesh/refine_quality.hpp"
 #include "asterism/mesh/unit_frame.hpp"
 
@@ -17,16 +16,17 @@ namespace {
 
 using fitting::fitted_mesh;
 using fitting::vertex_kind;
+// Of each segment how far along it each vertex is, and which.
+using divided_segments = std::vector<std::vector<std::pair<double, index>>>;
 
-// Angles are aimed at some degrees above the bound. Nine angles of much more than 29 are asked too
-// much of any triangulation.
-constexpr double degrees_above_bound = 4.5, most_degrees = 29.5;
+// Nine angles of much more than 29 degrees are asked too much of any triangulation.
+constexpr double most_degrees = 29.5;
 constexpr int first_sweeps = 60, sweeps_after_surgery = 20, rounds_of_surgery = 6;
 
 class fitter {
  public:
-  fitter(fitted_mesh& m, const fitting_options& options)
-      : mesh_(m), options_(options), moves_(m, options.enough) {}
+  fitter(fitted_mesh& m, const domain& d, const fitting_options& options)
+      : mesh_(m), domain_(d), options_(options), moves_(m, options.enough) {}
 
   void run() {
     for (const bool stars : {false, true}) {
@@ -38,13 +38,12 @@ class fitter {
   }
 
   // In the mesh's own coordinates.
-  fitted_domain conclude(std::size_t segments, const bounding_box& box) {
+  fitted_domain conclude() {
     count_low();
-    found_.triangles = mesh_.count();
     found_.moves = moves_.moves();
     found_.flips = moves_.flips();
     found_.stopped = moves_.is_stopped();
-    propose(segments, box);
+    triangulate(divide());
     return std::move(found_);
   }
 
@@ -82,32 +81,54 @@ class fitter {
     }
   }
 
-  void propose(std::size_t segments, const bounding_box& box) {
-    std::vector<std::vector<std::pair<double, index>>> on(segments);
-    for (index v = 0; v < mesh_.sites().size(); ++v) {
-      if (mesh_.around(v).empty()) continue;
-      if (mesh_.kind(v) == vertex_kind::free) found_.proposed.interior.push_back(site_of(v));
-      if (mesh_.kind(v) == vertex_kind::sliding)
+  // The vertices on each segment, in its direction.
+  divided_segments divide() const {
+    divided_segments on(domain_.segments.size());
+    for (index v = 0; v < mesh_.sites().size(); ++v)
+      if (!mesh_.around(v).empty() && mesh_.kind(v) == vertex_kind::sliding)
         on[mesh_.place(v).segment].push_back({mesh_.place(v).along, v});
+    for (auto& division : on) std::sort(division.begin(), division.end());
+    return on;
+  }
+
+  void triangulate(const divided_segments& on) {
+    mesh& m = found_.triangulation;
+    std::vector<index> number(mesh_.sites().size(), fitting::none);
+    const auto add = [&](index v) {
+      number[v] = static_cast<index>(m.sites.size());
+      m.sites.push_back(site_of(v));
+    };
+    m.given = static_cast<index>(domain_.vertices.size());
+    for (index v = 0; v < m.given; ++v) add(v);
+    for (const auto& division : on)
+      for (const auto& [along, v] : division) add(v);
+    for (index v = 0; v < mesh_.sites().size(); ++v)
+      if (mesh_.kind(v) == vertex_kind::free && !mesh_.around(v).empty()) add(v);
+    for (const fitting::fit_triangle& t : mesh_.triangles())
+      if (t.exists()) m.triangles.push_back({number[t.v[0]], number[t.v[1]], number[t.v[2]]});
+    add_boundary(on, number);
+  }
+
+  void add_boundary(const divided_segments& on, const std::vector<index>& number) {
+    for (index s = 0; s < on.size(); ++s) {
+      const segment& whole = domain_.segments[s];
+      index from = whole.a;
+      const auto piece_to = [&](index v) {
+        found_.triangulation.boundary.push_back(
+            {number[from], number[v], s, whole.marker, whole.internal});
+        from = v;
+      };
+      for (const auto& [along, v] : on[s]) piece_to(v);
+      piece_to(whole.b);
     }
-    found_.proposed.divisions.resize(segments);
-    for (std::size_t s = 0; s < segments; ++s) {
-      std::sort(on[s].begin(), on[s].end());
-      for (const auto& [along, v] : on[s]) found_.proposed.divisions[s].push_back(site_of(v));
-    }
-    sort_along_curve(found_.proposed.interior, box);
-    found_.proposed.complete = true;
   }
 
   fitted_mesh& mesh_;
+  const domain& domain_;
   const fitting_options& options_;
   fitting::mover moves_;
   fitted_domain found_;
 };
-
-void map_outward(std::vector<site>& sites, const unit_frame& frame) {
-  for (site& s : sites) s = {frame.outward(s.position), frame.outward(s.metric)};
-}
 
 }  // namespace
 
@@ -118,15 +139,14 @@ result<fitted_domain> fit(const domain& d, const metric_field& field, const mesh
   const framed_field framed(field, frame);
   mesh start_in_frame = start;
   for (site& s : start_in_frame.sites) s.position = frame.inward(s.position);
-  const double target = std::min(options.angle_bound + degrees_above_bound, most_degrees);
+  const double target = std::min(options.angle_bound + options.degrees_above_bound, most_degrees);
   auto made = fitted_mesh::build(image, framed, start_in_frame, options.angle_bound, target);
   if (!made) return made.failure();
-  fitter work(made.value(), options);
+  fitter work(made.value(), image, options);
   work.run();
   if (made.value().field_failure()) return *made.value().field_failure();
-  fitted_domain fitted = work.conclude(d.segments.size(), image.box());
-  for (auto& division : fitted.proposed.divisions) map_outward(division, frame);
-  map_outward(fitted.proposed.interior, frame);
+  fitted_domain fitted = work.conclude();
+  frame.outward(fitted.triangulation);
   return fitted;
 }
 

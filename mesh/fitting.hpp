@@ -7,8 +7,8 @@
 // metric as given sees good angles, and centres of triangles that are farther from the site across
 // each edge: then the stars of these sites in the metric given should be these triangles.
 //
-// It proposes places and nothing more, in plain doubles: refinement starts from them
-// (refine_state::start_filled), and exact stars decide. What holds: every triangle turns left and
+// It proposes a triangulation and nothing more, in plain doubles: the auditor decides, exactly,
+// whether it is the mesh of its stars. What holds: every triangle turns left and
 // segments are covered by pieces throughout, given vertices stay where they are, and the work is
 // bounded by counts. What does not: that any angle or star gets what it should.
 // docs/design/fitting.md has the energies, the steps and what was measured.
@@ -19,24 +19,25 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/domain.hpp"
-#include "asterism/mesh/fill/fill.hpp"
 #include "asterism/mesh/mesh.hpp"
 #include "asterism/mesh/metric_field.hpp"
 
 namespace asterism {
 
 struct fitting_options {
-  double angle_bound = 20;       // degrees, 0 <= bound < 60
+  double angle_bound = 20;  // degrees, 0 <= bound < 60
+  // By how many degrees more than that is aimed at: neighbours compete.
+  double degrees_above_bound = 4.5;
   std::function<bool()> enough;  // asked now and then, true ends; may be empty
 };
 
 struct fitted_domain {
-  // For refine_state::start_filled: sites with the field's tensors, those on segments in the
-  // direction of each, the others sorted along a curve.
-  filled_domain proposed;
-  // Of the triangles it is made for, with those that have an angle below the bound, away from
+  // Sites with the field's tensors, the domain's vertices first, then those on its segments, then
+  // the others; for an audit. Regions are left out.
+  mesh triangulation;
+  // Of its triangles those that have an angle below the bound, away from
   // corners of the domain that are sharper themselves, and the smallest angle there; in doubles.
-  std::size_t triangles = 0, low = 0;
+  std::size_t low = 0;
   double worst_angle = 180;
   std::size_t moves = 0, flips = 0;           // done, with those undone later
   std::size_t collapses = 0, insertions = 0;  // kept

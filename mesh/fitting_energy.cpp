@@ -15,33 +15,23 @@ namespace {
 // The weights were found by experiment (docs/design/fitting.md).
 constexpr double weight_of_area = 0.05;
 constexpr double weight_of_stars = 0.5;
+constexpr double weight_below_bound = 200;
 constexpr double far_margin = 0.1, piece_margin = 0.05;
 constexpr double without_centre = 100;  // an edge of a triangle with no centre, times the weight
 constexpr double most_angle_energy_at_sharp_corner = 1e3;
 // Squared, in areas wanted: a centre farther away is that of no triangle to be kept.
 constexpr double farthest_centre = 120;
 
-double angle_energy(double cotangent, double target) {
-  const double excess = cotangent - target;
+double angle_energy(double cotangent, const angle_targets& wanted) {
+  const double excess = cotangent - wanted.cotangent;
   if (!(excess > 0)) return 0;
-  const double square = excess * excess;
-  return square + 4 * square * square;
+  const double square = excess * excess, beyond = std::max(0.0, cotangent - wanted.greatest);
+  return square + 4 * square * square + weight_below_bound * beyond * beyond;
 }
 
 double margin_energy(double g, double margin) {
   const double h = (margin - g) / margin;
   return h > 0 ? weight_of_stars * (h * h + h) : 0;
-}
-
-// The least f_w / f_a on the part of the segment a b that is no nearer to b. With q = a + s (b - a)
-// and y = 1 / s it is a quadratic in y, for y from that of the bisector point on.
-double least_ratio(const fit_site& a, const point& b, double length_a, double length_b,
-                   const fit_site& w) {
-  const point d = w.seen(b.x - a.position.x, b.y - a.position.y);
-  const point e = w.seen(a.position.x - w.position.x, a.position.y - w.position.y);
-  const double square = e.x * e.x + e.y * e.y, mixed = e.x * d.x + e.y * d.y;
-  const double y = std::max(-mixed / square, (length_a + length_b) / length_b);
-  return (square * y * y + 2 * mixed * y + d.x * d.x + d.y * d.y) / (length_a * length_a);
 }
 
 }  // namespace
@@ -71,7 +61,7 @@ double metric_area(const fit_site& a, const fit_site& b, const fit_site& c) {
 }
 
 double shape_energy(const fit_site& a, const fit_site& b, const fit_site& c,
-                    double target_cotangent, bool sharp) {
+                    const angle_targets& wanted, bool sharp) {
   if (!surely_turns_left(a.position, b.position, c.position))
     return std::numeric_limits<double>::infinity();
   const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
@@ -82,9 +72,9 @@ double shape_energy(const fit_site& a, const fit_site& b, const fit_site& c,
     const point u = from->seen(ux, uy), w = from->seen(wx, wy);
     const double across = 1 / (from->root_of_determinant() * twice_area);
     const double inner = u.x * w.x + u.y * w.y;
-    angles += angle_energy(inner * across, target_cotangent) +
-              angle_energy((u.x * u.x + u.y * u.y - inner) * across, target_cotangent) +
-              angle_energy((w.x * w.x + w.y * w.y - inner) * across, target_cotangent);
+    angles += angle_energy(inner * across, wanted) +
+              angle_energy((u.x * u.x + u.y * u.y - inner) * across, wanted) +
+              angle_energy((w.x * w.x + w.y * w.y - inner) * across, wanted);
   }
   const double log_ratio =
       std::log(metric_area(a, b, c)) - (a.log_area + b.log_area + c.log_area) / 3;
@@ -117,15 +107,6 @@ double piece_energy(const voronoi_centre& centre, const point& a, const point& b
   const double height = ux * (c.y - a.y) - uy * (c.x - a.x);
   const double inside = ux * (centre.position.y - a.y) - uy * (centre.position.x - a.x);
   return margin_energy(inside / height, piece_margin);
-}
-
-double encroachment_energy(const fit_site& a, const fit_site& b, const fit_site& w) {
-  if (!surely_turns_left(a.position, b.position, w.position)) return 0;
-  const double length_a = std::sqrt(a.squared_distance(b.position)),
-               length_b = std::sqrt(b.squared_distance(a.position));
-  const double least = std::min(least_ratio(a, b.position, length_a, length_b, w),
-                                least_ratio(b, a.position, length_b, length_a, w));
-  return margin_energy(least - 1, far_margin);
 }
 
 }  // namespace asterism::fitting

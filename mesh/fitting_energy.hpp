@@ -14,8 +14,7 @@
 // r its distance and g = d(x)^2 / r^2 - 1 as the site across measures: stars disagree about the
 // edge where g < 0, so with h = (margin - g) / margin, if that is positive, h^2 + h times a weight.
 // Of a piece of a segment (piece_energy) the same, with g how far x is on the inner side, as a part
-// of the height of the triangle: a piece whose triangle has its x behind it is encroached. And once
-// more (encroachment_energy) with g from the point of the piece where a site near it comes first.
+// of the height of the triangle: a piece whose triangle has its x behind it is encroached.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +22,12 @@
 #include "asterism/core/site.hpp"
 
 namespace asterism::fitting {
+
+// Cotangents of the angle aimed at, and of one a little above the bound: beyond it the energy is
+// steeper.
+struct angle_targets {
+  double cotangent = 0, greatest = 0;
+};
 
 // A site, its metric as F^T F with F = [f11 f12; 0 f22], in which thin metrics lose little, and the
 // logarithm of the metric area that triangles around it should have.
@@ -45,7 +50,7 @@ bool surely_turns_left(const point& a, const point& b, const point& c);
 
 // Not finite unless they surely turn left. `sharp`: at a corner of the domain below the bound.
 double shape_energy(const fit_site& a, const fit_site& b, const fit_site& c,
-                    double target_cotangent, bool sharp);
+                    const angle_targets& wanted, bool sharp);
 
 // The area in the mean of the three metrics; negative where they turn right.
 double metric_area(const fit_site& a, const fit_site& b, const fit_site& c);
@@ -61,8 +66,5 @@ voronoi_centre find_centre(const fit_site& a, const fit_site& b, const fit_site&
 double far_site_energy(const voronoi_centre& centre, const fit_site& far);
 // The piece a b with the third vertex c of its triangle on the left.
 double piece_energy(const voronoi_centre& centre, const point& a, const point& b, const point& c);
-// g = f_w / min(f_a, f_b) - 1 where that is least on the piece a b: w encroaches where it is below
-// zero (predicates/encroachment.hpp). Zero unless w is on the left.
-double encroachment_energy(const fit_site& a, const fit_site& b, const fit_site& w);
 
 }  // namespace asterism::fitting

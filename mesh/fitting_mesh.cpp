@@ -20,13 +20,13 @@ std::optional<fit_site> fitted_mesh::site_at(const point& q, double log_area) {
 
 double fitted_mesh::shape_of(const std::array<index, 3>& v) const {
   const bool sharp = touches_sharp_corner(v);
-  return shape_energy(sites_[v[0]], sites_[v[1]], sites_[v[2]], target_cotangent_, sharp);
+  return shape_energy(sites_[v[0]], sites_[v[1]], sites_[v[2]], wanted_, sharp);
 }
 
 void fitted_mesh::judge(index t) {
   const auto& [a, b, c] = triangles_[t].v;
   changed_[t] = 1;
-  shapes_[t] = shape_energy(sites_[a], sites_[b], sites_[c], target_cotangent_, sharp_[t] != 0);
+  shapes_[t] = shape_energy(sites_[a], sites_[b], sites_[c], wanted_, sharp_[t] != 0);
   if (judges_stars_) centres_[t] = find_centre(sites_[a], sites_[b], sites_[c]);
 }
 
@@ -58,49 +58,7 @@ double fitted_mesh::own_star_energy(index t) const {
   return edge_energy(t, 0) + edge_energy(t, 1) + edge_energy(t, 2);
 }
 
-double fitted_mesh::energy(index t) const {
-  double sum = shapes_[t] + own_star_energy(t);
-  if (judges_stars_)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (triangles_[t].segment[i] != none) sum += encroachment_on(t, i);
-  return sum;
-}
-
-// By the neighbours of either end, on the triangle's side of the piece; one of both counts twice.
-// Those on segments are left out: near corners they cannot help it.
-double fitted_mesh::encroachment_on(index t, std::size_t edge) const {
-  const index a = triangles_[t].v[(edge + 1) % 3], b = triangles_[t].v[(edge + 2) % 3];
-  double sum = 0;
-  for (const index end : {a, b})
-    for (const index s : around_[end]) {
-      const fit_triangle& near = triangles_[s];
-      const index w = near.v[(near.corner_of(end) + 1) % 3];
-      if (w != a && w != b && kinds_[w] == vertex_kind::free)
-        sum += encroachment_energy(sites_[a], sites_[b], sites_[w]);
-    }
-  return sum;
-}
-
-// On pieces that end at v by all, and on those that end at a neighbour by v.
-double fitted_mesh::encroachment_around(index v) const {
-  double sum = 0;
-  for (const index t : around_[v]) {
-    const fit_triangle& here = triangles_[t];
-    const std::size_t at = here.corner_of(v);
-    for (const std::size_t i : {(at + 1) % 3, (at + 2) % 3})
-      if (here.segment[i] != none) sum += encroachment_on(t, i);
-    const index u = here.v[(at + 2) % 3];
-    if (kinds_[u] == vertex_kind::free || kinds_[v] != vertex_kind::free) continue;
-    for (const index s : around_[u])
-      for (std::size_t i = 0; i < 3; ++i) {
-        const fit_triangle& near = triangles_[s];
-        const index a = near.v[(i + 1) % 3], b = near.v[(i + 2) % 3];
-        if (near.segment[i] == none || near.v[i] == u || a == v || b == v) continue;
-        sum += encroachment_energy(sites_[a], sites_[b], sites_[v]);
-      }
-  }
-  return sum;
-}
+double fitted_mesh::energy(index t) const { return shapes_[t] + own_star_energy(t); }
 
 double fitted_mesh::energy_around(index v) const {
   double sum = 0;
@@ -112,7 +70,7 @@ double fitted_mesh::energy_around(index v) const {
     if (triangles_[t].segment[i] != none) continue;
     sum += far_site_energy(centres_[triangles_[t].next[i]], sites_[v]);
   }
-  return sum + encroachment_around(v);
+  return sum;
 }
 
 double fitted_mesh::star_energy_of_pair(index t, index s) const {
@@ -163,7 +121,7 @@ std::optional<double> fitted_mesh::move(index v, const target_place& to, double 
   for (const index t : around_[v]) {
     old_shapes_.push_back(shapes_[t]);
     const auto& [a, b, c] = triangles_[t].v;
-    shapes_[t] = shape_energy(sites_[a], sites_[b], sites_[c], target_cotangent_, sharp_[t] != 0);
+    shapes_[t] = shape_energy(sites_[a], sites_[b], sites_[c], wanted_, sharp_[t] != 0);
     sum += shapes_[t];
     if (!(sum < below)) break;
   }

@@ -70,7 +70,7 @@ class fitted_mesh {
 
   double shape(index t) const { return shapes_[t]; }
   double shape_of(const std::array<index, 3>& v) const;
-  // The shape, the edges as the triangle's own centre sees them, and who encroaches on its pieces.
+  // The shape, and the edges as the triangle's own centre sees them.
   double energy(index t) const;
   // Of an edge as t sees it: across to its far site, or as a piece.
   double edge_energy(index t, std::size_t edge) const;
@@ -124,8 +124,6 @@ class fitted_mesh {
   };
 
   double own_star_energy(index t) const;
-  double encroachment_on(index t, std::size_t edge) const;
-  double encroachment_around(index v) const;
 
   fitted_mesh(const domain& d, const metric_field& field) : domain_(&d), field_(&field) {}
 
@@ -150,7 +148,7 @@ class fitted_mesh {
 
   const domain* domain_;
   const metric_field* field_;
-  double target_cotangent_ = 0;
+  angle_targets wanted_;
   bool judges_stars_ = false;
   std::vector<fit_site> sites_;
   std::vector<vertex_kind> kinds_;

@@ -14,6 +14,7 @@ namespace {
 // Triangles come out larger than those of the start by this much: it takes fewer to be as good.
 constexpr double part_of_triangles = 0.76;
 constexpr int most_smoothing = 10;
+constexpr double degrees_to_spare = 0.5;
 
 error not_a_triangulation(const std::string& what) {
   return {"what is to be fitted is no triangulation of the domain: " + what};
@@ -30,7 +31,11 @@ double angle_seen(const fit_site& from, const point& a, const point& b) {
 result<fitted_mesh> fitted_mesh::build(const domain& d, const metric_field& field,
                                        const mesh& start, double angle_bound, double target_angle) {
   fitted_mesh made(d, field);
-  made.target_cotangent_ = 1 / std::tan(target_angle * std::numbers::pi / 180);
+  const auto cotangent = [](double degrees) {
+    return 1 / std::tan(degrees * std::numbers::pi / 180);
+  };
+  made.wanted_ = {cotangent(target_angle),
+                  cotangent(std::min(target_angle, angle_bound + degrees_to_spare))};
   if (auto failure = made.add_sites(start)) return *failure;
   if (auto failure = made.add_places(start)) return *failure;
   if (auto failure = made.add_triangles(start)) return *failure;

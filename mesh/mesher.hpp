@@ -93,13 +93,14 @@ struct relaxation_report {
 };
 
 // The metric given turns by so much over an edge that refinement did not make stars agree; a mesh
-// of the metric relaxed was fitted to it (fitting.hpp), and then they did, in the metric given.
+// of the metric softened was fitted to the one given (fitting.hpp), and in that they do. It keeps
+// to the density wanted, with triangles of other shapes: outcome.too_large has those whose sites
+// are farther from their Voronoi vertex than the size asks for.
 struct fitting_report {
-  std::string why;                                   // how refinement ended before, one sentence
-  relaxation_kind kind = relaxation_kind::softened;  // of the metric whose mesh was fitted
-  double power = 1;
+  std::string why;             // how refinement ended before, one sentence
+  double power = 1;            // the aspects of the metric whose mesh was fitted, to this
+  std::size_t low_before = 0;  // triangles of that below the bound in the metric given
   std::size_t rounds = 0, moves = 0, flips = 0, collapses = 0, insertions = 0;
-  std::size_t low_before = 0;  // triangles below the bound in the mesh that was fitted
 };
 
 struct refinement_outcome {

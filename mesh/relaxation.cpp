@@ -16,6 +16,7 @@
 #include "asterism/mesh/metric_algebra.hpp"
 #include "asterism/mesh/metric_field_relaxed.hpp"
 #include "asterism/mesh/refine_budget.hpp"
+#include "asterism/mesh/refine_quality.hpp"
 #include "asterism/mesh/refinement.hpp"
 #include "asterism/mesh/unit_frame.hpp"
 
@@ -190,7 +191,7 @@ class relaxation {
     report.tries = tries_;
     if (auto failure = compare(report)) return *failure;
     judge(report);
-    if (!getenv("NOFIT")) if (auto fitted = fit_to_given(report)) return *std::move(fitted);
+    if (auto fitted = fit_to_given(report)) return *std::move(fitted);
     if (step_.kind == relaxation_kind::without_demands) tried_->complete = false;
     tried_->complete = tried_->complete && report.low_triangles.empty();
     tried_->reason = reason(report);
@@ -198,43 +199,78 @@ class relaxation {
     return *std::move(tried_);
   }
 
-  // The mesh fitted to the metric given, if its stars agree there and all is as asked. At a jump no
-  // fitting helps.
+  // The mesh fitted to the metric given, if the auditor then certifies it there. Aims differ in
+  // what comes of them by little, which may be what is missing.
   std::optional<refinement_outcome> fit_to_given(const relaxation_report& report) const {
-    if (as_given_.jumps || report.low_triangles.empty() || !tried_->complete ||
-        step_.kind == relaxation_kind::constant)
+    if (step_.kind != relaxation_kind::softened || !tried_->complete ||
+        report.low_triangles.empty())
       return std::nullopt;
-    mesh start = tried_->result;
-    for (site& s : start.sites) s = {frame_.inward(s.position), frame_.inward(s.metric)};
-    fitting_options wanted;
-    wanted.angle_bound = options_.angle_bound;
-    if (options_.stop) wanted.enough = [this] { return options_.stop().has_value(); };
-    auto done = fit(image_, framed_, start, wanted);
-    if (!done || done.value().stopped) return std::nullopt;
-    refinement_options options = options_;
-    // Another site would not leave its neighbours where they fit.
-    options.max_sites = image_.vertices.size() + done.value().proposed.interior.size();
-    for (const auto& division : done.value().proposed.divisions)
-      options.max_sites += division.size();
-    options.improve_passes = 0;  // which would begin with another fill's distances
-    options.keep_if_complete = false;
-    options.limit_size = false;  // the fitting kept to the density, with other shapes
-    const auto own_kernel = kernel_.fork();
-    auto made = refine_from({std::move(done.value().proposed), frame_, 0}, *own_kernel, domain_,
-                            field_, options, progress_);
-    kernel_.count(own_kernel->counters());
-    if (made)
-      fprintf(stderr, "fit: tri %zu low %zu worst %g rounds %zu moves %zu: %s\n",
-              done.value().triangles, done.value().low, done.value().worst_angle,
-              done.value().rounds, done.value().moves, made.value().reason.c_str()),
-          fprintf(stderr, "disagreeing %zu low %zu\n", made.value().disagreeing,
-                  made.value().low_angle);
-    if (!made || !made.value().complete) return std::nullopt;
-    const fitted_domain& f = done.value();
-    made.value().fitted = fitting_report{report.why,  report.kind,  report.power,
-                                         f.rounds,    f.moves,      f.flips,
-                                         f.collapses, f.insertions, report.low_triangles.size()};
-    return std::move(made).value();
+    for (const double aim : {4.5, 6.0, 3.5}) {
+      fitting_options wanted;
+      wanted.angle_bound = options_.angle_bound;
+      wanted.degrees_above_bound = aim;
+      if (options_.stop) wanted.enough = [this] { return options_.stop().has_value(); };
+      const auto fitted = fit(domain_, field_, tried_->result, wanted);
+      if (!fitted || fitted.value().stopped) return std::nullopt;
+      constexpr std::size_t hopeless = 50;
+      if (fitted.value().low > hopeless) return std::nullopt;
+      if (fitted.value().low > 0) continue;
+      audit_options options;
+      options.angle_bound = options_.angle_bound;
+      options.find_exempt_corners = true;
+      options.original = &domain_;
+      const audit_report found = audit(fitted.value().triangulation, options);
+      if (found.certified) return outcome_of(fitted.value(), found, report);
+    }
+    return std::nullopt;
+  }
+
+  refinement_outcome outcome_of(const fitted_domain& fitted, const audit_report& found,
+                                const relaxation_report& report) const {
+    refinement_outcome o;
+    o.complete = true;
+    o.result = fitted.triangulation;
+    o.tolerance = tried_->tolerance;
+    o.sites = o.result.sites.size();
+    o.triangles = o.result.triangles.size();
+    o.splits = o.result.boundary.size() - domain_.segments.size();
+    o.inserted = o.sites - domain_.vertices.size() - o.splits;
+    o.coarser = tried_->coarser;
+    for (const index v : found.exempt_corners) o.exempt.push_back({v, angle_at(o.result, v)});
+    for (const index t : found.exempt_triangles)
+      o.exempt_triangles.push_back(o.result.triangles[t]);
+    if (options_.limit_size) o.too_large = count_large(o.result);
+    o.fitted = fitting_report{as_given_.reason, report.power,     report.low_triangles.size(),
+                              fitted.rounds,    fitted.moves,     fitted.flips,
+                              fitted.collapses, fitted.insertions};
+    o.reason = fmt::format(
+        "all stars agree and every triangle meets the bound, since the mesh of the metric with "
+        "aspects to the power of {} was fitted to the one given; {} triangles are larger than the "
+        "size asks for (before: {})",
+        report.power, o.too_large, as_given_.reason);
+    return o;
+  }
+
+  // Between two pieces at v, the smallest, as v measures it.
+  static double angle_at(const mesh& m, index v) {
+    double least = 180;
+    for (const boundary_edge& leaving : m.boundary)
+      for (const boundary_edge& entering : m.boundary) {
+        if (leaving.a != v || entering.b != v) continue;
+        const point &o = m.sites[v].position, &p = m.sites[leaving.b].position,
+                    &q = m.sites[entering.a].position;
+        if ((p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x) > 0)
+          least = std::min(least, corner_angle(m.sites[v], p, q));
+      }
+    return least;
+  }
+
+  static std::size_t count_large(const mesh& m) {
+    return static_cast<std::size_t>(
+        std::count_if(m.triangles.begin(), m.triangles.end(), [&m](const triangle& t) {
+          return metric_circumradius({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}) >
+                 largest_circumradius;
+        }));
   }
 
   // The sites' own tensors with those the field gives.
