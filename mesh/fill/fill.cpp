@@ -99,7 +99,7 @@ class filling {
   // go through 30 to 2600 candidates a site; where metrics vary wildly every site disturbs a part
   // of all others, and both grow with the number of sites.
   bool is_overworked(std::uint64_t parts = 1) const {
-    constexpr std::uint64_t at_least = 500'000, for_each = 400, candidates_for_one = 25;
+    constexpr std::uint64_t at_least = 500'000, for_each = 200, candidates_for_one = 25;
     const std::uint64_t most = at_least + for_each * sites_.size();
     return parts * disturbed_ > most || parts * (candidates_ / candidates_for_one) > most;
   }
