@@ -20,7 +20,7 @@
 #include "asterism/mesh/audit.hpp"
 #include "asterism/mesh/domain.hpp"
 #include "asterism/mesh/mesh.hpp"
-#include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/relaxation_report.hpp"
 
 namespace asterism {
 

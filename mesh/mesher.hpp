@@ -15,6 +15,7 @@
 #include "asterism/mesh/domain.hpp"
 #include "asterism/mesh/mesh.hpp"
 #include "asterism/mesh/metric_field.hpp"
+#include "asterism/mesh/relaxation_report.hpp"
 
 namespace asterism {
 
@@ -72,24 +73,6 @@ struct improvement_report {
   double mean_quality_before = 0;  // mesh_statistics.hpp
   double mean_quality_after = 0;
   bool stopped = false;  // by options.stop; the mesh is what had been accepted
-};
-
-enum class relaxation_kind { softened, graded, constant, without_demands };
-
-// The mesh is of another metric than the one given, in which the stars could not agree.
-struct relaxation_report {
-  std::string why;  // how refinement ended in the metric as given, one sentence
-  relaxation_kind kind = relaxation_kind::softened;  // relaxation.hpp
-  double power = 1;                                  // of the aspects where they are softened
-  double beta = 1, reach = 1;  // graded: lengths differ by beta at most over the length reach
-  std::size_t tries =
-      0;  // meshes begun until the stars agreed, the one in the metric given left out
-  std::vector<metric_tensor> given;          // of each site, what the field says there
-  std::size_t changed = 0;                   // sites with another tensor than that
-  double most_longer = 1, most_shorter = 1;  // by which some length at a site is measured so
-  // As the tensors given measure them, away from corners that are sharp in these.
-  double worst_angle = 180;
-  std::vector<index> low_triangles;  // below the bound, ascending
 };
 
 // The metric given turns by so much over an edge that refinement did not make stars agree; a mesh
