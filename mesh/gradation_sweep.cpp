@@ -56,6 +56,8 @@ double part_inside(const point& q, const point& d, const bounding_box& box) {
   return t;
 }
 
+error ended_early() { return {"gradation was ended before it was done"}; }
+
 }  // namespace
 
 gradation_sweep::gradation_sweep(const metric_field& field, gradation_grid& grid,
@@ -66,9 +68,17 @@ gradation_sweep::gradation_sweep(const metric_field& field, gradation_grid& grid
   report_.beta = options.beta;
 }
 
+// A step is a sample or a look around, some microseconds.
+bool gradation_sweep::is_ended() {
+  constexpr std::size_t between_questions = 256;
+  if (!ended_ && options_.enough && ++steps_ % between_questions == 0) ended_ = options_.enough();
+  return ended_;
+}
+
 std::optional<error> gradation_sweep::sample() {
   ++time_;
   for (std::size_t n = nodes_.size(); n < grid_.nodes(); ++n) {
+    if (is_ended()) return ended_early();
     const auto m = field_.at(grid_.position(static_cast<std::uint32_t>(n)));
     if (!m.ok())
       return error{"gradation asks for the metric everywhere in the domain's box: " +
@@ -244,8 +254,10 @@ void gradation_sweep::sweep_until_settled() {
       return strength[a] != strength[b] ? strength[a] > strength[b] : a < b;
     });
     report_.settled = true;
-    for (const std::uint32_t n : order)
+    for (const std::uint32_t n : order) {
+      if (is_ended()) return;
       if (visit(n)) report_.settled = false;
+    }
   }
 }
 
@@ -254,6 +266,7 @@ std::optional<error> gradation_sweep::run() {
   for (int level = 0; level <= gradation_grid::deepest; ++level) {
     connect();
     sweep_until_settled();
+    if (ended_) return ended_early();
     report_.resolved = true;
     if (!report_.settled || refine(false) == 0) break;
     if (auto failure = sample()) return failure;

@@ -27,7 +27,8 @@ class gradation_sweep {
     bool altered = false;  // now differs from given
   };
 
-  // Refines for the field as given, then sweeps and refines by turns. Fails where the field does.
+  // Refines for the field as given, then sweeps and refines by turns. Fails where the field does,
+  // and when options.enough ended it.
   std::optional<error> run();
 
   const std::vector<node>& nodes() const { return nodes_; }
@@ -36,6 +37,7 @@ class gradation_sweep {
   const gradation_report& report() const { return report_; }
 
  private:
+  bool is_ended();
   std::optional<error> sample();
   std::optional<error> refine_given();
   std::size_t refine(bool by_given);
@@ -55,6 +57,8 @@ class gradation_sweep {
   std::vector<node> nodes_;
   std::vector<std::uint32_t> first_neighbour_, neighbours_;  // those of n: [first[n], first[n + 1])
   std::uint64_t time_ = 1;
+  std::size_t steps_ = 0;  // between which it is asked whether that is enough
+  bool ended_ = false;
   gradation_report report_;
 };
 

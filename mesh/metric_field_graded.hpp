@@ -28,6 +28,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 #include "asterism/core/result.hpp"
@@ -36,9 +37,10 @@
 namespace asterism {
 
 struct gradation_options {
-  double beta = 1.1;               // above 1, finite
-  std::size_t max_nodes = 200000;  // of the grid, exceeded by a few
-  int max_sweeps = 200;            // over all its nodes
+  double beta = 1.1;                  // above 1, finite
+  std::size_t max_nodes = 200000;     // of the grid, exceeded by a few
+  int max_sweeps = 200;               // over all its nodes
+  std::function<bool()> enough = {};  // asked now and then, true ends it; may be empty
 };
 
 struct gradation_report {
@@ -57,7 +59,8 @@ struct graded_metric {
 };
 
 // Takes `field` over, and returns it when no node was changed. `box` is that of the domain. Fails
-// where the field does anywhere in the box, inside the domain or not, and for options out of range.
+// where the field does anywhere in the box, inside the domain or not, for options out of range, and
+// when `enough` ended it.
 result<graded_metric> grade_metric(std::unique_ptr<metric_field> field, const bounding_box& box,
                                    const gradation_options& options = {});
 

@@ -96,13 +96,17 @@ std::unique_ptr<metric_field> soften(const metric_field& field, double power) {
 }
 
 std::unique_ptr<metric_field> grade_over(const metric_field& field, const bounding_box& box,
-                                         double beta, double reach, const metric_tensor& typical) {
+                                         double beta, double reach, const metric_tensor& typical,
+                                         std::function<bool()> enough) {
   constexpr double weak = 0x1p-60;
   const double factor = 1 / (reach * reach);
   const double least = weak * factor * std::min(typical.m11, typical.m22);
+  gradation_options options;
+  options.beta = beta;
+  options.enough = std::move(enough);
   auto graded =
       grade_metric(std::make_unique<rescaled_field>(field, factor, metric_tensor{least, 0, least}),
-                   box, {.beta = beta});
+                   box, options);
   if (!graded || graded.value().report.changed == 0) return nullptr;
   return std::make_unique<restored_field>(std::move(graded.value().field), 1 / factor);
 }

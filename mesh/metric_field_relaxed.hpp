@@ -6,6 +6,7 @@
 // All are positive definite wherever they do not fail; tensors as metric_algebra.hpp takes them.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,10 +22,12 @@ namespace asterism {
 std::unique_ptr<metric_field> soften(const metric_field& field, double power);
 
 // grade_metric (metric_field_graded.hpp) for lengths wanted to differ by `beta` at most over the
-// metric length `reach`. Empty where gradation changes nothing, or fails. In the box, but outside
-// the domain, `field` may fail: that has no influence elsewhere. `typical` is a tensor it may have.
+// metric length `reach`. Empty where gradation changes nothing, fails, or is ended by `enough`. In
+// the box, but outside the domain, `field` may fail: that has no influence elsewhere. `typical` is
+// a tensor it may have.
 std::unique_ptr<metric_field> grade_over(const metric_field& field, const bounding_box& box,
-                                         double beta, double reach, const metric_tensor& typical);
+                                         double beta, double reach, const metric_tensor& typical,
+                                         std::function<bool()> enough = {});
 
 std::unique_ptr<metric_field> same_everywhere(const metric_tensor& m);
 

@@ -98,7 +98,8 @@ class relaxation {
     if (step_.kind == relaxation_kind::softened)
       made = soften(framed_, step_.power);
     else if (step_.kind == relaxation_kind::graded)
-      made = grade_over(framed_, image_.box(), step_.beta, step_.reach, mean_);
+      made = grade_over(framed_, image_.box(), step_.beta, step_.reach, mean_,
+                        [this] { return options_.stop && options_.stop(); });
     else
       made = same_everywhere(mean_);
     return made ? seen_from_outside(std::move(made), frame_) : nullptr;
@@ -139,19 +140,20 @@ class relaxation {
     tried_.reset();
     crowded_ = false;
     longer_edges_ = 1;
+    if (is_stopped()) return tried_;
     refinement_options options = options_;
     if (step.kind == relaxation_kind::without_demands) {
       options.angle_bound = 0;
       options.limit_size = false;
     }
     const auto relaxed = make_field();
-    if (!relaxed) return tried_;
+    if (is_stopped() || !relaxed) return tried_;
     const bool may_vary =
         step.kind == relaxation_kind::softened || step.kind == relaxation_kind::graded;
     crowded_ = options.limit_size && may_vary && varies_too_fast(*relaxed);
     if (crowded_) return tried_;
     const auto filled = fill_within_budget(frame_, domain_, *relaxed, options, progress_);
-    if (!filled) return tried_;
+    if (!filled || (filled.value().proposed.stopped && is_stopped())) return tried_;
     crowded_ = filled.value().proposed.crowded.has_value();
     longer_edges_ = std::exp2(filled.value().halvings / 2.0);
     if (crowded_ || (may_vary && longer_edges_ > step.reach)) return tried_;
@@ -168,16 +170,22 @@ class relaxation {
     if (made) tried_ = std::move(made).value();
   }
 
-  static bool is_final(const std::optional<refinement_outcome>& tried) {
+  bool is_stopped() {
+    if (!stopped_ && options_.stop) stopped_ = options_.stop();
+    return stopped_.has_value();
+  }
+
+  bool is_final(const std::optional<refinement_outcome>& tried) const {
+    if (stopped_) return true;
     if (!tried) return false;
     const bool agrees = tried->disagreeing == 0 && tried->unmade == 0 && !tried->crowded;
     return agrees || tried->stopped;
   }
 
   result<refinement_outcome> conclude() {
-    if (tried_->stopped) {
+    if (stopped_ || tried_->stopped) {
       as_given_.stopped = true;
-      as_given_.reason = tried_->reason +
+      as_given_.reason = (stopped_ ? "stopped: " + *stopped_ : tried_->reason) +
                          ", in the metric relaxed; before that, in the metric given, " +
                          as_given_.reason;
       return std::move(as_given_);
@@ -201,7 +209,7 @@ class relaxation {
 
   // The mesh fitted to the metric given, if the auditor then certifies it there. Aims differ in
   // what comes of them by little, which may be what is missing.
-  std::optional<refinement_outcome> fit_to_given(const relaxation_report& report) const {
+  std::optional<refinement_outcome> fit_to_given(const relaxation_report& report) {
     if (step_.kind != relaxation_kind::softened || !tried_->complete ||
         report.low_triangles.empty())
       return std::nullopt;
@@ -211,6 +219,7 @@ class relaxation {
       wanted.degrees_above_bound = aim;
       if (options_.stop) wanted.enough = [this] { return options_.stop().has_value(); };
       const auto fitted = fit(domain_, field_, tried_->result, wanted);
+      if (fitted && fitted.value().stopped) fitting_stopped_ = options_.stop();
       if (!fitted || fitted.value().stopped) return std::nullopt;
       constexpr std::size_t hopeless = 50;
       if (fitted.value().low > hopeless) return std::nullopt;
@@ -318,15 +327,15 @@ class relaxation {
   }
 
   std::string reason(const relaxation_report& report) const {
+    const std::string stopped =
+        fitting_stopped_ ? "; fitting it to that was stopped: " + *fitting_stopped_ : "";
     return fmt::format(
         "stars cannot agree in the metric given ({}); they agree in {}, which differs from it at "
-        "{} "
-        "of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as "
-        "the "
-        "metric given measures them {} triangles are below {} degrees, the worst {:.2f}",
+        "{} of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as "
+        "the metric given measures them {} triangles are below {} degrees, the worst {:.2f}{}",
         report.why, metric_text(report), report.changed, report.given.size(), report.most_longer,
         report.most_shorter, tried_->reason, report.low_triangles.size(), options_.angle_bound,
-        report.worst_angle);
+        report.worst_angle, stopped);
   }
 
   const star_kernel& kernel_;
@@ -341,7 +350,9 @@ class relaxation {
   metric_tensor mean_;
   double extent_ = 0;
   std::optional<refinement_outcome> tried_;
-  relaxation_step step_;  // of the last attempt, as what follows
+  relaxation_step step_;                        // of the last attempt, as what follows
+  std::optional<std::string> stopped_;          // why, between meshes
+  std::optional<std::string> fitting_stopped_;  // why, while fitting
   bool crowded_ = false;
   double longer_edges_ = 1;
   std::size_t tries_ = 0;

@@ -187,6 +187,22 @@ TEST_CASE("limits that are met are told") {
   REQUIRE(few_sweeps.value().report.sweeps == 2);
 }
 
+TEST_CASE("gradation ends when it is told, and does not ask again") {
+  int asked = 0, last = -1;
+  gradation_options options;
+  options.enough = [&] { return ++asked == last; };
+  REQUIRE(grade_metric(field("swirl:24", 0.3), unit_box, options).ok());
+  const int in_all = asked;
+  REQUIRE(in_all > 20);
+  for (const int when : {1, 2, in_all / 2, in_all}) {
+    asked = 0;
+    last = when;
+    const auto ended = grade_metric(field("swirl:24", 0.3), unit_box, options);
+    REQUIRE(ended.failure().message == "gradation was ended before it was done");
+    REQUIRE(asked == when);
+  }
+}
+
 TEST_CASE("gradation refuses what it cannot do") {
   for (const double beta : {1.0, 0.5, -3.0, std::nan(""), HUGE_VAL}) {
     const auto refused = grade_metric(field("identity", 1), unit_box, {.beta = beta});

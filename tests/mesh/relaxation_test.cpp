@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -252,6 +253,32 @@ TEST_CASE("relaxation: a stop is kept to while the metric is relaxed") {
   CHECK_FALSE(made.complete);
   CHECK_FALSE(made.relaxed.has_value());
   CHECK(made.reason.find("in the metric relaxed") != std::string::npos);
+}
+
+TEST_CASE("relaxation: gradation went on for a minute after the run was stopped") {
+  const domain d = accepted(square());
+  std::atomic<std::size_t> evaluations = 0;
+  const formula_field field([&evaluations](const point& q) {
+    ++evaluations;
+    return checkerboard(0.52, 0.8).at(q).value();
+  });
+  std::size_t asked = 0, most = SIZE_MAX, at_stop = 0;
+  refinement_options options = with_size();
+  options.stop = [&]() -> std::optional<std::string> {
+    if (++asked <= most) return std::nullopt;
+    if (at_stop == 0) at_stop = evaluations;
+    return "enough";
+  };
+  options.relax = false;
+  mesh_of(d, field, options);
+  most = asked + 1;  // the next is gradation's
+  asked = 0;
+  options.relax = true;
+  const refinement_outcome made = mesh_of(d, field, options);
+  INFO(made.reason);
+  CHECK(made.stopped);
+  CHECK(made.reason.find("stopped: enough, in the metric relaxed; before that") == 0);
+  CHECK(evaluations - at_stop == 0);
 }
 
 TEST_CASE("relaxation: certificates say of which metric a mesh is, and are read back") {
