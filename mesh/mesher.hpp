@@ -98,7 +98,8 @@ struct refinement_outcome {
   bool crowded = false;    // the fill was given up (fill/fill.hpp): the given vertices alone
   std::size_t inserted = 0, splits = 0, candidates_rejected = 0;
   // Where the size wanted would have taken more sites than max_sites allows, edges were made this
-  // many times as long, all of them, and about so many sites would have been wanted.
+  // many times as long, all of them, and about so many sites would have been wanted (0: the run
+  // was stopped before that could be told).
   double coarser = 1, sites_wanted = 0;
   // Stars a search of what is near had got wrong, found by looking at all sites, and mended.
   std::size_t star_repairs = 0;

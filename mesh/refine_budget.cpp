@@ -132,7 +132,8 @@ void report_crowded(const budgeted_filling& filled, refinement_outcome& outcome)
       crowded->sites, format_number(at.x), format_number(at.y), crowded->neighbours);
 }
 
-void report_coarser(int halvings, const refinement_options& options, refinement_outcome& outcome) {
+void report_coarser(int halvings, bool fill_stopped, const refinement_options& options,
+                    refinement_outcome& outcome) {
   if (halvings == 0) return;
   const mesh& m = outcome.result;
   outcome.complete = false;
@@ -142,6 +143,12 @@ void report_coarser(int halvings, const refinement_options& options, refinement_
                largest_circumradius;
       }));
   outcome.coarser = std::exp2(halvings / 2.0);
+  if (fill_stopped) {
+    outcome.reason =
+        fmt::format("the limit of {} sites was reached; with edges {:.3g} times as long, {}",
+                    options.max_sites, outcome.coarser, outcome.reason);
+    return;
+  }
   const double on_segments = sites_on_segments(m);
   const double inside = static_cast<double>(outcome.sites) - on_segments;
   outcome.sites_wanted = on_segments * outcome.coarser + inside * outcome.coarser * outcome.coarser;

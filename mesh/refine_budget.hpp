@@ -33,7 +33,9 @@ result<budgeted_filling> fill_within_budget(
 void report_crowded(const budgeted_filling& filled, refinement_outcome& outcome);
 
 // With halvings, turns the outcome of a coarser fill into one of what was asked: not complete, with
-// the triangles that are too large counted and the size that was delivered.
-void report_coarser(int halvings, const refinement_options& options, refinement_outcome& outcome);
+// the triangles that are too large counted and the size that was delivered. How many sites would
+// have been wanted is told from those there are, unless the fill was stopped and more were to come.
+void report_coarser(int halvings, bool fill_stopped, const refinement_options& options,
+                    refinement_outcome& outcome);
 
 }  // namespace asterism

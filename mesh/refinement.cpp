@@ -488,7 +488,7 @@ result<refinement_outcome> refine_on(
   const unit_frame frame = unit_frame::choose(d, field, lengths_are_free);
   const auto as_given = [&](int halvings) {
     auto kept = refine_as_given(frame.coarser(halvings), kernel, d, field, options, progress);
-    if (kept && kept.value().complete) report_coarser(halvings, options, kept.value());
+    if (kept && kept.value().complete) report_coarser(halvings, false, options, kept.value());
     return kept;
   };
   if (options.keep_if_complete)
@@ -513,7 +513,7 @@ result<refinement_outcome> refine_from(
     const metric_field& field, const refinement_options& options,
     const std::function<void(const refinement_progress&)>& progress) {
   auto made = refine_filled(filled, kernel, d, field, options, progress);
-  if (made) report_coarser(filled.halvings, options, made.value());
+  if (made) report_coarser(filled.halvings, filled.proposed.stopped, options, made.value());
   return made;
 }
 

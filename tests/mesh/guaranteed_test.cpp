@@ -334,6 +334,31 @@ TEST_CASE("guaranteed: a size that takes 4e14 triangles ends soon, and says so")
   }
 }
 
+TEST_CASE(
+    "guaranteed: a run stopped while filling wanted fewer sites than the limit it had reached") {
+  refinement_options options = with_size(true);
+  options.max_sites = 2000;
+  const formula_field fine = sized(swirl_field(100), 1e-3);
+  int asked = 0, most = 0;
+  std::size_t coarser = 0;
+  options.stop = [&]() -> std::optional<std::string> {
+    if (++asked <= most) return std::nullopt;
+    return "enough";
+  };
+  for (most = 0; most < 12; ++most) {
+    asked = 0;
+    const refinement_outcome made = mesh_of(accepted(square()), fine, options);
+    INFO(most << ": " << made.reason);
+    CHECK(made.stopped);
+    if (made.coarser == 1) continue;
+    ++coarser;
+    CHECK((made.sites_wanted == 0 || made.sites_wanted > 2000));
+    CHECK((made.reason.find("the size wanted takes") == std::string::npos) ==
+          (made.sites_wanted == 0));
+  }
+  CHECK(coarser > 0);
+}
+
 TEST_CASE("guaranteed: far from the origin, sites a millionth apart") {
   domain d;
   add_ring(d, box_ring(1e8, 1e8, 1e8 + 1e-5, 1e8 + 1e-5));
