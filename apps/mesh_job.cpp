@@ -258,7 +258,9 @@ void write_summary(const refinement_outcome& outcome, const audit_report& report
                    std::optional<double> unit_edges) {
   std::cout << report.sites << " sites, " << report.triangles << " triangles, worst angle "
             << std::fixed << std::setprecision(2) << report.worst.degrees << " degrees, "
-            << outcome.disagreeing << " disagreeing, " << outcome.low_angle << " low-angle";
+            << outcome.disagreeing << " disagreeing, "
+            << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle)
+            << " low-angle";
   if (outcome.too_large > 0) std::cout << ", " << outcome.too_large << " too large";
   if (outcome.unmade > 0) std::cout << ", " << outcome.unmade << " stars never made";
   if (!report.exempt_corners.empty())

@@ -100,6 +100,14 @@ class Mesh(command.CommandTest):
         self.assertIsNone(claim["outcome"]["relaxed"])
         self.assertEqual(claim["asked"]["options"]["relax"], "no")
 
+    def test_the_summary_told_fewer_low_angles_than_the_certificate(self):
+        done = self.run_command("mesh", "square", "--size", "0.3", "--max-sites", "80", "--no-relaxation", "--metric",
+                                "expr:sin(4*x)*sin(4*y)<0?100:1;0;sin(4*x)*sin(4*y)<0?1:100", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 1)
+        low = json.loads((self.folder / "m.certificate.json").read_text())["audit"]["low_triangles"]
+        self.assertGreater(len(low), 0)
+        self.assertIn(", %d low-angle, " % len(low), done.stdout)
+
     def test_a_jump_in_size_is_complete_and_told(self):
         done = self.run_command("mesh", "square", "--metric", "expr:x<0.1?100:1;0;x<0.1?100:1",
                                 "--size", "1", "-o", "m.mesh")
