@@ -14,8 +14,16 @@ namespace {
 
 constexpr double sharp_angle = 60;  // degrees
 
-// Lengths on one shell agree up to rounding.
+// Lengths on one shell agree up to rounding: that of the lengths, and that of the points.
 constexpr double shell_slack = 1e-6;
+
+// At least what the distance of two points measures more or less when both are rounded to doubles:
+// with half an ulp for each coordinate of each, one ulp of the larger along both axes.
+double rounding_of_distance(const metric_tensor& m, const point& a, const point& b) {
+  const double x = 0x1p-52 * std::max(std::abs(a.x), std::abs(b.x));
+  const double y = 0x1p-52 * std::max(std::abs(a.y), std::abs(b.y));
+  return std::sqrt(m.m11) * x + std::sqrt(m.m22) * y;
+}
 
 // The power of two nearest to half the length, as a ratio: within a factor sqrt(2) of it.
 double shell_radius(double length) { return std::exp2(std::round(std::log2(length / 2))); }
@@ -63,7 +71,8 @@ bool in_box(const point& a, const point& b, const point& q) {
 }
 
 // Whether replacing a b by a m, m b leaves every other site and piece where it was: on the same
-// side of the boundary, and uncrossed. Only the sliver a, m, b changes sides.
+// side of the boundary, uncrossed and untouched: where segments meet in a sharp corner, or a few
+// ulps apart, m may be rounded onto another one. Only the sliver a, m, b changes sides.
 bool sliver_is_empty(const star_kernel& kernel, const std::vector<site>& sites,
                      const boundary& edges, const neighbourhood& near, const boundary_edge& piece,
                      const point& m) {
@@ -79,7 +88,8 @@ bool sliver_is_empty(const star_kernel& kernel, const std::vector<site>& sites,
   return no_site && near.pieces().visit(box, [&](std::uint32_t i) {
     const boundary_edge& p = edges.pieces()[i];
     const point &r = sites[p.a].position, &s = sites[p.b].position;
-    return !properly_cross(kernel, a, m, r, s) && !properly_cross(kernel, m, b, r, s);
+    return !on_open_segment(kernel, r, s, m) && !properly_cross(kernel, a, m, r, s) &&
+           !properly_cross(kernel, m, b, r, s);
   });
 }
 
@@ -111,8 +121,10 @@ bool refine_state::is_excused(const boundary_edge& piece, index w) const {
     if (w != (piece.a == v ? ends.last : ends.first)) continue;
     const site& corner = sites_[v];
     const point& far_end = sites_[piece.a == v ? piece.b : piece.a].position;
-    if (squared_distance(corner, sites_[w].position) >=
-        (1 - shell_slack) * squared_distance(corner, far_end))
+    const double to_w = std::sqrt(squared_distance(corner, sites_[w].position));
+    const double to_far_end = std::sqrt(squared_distance(corner, far_end));
+    if (to_w + rounding_of_distance(corner.metric, sites_[w].position, far_end) >=
+        (1 - shell_slack) * to_far_end)
       return true;
   }
   return false;
@@ -220,9 +232,7 @@ bool refine_state::split_at_place(const point& q, double shortest) {
   near_.influences().visit({q, q}, [&](std::uint32_t piece) {
     const boundary_edge& p = edges_.pieces()[piece];
     const point &a = sites_[p.a].position, &b = sites_[p.b].position;
-    if ((!first || piece < *first) && strictly_between(a, q, b) &&
-        kernel_->orientation(a, b, q) == sign::zero)
-      first = piece;
+    if ((!first || piece < *first) && on_open_segment(*kernel_, a, b, q)) first = piece;
     return true;
   });
   return first && split(*first, shortest);

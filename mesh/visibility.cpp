@@ -11,15 +11,15 @@ bool boxes_apart(const point& p, const point& q, const point& r, const point& s)
          std::max(p.y, q.y) < std::min(r.y, s.y) || std::max(r.y, s.y) < std::min(p.y, q.y);
 }
 
-bool on_open_segment(const star_kernel& kernel, const point& p, const point& q, const point& at) {
-  return strictly_between(p, at, q) && kernel.orientation(p, q, at) == sign::zero;
-}
-
 }  // namespace
 
 bool strictly_between(const point& p, const point& q, const point& r) {
   return (lexicographically_less(p, q) && lexicographically_less(q, r)) ||
          (lexicographically_less(r, q) && lexicographically_less(q, p));
+}
+
+bool on_open_segment(const star_kernel& kernel, const point& p, const point& q, const point& at) {
+  return strictly_between(p, at, q) && kernel.orientation(p, q, at) == sign::zero;
 }
 
 bool properly_cross(const star_kernel& kernel, const point& p, const point& q, const point& r,

@@ -28,4 +28,7 @@ bool properly_cross(const star_kernel& kernel, const point& p, const point& q, c
 // Whether q, known to be on the line through p and r, lies strictly between them.
 bool strictly_between(const point& p, const point& q, const point& r);
 
+// Whether `at` lies on the segment p q and is no end of it. Exact.
+bool on_open_segment(const star_kernel& kernel, const point& p, const point& q, const point& at);
+
 }  // namespace asterism

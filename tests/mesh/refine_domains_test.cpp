@@ -112,3 +112,32 @@ TEST_CASE("a Voronoi vertex on a segment has it split, though nothing encroaches
   options.angle_bound = 15;
   check_certified(accepted(d), identity_field(), options);
 }
+
+namespace {
+
+// Corners of 11 and 31 degrees in a square of side 4, moved to where `ulps` doubles lie between
+// whole numbers.
+domain sharp_corners_among_few_doubles(double ulps) {
+  domain d = polygon(box_ring(0, 0, 4, 4));
+  add_chain(d, {{3, 0}, {4, 4}, {3, 1}});
+  for (point& q : d.vertices) q = {0x1p26 + q.x * 0x1p-26 * ulps, 0x1p26 + q.y * 0x1p-26 * ulps};
+  return accepted(d);
+}
+
+}  // namespace
+
+TEST_CASE("a point that splits a segment was rounded onto the next segment of its corner") {
+  const auto made = make_mesh(sharp_corners_among_few_doubles(16), identity_field(), {});
+  REQUIRE(made.ok());
+  CHECK(made.value().disagreeing == 0);
+  audit_options options;
+  options.angle_bound = 0;
+  const audit_report report = audit(made.value().result, options);
+  for (const audit_finding& f : report.findings) UNSCOPED_INFO(f.witness);
+  CHECK(report.certified);
+}
+
+TEST_CASE("shells around a sharp corner that rounding made unequal split each other down to ulps") {
+  for (const double ulps : {64, 32})
+    check_certified(sharp_corners_among_few_doubles(ulps), identity_field(), {});
+}
