@@ -158,6 +158,13 @@ std::string text_of(const gradation_report& done) {
   return text;
 }
 
+// The size the mesh was made for; none, too, where the relaxed mesh was made without demands.
+std::string text_of_size_delivered(const mesh_job& job, const refinement_outcome& outcome) {
+  const bool demanded =
+      !outcome.relaxed || outcome.relaxed->kind != relaxation_kind::without_demands;
+  return job.size && demanded ? text_of(*job.size * outcome.coarser) : "none";
+}
+
 // What the passes over the finished mesh did, in one line.
 std::string text_of(const improvement_report& done, std::size_t sites) {
   return std::to_string(done.passes) + " passes of " + std::to_string(done.tries) + " tries, " +
@@ -183,7 +190,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
   return {{"domain", job.domain},
           {"angle-bound", text_of(asked.angle_bound)},
           {"size", job.size ? text_of(*job.size) : "none"},
-          {"size-delivered", job.size ? text_of(*job.size * outcome.coarser) : "none"},
+          {"size-delivered", text_of_size_delivered(job, outcome)},
           {"gradation", job.gradation ? text_of(*job.gradation) : "none"},
           {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
           {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},

@@ -29,7 +29,17 @@ double inner_product_magnitude(const metric_tensor& m, const point& a, const poi
          m.m22 * std::abs(a.y * b.y);
 }
 
-bool corner_is_low(const metric_tensor& m, const point& a, const point& b, double cotangent) {
+// The tensor times a power of two, so that its determinant stays in the range of doubles: what an
+// angle is does not depend on units. Nothing is lost unless it is much wider than any aspect is.
+metric_tensor in_range(const metric_tensor& m) {
+  const double product = m.m11 * m.m22;
+  if (0x1p-900 < product && product < 0x1p900) return m;
+  const int exponent = -(std::ilogb(m.m11) + std::ilogb(m.m22)) / 2;
+  return {std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent), std::scalbn(m.m22, exponent)};
+}
+
+bool corner_is_low(const metric_tensor& given, const point& a, const point& b, double cotangent) {
+  const metric_tensor m = in_range(given);
   const double left = inner_product(m, a, b) + 8 * epsilon * inner_product_magnitude(m, a, b);
   if (left <= 0) return false;
   const double product = m.m11 * m.m22, square = m.m12 * m.m12;
@@ -42,8 +52,9 @@ bool corner_is_low(const metric_tensor& m, const point& a, const point& b, doubl
 // The same for a thin metric, in twice the precision. Differences of doubles are exact there; the
 // rest are sums of at most 16 operations, each off by less than 2^-102 of its result, so that
 // 2^-97 of the magnitudes covers them. Rounding to doubles is relative, and within the 4 epsilon.
-bool thin_corner_is_low(const metric_tensor& m, const std::array<point, 3>& corner,
+bool thin_corner_is_low(const metric_tensor& given, const std::array<point, 3>& corner,
                         double cotangent) {
+  const metric_tensor m = in_range(given);
   using wide = double_double;
   const auto& [o, p, q] = corner;
   const wide ax = wide(p.x) - o.x, ay = wide(p.y) - o.y, bx = wide(q.x) - o.x, by = wide(q.y) - o.y;

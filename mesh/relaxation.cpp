@@ -299,7 +299,7 @@ class relaxation {
   }
 
   // The angles in the metric given, by the auditor's exact test.
-  void judge(relaxation_report& report) const {
+  void judge(relaxation_report& report) {
     mesh as_given = tried_->result;
     for (index v = 0; v < as_given.sites.size(); ++v) as_given.sites[v].metric = report.given[v];
     audit_options options;
@@ -309,6 +309,9 @@ class relaxation {
     audit_report found = audit(as_given, options);
     report.worst_angle = found.worst.degrees;
     report.low_triangles = std::move(found.low_triangles);
+    // Without demands nobody has looked at sizes yet.
+    if (options_.limit_size && step_.kind == relaxation_kind::without_demands)
+      tried_->too_large = count_large(as_given);
   }
 
   static std::string metric_text(const relaxation_report& report) {

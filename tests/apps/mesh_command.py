@@ -189,6 +189,16 @@ class Mesh(command.CommandTest):
         self.assertEqual(asked["size"], "1e-07")
         self.assertGreater(float(asked["size-delivered"]), 1e-3)
 
+    def test_what_a_mesh_without_demands_does_not_meet_was_counted_as_none(self):
+        done = self.run_command("mesh", "airfoil", "--size", "0.3", "--max-sites", "120", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no demands on angles and sizes", done.stderr)
+        claim = json.loads((self.folder / "m.certificate.json").read_text())
+        low = len(claim["audit"]["low_triangles"])
+        self.assertGreater(low, 0)
+        self.assertRegex(done.stdout, rf" {low} low-angle, [1-9]\d* too large,")
+        self.assertEqual(claim["asked"]["options"]["size-delivered"], "none")
+
     def test_improve(self):
         job = ["mesh", "square", "--metric", "swirl:12", "--size", "0.2", "-o", "m.mesh"]
         sites, made = [], []
