@@ -31,7 +31,10 @@ int run(int argc, char** argv) {
     std::cerr << "asterism: " << failure.what() << "\nRun with --help for more information.\n";
     return refused;
   }
-  return chosen();
+  const int status = chosen();
+  if (std::cout.flush() || status != done) return status;
+  std::cerr << "asterism: standard output: writing failed\n";
+  return not_reached;
 }
 
 }  // namespace

@@ -47,6 +47,9 @@ std::optional<error> check_files(const mesh_job& job, const fs::path& certificat
     if (fs::is_regular_file(file, ignored)) used.push_back(file);
     if (file.extension() == ".mesh" && fs::is_regular_file(solution_path(file), ignored))
       used.push_back(solution_path(file));
+    const fs::path vertices = fs::path(file).replace_extension(".node");
+    if (file.extension() == ".poly" && fs::is_regular_file(vertices, ignored))
+      used.push_back(vertices);
   }
   for (const fs::path& output : job.outputs) {
     const auto format = check_output(output);
@@ -306,8 +309,7 @@ int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit
 }
 
 result<refinement_outcome> mesh_with_progress(const mesh_job& job, const prepared_input& input,
-                                              progress_line& line) {
-  const run_limits limits(job.max_seconds, job.max_megabytes);
+                                              const run_limits& limits, progress_line& line) {
   refinement_options options = job.refinement;
   options.keep_if_complete = is_mesh(job);
   options.stop = [&limits] { return limits.reason(); };
@@ -329,8 +331,11 @@ int run_mesh_job(const mesh_job& job) {
   if (input.value().gradation && !job.quiet)
     std::cout << "gradation: " << text_of(*input.value().gradation) << '\n';
 
+  // Until all is written: an interrupt during the audit must not lose the mesh, nor one between two
+  // files the second.
+  const run_limits limits(job.max_seconds, job.max_megabytes);
   std::optional<progress_line> line(!job.quiet);
-  const auto made = mesh_with_progress(job, input.value(), *line);
+  const auto made = mesh_with_progress(job, input.value(), limits, *line);
   if (!made) {
     line.reset();
     return complain(made.failure(), refused);

@@ -23,16 +23,33 @@ struct closer {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-std::optional<error> write_bytes(const fs::path& path, const std::string& bytes) {
+// Notes the path in `created` once the file is there, which it must not be before.
+std::optional<error> write_bytes(const fs::path& path, const std::string& bytes,
+                                 std::vector<fs::path>& created) {
   errno = 0;
-  std::unique_ptr<std::FILE, closer> file(std::fopen(path.c_str(), "wb"));
+  std::unique_ptr<std::FILE, closer> file(std::fopen(path.c_str(), "wbx"));
   if (!file) return system_failure(path, "cannot be created");
+  created.push_back(path);
   // A full disk may show only when the buffer is flushed or the file is closed.
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
                        std::fflush(file.get()) == 0;
   if (!written) return system_failure(path, "cannot be written");
   if (std::fclose(file.release()) != 0) return system_failure(path, "cannot be written");
   return {};
+}
+
+// A name beside `path` that nothing has; it is not ours to replace what is there.
+fs::path temporary_path(const fs::path& path) {
+  std::error_code status;
+  fs::path part = path;
+  part += ".part";
+  constexpr int most = 1000;
+  for (int i = 2; i <= most && fs::symlink_status(part, status).type() != fs::file_type::not_found;
+       ++i) {
+    part = path;
+    part += ".part" + std::to_string(i);
+  }
+  return part;
 }
 
 // Removes the temporary files that have not been renamed.
@@ -50,10 +67,8 @@ class temporary_files {
 result<std::vector<fs::path>> write_files(const std::vector<output_file>& files) {
   temporary_files temporary;
   for (const output_file& file : files) {
-    fs::path part = file.path;
-    part += ".part";
-    temporary.paths.push_back(part);
-    if (auto failed = write_bytes(part, file.bytes)) return std::move(*failed);
+    const fs::path part = temporary_path(file.path);
+    if (auto failed = write_bytes(part, file.bytes, temporary.paths)) return std::move(*failed);
   }
   std::vector<fs::path> written;
   for (std::size_t i = 0; i < files.size(); ++i) {

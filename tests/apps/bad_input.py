@@ -2,6 +2,7 @@
 """Malformed and impossible input: a message that names what is wrong, exit status 2, and nothing
 written."""
 import os
+import subprocess
 import unittest
 
 import command
@@ -136,6 +137,19 @@ class BadInput(command.CommandTest):
         for what, arguments, pattern in ARGUMENTS:
             with self.subTest(what):
                 self.refuse(["mesh", *arguments], pattern)
+
+    def test_an_output_over_the_vertices_of_a_poly_file(self):
+        vertices, rest = SQUARE[:SQUARE.index("4 0\n1 1 2")], SQUARE[SQUARE.index("4 0\n1 1 2"):]
+        self.write("in.node", vertices)
+        self.write("in.poly", "0 2 0 0\n" + rest)
+        self.refuse(["mesh", "in.poly", "-o", "out.mesh", "--certificate", "in.node"], r"in\.node.*twice")
+
+    def test_standard_output_that_is_full(self):
+        with open("/dev/full", "w", encoding="ascii") as full:
+            done = subprocess.run([command.PROGRAM, "mesh", "square", "-o", "x.mesh"], cwd=self.folder, stdout=full,
+                                  stderr=subprocess.PIPE, timeout=60, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr, b"asterism: standard output: writing failed\n")
 
     def test_other_commands(self):
         self.write("text.mesh", "once upon a time\n")

@@ -312,6 +312,18 @@ class Limits(command.CommandTest):
             _, told = run.communicate(timeout=240)
         self.check_partial(run.returncode, told.decode(), "interrupted")
 
+    def test_an_interrupt_between_two_files_does_not_lose_the_second(self):
+        names = ["m.certificate.json", "m.mesh", "m.pdf", "m.png", "m.sol", "m.svg", "m.vtu"]
+        outputs = [word for name in names if name[2:] not in ("certificate.json", "sol") for word in ("-o", name)]
+        with subprocess.Popen([command.PROGRAM, "mesh", "square", "--size", "0.03", *outputs], cwd=self.folder,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE) as run:
+            while run.poll() is None and "m.sol" not in self.files():
+                time.sleep(0.001)
+            run.send_signal(signal.SIGINT)
+            _, told = run.communicate(timeout=240)
+        self.assertEqual(run.returncode, 0, told.decode())
+        self.assertEqual(self.files(), names)
+
     def test_threads_change_nothing(self):
         made = []
         for threads in ("1", "3"):

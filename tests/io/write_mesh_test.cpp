@@ -60,6 +60,16 @@ TEST_CASE("places where nothing can be written are refused beforehand") {
   REQUIRE(here.files() == 2);
 }
 
+TEST_CASE(
+    "a file of somebody else's with the name of a temporary one was overwritten and removed") {
+  const temporary_directory here("part");
+  here.write("m.svg.part", "precious");
+  std::filesystem::create_directory(here / "m.svg.part2");
+  REQUIRE(write_mesh(here / "m.svg", sample_mesh(2)).ok());
+  REQUIRE(bytes_of(here / "m.svg.part") == "precious");
+  REQUIRE(here.files() == 3);
+}
+
 TEST_CASE("a mesh whose numbers are wrong is not written") {
   const temporary_directory here("wrong");
   mesh m = sample_mesh(2);
