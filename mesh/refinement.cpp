@@ -502,8 +502,10 @@ result<refinement_outcome> refine_on(
     return kept;
   }
   const int halvings = filled.value().halvings;
-  // What the limit allows may be there already.
-  for (int fewer = 1; options.keep_if_complete && fewer <= halvings; ++fewer)
+  // What the limit allows may be there already. A mesh made under the same limit is filled anew
+  // with all its vertices given, which may come out finer: by less than edges half as long.
+  const int coarsest = halvings > 0 && options.keep_if_complete ? halvings + 2 : 0;
+  for (int fewer = 1; fewer <= coarsest; ++fewer)
     if (auto kept = as_given(fewer); is_final(kept)) return kept;
   return refine_from(filled.value(), kernel, d, field, options, progress);
 }

@@ -22,6 +22,15 @@ def section(lines, keyword):
     return at + 2, int(lines[at + 1])
 
 
+# A square with a smaller one at each of two sides.
+BOXES = """12 2 0 0
+1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 4 1\n6 8 1\n7 8 3\n8 4 3\n9 1 4\n10 3 4\n11 3 6\n12 1 6
+12 0
+1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n9 9 10\n10 10 11\n11 11 12\n12 12 9
+0
+"""
+
+
 class Mesh(command.CommandTest):
     def make(self, *more):
         done = self.run_command(*JOB, "-o", "m.mesh", *more)
@@ -138,7 +147,10 @@ class Mesh(command.CommandTest):
 
     def test_meshing_a_mesh_again_changes_nothing(self):
         limited = ["--metric", "swirl:3", "--size", "0.01", "--max-sites", "500"]
+        # Twice as many sites as in the mesh made first would be within the limit: they were added.
+        self.write("boxes.poly", BOXES)
         for first, job, status in (("airfoil", ["--metric", "swirl:12"], 0),
+                                   ("boxes.poly", ["--size", "0.05", "--max-sites", "2000"], 1),
                                    ("square", ["--metric", "swirl:3", "--size", "0.2"], 0),
                                    ("square", limited, 1)):
             for domain, mesh in ((first, "a"), ("a.mesh", "b"), ("b.mesh", "c")):
