@@ -13,12 +13,18 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Squared distance from s to the segment a b, as s measures it.
+// Squared distance from s to the segment a b, as s measures it; where s is on the segment but for
+// the rounding of the nearest point, that of the rounding.
 double squared_distance_to_segment(const site& s, const point& a, const point& b) {
   const point d{b.x - a.x, b.y - a.y}, e{s.position.x - a.x, s.position.y - a.y};
   const double t =
       std::clamp(inner_product(s.metric, d, e) / squared_length(s.metric, d), 0.0, 1.0);
-  return squared_distance(s, {a.x + t * d.x, a.y + t * d.y});
+  const point q{a.x + t * d.x, a.y + t * d.y};
+  const double x = 0x1p-52 * std::max(std::abs(a.x), std::abs(b.x));
+  const double y = 0x1p-52 * std::max(std::abs(a.y), std::abs(b.y));
+  const bool on_it =
+      std::abs(s.position.x - q.x) <= x && std::abs(s.position.y - q.y) <= y && (x > 0 || y > 0);
+  return on_it ? s.metric.m11 * x * x + s.metric.m22 * y * y : squared_distance(s, q);
 }
 
 // Of neighbours along a space-filling curve: seldom much more than the least of all pairs, so that

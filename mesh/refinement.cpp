@@ -186,6 +186,7 @@ class refinement {
       parked_.clear();
       if (std::exchange(retry_, false)) continue;
       if (in_force_ <= tolerance_.floor) return false;
+      if (options_.stop && options_.stop()) return true;  // step() ends it
       in_force_ = std::max(tolerance_.floor, tolerance_.shrink * in_force_);
     }
   }

@@ -374,3 +374,19 @@ TEST_CASE("guaranteed: a symmetric grid of given points, every circle through fo
     check_certified(accepted(d), constant_field({16, 0, 64}), with_size(limit));
   }
 }
+
+TEST_CASE(
+    "guaranteed: a vertex beside a segment by less than roundings had tolerances tried down to 0") {
+  // (0.3, 0.30000000000000010) is on the segment but for its last bit.
+  domain d;
+  add_ring(d, box_ring(0, 0, 0.4, 0.4));
+  add_chain(d, {{0.4, 0.1}, {0, 0.30000000000000004}});
+  d.vertices.push_back({0.30000000000000004, 0.3000000000000001});
+  d.vertices.push_back({0.20000000000000004, 0.2});
+  const refinement_outcome made =
+      mesh_of(accepted(d), sized(identity_field(), 0.1), with_size(true));
+  INFO(made.reason);
+  CHECK(made.tolerance > 0x1p-70);
+  CHECK(made.disagreeing == 0);
+  CHECK(made.low_angle <= 1);
+}
