@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "asterism/mesh/domain_contains.hpp"
 #include "asterism/mesh/domain_sources.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/metric_field.hpp"
 
 namespace asterism::apps {
 namespace fs = std::filesystem;
@@ -80,6 +82,41 @@ result<std::optional<domain>> find_domain(const verify_options& options, const m
   return std::optional<domain>(std::move(checked).value());
 }
 
+// The metric a certificate says was asked for, where it is a formula and was not graded: another is
+// not made again from what the certificate holds.
+std::unique_ptr<metric_field> field_asked_for(const certificate& claim) {
+  const auto option = [&claim](const char* name) {
+    const auto found = claim.options.find(name);
+    return found == claim.options.end() ? std::string("none") : found->second;
+  };
+  if (!claim.original || option("gradation") != "none") return nullptr;
+  double size = 1;
+  const std::string text = option("size");
+  if (text != "none") {
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), size);
+    if (end.ec != std::errc() || end.ptr != text.data() + text.size()) return nullptr;
+  }
+  auto made = make_metric_field(claim.metric, claim.original->box(), size);
+  return made ? std::move(made).value() : nullptr;
+}
+
+// What it lists as low in the metric asked for is measured again, where that metric can be had.
+void check_relaxed(const mesh& subject, const certificate& claim, verify_report& verdict) {
+  const bool is_of_it =
+      claim.sites == subject.sites.size() && claim.triangles == subject.triangles.size();
+  if (!claim.relaxed || !is_of_it) return;
+  const auto asked = field_asked_for(claim);
+  if (!asked) {
+    std::cout << "note: the metric asked for was graded or read from a file; what the certificate "
+                 "lists as low in it is not checked\n";
+    return;
+  }
+  const auto said = contradiction_in_low_triangles(subject, claim, *asked);
+  if (!said) return;
+  verdict.contradictions.push_back(*said);
+  verdict.verified = false;
+}
+
 void write_verdict(const verify_report& verdict) {
   const audit_report& audit = verdict.audit;
   for (const std::string& contradiction : verdict.contradictions)
@@ -115,7 +152,8 @@ int run_verify(const verify_options& options) {
   asked.angle_bound = options.angle_bound;
   asked.check_voronoi = options.prove_voronoi;
   if (original.value()) asked.original = &*original.value();
-  const verify_report verdict = verify(subject.value(), claim.value(), asked);
+  verify_report verdict = verify(subject.value(), claim.value(), asked);
+  if (claim.value()) check_relaxed(subject.value(), *claim.value(), verdict);
   write_verdict(verdict);
   return verdict.verified ? done : not_reached;
 }

@@ -20,6 +20,7 @@
 #include "asterism/mesh/audit.hpp"
 #include "asterism/mesh/domain.hpp"
 #include "asterism/mesh/mesh.hpp"
+#include "asterism/mesh/metric_field.hpp"
 #include "asterism/mesh/relaxation_report.hpp"
 
 namespace asterism {
@@ -88,5 +89,12 @@ struct verify_report {
 // exempt corners are looked for, and nothing is known of the domain.
 verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
                      audit_options options);
+
+// For a claim with a relaxed metric: the triangles that it lists as low in the metric asked for,
+// against those that the auditor's exact test finds in the metric of `asked`. A sentence if they
+// differ, or if `asked` fails at a site; none where nothing is relaxed or no angle is asked for.
+std::optional<std::string> contradiction_in_low_triangles(const mesh& subject,
+                                                          const certificate& claim,
+                                                          const metric_field& asked);
 
 }  // namespace asterism

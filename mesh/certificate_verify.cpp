@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "asterism/mesh/certificate.hpp"
@@ -26,6 +28,10 @@ std::vector<std::string> contradictions_of(const mesh& subject, const certificat
     all.emplace_back("the certificate itself says that its mesh was not certified");
   if (!claim.complete)
     all.push_back("the certificate itself says that its mesh was not completed: " + claim.reason);
+  if (claim.complete && claim.relaxed && !claim.relaxed->low_triangles.empty())
+    all.push_back("the certificate says that its mesh was completed, and lists " +
+                  std::to_string(claim.relaxed->low_triangles.size()) +
+                  " triangles that are below the bound in the metric asked for");
   return all;
 }
 
@@ -47,6 +53,33 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
   report.verified = report.audit.certified && report.contradictions.empty() &&
                     (!options.check_voronoi || report.audit.voronoi == voronoi_verdict::proved);
   return report;
+}
+
+std::optional<std::string> contradiction_in_low_triangles(const mesh& subject,
+                                                          const certificate& claim,
+                                                          const metric_field& asked) {
+  if (!claim.relaxed || !claim.angle_bound) return std::nullopt;
+  mesh as_asked = subject;
+  for (site& s : as_asked.sites) {
+    const auto metric = asked.at(s.position);
+    if (!metric) return "the metric asked for fails: " + metric.failure().message;
+    s.metric = metric.value();
+  }
+  audit_options options;
+  options.angle_bound = claim.angle_bound;
+  options.find_exempt_corners = true;
+  options.check_stars = false;
+  const std::vector<index> low = audit(as_asked, options).low_triangles;
+  if (low == claim.relaxed->low_triangles) return std::nullopt;
+  std::vector<index> in_one;
+  std::set_symmetric_difference(low.begin(), low.end(), claim.relaxed->low_triangles.begin(),
+                                claim.relaxed->low_triangles.end(), std::back_inserter(in_one));
+  return "as the metric asked for measures them " + std::to_string(low.size()) +
+         " triangles are below the bound, and the certificate lists " +
+         std::to_string(claim.relaxed->low_triangles.size()) +
+         (in_one.empty() ? " in another order"
+                         : "; triangle " + std::to_string(std::size_t{in_one[0]} + 1) +
+                               " is the first that differs");
 }
 
 }  // namespace asterism

@@ -97,6 +97,18 @@ class Mesh(command.CommandTest):
         self.assertLessEqual(low[-1], claim["mesh"]["triangles"])
         self.assertRegex((self.folder / "m.svg").read_text().splitlines()[1],
                          "Incomplete, certified in a relaxed metric: %d triangles are below 20" % len(low))
+        # A certificate that hid its low triangles was believed.
+        hidden = json.loads((self.folder / "m.certificate.json").read_text())
+        hidden["outcome"]["complete"] = True
+        hidden["outcome"]["relaxed"]["low_triangles_as_given"] = []
+        (self.folder / "hidden.json").write_text(json.dumps(hidden))
+        done = self.run_command("verify", "m.mesh", "--certificate", "hidden.json")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, "%d triangles are below the bound, and the certificate lists 0; " % len(low))
+        hidden["asked"]["options"]["gradation"] = "1.5"
+        (self.folder / "hidden.json").write_text(json.dumps(hidden))
+        self.assertRegex(self.run_command("verify", "m.mesh", "--certificate", "hidden.json").stdout,
+                         r"\Anote: .* is not checked\n")
         done = self.run_command("verify", "m.mesh", "--certificate", "none.json")
         self.assertEqual(done.returncode, 2)
         (self.folder / "m.certificate.json").unlink()

@@ -294,6 +294,19 @@ TEST_CASE("relaxation: certificates say of which metric a mesh is, and are read 
   CHECK(read.value().relaxed->kind == made.relaxed->kind);
   CHECK(read.value().relaxed->low_triangles == made.relaxed->low_triangles);
   CHECK(certificate_text(read.value()) == text);
+  const auto field = checkerboard(0.52, 0.8);
+  CHECK_FALSE(contradiction_in_low_triangles(made.result, claim, field).has_value());
+  claim.complete = true;
+  const verify_report verdict = verify(made.result, claim, {});
+  CHECK_FALSE(verdict.verified);
+  REQUIRE(verdict.contradictions.size() == 1);
+  CHECK(verdict.contradictions[0].find("was completed, and lists") != std::string::npos);
+  const index left_out = claim.relaxed->low_triangles.back();
+  claim.relaxed->low_triangles.pop_back();
+  const auto said = contradiction_in_low_triangles(made.result, claim, field);
+  REQUIRE(said.has_value());
+  CHECK(said->find("; triangle " + std::to_string(left_out + 1) + " is the first") !=
+        std::string::npos);
   std::string spoiled = text;
   spoiled.replace(spoiled.find("\"graded\""), 8, "\"guessed\"");
   CHECK(parse_certificate(spoiled, "test").failure().message.find("guessed") != std::string::npos);
