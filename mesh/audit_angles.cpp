@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #include "asterism/mesh/audit_context.hpp"
 
@@ -97,10 +98,11 @@ bool wide_enough(const audit_context& context, audit_tally& tally, const corner&
 }
 
 // Is the angle proven to be below the bound? Requires a x b > 0.
-bool proven_narrow(audit_context& context, const corner& c, const squared_cotangent& bound) {
-  ++context.report.decisions;
-  ++context.report.exact_decisions;
-  const auto exact = terms<rational>(context, c, c.at);
+bool proven_narrow(const audit_context& context, audit_tally& tally, const corner& c,
+                   index perspective, const squared_cotangent& bound) {
+  ++tally.part.decisions;
+  ++tally.part.exact_decisions;
+  const auto exact = terms<rational>(context, c, perspective);
   return exact.left > 0 && exact.left * exact.left > bound.high * exact.right;
 }
 
@@ -117,6 +119,28 @@ double angle_in_degrees(const audit_context& context, const corner& c, index per
 // A sector of the domain at a corner, proven to be narrower than the bound.
 struct narrow_sector {
   index at = 0, first = 0, last = 0;
+};
+
+// A narrow sector with a segment inside the domain beside it, followed to the given vertices at
+// the far ends of its two segments. The points in between are in wedge_points.
+struct narrow_wedge {
+  index at = 0, first_end = 0, last_end = 0;
+};
+
+// That a vertex other than the corner is on a segment of a wedge.
+struct wedge_point {
+  index vertex = 0;
+  std::size_t wedge = 0;
+  bool last = false;  // on which of the two segments
+
+  friend bool operator<(const wedge_point& l, const wedge_point& r) {
+    return std::tie(l.vertex, l.wedge, l.last) < std::tie(r.vertex, r.wedge, r.last);
+  }
+};
+
+struct narrow_wedges {
+  std::vector<narrow_wedge> list;
+  std::vector<wedge_point> points;  // sorted
 };
 
 struct directed_edges {
@@ -164,8 +188,10 @@ std::vector<corner> sectors_at(const audit_context& context, const directed_edge
 std::vector<narrow_sector> narrow_sectors(audit_context& context, const directed_edges& arriving,
                                           index v, const squared_cotangent& bound) {
   std::vector<narrow_sector> narrow;
+  audit_tally tally;
   for (const corner& c : sectors_at(context, arriving, v))
-    if (proven_narrow(context, c, bound)) narrow.push_back({v, c.ahead, c.behind});
+    if (proven_narrow(context, tally, c, c.at, bound)) narrow.push_back({v, c.ahead, c.behind});
+  context.take(std::move(tally));
   return narrow;
 }
 
@@ -198,6 +224,46 @@ std::vector<narrow_sector> exempt_sectors(audit_context& context, const squared_
     all.insert(all.end(), narrow.begin(), narrow.end());
   }
   return all;
+}
+
+// The segment that leaves `corner` for `next`, from piece to piece as far as the next given vertex;
+// `edges` are the sides that leave a vertex, or those that reach it, reversed. Empty if it does not
+// get there: more or fewer than one way on is a fault of another check.
+std::vector<index> follow(const audit_context& context, const std::vector<directed_piece>& edges,
+                          const std::vector<std::size_t>& start, index corner, index next) {
+  std::vector<index> chain = {next};
+  for (index from = corner; chain.back() >= context.subject.given;) {
+    const index at = chain.back();
+    std::vector<index> onward;
+    for (std::size_t i = start[at]; i < start[at + 1]; ++i)
+      if (edges[i].b != from) onward.push_back(edges[i].b);
+    if (onward.size() != 1 || chain.size() > edges.size()) return {};
+    from = at;
+    chain.push_back(onward.front());
+  }
+  return chain;
+}
+
+bool is_internal(const audit_context& context, index a, index b) {
+  const std::size_t piece = find_piece(context, a, b);
+  return piece < context.subject.boundary.size() && context.subject.boundary[piece].internal;
+}
+
+narrow_wedges wedges_of(const audit_context& context, const std::vector<narrow_sector>& sectors) {
+  narrow_wedges wedges;
+  const directed_edges arriving = reversed_sides(context);
+  for (const narrow_sector& s : sectors) {
+    if (!is_internal(context, s.at, s.first) && !is_internal(context, s.last, s.at)) continue;
+    const auto first = follow(context, context.sides, context.side_start, s.at, s.first);
+    const auto last = follow(context, arriving.list, arriving.start, s.at, s.last);
+    if (first.empty() || last.empty()) continue;
+    if (context.orientation(s.at, first.back(), last.back()) != sign::positive) continue;
+    for (const index v : first) wedges.points.push_back({v, wedges.list.size(), false});
+    for (const index v : last) wedges.points.push_back({v, wedges.list.size(), true});
+    wedges.list.push_back({s.at, first.back(), last.back()});
+  }
+  std::sort(wedges.points.begin(), wedges.points.end());
+  return wedges;
 }
 
 bool lies_in(const audit_context& context, const filtered_kernel& kernel, const triangle& t,
@@ -271,7 +337,34 @@ struct audited_requirement {
   double degrees = 0;
   squared_cotangent bound;
   std::vector<narrow_sector> sectors;
+  narrow_wedges wedges;
 };
+
+// Are all its corners on the two segments of one wedge, some on each, and is that proven to be
+// narrower than the bound as all three of them measure it?
+bool crosses_narrow_wedge(const audit_context& context, audit_tally& tally, const triangle& t,
+                          const audited_requirement& wanted) {
+  const auto& points = wanted.wedges.points;
+  const auto is_on = [&](index v, std::size_t wedge, bool last) {
+    return std::binary_search(points.begin(), points.end(), wedge_point{v, wedge, last});
+  };
+  // At most one of the three is the corner, and only it and its neighbours may be given.
+  const index one = *std::max_element(t.begin(), t.end());
+  for (auto p = std::lower_bound(points.begin(), points.end(), wedge_point{one, 0, false});
+       p != points.end() && p->vertex == one; ++p) {
+    const narrow_wedge& w = wanted.wedges.list[p->wedge];
+    const bool across = std::any_of(t.begin(), t.end(),
+                                    [&](index v) { return is_on(v, p->wedge, !p->last); });
+    const bool within = std::all_of(t.begin(), t.end(), [&](index v) {
+      return v == w.at || is_on(v, p->wedge, false) || is_on(v, p->wedge, true);
+    });
+    if (across && within && std::all_of(t.begin(), t.end(), [&](index v) {
+          return proven_narrow(context, tally, {w.at, w.first_end, w.last_end}, v, wanted.bound);
+        }))
+      return true;
+  }
+  return false;
+}
 
 class angle_check {
  public:
@@ -285,7 +378,8 @@ class angle_check {
     if (tally_.kernel.orientation(context_.at(c[0]), context_.at(c[1]), context_.at(c[2])) !=
         sign::positive)
       return;
-    const bool may_fail = exempt(context_, tally_.kernel, c, wanted_.sectors);
+    const bool may_fail = exempt(context_, tally_.kernel, c, wanted_.sectors) ||
+                          crosses_narrow_wedge(context_, tally_, c, wanted_);
     const plain_triangle plain(context_, c);
     bool failed = false;
     for (const index perspective : c) {
@@ -351,6 +445,7 @@ void check_angles(audit_context& context) {
   if (wanted.degrees > 0) {  // else trivially met
     wanted.bound = make_squared_cotangent(wanted.degrees);
     wanted.sectors = exempt_sectors(context, wanted.bound);
+    wanted.wedges = wedges_of(context, wanted.sectors);
   }
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     angle_check part(context, tally, wanted);

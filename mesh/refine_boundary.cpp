@@ -181,6 +181,8 @@ void refine_state::note_encroached_by(index w) {
 point refine_state::split_point(const boundary_edge& piece) const {
   const site &a = sites_[piece.a], &b = sites_[piece.b];
   const bool sharp_a = has_sharp_end(piece, piece.a), sharp_b = has_sharp_end(piece, piece.b);
+  if (!sharp_a && !sharp_b)
+    if (const auto q = wedge_split_point(piece)) return *q;
   if (sharp_a == sharp_b) return bisector_point(a, b);
   const site &corner = sharp_a ? a : b, &other = sharp_a ? b : a;
   const double length = std::sqrt(squared_distance(corner, other.position));
@@ -206,6 +208,8 @@ void refine_state::put_on_piece(std::size_t piece, const site& m) {
   std::size_t new_piece = edges_.pieces().size();
   near_.before_split(sites_, edges_, piece);
   sites_.push_back(m);
+  split_segment_.resize(sites_.size());
+  split_segment_[added] = edges_.pieces()[piece].segment;
   near_.add_site(sites_, added);
   edges_.split(piece, added);
   near_.after_split(sites_, edges_, piece, twin, new_piece);
@@ -216,9 +220,13 @@ void refine_state::put_on_piece(std::size_t piece, const site& m) {
 }
 
 bool refine_state::split(std::size_t piece, double shortest) {
+  return split_at(piece, split_point(edges_.pieces()[piece]), shortest);
+}
+
+bool refine_state::split_at(std::size_t piece, const point& q, double shortest) {
   if (is_full()) return false;
   const boundary_edge whole = edges_.pieces()[piece];
-  const auto m = site_at(split_point(whole));
+  const auto m = site_at(q);
   if (!m || !can_split_at(whole, *m, shortest)) return false;
   put_on_piece(piece, *m);
   const auto added = static_cast<index>(sites_.size() - 1);
@@ -243,9 +251,11 @@ bool refine_state::clear_encroachments(double shortest) {
     if (is_overworked()) return false;
     const std::size_t piece = suspects_.back();
     suspects_.pop_back();
-    if (!find_encroacher(piece)) continue;
+    const auto encroacher = find_encroacher(piece);
+    if (!encroacher) continue;
     if (enough_()) return false;
-    split(piece, shortest);
+    const auto mirrored = mirrored_split_point(edges_.pieces()[piece], *encroacher);
+    if (!mirrored || !split_at(piece, *mirrored, shortest)) split(piece, shortest);
   }
   return true;
 }

@@ -24,6 +24,7 @@ result<refine_state> refine_state::prepare(const domain& d, const metric_field& 
   state.edges_ = std::move(edges).value();
   state.near_ = neighbourhood(state.sites_, state.edges_);
   state.find_corners();
+  state.find_wedges();
   state.given_ = d.vertices.size();
   return state;
 }

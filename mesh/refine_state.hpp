@@ -44,6 +44,15 @@ struct domain_corner {
   double angle = 0;        // degrees, as the vertex measures it
 };
 
+// Two input segments that meet in a corner of less than 60 degrees, with nothing between them, as
+// far as they go: beyond the first pieces too.
+struct domain_wedge {
+  domain_corner corner;
+  index first = 0, last = 0;          // the segments, counter-clockwise
+  index first_end = 0, last_end = 0;  // their vertices other than the corner
+  bool internal = false;              // whether either of them is
+};
+
 class refine_state {
  public:
   // `field` and `kernel` must outlive the state. Fails where the field does, and for a boundary
@@ -109,6 +118,17 @@ class refine_state {
 
   // The corners at a vertex, of all those in corners().
   std::span<const domain_corner> corners_at(index v) const;
+  // Whether the angle between the wedge's segments is surely below `degrees` as v measures it. Errs
+  // only towards no.
+  bool is_narrower(const domain_wedge& w, index v, double degrees) const;
+  // The first wedge that accepts() and whose two segments hold all three corners of the triangle,
+  // at least one of them a point that splits a segment; none if there is none. Each segment must
+  // hold one that is not the corner of both.
+  const domain_wedge* wedge_across(
+      const triangle& t, const std::function<bool(const domain_wedge&)>& accepts) const;
+  // Wedges one of whose segments the site splits.
+  std::vector<const domain_wedge*> wedges_at_split(index v) const;
+
   // The two pieces at a corner: leaving it, and entering it.
   std::array<std::size_t, 2> pieces_at(const domain_corner& c) const;
   // The piece's length as `from` measures it.
@@ -126,6 +146,10 @@ class refine_state {
   std::size_t find_piece(index a, index b) const;
   void put_on_piece(std::size_t piece, const site& m);
   void find_corners();
+  void find_wedges();
+  std::optional<point> mirrored_split_point(const boundary_edge& piece, index encroacher) const;
+  std::optional<point> wedge_split_point(const boundary_edge& piece) const;
+  bool split_at(std::size_t piece, const point& q, double shortest);
   bool strictly_inside_near(const star_kernel& kernel, const point& q) const;
   std::vector<std::size_t> encroached_by(const star_kernel& kernel, const site& s) const;
   bool is_encroached(const star_kernel& kernel, std::size_t piece, const site& s,
@@ -146,6 +170,9 @@ class refine_state {
   const star_kernel* kernel_;
   std::unique_ptr<edge_test_memory> memory_ = std::make_unique<edge_test_memory>();
   std::vector<domain_corner> corners_;
+  std::vector<domain_wedge> wedges_;
+  std::vector<std::vector<std::size_t>> wedges_of_segment_;
+  std::vector<std::optional<index>> split_segment_;  // by site: the segment it splits
   std::vector<std::size_t> suspects_;  // pieces that may be encroached
   std::size_t most_sites_;
   std::size_t given_ = 0;  // the domain's vertices, which are the first sites

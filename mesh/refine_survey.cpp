@@ -80,6 +80,17 @@ std::vector<triangle> survey::exempt() const {
   return all;
 }
 
+// Whether its corners are all on two segments that meet in a corner below the bound, and its low
+// angle is left there.
+bool survey::crosses_wedge(const refine_state& state, const triangle& t) const {
+  const auto accepts = [&](const domain_wedge& w) {
+    return w.internal && w.corner.angle < angle_.degrees() &&
+           std::all_of(t.begin(), t.end(),
+                       [&](index v) { return state.is_narrower(w, v, angle_.degrees()); });
+  };
+  return state.wedge_across(t, accepts) != nullptr;
+}
+
 void survey::judge(const refine_state& state, const site_oracle& oracle, const triangle& t,
                    record& into) const {
   const triangle_sites sites = sites_of(state, t);
@@ -90,6 +101,8 @@ void survey::judge(const refine_state& state, const site_oracle& oracle, const t
     into.exempt.push_back(t);
     if (angle_.is_low(sites, unavoidable(state.edges(), t, in_corner)))
       into.improvable.push_back({badness::low_angle, smallest_angle(sites), t});
+  } else if (low && crosses_wedge(state, t)) {
+    into.exempt.push_back(t);
   } else if (low) {
     into.bad.push_back({badness::low_angle, smallest_angle(sites), t});
     return;

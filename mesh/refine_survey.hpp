@@ -72,6 +72,7 @@ class survey {
   };
 
   record examine(const refine_state& state, const star_kernel& kernel, index v) const;
+  bool crosses_wedge(const refine_state& state, const triangle& t) const;
   void judge(const refine_state& state, const site_oracle& oracle, const triangle& t,
              record& into) const;
   void forget(index v);

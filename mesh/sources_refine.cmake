@@ -25,6 +25,7 @@ target_sources(asterism PRIVATE
   refine_state.cpp
   refine_survey.cpp
   refine_tolerance.cpp
+  refine_wedges.cpp
   refinement.cpp
   relaxation.cpp
   star.cpp
