@@ -121,8 +121,9 @@ struct narrow_sector {
   index at = 0, first = 0, last = 0;
 };
 
-// A narrow sector with a segment inside the domain beside it, followed to the given vertices at
-// the far ends of its two segments. The points in between are in wedge_points.
+// A sector narrower than half the bound, with a segment inside the domain beside it, followed to
+// the given vertices at the far ends of its two segments. The points in between are in
+// wedge_points.
 struct narrow_wedge {
   index at = 0, first_end = 0, last_end = 0;
 };
@@ -249,19 +250,24 @@ bool is_internal(const audit_context& context, index a, index b) {
   return piece < context.subject.boundary.size() && context.subject.boundary[piece].internal;
 }
 
-narrow_wedges wedges_of(const audit_context& context, const std::vector<narrow_sector>& sectors) {
+narrow_wedges wedges_of(audit_context& context, const std::vector<narrow_sector>& sectors,
+                        const squared_cotangent& half) {
   narrow_wedges wedges;
+  audit_tally tally;
   const directed_edges arriving = reversed_sides(context);
   for (const narrow_sector& s : sectors) {
     if (!is_internal(context, s.at, s.first) && !is_internal(context, s.last, s.at)) continue;
     const auto first = follow(context, context.sides, context.side_start, s.at, s.first);
     const auto last = follow(context, arriving.list, arriving.start, s.at, s.last);
     if (first.empty() || last.empty()) continue;
-    if (context.orientation(s.at, first.back(), last.back()) != sign::positive) continue;
+    const corner whole{s.at, first.back(), last.back()};
+    if (context.orientation(whole.at, whole.ahead, whole.behind) != sign::positive) continue;
+    if (!proven_narrow(context, tally, whole, s.at, half)) continue;
     for (const index v : first) wedges.points.push_back({v, wedges.list.size(), false});
     for (const index v : last) wedges.points.push_back({v, wedges.list.size(), true});
     wedges.list.push_back({s.at, first.back(), last.back()});
   }
+  context.take(std::move(tally));
   std::sort(wedges.points.begin(), wedges.points.end());
   return wedges;
 }
@@ -348,13 +354,12 @@ bool crosses_narrow_wedge(const audit_context& context, audit_tally& tally, cons
   const auto is_on = [&](index v, std::size_t wedge, bool last) {
     return std::binary_search(points.begin(), points.end(), wedge_point{v, wedge, last});
   };
-  // At most one of the three is the corner, and only it and its neighbours may be given.
   const index one = *std::max_element(t.begin(), t.end());
   for (auto p = std::lower_bound(points.begin(), points.end(), wedge_point{one, 0, false});
        p != points.end() && p->vertex == one; ++p) {
     const narrow_wedge& w = wanted.wedges.list[p->wedge];
-    const bool across = std::any_of(t.begin(), t.end(),
-                                    [&](index v) { return is_on(v, p->wedge, !p->last); });
+    const bool across =
+        std::any_of(t.begin(), t.end(), [&](index v) { return is_on(v, p->wedge, !p->last); });
     const bool within = std::all_of(t.begin(), t.end(), [&](index v) {
       return v == w.at || is_on(v, p->wedge, false) || is_on(v, p->wedge, true);
     });
@@ -445,7 +450,7 @@ void check_angles(audit_context& context) {
   if (wanted.degrees > 0) {  // else trivially met
     wanted.bound = make_squared_cotangent(wanted.degrees);
     wanted.sectors = exempt_sectors(context, wanted.bound);
-    wanted.wedges = wedges_of(context, wanted.sectors);
+    wanted.wedges = wedges_of(context, wanted.sectors, make_squared_cotangent(wanted.degrees / 2));
   }
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     angle_check part(context, tally, wanted);

@@ -124,8 +124,9 @@ class refine_state {
   // The first wedge that accepts() and whose two segments hold all three corners of the triangle,
   // at least one of them a point that splits a segment; none if there is none. Each segment must
   // hold one that is not the corner of both.
-  const domain_wedge* wedge_across(
-      const triangle& t, const std::function<bool(const domain_wedge&)>& accepts) const;
+  const domain_wedge* wedge_across(const triangle& t,
+                                   const std::function<bool(const domain_wedge&)>& accepts) const;
+  const std::vector<domain_wedge>& wedges() const { return wedges_; }
   // Wedges one of whose segments the site splits.
   std::vector<const domain_wedge*> wedges_at_split(index v) const;
 
@@ -173,7 +174,7 @@ class refine_state {
   std::vector<domain_wedge> wedges_;
   std::vector<std::vector<std::size_t>> wedges_of_segment_;
   std::vector<std::optional<index>> split_segment_;  // by site: the segment it splits
-  std::vector<std::size_t> suspects_;  // pieces that may be encroached
+  std::vector<std::size_t> suspects_;                // pieces that may be encroached
   std::size_t most_sites_;
   std::size_t given_ = 0;  // the domain's vertices, which are the first sites
   std::size_t splits_ = 0;

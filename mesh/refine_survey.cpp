@@ -80,11 +80,11 @@ std::vector<triangle> survey::exempt() const {
   return all;
 }
 
-// Whether its corners are all on two segments that meet in a corner below the bound, and its low
-// angle is left there.
+// Whether its corners are all on two segments, not both of the rim, that meet in a corner below
+// half the bound: their low angles are left (docs/math/refinement.md, "Corners").
 bool survey::crosses_wedge(const refine_state& state, const triangle& t) const {
   const auto accepts = [&](const domain_wedge& w) {
-    return w.internal && w.corner.angle < angle_.degrees() &&
+    return w.internal && state.is_narrower(w, w.corner.vertex, angle_.degrees() / 2) &&
            std::all_of(t.begin(), t.end(),
                        [&](index v) { return state.is_narrower(w, v, angle_.degrees()); });
   };

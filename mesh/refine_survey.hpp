@@ -7,6 +7,8 @@
 // star and the triangles of a star that did not settle count as disagreeing.
 // Exempt from the angle bound, and listed, are triangles in a corner of the domain whose own angle
 // is below it: no mesh meets the bound there. Another corner at the same vertex exempts nothing.
+// Exempt are also triangles across a wedge below half the bound between two segments one of which
+// is internal: with all corners on these two, as long as each of them measures it below the bound.
 //
 // Each star is asked for what is wrong in it, and asked again when it or a star it has triangles
 // with has changed; nothing else is looked at.

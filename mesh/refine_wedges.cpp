@@ -83,8 +83,7 @@ bool refine_state::is_narrower(const domain_wedge& w, index v, double degrees) c
 std::vector<const domain_wedge*> refine_state::wedges_at_split(index v) const {
   std::vector<const domain_wedge*> found;
   if (v < split_segment_.size() && split_segment_[v])
-    for (const std::size_t i : wedges_of_segment_[*split_segment_[v]])
-      found.push_back(&wedges_[i]);
+    for (const std::size_t i : wedges_of_segment_[*split_segment_[v]]) found.push_back(&wedges_[i]);
   return found;
 }
 
@@ -135,8 +134,8 @@ std::optional<point> refine_state::mirrored_split_point(const boundary_edge& pie
   return std::nullopt;
 }
 
-// Beyond the first piece of a segment in a narrow wedge: at round distances from the corner, so that
-// both segments of the wedge are split alike. Of two corners the nearer counts.
+// Beyond the first piece of a segment in a narrow wedge: at round distances from the corner, so
+// that both segments of the wedge are split alike. Of two corners the nearer counts.
 std::optional<point> refine_state::wedge_split_point(const boundary_edge& piece) const {
   const point &a = sites_[piece.a].position, &b = sites_[piece.b].position;
   const domain_wedge* nearest = nullptr;
@@ -145,8 +144,8 @@ std::optional<point> refine_state::wedge_split_point(const boundary_edge& piece)
     const domain_wedge& w = wedges_[i];
     if (!w.internal || w.corner.angle >= mirrored_angle) continue;
     const point& c = sites_[w.corner.vertex].position;
-    const double far = std::abs(a.x - c.x) + std::abs(a.y - c.y) + std::abs(b.x - c.x) +
-                       std::abs(b.y - c.y);
+    const double far =
+        std::abs(a.x - c.x) + std::abs(a.y - c.y) + std::abs(b.x - c.x) + std::abs(b.y - c.y);
     if (nearest == nullptr || far < least) {
       nearest = &w;
       least = far;

@@ -317,6 +317,29 @@ class refinement {
            " apart can resolve (a gradation of it might do)";
   }
 
+  // Names the sharpest of the corners that bad triangles are beside: with a site at one, or on a
+  // segment of one.
+  std::string corner_message() const {
+    const domain_corner* sharpest = nullptr;
+    const auto consider = [&](const domain_corner& c) {
+      if (c.angle < angle_.degrees() && (sharpest == nullptr || c.angle < sharpest->angle))
+        sharpest = &c;
+    };
+    std::set<index> bad;
+    for (const bad_triangle& b : survey_.bad()) bad.insert(b.where.begin(), b.where.end());
+    for (const index v : bad) {
+      for (const domain_corner& c : state_.corners_at(v)) consider(c);
+      for (const domain_wedge* w : state_.wedges_at_split(v)) consider(w->corner);
+    }
+    for (const domain_wedge& w : state_.wedges())
+      if (bad.count(w.first_end) != 0 || bad.count(w.last_end) != 0) consider(w.corner);
+    if (sharpest == nullptr) return "";
+    const point at = frame_.outward(state_.sites()[sharpest->vertex].position);
+    return "; the sharpest corner beside them is vertex " + std::to_string(sharpest->vertex + 1) +
+           " at (" + format_number(at.x) + ", " + format_number(at.y) + "), " +
+           format_number(sharpest->angle) + " degrees";
+  }
+
   std::string stuck_message() const {
     const char* tried = options_.strategy == refinement_strategy::poisson_darts
                             ? "darts"
@@ -324,16 +347,18 @@ class refinement {
     return "stuck: " + std::to_string(survey_.bad().size()) + " bad triangles are left, and no " +
            tried + " farther than the tolerance " +
            format_number(frame_.length_outward(in_force_)) + " from every site can be inserted" +
-           steep_message();
+           steep_message() + corner_message();
   }
 
   std::string spent_message() const {
     const std::string left =
         "given up: " + std::to_string(survey_.bad().size()) + " bad triangles are left after ";
     if (state_.is_overworked())
-      return left + "the most work that is done for so many sites" + steep_message();
+      return left + "the most work that is done for so many sites" + steep_message() +
+             corner_message();
     return left + std::to_string(state_.sites().size() - given_up_at_) +
-           " sites more than there were when the first could not be mended" + steep_message();
+           " sites more than there were when the first could not be mended" + steep_message() +
+           corner_message();
   }
 
   void report_progress() {

@@ -5,7 +5,7 @@ asterism_test(test_star
           mesh/audit_meshes.cpp)
 asterism_test(test_refine
   SOURCES mesh/refine_constructions_test.cpp mesh/refine_test.cpp mesh/refine_domains_test.cpp
-          mesh/domain_random_test.cpp mesh/audit_meshes.cpp)
+          mesh/domain_random_test.cpp mesh/refine_wedges_test.cpp mesh/audit_meshes.cpp)
 asterism_test(test_improvement
   SOURCES mesh/improvement_test.cpp mesh/audit_meshes.cpp
   LINK tbb)
