@@ -10,7 +10,8 @@
 //     domain is given, of that domain with its segments split, those inside it being edges with a
 //     triangle on each side; and every triangle has the number of its region;
 //  3. have no angle below the bound, at any corner, in the metric of any of the triangle's three
-//     vertices, hence of any convex combination of them; triangles at an exempt corner excepted;
+//     vertices, hence of any convex combination of them; triangles at an exempt corner,
+//     or across a narrow internal wedge, excepted;
 //  4. have every triangle in the star of each of its vertices: each star is a fixed point of the
 //     incremental insertion among the sites visible from its centre.
 // When asked for, it is moreover proven or refused that the mesh
@@ -137,7 +138,7 @@ struct audit_report {
   audited_angle worst;                  // over the triangles away from exempt corners
   audited_angle worst_exempt;           // over those at them, below the bound or not
   std::vector<index> exempt_corners;    // proven, ascending
-  std::vector<index> exempt_triangles;  // those below the bound at them, ascending
+  std::vector<index> exempt_triangles;  // those below the bound at or across them, ascending
   std::vector<index> low_triangles;     // all others below the bound, ascending
   // Upper bound of the distance of a split point from its segment, in units of the domain.
   double largest_deviation = 0;

@@ -104,7 +104,7 @@ struct refinement_outcome {
   // Stars a search of what is near had got wrong, found by looking at all sites, and mended.
   std::size_t star_repairs = 0;
   std::vector<exempt_corner> exempt;
-  std::vector<triangle> exempt_triangles;  // those of result.triangles below the bound at them
+  std::vector<triangle> exempt_triangles;  // of result.triangles, below the bound at or across them
   tier_counters counters;
   std::optional<improvement_report> improved;  // where passes were asked for and it is complete
   // Complete, if the mesh is of a relaxed metric, means that the angle bound is met in the metric
