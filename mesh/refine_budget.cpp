@@ -34,8 +34,10 @@ double sites_on_segments(const mesh& m) {
   return static_cast<double>(std::count(on.begin(), on.end(), 1));
 }
 
-// From so many vertices on, sites are spread as the segments will need them before anything else.
-constexpr std::size_t many_vertices = 2000;
+// From so many vertices on, sites are spread as the segments will need them before anything else,
+// unless that puts few inside: where a domain is narrow everywhere vertices see few others, and
+// refinement finds fewer sites.
+constexpr std::size_t many_vertices = 120, fewest_for_one_inside = 5;
 
 // Every proposed site as the field, not the one it was spread by, measures there.
 std::optional<error> measure_anew(const metric_field& field, filled_domain& proposed) {
@@ -98,7 +100,10 @@ result<budgeted_filling> fill_within_budget(
                         : fill_by_features(frame.inward(d), framed_field(field, frame),
                                            options.limit_size, wanted, go_on);
     if (!featured) return featured.failure();
-    if (featured.value()) {
+    const bool is_narrow =
+        !options.limit_size && featured.value() && !featured.value()->stopped &&
+        fewest_for_one_inside * featured.value()->interior.size() < d.vertices.size();
+    if (featured.value() && !is_narrow) {
       filled.proposed = *std::move(featured).value();
       return filled;
     }

@@ -6,6 +6,7 @@ target_sources(asterism PRIVATE
   fill/domain_locator.cpp
   fill/fill.cpp
   fill/plain_net.cpp
+  fill/scattered_places.cpp
   fill/segment_division.cpp)
 find_package(TBB REQUIRED)
 target_link_libraries(asterism PUBLIC TBB::tbb)

@@ -14,7 +14,6 @@ target_sources(asterism PRIVATE
   improvement.cpp
   improvement_proposal.cpp
   mesh_regions.cpp
-  measured_claims.cpp
   mesh_statistics.cpp
   mesher.cpp
   refine_arcs.cpp

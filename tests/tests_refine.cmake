@@ -14,7 +14,7 @@ asterism_test(test_fitting
 # What is near, and the refinement that rests on it.
 asterism_test(test_local
   SOURCES mesh/local_index_test.cpp mesh/given_distances_test.cpp mesh/statistics_test.cpp
-          mesh/thin_metric_test.cpp mesh/audit_meshes.cpp)
+          mesh/thin_metric_test.cpp mesh/many_vertices_test.cpp mesh/audit_meshes.cpp)
 asterism_test(test_relaxation
   SOURCES mesh/relaxation_test.cpp
   LINK tbb)

@@ -12,6 +12,7 @@
 #include "asterism/mesh/constructions.hpp"
 #include "asterism/mesh/fill/domain_locator.hpp"
 #include "asterism/mesh/fill/plain_net.hpp"
+#include "asterism/mesh/fill/scattered_places.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/local/box_index.hpp"
 #include "asterism/mesh/local/hilbert_order.hpp"
@@ -55,7 +56,9 @@ class filling {
   result<filled_domain> run(const fill_progress& progress) {
     int levels = 0;
     const double widest = longest_segment();
-    while (levels < most_levels && options_.distance * std::exp2(levels) < widest) ++levels;
+    while (!options_.is_uneven && levels < most_levels &&
+           options_.distance * std::exp2(levels) < widest)
+      ++levels;
     distance_ = options_.distance * std::exp2(levels);
     start();
     for (int level = levels; level >= 0 && !failure_ && !full_; --level) {
@@ -130,8 +133,38 @@ class filling {
       intervals_.push_back({s, 0, divisions_[s].points.size() - 1, one.a, one.b});
       insert_piece(intervals_.size() - 1);
     }
+    if (options_.is_uneven) {
+      halve_intervals(0);
+      scatter();
+    }
     fresh_from_ = 0;
     renew_stars();
+  }
+
+  // Sites inside before there is any star, twice as far from each other as they will be: the rest
+  // goes farthest first, which makes better triangles.
+  void scatter() {
+    constexpr std::size_t for_each_site = 16, at_least = 4096;
+    distance_ *= 2;
+    const filtered_kernel kernel;
+    visit_scattered(box_, at_least + for_each_site * sites_.size(),
+                    [&](const point& q, const point& half) { return scatter_at(kernel, q, half); });
+    distance_ /= 2;
+  }
+
+  // A site at q if there is room. Whether a cell with this half of its diagonal may have more.
+  bool scatter_at(const filtered_kernel& kernel, const point& q, const point& half) {
+    const auto metric = field_.at(q);
+    if (!metric || full_) return false;
+    const site s{q, metric.value()};
+    std::uint64_t looked_at = 0;
+    if (has_room(sites_index_, s, looked_at) && stays_clear(s, looked_at) &&
+        locator_.contains(kernel, q) && !is_out_of_room())
+      add_site(s, false);
+    candidates_ += looked_at;
+    const double rising = squared_length(s.metric, half);
+    const double falling = squared_length(s.metric, {half.x, -half.y});
+    return std::max(rising, falling) > distance_ * distance_;
   }
 
   void add_site(const site& s, bool on_segment) {
@@ -151,9 +184,16 @@ class filling {
     pieces_index_.insert(static_cast<std::uint32_t>(i), piece_box(i));
   }
 
-  // Halves the intervals that are longer than `longest`.
   void divide(double longest) {
     fresh_from_ = sites_.size();
+    halve_intervals(longest);
+    renew_stars();
+    changed_.resize(sites_.size());
+    for (index v = 0; v < sites_.size(); ++v) changed_[v] = v;  // the distance is new as well
+  }
+
+  // Those that are longer than `longest`.
+  void halve_intervals(double longest) {
     for (std::size_t i = 0; i < intervals_.size() && !failure_ && !full_;) {
       const interval now = intervals_[i];
       const division& d = divisions_[now.segment];
@@ -174,9 +214,6 @@ class filling {
       insert_piece(i);
       insert_piece(intervals_.size() - 1);
     }
-    renew_stars();
-    changed_.resize(sites_.size());
-    for (index v = 0; v < sites_.size(); ++v) changed_[v] = v;  // the distance is new as well
   }
 
   // --- One round: proposals, a choice of them, the stars around.
@@ -366,8 +403,12 @@ class filling {
       if (all) return;
       double widest = 0;
       for (const plain_gap& gap : stars_[w]) widest = std::max(widest, gap.squared_radius);
-      // At the boundary there may be no neighbour on the outer side, however far one looks.
-      if (2.1 * std::sqrt(widest) <= reach || on_segment_[w]) return;
+      // At the boundary there may be no neighbour on the outer side, however far one looks; nor
+      // behind sites for which lengths count much more.
+      constexpr int enough_attempts = 2;
+      const bool is_hopeless =
+          on_segment_[w] != 0 || (options_.is_uneven && attempt >= enough_attempts);
+      if (2.1 * std::sqrt(widest) <= reach || is_hopeless) return;
     }
   }
 

@@ -29,8 +29,9 @@ struct fill_options {
   double distance = 0.75;      // from every point of the domain to the nearest site, metric length
   double longest_piece = 0.9;  // of the segments, metric length
   std::size_t max_sites = 100000;
-  // Lengths wanted may differ by large factors from one site to its neighbours: where no Voronoi
-  // vertex is found, the bisector on the way to the neighbour will do.
+  // Lengths wanted may differ by large factors from one site to its neighbours: all segments are
+  // divided and coarse sites put inside before there is a star, and where no Voronoi vertex is
+  // found, the bisector on the way to the neighbour will do.
   bool is_uneven = false;
   // Asked between stars, from any thread, where a round takes long; true ends as `progress` does.
   std::function<bool()> enough;
