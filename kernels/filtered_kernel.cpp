@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/kernels/filtered_kernel.hpp"
 
+#include <concepts>
+
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
+#include "asterism/kernels/number_spread.hpp"
 #include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/kernels/star_gap.hpp"
 
@@ -12,11 +15,14 @@ namespace asterism {
 namespace {
 
 // Interval first, exact when undecided; counts who decided.
-template <class Ask>
-[[gnu::noinline]] auto decide_slowly(tier_counters& counters, predicate which, const Ask& ask) {
+template <class Ask, std::same_as<site>... Sites>
+[[gnu::noinline]] auto decide_slowly(tier_counters& counters, predicate which, const Ask& ask,
+                                     const Sites&... sites) {
   const auto answer = ask(interval_kernel{});
   ++counters.at(which, answer.certain() ? tier::interval : tier::exact);
-  return answer.certain() ? answer.value() : ask(exact_kernel{});
+  if (answer.certain()) return answer.value();
+  counters.spread_wide += spread_weight<sizeof...(Sites)>({&sites...});
+  return ask(exact_kernel{});
 }
 
 // The same for predicates that take no longer than a call. Exact integers of a fixed width cost
@@ -94,17 +100,17 @@ sign filtered_kernel::dominates(const site& v, const site& w, const point& p) co
 
 int filtered_kernel::voronoi_vertex_count(const site& u, const site& v, const site& w) const {
   const auto ask = [&](const auto& kernel) { return kernel.voronoi_vertex_count(u, v, w); };
-  return decide_slowly(counters_, predicate::voronoi_vertex_count, ask);
+  return decide_slowly(counters_, predicate::voronoi_vertex_count, ask, u, v, w);
 }
 
 int filtered_kernel::arc_intersection_count(const site& v, const site& w, const site& x) const {
   const auto ask = [&](const auto& kernel) { return kernel.arc_intersection_count(v, w, x); };
-  return decide_slowly(counters_, predicate::arc_intersection_count, ask);
+  return decide_slowly(counters_, predicate::arc_intersection_count, ask, v, w, x);
 }
 
 bool filtered_kernel::encroaches(const site& a, const site& b, const site& w) const {
   const auto ask = [&](const auto& kernel) { return kernel.encroaches(a, b, w); };
-  return decide_slowly(counters_, predicate::encroaches, ask);
+  return decide_slowly(counters_, predicate::encroaches, ask, a, b, w);
 }
 
 bool filtered_kernel::insertion_test(const site& v, const site& w, const site& x,
@@ -114,7 +120,7 @@ bool filtered_kernel::insertion_test(const site& v, const site& w, const site& x
                   &interval_kernel::insertion_test, &exact_kernel::insertion_test>(
         counters_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
   const auto ask = [&](const auto& kernel) { return kernel.insertion_test(v, w, x, y); };
-  return decide_slowly(counters_, predicate::insertion_test, ask);
+  return decide_slowly(counters_, predicate::insertion_test, ask, v, w, x, y);
 }
 
 bool filtered_kernel::edge_test(const site& v, const site& w, const site& x, const site& y) const {
@@ -124,7 +130,7 @@ bool filtered_kernel::edge_test(const site& v, const site& w, const site& x, con
         counters_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
   const auto ask = [&](const auto& kernel) { return kernel.edge_test(v, w, x, y); };
   const uncertain_bool by_gap = ask_gaps(v, w, x, y);
-  if (!by_gap.certain()) return decide_slowly(counters_, predicate::edge_test, ask);
+  if (!by_gap.certain()) return decide_slowly(counters_, predicate::edge_test, ask, v, w, x, y);
   ++counters_.at(predicate::edge_test, tier::semi_static);
   return by_gap.value();
 }

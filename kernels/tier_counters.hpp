@@ -44,6 +44,9 @@ inline constexpr std::array<std::string_view, tier_count> tier_names = {"semi-st
 
 struct tier_counters {
   std::array<std::array<std::uint64_t, tier_count>, predicate_count> decided{};
+  // What the exact ones of numbers far apart weigh beyond one each (number_spread.hpp), as they
+  // take up to some hundred times as long, and no mesh is within reach.
+  std::uint64_t spread_wide = 0;
 
   std::uint64_t& at(predicate p, tier t) {
     return decided[static_cast<std::size_t>(p)][static_cast<std::size_t>(t)];
@@ -54,6 +57,7 @@ struct tier_counters {
   tier_counters& operator+=(const tier_counters& other) {
     for (std::size_t p = 0; p < predicate_count; ++p)
       for (std::size_t t = 0; t < tier_count; ++t) decided[p][t] += other.decided[p][t];
+    spread_wide += other.spread_wide;
     return *this;
   }
 };

@@ -16,6 +16,9 @@
 namespace asterism {
 namespace {
 
+// Stars are made beyond what refinement may do, as it ends with them.
+constexpr double most_work = 2;
+
 // The stars a new site is offered to. Those it will be a neighbour in are about those it has as
 // neighbours; what a local search misses a thorough one finds (star_construction.hpp).
 std::vector<index> candidate_stars(const site_oracle& oracle, index w, const star& own) {
@@ -103,14 +106,14 @@ std::size_t star_set::unmade() const {
 std::vector<index> star_set::construct(const site_oracle& oracle, const std::vector<index>& which,
                                        star_search search) {
   constexpr std::size_t first_block = 256, careful_block = 128;
-  constexpr double much = 0.25, most = 2;
+  constexpr double much = 0.25;
   const bool confirm = search == star_search::thorough && oracle.near() != nullptr;
   const site_index latest = confirm ? latest_sites(oracle, which) : site_index();
   std::vector<made_star> all;
   std::size_t block = first_block;
   for (std::size_t at = 0; at < which.size();) {
     const double part = part_of_work_bound(oracle);
-    if (part > most) break;
+    if (part > most_work) break;
     const std::size_t end = std::min(which.size(), at + (part > much ? careful_block : block));
     std::vector<made_star> more =
         construct_block(oracle, std::span(which).subspan(at, end - at), search,
@@ -145,6 +148,8 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
         for (std::size_t i = begin; i < end; ++i) {
           constexpr std::size_t at_a_time = 8;
           if (enough_ && i % at_a_time == 0 && enough_()) break;
+          // Tensors may be so thin that a chunk alone takes too long.
+          if (part_of_work_bound(own) > most_work) break;
           const index v = which[i];
           if (latest != nullptr && condition_[v] == condition::settled) {
             if (!is_still_final(own, v, *latest))
@@ -213,6 +218,10 @@ void star_set::add_last(const site_oracle& oracle) {
   rebuild(oracle, w, star_search::near);
   for (const index v : candidate_stars(oracle, w, stars_[w])) {
     if (stars_[v].contains(w)) continue;
+    if (part_of_work_bound(oracle) > most_work) {
+      mark_stale(v);  // nobody asked whether it would accept w
+      continue;
+    }
     const star before = stars_[v];
     if (!offer(oracle, v, stars_[v], w)) continue;
     mark_stale(v);

@@ -17,7 +17,9 @@ namespace asterism {
 // says what is near). Where metrics vary wildly every site is in reach of every other and every
 // piece: both grow with the number of sites. The `given` vertices may all see each other before
 // there is a site between them, on a convex polygon for one: then so much is asked of each pair of
-// them. This is the work done as a part of the most that is done: 1 is the bound.
+// them. Where tensors are so thin that only exact arithmetic is left, no mesh is within reach, and
+// an answer weighs as many as it takes the time of (number_spread.hpp): seconds, not hours.
+// This is the work done as a part of the most that is done: 1 is the bound.
 inline double part_of_work_bound(const tier_counters& counts, std::size_t sites,
                                  std::size_t given) {
   constexpr double edge_tests_at_least = 2e5, edge_tests_for_each = 1e3, edge_tests_a_pair = 20,
@@ -29,12 +31,12 @@ inline double part_of_work_bound(const tier_counters& counts, std::size_t sites,
                                                           counts.at(of, tier::interval) +
                                                           counts.at(of, tier::exact);
   }
+  const double weighed = static_cast<double>(edge_tests + counts.spread_wide);
   const auto n = static_cast<double>(sites), g = static_cast<double>(given);
   const double most_edge_tests =
       edge_tests_at_least + edge_tests_for_each * n + edge_tests_a_pair * g * g;
   const double most_others = others_at_least + others_for_each * n + others_a_pair * g * g;
-  return std::max(static_cast<double>(edge_tests) / most_edge_tests,
-                  static_cast<double>(others) / most_others);
+  return std::max(weighed / most_edge_tests, static_cast<double>(others) / most_others);
 }
 
 }  // namespace asterism
