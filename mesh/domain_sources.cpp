@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "asterism/mesh/domain_contains.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/poly.hpp"
 
 namespace asterism {
@@ -96,7 +97,7 @@ result<domain> airfoil(const airfoil_options& options) {
 result<domain> load_domain(std::string_view what) {
   if (what == "square") return square();
   if (what == "airfoil" || what == "naca0012") return airfoil();
-  if (what.ends_with(".poly")) return read_poly(std::filesystem::path(what));
+  if (has_ending(what, ".poly")) return read_poly(std::filesystem::path(what));
   return error{"unknown domain '" + std::string(what) +
                "': square, airfoil, or a file whose name ends in .poly or .mesh"};
 }

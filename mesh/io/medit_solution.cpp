@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "asterism/kernels/parse_number.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
 
 namespace asterism {
 
@@ -122,7 +123,7 @@ std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh
   const auto text = read_text_file(path);
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
-  return path.extension() == ".mtr" ? read_bamg_metric(source, m) : read_sections(source, m);
+  return has_ending(path.string(), ".mtr") ? read_bamg_metric(source, m) : read_sections(source, m);
 }
 
 }  // namespace asterism

@@ -27,6 +27,8 @@ result<std::string> read_text_file(const std::filesystem::path& path) {
   if (!in) return error{path.string() + ": cannot be opened for reading"};
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (in.bad()) return error{path.string() + ": cannot be read to its end"};
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   return text;
 }
 

@@ -14,7 +14,8 @@
 
 namespace asterism {
 
-// The whole file; fails naming it when it is missing, no regular file, or unreadable.
+// The whole file, without the byte order mark some editors put before UTF-8; fails naming it when
+// it is missing, no regular file, or unreadable.
 result<std::string> read_text_file(const std::filesystem::path& path);
 
 struct word {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/vtu.hpp"
@@ -25,9 +26,7 @@ constexpr std::array<std::pair<std::string_view, mesh_format>, 5> formats = {
      {".pdf", mesh_format::pdf}}};
 
 std::string lower(std::string text) {
-  // Not std::tolower, whose answer depends on the locale.
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (char& c : text) c = lower_case(c);
   return text;
 }
 

@@ -173,3 +173,11 @@ TEST_CASE("what is no file is refused by name") {
   REQUIRE(read_poly(here / "folder.poly").failure().message ==
           (here / "folder.poly").string() + ": not a regular file");
 }
+
+TEST_CASE("a byte order mark before the text was refused") {
+  const temporary_directory here("marked-poly");
+  const auto marked = read_poly(here.write("marked.poly", "\xEF\xBB\xBF" + ring));
+  REQUIRE(marked.ok());
+  CHECK(marked.value().vertices == read_poly(here.write("bare.poly", ring)).value().vertices);
+  CHECK_FALSE(read_poly(here.write("twice.poly", "\xEF\xBB\xBF\xEF\xBB\xBF" + ring)).ok());
+}
