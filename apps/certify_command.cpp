@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/apps/angle_text.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
@@ -119,9 +120,9 @@ void write_report(const certify_report& report, const mesh& m, double angle_boun
     std::cout << "stars: not compared, this is no triangulation\n";
   if (report.unsettled > 0) std::cout << "stars that did not settle: " << report.unsettled << '\n';
   std::cout << "inverted or flat: " << report.inverted << '\n'
-            << "worst angle: " << std::fixed << std::setprecision(2) << report.audit.worst.degrees
-            << " degrees, triangles below " << std::defaultfloat << angle_bound << ": "
-            << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size() << ")\n"
+            << worst_angle_text(report.audit.worst.degrees) << ", triangles below " << angle_bound
+            << ": " << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size()
+            << ")\n"
             << "edges of metric length 0.71 to 1.41: " << report.unit_edges << " of "
             << report.edges << std::fixed << std::setprecision(1) << " ("
             << 100.0 * static_cast<double>(report.unit_edges) / static_cast<double>(report.edges)
@@ -207,9 +208,8 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   const bool reached = outcome.complete && judged.certified;
   std::cout << "repaired: " << outcome.sites << " sites, "
             << outcome.sites - adopted.subject.sites.size() << " of them new, " << outcome.triangles
-            << " triangles, worst angle " << std::fixed << std::setprecision(2)
-            << judged.worst.degrees
-            << " degrees: " << (reached ? "certified\n" : "NOT certified\n");
+            << " triangles, " << worst_angle_text(judged.worst.degrees) << ": "
+            << (reached ? "certified\n" : "NOT certified\n");
   if (reached && is_dual_as_asked(options, judged)) return done;
   return complain({reached ? "not proved to be the dual of the Voronoi diagram: " +
                                  judged.findings.front().witness

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "asterism/apps/angle_text.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
@@ -21,6 +22,7 @@
 #include "asterism/mesh/certify.hpp"
 #include "asterism/mesh/domain_check.hpp"
 #include "asterism/mesh/domain_sources.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/mesh_statistics.hpp"
@@ -42,13 +44,13 @@ std::optional<error> check_files(const mesh_job& job, const fs::path& certificat
   std::vector<fs::path> used = {certificate_path};
   std::error_code ignored;
   std::vector<fs::path> read = {job.domain};
-  if (job.metric.ends_with(".mesh") && job.metric != job.domain) read.emplace_back(job.metric);
+  if (has_ending(job.metric, ".mesh") && job.metric != job.domain) read.emplace_back(job.metric);
   for (const fs::path& file : read) {
     if (fs::is_regular_file(file, ignored)) used.push_back(file);
-    if (file.extension() == ".mesh" && fs::is_regular_file(solution_path(file), ignored))
+    if (has_ending(file.string(), ".mesh") && fs::is_regular_file(solution_path(file), ignored))
       used.push_back(solution_path(file));
     const fs::path vertices = fs::path(file).replace_extension(".node");
-    if (file.extension() == ".poly" && fs::is_regular_file(vertices, ignored))
+    if (has_ending(file.string(), ".poly") && fs::is_regular_file(vertices, ignored))
       used.push_back(vertices);
   }
   for (const fs::path& output : job.outputs) {
@@ -90,7 +92,7 @@ using made_field = result<std::unique_ptr<metric_field>>;
 
 made_field make_field(const mesh_job& job, const domain& shape) {
   const double size = job.size.value_or(1);
-  if (!job.metric.ends_with(".mesh")) return make_metric_field(job.metric, shape.box(), size);
+  if (!has_ending(job.metric, ".mesh")) return make_metric_field(job.metric, shape.box(), size);
   const auto background = read_triangulation(job.metric, true);
   if (!background) return background.failure();
   return make_sampled_field(background.value().subject, size);
@@ -129,7 +131,7 @@ result<domain> domain_of_mesh(const mesh_job& job) {
   return std::move(adopted.value().shape);
 }
 
-bool is_mesh(const mesh_job& job) { return job.domain.ends_with(".mesh"); }
+bool is_mesh(const mesh_job& job) { return has_ending(job.domain, ".mesh"); }
 
 result<prepared_input> prepare(const mesh_job& job) {
   const auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job);
@@ -178,12 +180,13 @@ std::string text_of(const improvement_report& done, std::size_t sites) {
 }
 
 // What fitting did, in one line.
-std::string text_of(const fitting_report& done) {
+std::string text_of(const fitting_report& done, std::size_t too_large) {
   return "from aspects to the power of " + text_of(done.power) + ", " +
          std::to_string(done.low_before) + " triangles below the bound before, " +
          std::to_string(done.rounds) + " rounds, " + std::to_string(done.moves) + " moves, " +
          std::to_string(done.flips) + " flips, " + std::to_string(done.collapses) + " merged, " +
-         std::to_string(done.insertions) + " split";
+         std::to_string(done.insertions) + " split, " + std::to_string(too_large) +
+         " larger than the size asks for";
 }
 
 std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
@@ -205,7 +208,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"max-sites", std::to_string(asked.max_sites)},
           {"regions", job.number_regions ? "numbered" : "as given"},
           {"random-points", std::to_string(job.random_points)},
-          {"fit-done", outcome.fitted ? text_of(*outcome.fitted) : "none"},
+          {"fit-done", outcome.fitted ? text_of(*outcome.fitted, outcome.too_large) : "none"},
           {"relax", asked.relax ? "where needed" : "no"},
           {"seed", std::to_string(asked.seed)}};
 }
@@ -266,8 +269,8 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
 
 void write_summary(const refinement_outcome& outcome, const audit_report& report, bool reached,
                    std::optional<double> unit_edges) {
-  std::cout << report.sites << " sites, " << report.triangles << " triangles, worst angle "
-            << std::fixed << std::setprecision(2) << report.worst.degrees << " degrees, "
+  std::cout << report.sites << " sites, " << report.triangles << " triangles, "
+            << worst_angle_text(report.worst.degrees) << ", " << std::fixed << std::setprecision(2)
             << outcome.disagreeing << " disagreeing, "
             << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle)
             << " low-angle";
@@ -296,7 +299,8 @@ int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit
   if (job.size) unit_edges = claim.measured.at("unit_edges");
   if (!job.quiet && outcome.improved)
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
-  if (!job.quiet && outcome.fitted) std::cout << "fitted: " << text_of(*outcome.fitted) << '\n';
+  if (!job.quiet && outcome.fitted)
+    std::cout << "fitted: " << text_of(*outcome.fitted, outcome.too_large) << '\n';
   if (!job.quiet && outcome.relaxed && reached) std::cout << "relaxed: " << outcome.reason << '\n';
   if (!job.quiet) write_summary(outcome, report, reached, unit_edges);
   const bool dual_as_asked = !job.prove_voronoi || report.voronoi == voronoi_verdict::proved;

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "asterism/apps/angle_text.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/mesh/certificate.hpp"
@@ -127,7 +128,7 @@ void write_verdict(const verify_report& verdict) {
   if (audit.total_found() > audit.findings.size())
     std::cout << audit.total_found() << " findings in all\n";
   std::cout << (verdict.verified ? "certified: " : "REFUSED: ") << audit.sites << " sites, "
-            << audit.triangles << " triangles, worst angle " << audit.worst.degrees << " degrees";
+            << audit.triangles << " triangles, " << worst_angle_text(audit.worst.degrees);
   if (!audit.exempt_corners.empty())
     std::cout << ", " << audit.exempt_triangles.size() << " exempt at "
               << audit.exempt_corners.size() << " corners";

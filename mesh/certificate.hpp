@@ -44,7 +44,8 @@ struct certificate {
   // What mesh_statistics.hpp measures, by the names there; those that are finite.
   std::map<std::string, double> measured;
   std::optional<double> angle_bound;  // degrees
-  double worst_angle = 180;           // away from exempt corners
+  // Away from exempt corners; 180 where no triangle is, in the file null.
+  double worst_angle = 180;
   std::vector<index> exempt_corners;
   std::vector<index> exempt_triangles;
   std::vector<index> low_triangles;  // below the bound, and not exempt

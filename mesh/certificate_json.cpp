@@ -21,6 +21,8 @@ using json = nlohmann::ordered_json;  // keys in the order written: the text is 
 
 constexpr std::string_view format_name = "asterism certificate 1";
 
+constexpr double no_angle_to_judge = 180;
+
 // In the order of relaxation_kind.
 constexpr std::array<std::string_view, 4> relaxation_kind_names = {"softened", "graded", "constant",
                                                                    "without demands"};
@@ -94,6 +96,11 @@ json measured_json(const certificate& c) {
   return result;
 }
 
+// Null where no triangle is away from the exempt corners.
+json worst_angle_json(double degrees) {
+  return degrees < no_angle_to_judge ? json(degrees) : json(nullptr);
+}
+
 // The metric the mesh is of, held against the one asked for.
 json relaxed_json(const certificate& c) {
   if (!c.relaxed) return nullptr;
@@ -107,7 +114,7 @@ json relaxed_json(const certificate& c) {
           {"vertices_changed", r.changed},
           {"most_longer", r.most_longer},
           {"most_shorter", r.most_shorter},
-          {"worst_angle_as_given", r.worst_angle},
+          {"worst_angle_as_given", worst_angle_json(r.worst_angle)},
           {"low_triangles_as_given", from_one(r.low_triangles)}};
 }
 
@@ -119,7 +126,7 @@ json audit_json(const certificate& c) {
           {"angles_checked", c.angles_checked},
           {"stars_checked", c.stars_checked},
           {"voronoi", voronoi_verdict_names[static_cast<std::size_t>(c.voronoi)]},
-          {"worst_angle", c.worst_angle},
+          {"worst_angle", worst_angle_json(c.worst_angle)},
           {"exempt_corners", from_one(c.exempt_corners)},
           {"exempt_triangles", from_one(c.exempt_triangles)},
           {"low_triangles", from_one(c.low_triangles)},
@@ -144,6 +151,11 @@ T read(const json& object, const std::string& key) {
   } catch (const json::exception&) {
     throw malformed("\"" + key + "\" is not what it should be");
   }
+}
+
+// Older certificates hold the number itself where there is none to judge.
+double worst_angle_of(const json& object, const std::string& key) {
+  return member(object, key).is_null() ? no_angle_to_judge : read<double>(object, key);
 }
 
 std::size_t count_of(const json& object, const std::string& key) {
@@ -263,7 +275,7 @@ std::optional<relaxation_report> relaxed_of(const json& outcome) {
   r.changed = count_of(object, "vertices_changed");
   r.most_longer = read<double>(object, "most_longer");
   r.most_shorter = read<double>(object, "most_shorter");
-  r.worst_angle = read<double>(object, "worst_angle_as_given");
+  r.worst_angle = worst_angle_of(object, "worst_angle_as_given");
   r.low_triangles = indices_of(object, "low_triangles_as_given");
   return r;
 }
@@ -274,7 +286,7 @@ void read_audit(const json& object, certificate& c) {
   c.angles_checked = read<bool>(object, "angles_checked");
   c.stars_checked = read<bool>(object, "stars_checked");
   c.voronoi = voronoi_of(object);
-  c.worst_angle = read<double>(object, "worst_angle");
+  c.worst_angle = worst_angle_of(object, "worst_angle");
   c.exempt_corners = indices_of(object, "exempt_corners");
   c.exempt_triangles = indices_of(object, "exempt_triangles");
   if (object.contains("low_triangles")) c.low_triangles = indices_of(object, "low_triangles");

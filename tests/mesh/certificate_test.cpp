@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "asterism/mesh/mesh_statistics.hpp"
 #include "audit_meshes.hpp"
 
 using namespace asterism;
@@ -210,4 +211,50 @@ TEST_CASE("a refusing audit is written down") {
   REQUIRE(read.ok());
   CHECK(read.value().witnesses == c.witnesses);
   CHECK_FALSE(read.value().original);
+}
+
+TEST_CASE("altered numbers of a certificate passed") {
+  certified_patch made;
+  made.c.measured = by_name(measure(made.p.m));
+  made.c.options["angle-bound"] = "30";
+  REQUIRE(verify(made.p.m, made.c, {}).verified);
+  const auto refused_for = [&](const std::string& field, const auto& alter) {
+    certificate altered = made.c;
+    alter(altered);
+    const verify_report report = verify(made.p.m, altered, {});
+    INFO(field);
+    CHECK_FALSE(report.verified);
+    REQUIRE(report.contradictions.size() == 1);
+    CHECK_THAT(report.contradictions[0], Contains("\"" + field + "\""));
+  };
+  for (const auto& [name, value] : made.c.measured)
+    refused_for("measured." + name, [&, key = name](certificate& c) {
+      c.measured[key] = std::nextafter(c.measured[key], 1e300);
+    });
+  refused_for("measured.luck", [](certificate& c) { c.measured["luck"] = 1; });
+  refused_for("audit.worst_angle",
+              [](certificate& c) { c.worst_angle = std::nextafter(c.worst_angle, 60); });
+  refused_for("audit.largest_boundary_deviation", [](certificate& c) { c.largest_deviation = 0; });
+  refused_for("audit.exempt_triangles", [](certificate& c) { c.exempt_triangles = {3}; });
+  refused_for("audit.low_triangles", [](certificate& c) { c.low_triangles = {3}; });
+  refused_for("audit.domain_checked", [](certificate& c) { c.domain_checked = false; });
+  refused_for("audit.angles_checked", [](certificate& c) { c.angles_checked = false; });
+  refused_for("audit.stars_checked", [](certificate& c) { c.stars_checked = false; });
+  refused_for("audit.findings", [](certificate& c) { c.found["orientation"] = 1; });
+  refused_for("audit.witnesses", [](certificate& c) { c.witnesses = {"orientation: none"}; });
+  refused_for("asked.angle_bound", [](certificate& c) { c.options["angle-bound"] = "31"; });
+  // Of another question the auditor's answers may be others.
+  audit_options lower;
+  lower.angle_bound = 10;
+  CHECK(verify(made.p.m, made.c, lower).verified);
+}
+
+TEST_CASE("where no angle is to judge a certificate said 180 degrees") {
+  certified_patch made;
+  made.c.worst_angle = 180;
+  const std::string text = certificate_text(made.c);
+  CHECK_THAT(text, Contains("\"worst_angle\": null"));
+  const auto read = parse_certificate(text, "c.json");
+  REQUIRE(read.ok());
+  CHECK(read.value().worst_angle == 180);
 }
