@@ -5,18 +5,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "asterism/mesh/audit.hpp"
+#include "asterism/mesh/constructions.hpp"
 #include "asterism/mesh/fitting.hpp"
 #include "asterism/mesh/mesh_statistics.hpp"
 #include "asterism/mesh/metric_algebra.hpp"
 #include "asterism/mesh/metric_field_relaxed.hpp"
 #include "asterism/mesh/refine_budget.hpp"
 #include "asterism/mesh/refine_quality.hpp"
+#include "asterism/mesh/refine_tolerance.hpp"
 #include "asterism/mesh/refinement.hpp"
 #include "asterism/mesh/unit_frame.hpp"
 
@@ -59,6 +63,10 @@ class relaxation {
 
   result<refinement_outcome> run() {
     if (auto failure = measure_sites()) return *failure;
+    if (is_same_everywhere_) {
+      if (is_final(attempt({relaxation_kind::without_demands, 1, 1, extent_}))) return conclude();
+      return std::move(as_given_);
+    }
     if (!as_given_.jumps)
       for (const double power : {0.7, 0.5})
         if (is_final(attempt({relaxation_kind::softened, power, 1, 1}))) return conclude();
@@ -85,11 +93,30 @@ class relaxation {
       if (!m) return m.failure();
       tensors.push_back(frame_.inward(m.value()));
     }
-    mean_ = mean_of(tensors);
     const bounding_box box = image_.box();
+    is_same_everywhere_ = is_same_at_all_places(tensors[0], tensors);
+    mean_ = is_same_everywhere_ ? tensors[0] : mean_of(tensors);
     const double x = box.high.x - box.low.x, y = box.high.y - box.low.y;
     extent_ = std::sqrt(mean_.m11 * x * x + 2 * std::abs(mean_.m12) * x * y + mean_.m22 * y * y);
     return std::nullopt;
+  }
+
+  // Whether sites and places of a lattice over the box all have this tensor, bit for bit: then
+  // another metric would not help, and what is in the way is the domain or a limit.
+  bool is_same_at_all_places(const metric_tensor& one,
+                             const std::vector<metric_tensor>& at_sites) const {
+    if (std::any_of(at_sites.begin(), at_sites.end(),
+                    [&one](const metric_tensor& m) { return !(m == one); }))
+      return false;
+    constexpr int lattice = 24;
+    const bounding_box box = image_.box();
+    for (int i = 0; i < lattice * lattice; ++i) {
+      const double u = (i % lattice + 0.5) / lattice, v = (i / lattice + 0.5) / lattice;
+      const auto there =
+          framed_.at({(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y});
+      if (there && !(there.value() == one)) return false;
+    }
+    return true;
   }
 
   // Empty where it cannot be made, or is what has been meshed already.
@@ -329,16 +356,47 @@ class relaxation {
     return "one metric for all, with no demands on angles and sizes";
   }
 
+  // The metric is not to blame: what is, is a limit, which `why` names, or details of the domain
+  // far smaller than the rest, near which the shortest edge is.
+  std::string reason_without_relaxation(const relaxation_report& report) const {
+    const auto [length, at] = shortest_edge(tried_->result);
+    return fmt::format(
+        "no mesh was found that meets the demands ({}), though the metric is the same everywhere; "
+        "the one delivered is made with no demands on angles and sizes, and its shortest edge, "
+        "{:.4g} "
+        "long, is at ({}, {}): {}; {} triangles are below {} degrees{}",
+        report.why, length, format_number(at.x), format_number(at.y), tried_->reason,
+        report.low_triangles.size(), options_.angle_bound, worst_text(report));
+  }
+
+  // As its first end measures it, and that end.
+  static std::pair<double, point> shortest_edge(const mesh& m) {
+    std::pair<double, point> least{std::numeric_limits<double>::infinity(), {}};
+    for (const triangle& t : m.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const site &p = m.sites[t[i]], &q = m.sites[t[(i + 1) % 3]];
+        const double length = std::sqrt(squared_distance(p, q.position));
+        if (length < least.first) least = {length, p.position};
+      }
+    return least;
+  }
+
+  // Nothing where no triangle is away from the exempt corners.
+  static std::string worst_text(const relaxation_report& report) {
+    return report.worst_angle < 180 ? fmt::format(", the worst {:.2f}", report.worst_angle) : "";
+  }
+
   std::string reason(const relaxation_report& report) const {
+    if (is_same_everywhere_) return reason_without_relaxation(report);
     const std::string stopped =
         fitting_stopped_ ? "; fitting it to that was stopped: " + *fitting_stopped_ : "";
     return fmt::format(
         "stars cannot agree in the metric given ({}); they agree in {}, which differs from it at "
         "{} of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as "
-        "the metric given measures them {} triangles are below {} degrees, the worst {:.2f}{}",
+        "the metric given measures them {} triangles are below {} degrees{}{}",
         report.why, metric_text(report), report.changed, report.given.size(), report.most_longer,
         report.most_shorter, tried_->reason, report.low_triangles.size(), options_.angle_bound,
-        report.worst_angle, stopped);
+        worst_text(report), stopped);
   }
 
   const star_kernel& kernel_;
@@ -351,6 +409,7 @@ class relaxation {
   domain image_;  // in the frame, as all that follows
   framed_field framed_;
   metric_tensor mean_;
+  bool is_same_everywhere_ = false;
   double extent_ = 0;
   std::optional<refinement_outcome> tried_;
   relaxation_step step_;                        // of the last attempt, as what follows

@@ -31,6 +31,10 @@ BOXES = """12 2 0 0
 """
 
 
+# One triangle, exempt at its sharp corner.
+NEEDLE = "3 2 0 0\n1 0 0\n2 10 0\n3 10 0.5\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n"
+
+
 class Mesh(command.CommandTest):
     def make(self, *more):
         done = self.run_command(*JOB, "-o", "m.mesh", *more)
@@ -137,6 +141,39 @@ class Mesh(command.CommandTest):
                          "measures them 0 triangles are below 20 degrees")
         self.assertRegex(done.stdout, ": certified in a relaxed metric\n\\Z")
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+
+    def test_a_mesh_with_a_capital_extension_was_written_and_not_accepted(self):
+        self.write("NEEDLE.POLY", b"\xef\xbb\xbf" + NEEDLE.encode())
+        self.assertEqual(self.run_command("mesh", "NEEDLE.POLY", "-o", "A.MESH").returncode, 0)
+        done = self.run_command("mesh", "A.MESH", "-o", "b.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.write("c.mesh", b"\xef\xbb\xbf" + (self.folder / "A.MESH").read_bytes())
+        self.write("c.sol", b"\xef\xbb\xbf" + (self.folder / "A.sol").read_bytes())
+        self.assertEqual(self.run_command("verify", "c.mesh", "--certificate", "A.certificate.json").returncode, 0)
+        self.assertEqual(self.run_command("mesh", "A.MESH", "-o", "A.MESH").returncode, 2)
+
+    def test_the_worst_angle_of_no_triangle_was_180_degrees(self):
+        self.write("needle.poly", NEEDLE)
+        done = self.run_command("mesh", "needle.poly", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 triangles, no angle to judge, 0 disagreeing", done.stdout)
+        self.assertIsNone(json.loads((self.folder / "m.certificate.json").read_text())["audit"]["worst_angle"])
+        done = self.run_command("verify", "m.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("no angle to judge", done.stdout)
+
+    def test_the_metric_was_blamed_where_it_is_the_same_everywhere(self):
+        done = self.run_command("mesh", "airfoil", "--max-sites", "120", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no mesh was found that meets the demands (the limit of 120 sites was reached), though the "
+                      "metric is the same everywhere", done.stderr)
+        self.assertNotIn("cannot agree", done.stderr)
+
+    def test_a_metric_beyond_the_exponents_of_doubles_took_forever(self):
+        for spec in ("expr:1e300;0;1e-300", "expr:1e250*(1.1+x);0;1e-250"):
+            done = self.run_command("mesh", "square", "--metric", spec, "--no-relaxation", "-o", "m.mesh", seconds=60)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn("not reached: ", done.stderr)
 
     def test_darts(self):
         done = self.run_command(*JOB[:-1], "10", "--refine", "darts", "-o", "m.mesh")
