@@ -17,6 +17,7 @@
 #include "asterism/mesh/domain_contains.hpp"
 #include "asterism/mesh/domain_sources.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/measured_claims.hpp"
 #include "asterism/mesh/metric_field.hpp"
 
 namespace asterism::apps {
@@ -118,6 +119,13 @@ void check_relaxed(const mesh& subject, const certificate& claim, verify_report&
   verdict.verified = false;
 }
 
+void check_measured(const mesh& subject, const certificate& claim, verify_report& verdict) {
+  for (std::string& said : contradictions_in_measured(subject, claim)) {
+    verdict.contradictions.push_back(std::move(said));
+    verdict.verified = false;
+  }
+}
+
 void write_verdict(const verify_report& verdict) {
   const audit_report& audit = verdict.audit;
   for (const std::string& contradiction : verdict.contradictions)
@@ -154,7 +162,10 @@ int run_verify(const verify_options& options) {
   asked.check_voronoi = options.prove_voronoi;
   if (original.value()) asked.original = &*original.value();
   verify_report verdict = verify(subject.value(), claim.value(), asked);
-  if (claim.value()) check_relaxed(subject.value(), *claim.value(), verdict);
+  if (claim.value()) {
+    check_relaxed(subject.value(), *claim.value(), verdict);
+    check_measured(subject.value(), *claim.value(), verdict);
+  }
   write_verdict(verdict);
   return verdict.verified ? done : not_reached;
 }

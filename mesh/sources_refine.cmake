@@ -14,6 +14,7 @@ target_sources(asterism PRIVATE
   improvement.cpp
   improvement_proposal.cpp
   mesh_regions.cpp
+  measured_claims.cpp
   mesh_statistics.cpp
   mesher.cpp
   refine_arcs.cpp
