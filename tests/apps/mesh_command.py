@@ -175,6 +175,12 @@ class Mesh(command.CommandTest):
             self.assertEqual(done.returncode, 1, done.stderr)
             self.assertIn("not reached: ", done.stderr)
 
+    def test_a_thin_metric_that_is_the_same_everywhere_was_left_with_disagreeing_triangles(self):
+        done = self.run_command("mesh", "square", "--metric", "expr:1e300;0;1e-300", "-o", "m.mesh", seconds=120)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(" 0 disagreeing, ", done.stdout)
+        self.assertIn("stars cannot agree in the metric given", done.stderr)
+
     def test_darts(self):
         done = self.run_command(*JOB[:-1], "10", "--refine", "darts", "-o", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
