@@ -15,16 +15,18 @@
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
-#include "asterism/mesh/certificate.hpp"
-#include "asterism/mesh/certify.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
-#include "asterism/mesh/metric_field.hpp"
-#include "asterism/mesh/metric_field_sampled.hpp"
-#include "asterism/mesh/refine_tolerance.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/refine/insertion_tolerance.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
 
 namespace asterism::apps {
+using namespace internal;
 namespace fs = std::filesystem;
 namespace {
 
@@ -180,19 +182,19 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
     return complain({"--repair: " + options.mesh.string() +
                      " is no triangulation, so that it has no domain to go on from"},
                     not_reached);
-  refinement_options wanted;
+  mesh_options wanted;
   wanted.angle_bound = options.angle_bound;
   constexpr std::size_t growth = 10, least = 100000;
   wanted.max_sites =
       options.max_sites.value_or(std::max(least, growth * adopted.subject.sites.size()));
-  std::optional<result<refinement_outcome>> made;
+  std::optional<result<mesh_outcome>> made;
   {
     progress_line line(true);
     made = make_mesh(adopted.shape, field, wanted,
-                     [&line](const refinement_progress& progress) { line.show(progress); });
+                     [&line](const mesh_progress& progress) { line.show(progress); });
   }
   if (!*made) return complain(made->failure(), refused);
-  const refinement_outcome& outcome = made->value();
+  const mesh_outcome& outcome = made->value();
   audit_options asked;
   asked.angle_bound = options.angle_bound;
   asked.original = &adopted.shape;

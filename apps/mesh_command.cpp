@@ -65,7 +65,7 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
 }
 
 void add_refinement_options(CLI::App& app, mesh_job& job) {
-  refinement_options& options = job.refinement;
+  mesh_options& options = job.refinement;
   add_real(
       app, "--angle-bound", angle_bounds, [&options](double x) { options.angle_bound = x; },
       "Least angle of a triangle, as each of its vertices measures it (default 20)")

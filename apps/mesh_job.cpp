@@ -17,20 +17,23 @@
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
-#include "asterism/mesh/audit.hpp"
-#include "asterism/mesh/certificate.hpp"
-#include "asterism/mesh/certify.hpp"
-#include "asterism/mesh/domain_check.hpp"
-#include "asterism/mesh/domain_sources.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
-#include "asterism/mesh/mesh_statistics.hpp"
-#include "asterism/mesh/metric_field.hpp"
-#include "asterism/mesh/metric_field_graded.hpp"
-#include "asterism/mesh/metric_field_sampled.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/metric/graded_field.hpp"
+#include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/io/load_domain.hpp"
 
 namespace asterism::apps {
+using namespace internal;
 namespace fs = std::filesystem;
 namespace {
 
@@ -164,10 +167,10 @@ std::string text_of(const gradation_report& done) {
 }
 
 // The size the mesh was made for; none, too, where the relaxed mesh was made without demands.
-std::string text_of_size_delivered(const mesh_job& job, const refinement_outcome& outcome) {
+std::string text_of_size_delivered(const mesh_job& job, const mesh_outcome& outcome) {
   const bool demanded =
       !outcome.relaxed || outcome.relaxed->kind != relaxation_kind::without_demands;
-  return job.size && demanded ? text_of(*job.size * outcome.coarser) : "none";
+  return job.size && demanded ? text_of(*job.size * outcome.length_factor) : "none";
 }
 
 // What the passes over the finished mesh did, in one line.
@@ -190,8 +193,8 @@ std::string text_of(const fitting_report& done, std::size_t too_large) {
 }
 
 std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
-                                              const refinement_outcome& outcome) {
-  const refinement_options& asked = job.refinement;
+                                              const mesh_outcome& outcome) {
+  const mesh_options& asked = job.refinement;
   const std::array<const char*, 3> strategies = {"voronoi", "darts", "guaranteed"};
   return {{"domain", job.domain},
           {"angle-bound", text_of(asked.angle_bound)},
@@ -219,7 +222,7 @@ struct judged_mesh {
 };
 
 judged_mesh judge(const mesh_job& job, const prepared_input& input,
-                  const refinement_outcome& outcome) {
+                  const mesh_outcome& outcome) {
   audit_options options;
   options.angle_bound = job.refinement.angle_bound;
   options.original = &input.shape;
@@ -267,7 +270,7 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
   return std::nullopt;
 }
 
-void write_summary(const refinement_outcome& outcome, const audit_report& report, bool reached,
+void write_summary(const mesh_outcome& outcome, const audit_report& report, bool reached,
                    std::optional<double> unit_edges) {
   std::cout << report.sites << " sites, " << report.triangles << " triangles, "
             << worst_angle_text(report.worst.degrees) << ", " << std::fixed << std::setprecision(2)
@@ -275,7 +278,7 @@ void write_summary(const refinement_outcome& outcome, const audit_report& report
             << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle)
             << " low-angle";
   if (outcome.too_large > 0) std::cout << ", " << outcome.too_large << " too large";
-  if (outcome.unmade > 0) std::cout << ", " << outcome.unmade << " stars never made";
+  if (outcome.stars_missing > 0) std::cout << ", " << outcome.stars_missing << " stars never made";
   if (!report.exempt_corners.empty())
     std::cout << ", " << report.exempt_triangles.size() << " exempt at "
               << report.exempt_corners.size() << " corners";
@@ -292,7 +295,7 @@ void write_summary(const refinement_outcome& outcome, const audit_report& report
     std::cout << ": NOT certified, incomplete\n";
 }
 
-int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit_report& report,
+int conclude(const mesh_job& job, const mesh_outcome& outcome, const audit_report& report,
              const certificate& claim) {
   const bool reached = outcome.complete && report.certified;
   std::optional<double> unit_edges;
@@ -312,13 +315,13 @@ int conclude(const mesh_job& job, const refinement_outcome& outcome, const audit
                   not_reached);
 }
 
-result<refinement_outcome> mesh_with_progress(const mesh_job& job, const prepared_input& input,
+result<mesh_outcome> mesh_with_progress(const mesh_job& job, const prepared_input& input,
                                               const run_limits& limits, progress_line& line) {
-  refinement_options options = job.refinement;
+  mesh_options options = job.refinement;
   options.keep_if_complete = is_mesh(job);
   options.stop = [&limits] { return limits.reason(); };
   return make_mesh(input.shape, *input.field, options,
-                   [&line](const refinement_progress& progress) { line.show(progress); });
+                   [&line](const mesh_progress& progress) { line.show(progress); });
 }
 
 }  // namespace
@@ -344,7 +347,7 @@ int run_mesh_job(const mesh_job& job) {
     line.reset();
     return complain(made.failure(), refused);
   }
-  const refinement_outcome& outcome = made.value();
+  const mesh_outcome& outcome = made.value();
 
   line->show("auditing");
   const judged_mesh judged = judge(job, input.value(), outcome);

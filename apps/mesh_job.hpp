@@ -21,7 +21,7 @@ struct mesh_job {
   std::optional<double> gradation;  // beta; empty: the metric is taken as it is
   bool number_regions = false;      // those the domain does not number, too
   std::size_t random_points = 0;
-  refinement_options refinement;  // its seed is the random points' too
+  mesh_options refinement;  // its seed is the random points' too
   std::vector<std::filesystem::path> outputs;
   std::filesystem::path certificate;    // empty: beside the first output
   std::size_t threads = 0;              // 0: as many as there are processors

@@ -3,9 +3,10 @@
 
 #include <charconv>
 
-#include "asterism/kernels/parse_number.hpp"
+#include "asterism/core/number_text.hpp"
 
 namespace asterism::apps {
+using namespace internal;
 namespace {
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {

@@ -18,7 +18,7 @@ progress_line::~progress_line() {
   if (shown_) std::cerr << wipe << std::flush;
 }
 
-void progress_line::show(const refinement_progress& progress) {
+void progress_line::show(const mesh_progress& progress) {
   if (!shown_) return;
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return;

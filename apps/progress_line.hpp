@@ -18,7 +18,7 @@ class progress_line {
   progress_line& operator=(const progress_line&) = delete;
 
   // At most ten times a second.
-  void show(const refinement_progress& progress);
+  void show(const mesh_progress& progress);
   void show(const char* what) const;
 
  private:

@@ -12,15 +12,18 @@
 #include "asterism/apps/angle_text.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/option_values.hpp"
-#include "asterism/mesh/certificate.hpp"
-#include "asterism/mesh/domain_check.hpp"
-#include "asterism/mesh/domain_contains.hpp"
-#include "asterism/mesh/domain_sources.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/point_in_domain.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/io/medit.hpp"
-#include "asterism/mesh/measured_claims.hpp"
-#include "asterism/mesh/metric_field.hpp"
+#include "asterism/mesh/pipeline/measured_claims.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/io/load_domain.hpp"
 
 namespace asterism::apps {
+using namespace internal;
 namespace fs = std::filesystem;
 namespace {
 

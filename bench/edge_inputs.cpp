@@ -8,6 +8,7 @@
 #include "metrics.hpp"
 
 namespace asterism::bench {
+using namespace internal;
 
 namespace {
 

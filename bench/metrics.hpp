@@ -10,6 +10,7 @@
 #include "random_source.hpp"
 
 namespace asterism::bench {
+using namespace internal;
 
 inline constexpr metric_tensor round_metric{1, 0, 1};
 

@@ -5,6 +5,7 @@
 #include "metrics.hpp"
 
 namespace asterism::bench {
+using namespace internal;
 
 namespace {
 

@@ -18,6 +18,7 @@
 #include "two_vertices.hpp"
 
 namespace asterism::bench {
+using namespace internal;
 
 namespace {
 
@@ -73,7 +74,7 @@ void add_orientation(input_class which) {
     return k.orientation(q[0], q[1], q[2]);
   });
   add_contender(name + "/double, inlined", questions, [](const line_question& q) {
-    return to_number(asterism::orientation(q[0], q[1], q[2]));
+    return to_number(asterism::internal::orientation(q[0], q[1], q[2]));
   });
   const auto points = converted(questions, [](const line_question& q) {
     return std::array{to_epick(q[0]), to_epick(q[1]), to_epick(q[2])};

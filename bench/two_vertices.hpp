@@ -11,6 +11,7 @@
 #include "inputs.hpp"
 
 namespace asterism::bench {
+using namespace internal;
 
 inline bool edge_test_by_two_vertices(const edge_question& sites) {
   const auto& [v, w, x, y] = sites;

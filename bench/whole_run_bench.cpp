@@ -21,13 +21,15 @@
 #include "asterism/kernels/double_kernel.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/audit.hpp"
-#include "asterism/mesh/domain_check.hpp"
-#include "asterism/mesh/domain_sources.hpp"
-#include "asterism/mesh/metric_field.hpp"
-#include "asterism/mesh/refinement.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/refine/refinement_loop.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
 
 namespace asterism::bench {
+using namespace internal;
 
 namespace {
 
@@ -37,7 +39,7 @@ struct job {
   std::string name;
   domain shape;
   std::unique_ptr<metric_field> field;
-  refinement_options options;
+  mesh_options options;
 };
 
 // n x n points inside the square, turned by `angle`: of a grid's squares every four corners are a
@@ -85,7 +87,7 @@ result<job> make_job(const request& asked) {
   if (!shape) return shape.failure();
   auto field = make_metric_field(asked.metric, shape.value().box(), asked.size.value_or(1));
   if (!field) return field.failure();
-  refinement_options options;
+  mesh_options options;
   options.angle_bound = 20;
   options.limit_size = asked.size.has_value();
   options.max_sites = asked.max_sites;
@@ -93,7 +95,7 @@ result<job> make_job(const request& asked) {
   return job{asked.name, std::move(shape).value(), std::move(field).value(), options};
 }
 
-json judge(const job& j, const refinement_outcome& outcome) {
+json judge(const job& j, const mesh_outcome& outcome) {
   audit_options options;
   options.angle_bound = j.options.angle_bound;
   options.original = &j.shape;
@@ -116,7 +118,7 @@ template <class Kernel>
 void run(const job& j, json& into) {
   const Kernel kernel;
   const auto start = std::chrono::steady_clock::now();
-  const auto outcome = refine_on(star_kernel_on(kernel), j.shape, *j.field, j.options, {});
+  const auto outcome = mesh_domain(star_predicates_on(kernel), j.shape, *j.field, j.options, {});
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   into["milliseconds"].push_back(taken.count());
   if (into.contains("outcome")) return;

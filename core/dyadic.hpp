@@ -15,7 +15,9 @@
 #include "asterism/core/integer.hpp"
 #include "asterism/core/sign.hpp"
 
-namespace asterism {
+namespace asterism::internal {
+
+using asterism::sign_of;  // of a double, beside those below
 
 class dyadic {
  public:
@@ -106,4 +108,4 @@ inline bool operator<(const dyadic& a, const dyadic& b) {
 }
 inline bool operator==(const dyadic& a, const dyadic& b) { return (a - b).is_zero(); }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -23,7 +23,7 @@
 #include <cfenv>
 #endif
 
-namespace asterism {
+namespace asterism::internal {
 
 enum class rounding { nearest, upward };
 
@@ -54,4 +54,4 @@ class floating_point_scope {
 #endif
 };
 
-}  // namespace asterism
+}  // namespace asterism::internal

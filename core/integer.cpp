@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-namespace asterism {
+namespace asterism::internal {
 
 namespace {
 
@@ -141,4 +141,4 @@ integer square_root(const integer& a, bool& exact) {
   return root;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

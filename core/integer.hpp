@@ -19,7 +19,7 @@
 
 #include "asterism/core/sign.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 class integer {
  public:
@@ -159,4 +159,4 @@ class integer {
   limb inline_[inline_limbs];
 };
 
-}  // namespace asterism
+}  // namespace asterism::internal

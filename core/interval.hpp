@@ -24,7 +24,9 @@
 
 #include "asterism/core/sign.hpp"
 
-namespace asterism {
+namespace asterism::internal {
+
+using asterism::sign_of;  // of a double, beside those below
 
 #ifdef ASTERISM_SELF_CHECK
 using interval = shadowed_interval;
@@ -55,4 +57,4 @@ inline interval square_root_of_non_negative(const interval& x) {
   return root_of_non_negative(x);
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -6,7 +6,7 @@
 #include "asterism/core/interval.hpp"
 #include "asterism/core/site.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 template <class Number>
 struct displacement {
@@ -79,4 +79,4 @@ basic_site<Number> convert(const site& s) {
           {Number(s.metric.m11), Number(s.metric.m12), Number(s.metric.m22)}};
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

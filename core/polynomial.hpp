@@ -9,7 +9,7 @@
 #include <array>
 #include <cstddef>
 
-namespace asterism {
+namespace asterism::internal {
 
 template <class Number, std::size_t Degree>
 struct polynomial {
@@ -60,4 +60,4 @@ auto operator-(const polynomial<Number, N>& p, const polynomial<Number, M>& q) {
   return difference;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace asterism {
+namespace asterism::internal {
 
 namespace {
 
@@ -156,4 +156,4 @@ shadowed_interval root_of_non_negative(const shadowed_interval& a) {
   return {"square root", CGAL::sqrt(part), std::move(shadow)};
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

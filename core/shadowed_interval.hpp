@@ -23,7 +23,7 @@
 
 #include "asterism/core/dyadic.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // A real number known to lie in [low, high]; known exactly when they are equal.
 struct dyadic_range {
@@ -67,4 +67,4 @@ class shadowed_interval {
   std::optional<ends> shadow_;
 };
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -10,7 +10,9 @@
 
 #include "asterism/core/dyadic.hpp"
 
-namespace asterism {
+namespace asterism::internal {
+
+using asterism::sign_of;  // of a double, beside those below
 
 class square_root_sum {
  public:
@@ -57,4 +59,4 @@ class square_root_sum {
 
 inline uncertain_sign sign_of(const square_root_sum& x) { return x.sign_value(); }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A domain and a metric of one's own: an L-shape, with triangles flat along its long sides.
-#include <asterism/mesh/audit.hpp>
-#include <asterism/mesh/domain_check.hpp>
+#include <asterism/mesh/audit/audit.hpp>
+#include <asterism/mesh/domain/check_domain.hpp>
 #include <asterism/mesh/io/write_mesh.hpp>
 #include <asterism/mesh/mesher.hpp>
 #include <cmath>
@@ -29,15 +29,15 @@ int complain(const asterism::error& failure) {
 int main() {
   asterism::domain shape;
   shape.vertices = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-  for (asterism::index i = 0; i < 6; ++i) shape.segments.push_back({i, (i + 1) % 6, 1});
+  for (asterism::vertex_index i = 0; i < 6; ++i) shape.segments.push_back({i, (i + 1) % 6, 1});
   const auto checked = asterism::check_domain(shape);
   if (!checked) return complain(checked.failure());
 
-  asterism::refinement_options wanted;
+  asterism::mesh_options wanted;
   wanted.angle_bound = 20;
   const auto made = asterism::make_mesh(checked.value(), layers(), wanted);
   if (!made) return complain(made.failure());
-  const asterism::refinement_outcome& outcome = made.value();
+  const asterism::mesh_outcome& outcome = made.value();
   std::cout << outcome.sites << " sites, " << outcome.triangles << " triangles: " << outcome.reason
             << '\n';
 

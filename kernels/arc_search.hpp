@@ -22,7 +22,7 @@
 #include "asterism/kernels/double_arithmetic.hpp"
 #include "asterism/predicates/insertion_test.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // A range of parameters: the open interval (low, high), ends may be infinite, not both.
 struct parameter_range {
@@ -334,4 +334,4 @@ class arc_search {
   lasting_reasons<Number, Source> at_x_, at_y_;
 };
 
-}  // namespace asterism
+}  // namespace asterism::internal

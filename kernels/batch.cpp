@@ -8,6 +8,7 @@
 #include "asterism/kernels/batch_first_pass.hpp"
 
 namespace asterism {
+using namespace internal;
 
 namespace {
 

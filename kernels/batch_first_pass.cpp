@@ -15,7 +15,7 @@
 #define ASTERISM_HAS_VECTOR_TARGETS 0
 #endif
 
-namespace asterism::batch {
+namespace asterism::internal::batch {
 
 namespace {
 
@@ -250,4 +250,4 @@ void edge_test(const site_columns& v, const site_columns& w, const site_columns&
   over_rows(rows, answers, edge_test_rows{v, w, x, y});
 }
 
-}  // namespace asterism::batch
+}  // namespace asterism::internal::batch

@@ -12,7 +12,7 @@
 
 #include "asterism/kernels/batch.hpp"
 
-namespace asterism::batch {
+namespace asterism::internal::batch {
 
 inline constexpr signed char undecided = 2;
 
@@ -26,4 +26,4 @@ void dominates(const site_columns& v, const site_columns& w, const point_columns
 void edge_test(const site_columns& v, const site_columns& w, const site_columns& x,
                const site_columns& y, std::size_t rows, signed char* answers);
 
-}  // namespace asterism::batch
+}  // namespace asterism::internal::batch

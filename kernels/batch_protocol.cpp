@@ -8,9 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "asterism/kernels/parse_number.hpp"
+#include "asterism/core/number_text.hpp"
 
 namespace asterism {
+using namespace internal;
 namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f";

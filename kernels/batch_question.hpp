@@ -44,7 +44,7 @@ constexpr record_shape shape_of(predicate question) {
 }
 constexpr std::size_t numbers_of(predicate question) {
   const record_shape shape = shape_of(question);
-  return question == predicate::is_spd ? 3 : 5 * shape.sites + 2 * shape.points;
+  return question == predicate::is_positive_definite ? 3 : 5 * shape.sites + 2 * shape.points;
 }
 
 // `first` is the index of the first number, `which` that of a site.
@@ -73,7 +73,7 @@ uncertain_int ask(const Kernel& kernel, const batch_record& r) {
   switch (r.question) {
     case predicate::orientation:
       return as_integer(kernel.orientation(point_at(r, 0), point_at(r, 2), point_at(r, 4)));
-    case predicate::is_spd:
+    case predicate::is_positive_definite:
       return as_integer(kernel.is_positive_definite(metric_at(r, 0)));
     case predicate::compare_distance:
       return as_integer(kernel.compare_distance(s(0), s(1), point_at(r, 10)));

@@ -97,7 +97,7 @@ asterism_status asterism_orientation(const double p[2], const double q[2], const
 }
 
 asterism_status asterism_is_spd(const double metric[3], int* answer) {
-  return answer_question(predicate::is_spd, std::array{argument{metric, 3}}, answer);
+  return answer_question(predicate::is_positive_definite, std::array{argument{metric, 3}}, answer);
 }
 
 asterism_status asterism_compare_distance(const double v[5], const double w[5], const double q[2],

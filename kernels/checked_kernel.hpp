@@ -56,7 +56,7 @@ class checked_kernel {
   }
   auto is_positive_definite(const metric_tensor& metric) const {
     const auto put = [&](const auto& k) { return k.is_positive_definite(metric); };
-    return compared(predicate::is_spd, put, metric);
+    return compared(predicate::is_positive_definite, put, metric);
   }
   auto compare_distance(const site& v, const site& w, const point& q) const {
     const auto put = [&](const auto& k) { return k.compare_distance(v, w, q); };

@@ -14,7 +14,7 @@
 #include "asterism/predicates/encroachment.hpp"
 #include "asterism/predicates/insertion_test.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 namespace numeric {
 
@@ -164,4 +164,4 @@ inline std::optional<double> find_witness(const encroachment_question<double>& q
 
 }  // namespace numeric
 
-}  // namespace asterism
+}  // namespace asterism::internal

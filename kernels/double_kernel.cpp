@@ -13,6 +13,7 @@
 #include "asterism/predicates/wedge.hpp"
 
 namespace asterism {
+using namespace internal;
 
 namespace {
 
@@ -60,32 +61,32 @@ bool insertion_answer(const site& v, const site& w, const site& x, const site& y
 }  // namespace
 
 sign double_kernel::orientation(const point& p, const point& q, const point& r) const {
-  return asterism::orientation(p, q, r).value();
+  return asterism::internal::orientation(p, q, r).value();
 }
 
 bool double_kernel::is_positive_definite(const metric_tensor& metric) const {
-  return asterism::is_positive_definite(metric).value();
+  return asterism::internal::is_positive_definite(metric).value();
 }
 
 sign double_kernel::compare_distance(const site& v, const site& w, const point& q) const {
-  return asterism::compare_distance(v, w, q).value();
+  return asterism::internal::compare_distance(v, w, q).value();
 }
 
 bool double_kernel::in_wedge(const site& v, const site& w, const point& q) const {
-  return asterism::in_wedge(v, w, q).value();
+  return asterism::internal::in_wedge(v, w, q).value();
 }
 
 sign double_kernel::dominates(const site& v, const site& w, const point& p) const {
-  return asterism::dominates(v, w, p).value();
+  return asterism::internal::dominates(v, w, p).value();
 }
 
 int double_kernel::voronoi_vertex_count(const site& u, const site& v, const site& w) const {
-  const uncertain_int count = asterism::voronoi_vertex_count<double_arithmetic>(u, v, w);
+  const uncertain_int count = asterism::internal::voronoi_vertex_count<double_arithmetic>(u, v, w);
   return count.certain() ? count.value() : 0;  // no usable direction: only after an overflow
 }
 
 int double_kernel::arc_intersection_count(const site& v, const site& w, const site& x) const {
-  return asterism::arc_intersection_count<double_arithmetic>(
+  return asterism::internal::arc_intersection_count<double_arithmetic>(
              visible_arc<double>(v, w, turn_scale(v)), x)
       .value();
 }

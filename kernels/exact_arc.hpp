@@ -8,7 +8,7 @@
 #include "asterism/kernels/root_line.hpp"
 #include "asterism/predicates/visible_arc.hpp"
 
-namespace asterism::exact {
+namespace asterism::internal::exact {
 
 using arc = visible_arc<dyadic>;
 
@@ -49,4 +49,4 @@ inline void add_zeros(root_line& line, const arc& on, const arc_function<dyadic>
   line.add(dense_polynomial(f.beta), tag);
 }
 
-}  // namespace asterism::exact
+}  // namespace asterism::internal::exact

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace asterism::exact {
+namespace asterism::internal::exact {
 
 dense_polynomial::dense_polynomial(std::vector<dyadic> coefficients)
     : coefficients_(std::move(coefficients)) {
@@ -245,4 +245,4 @@ sign compare(real_root& a, real_root& b) {
   }
 }
 
-}  // namespace asterism::exact
+}  // namespace asterism::internal::exact

@@ -10,7 +10,7 @@
 #include "asterism/core/dyadic.hpp"
 #include "asterism/core/polynomial.hpp"
 
-namespace asterism::exact {
+namespace asterism::internal::exact {
 
 // Coefficients of x^0, x^1, ...; the last one is not zero; the zero polynomial is empty.
 class dense_polynomial {
@@ -83,4 +83,4 @@ class real_root {
 // Every distinct real root in increasing order. Requires p not zero.
 std::vector<real_root> isolate_real_roots(const dense_polynomial& p);
 
-}  // namespace asterism::exact
+}  // namespace asterism::internal::exact

@@ -11,7 +11,7 @@
 #include "asterism/core/dyadic.hpp"
 #include "asterism/core/interval.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 inline interval enclose(const dyadic& x) {
   if (x.is_zero()) return interval(0);
@@ -44,4 +44,4 @@ inline interval enclose(const dyadic& x) {
 template <class Number>
 requires std::is_same_v<Number, interval> interval number_as(const dyadic& x) { return enclose(x); }
 
-}  // namespace asterism
+}  // namespace asterism::internal

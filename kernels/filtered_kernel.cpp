@@ -11,6 +11,7 @@
 #include "asterism/kernels/star_gap.hpp"
 
 namespace asterism {
+using namespace internal;
 
 namespace {
 
@@ -77,7 +78,7 @@ sign filtered_kernel::orientation(const point& p, const point& q, const point& r
 }
 
 bool filtered_kernel::is_positive_definite(const metric_tensor& metric) const {
-  return decide<predicate::is_spd, &fixed_width::is_positive_definite,
+  return decide<predicate::is_positive_definite, &fixed_width::is_positive_definite,
                 &interval_kernel::is_positive_definite, &exact_kernel::is_positive_definite>(
       counters_, semi_static::is_positive_definite(metric), metric);
 }

@@ -13,9 +13,11 @@
 
 #include "asterism/core/plane_algebra.hpp"
 
-namespace asterism::fixed_width {
+namespace asterism::internal::fixed_width {
 
 namespace {
+
+using internal::operator-;  // of metrics, beside those of integers below
 
 __extension__ using int128 = __int128;
 __extension__ using uint128 = unsigned __int128;
@@ -251,4 +253,4 @@ uncertain_bool edge_test_equal_metrics(const site& v, const site& w, const site&
   return insertion_answer(v, w, x, y, true);
 }
 
-}  // namespace asterism::fixed_width
+}  // namespace asterism::internal::fixed_width

@@ -12,7 +12,7 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
 
-namespace asterism::fixed_width {
+namespace asterism::internal::fixed_width {
 
 uncertain_sign orientation(const point& p, const point& q, const point& r);
 uncertain_bool is_positive_definite(const metric_tensor& metric);
@@ -27,4 +27,4 @@ uncertain_bool insertion_test_equal_metrics(const site& v, const site& w, const 
                                             const site& y);
 uncertain_bool edge_test_equal_metrics(const site& v, const site& w, const site& x, const site& y);
 
-}  // namespace asterism::fixed_width
+}  // namespace asterism::internal::fixed_width

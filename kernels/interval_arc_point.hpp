@@ -7,7 +7,7 @@
 #include "asterism/core/interval.hpp"
 #include "asterism/predicates/visible_arc.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // The point p at parameter m, by its weighted displacement from v.
 struct interval_arc_point {
@@ -19,4 +19,4 @@ struct interval_arc_point {
         weight(on.h(m) + square_root_of_non_negative(on.e(m))) {}
 };
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace asterism::certified {
+namespace asterism::internal::certified {
 
 namespace {
 
@@ -131,4 +131,4 @@ uncertain_bool exists(const encroachment_question<interval>& question,
   return {};
 }
 
-}  // namespace asterism::certified
+}  // namespace asterism::internal::certified

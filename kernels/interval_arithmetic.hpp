@@ -17,7 +17,7 @@
 #include "asterism/predicates/encroachment.hpp"
 #include "asterism/predicates/visible_arc.hpp"
 
-namespace asterism::certified {
+namespace asterism::internal::certified {
 
 // A box of homogeneous parameters m = mu / lambda, lambda >= 0.
 struct parameter_box {
@@ -53,4 +53,4 @@ std::optional<std::vector<enclosed_root>> real_roots(const polynomial<interval, 
 uncertain_bool exists(const encroachment_question<interval>& question,
                       std::optional<double> witness);
 
-}  // namespace asterism::certified
+}  // namespace asterism::internal::certified

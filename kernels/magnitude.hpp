@@ -11,7 +11,7 @@
 
 #include "asterism/core/site.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 namespace magnitude {
 
@@ -80,4 +80,4 @@ struct scaled_input {
   }
 };
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -23,7 +23,7 @@
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/core/site.hpp"
 
-namespace asterism::star_gap_detail {
+namespace asterism::internal::star_gap_detail {
 
 inline constexpr double eps = 0x1p-52;
 inline constexpr double frame_error_factor = 24;
@@ -109,4 +109,4 @@ class normal_frame {
   bool usable_;
 };
 
-}  // namespace asterism::star_gap_detail
+}  // namespace asterism::internal::star_gap_detail

@@ -16,7 +16,7 @@
 
 #include "asterism/core/site.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // The binary exponents from the least to the greatest of those numbers that are not zero.
 class exponent_range {
@@ -51,4 +51,4 @@ std::uint64_t spread_weight(const std::array<const site*, Count>& sites) {
   return width > wide ? weight_of_wide : 0;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

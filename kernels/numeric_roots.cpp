@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace asterism::numeric {
+namespace asterism::internal::numeric {
 
 namespace {
 
@@ -78,4 +78,4 @@ root_list real_roots(const coefficients& c) {
   return result;
 }
 
-}  // namespace asterism::numeric
+}  // namespace asterism::internal::numeric

@@ -10,7 +10,7 @@
 
 #include "asterism/core/polynomial.hpp"
 
-namespace asterism::numeric {
+namespace asterism::internal::numeric {
 
 // A fixed-capacity list in increasing order.
 struct root_list {
@@ -32,4 +32,4 @@ root_list real_roots(const polynomial<double, Degree>& p) {
   return real_roots(c);
 }
 
-}  // namespace asterism::numeric
+}  // namespace asterism::internal::numeric

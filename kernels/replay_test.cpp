@@ -22,7 +22,7 @@ std::string list(const batch_record& record, std::size_t first, std::size_t coun
 }
 
 std::string arguments(const batch_record& record) {
-  if (record.question == predicate::is_spd) return list(record, 0, 3);
+  if (record.question == predicate::is_positive_definite) return list(record, 0, 3);
   const record_shape shape = shape_of(record.question);
   std::string text;
   const auto append = [&text](const std::string& argument) {
@@ -60,14 +60,14 @@ std::string replay_test(std::string_view kernel_type, const batch_record& record
                         int answered) {
   const std::string_view name = predicate_names[static_cast<std::size_t>(record.question)];
   const std::string_view method =
-      record.question == predicate::is_spd ? "is_positive_definite" : name;
+      record.question == predicate::is_positive_definite ? "is_positive_definite" : name;
   std::array<char, 16> key{};
   (void)std::snprintf(key.data(), key.size(), "%08x", static_cast<unsigned>(hash(record)));
   std::string text = "// ";
   text.append(record_line(record)).append("\n// answered ").append(std::to_string(answered));
   text.append("\nTEST_CASE(\"").append(name).append(", case ").append(key.data());
   text.append("\", \"[replay]\") {\n  const ").append(kernel_type).append(" kernel;\n");
-  text.append("  const auto answer = asterism::as_integer(kernel.")
+  text.append("  const auto answer = asterism::internal::as_integer(kernel.")
       .append(method)
       .append("(\n      ");
   text.append(arguments(record)).append("));\n");

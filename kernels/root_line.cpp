@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace asterism::exact {
+namespace asterism::internal::exact {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::vector<dyadic> root_line::samples() {
   return result;
 }
 
-}  // namespace asterism::exact
+}  // namespace asterism::internal::exact

@@ -9,7 +9,7 @@
 
 #include "asterism/kernels/exact_polynomial.hpp"
 
-namespace asterism::exact {
+namespace asterism::internal::exact {
 
 struct cut {
   real_root root;
@@ -30,4 +30,4 @@ class root_line {
   std::vector<cut> cuts_;
 };
 
-}  // namespace asterism::exact
+}  // namespace asterism::internal::exact

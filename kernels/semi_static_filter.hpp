@@ -31,7 +31,9 @@
 #include "asterism/predicates/orientation.hpp"
 #include "asterism/predicates/wedge.hpp"
 
-namespace asterism::semi_static {
+namespace asterism::internal::semi_static {
+
+using internal::between;
 
 inline constexpr double eps = 0x1p-52;
 inline constexpr double slack = 8;
@@ -82,10 +84,10 @@ inline two_displacements together(const displacement<double>& a, const displacem
   return {pair(a.x, b.x), pair(a.y, b.y)};
 }
 inline two_displacements both(const displacement<double>& u) {
-  return {asterism::both(u.x), asterism::both(u.y)};
+  return {asterism::internal::both(u.x), asterism::internal::both(u.y)};
 }
 inline two_displacements between(const point& a, const point& b, const point& q) {
-  return {asterism::both(q.x) - pair(a.x, b.x), asterism::both(q.y) - pair(a.y, b.y)};
+  return {asterism::internal::both(q.x) - pair(a.x, b.x), asterism::internal::both(q.y) - pair(a.y, b.y)};
 }
 
 // u^T M u in both lanes, and an upper bound on the sum of the absolute monomials:
@@ -105,7 +107,7 @@ inline two_lengths squared_lengths(const two_metrics& m, const two_displacements
 inline two_doubles extent(const two_metrics& m) { return m.m11 + m.m22; }
 inline two_doubles extent(const two_displacements& u) { return absolute(u.x) + absolute(u.y); }
 inline bool in_range(two_doubles extents) {
-  return both_less(extents, asterism::both(largest_operand));
+  return both_less(extents, asterism::internal::both(largest_operand));
 }
 
 inline uncertain_sign compare_distance(const site& v, const site& w, const point& q) {
@@ -126,14 +128,14 @@ inline two_doubles inner_products(const two_metrics& m, const two_displacements&
 
 inline uncertain_bool in_wedge(const site& v, const site& w, const point& q) {
   const two_doubles x = pair(v.position.x, w.position.x), y = pair(v.position.y, w.position.y);
-  const two_displacements u = {asterism::both(q.x) - x, asterism::both(q.y) - y};
+  const two_displacements u = {asterism::internal::both(q.x) - x, asterism::internal::both(q.y) - y};
   const two_displacements d = {exchanged(x) - x, exchanged(y) - y};  // w - v and v - w
   const two_metrics m = together(v.metric, w.metric);
   const two_doubles of_m = extent(m), of_u = extent(u), of_d = extent(d);
   if (!in_range(of_m + (of_u + of_d))) return {};
   const two_doubles value = inner_products(m, u, d);
-  const two_doubles bound = of_u * (of_d * of_m) * asterism::both(bound_factor(wedge_depth)) +
-                            asterism::both(smallest_decided);
+  const two_doubles bound = of_u * (of_d * of_m) * asterism::internal::both(bound_factor(wedge_depth)) +
+                            asterism::internal::both(smallest_decided);
   if (both_less(bound, absolute(value))) return sign_bits(value) == 0;
   // One that is certainly not positive is enough for a no.
   const bool outside = (value[0] < -bound[0]) | (value[1] < -bound[1]);
@@ -205,8 +207,8 @@ inline uncertain_bool insertion_test_equal_metrics(const site& v, const site& w,
   if (!in_range((of_m + extent(d)) + (of_from_v + of_from_w))) return {};
   const two_doubles left = d.x * from_v.y, right = d.y * from_v.x;
   const two_doubles side = left - right, side_magnitude = absolute(left) + absolute(right);
-  const two_doubles side_bound = asterism::both(bound_factor(orientation_depth)) * side_magnitude +
-                                 asterism::both(smallest_decided);
+  const two_doubles side_bound = asterism::internal::both(bound_factor(orientation_depth)) * side_magnitude +
+                                 asterism::internal::both(smallest_decided);
   const two_doubles side_size = absolute(side);
   if (!both_less(side_bound, side_size)) return {};
   if (sign_bits(side) == 0 || sign_bits(side) == 3) return true;
@@ -218,4 +220,4 @@ inline uncertain_bool insertion_test_equal_metrics(const site& v, const site& w,
   return is_positive(outside);
 }
 
-}  // namespace asterism::semi_static
+}  // namespace asterism::internal::semi_static

@@ -11,7 +11,7 @@
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/kernels/vertex_hints.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // `proposing` is the same question in plain doubles. `most_ranges` bounds the cover.
 template <class PointOnArc, class Number, class Source>
@@ -47,4 +47,4 @@ uncertain_bool search_in_stages(const std::array<site, 4>& s, int most_ranges) {
                                         most_ranges);
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

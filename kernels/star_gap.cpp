@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-namespace asterism {
+namespace asterism::internal {
 
 using namespace star_gap_detail;
 
@@ -384,4 +384,4 @@ bool star_gap::met_first_at(const neighbour& z, const candidate& w, const direct
   return w.ray.c * lower.value - top.value > tolerance_ * size;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

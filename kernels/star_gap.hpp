@@ -21,7 +21,7 @@
 #include "asterism/kernels/normal_frame.hpp"
 #include "asterism/kernels/star_gap_formulas.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 class star_gap {
  public:
@@ -101,4 +101,4 @@ class star_gap {
   bool can_refuse_ = false;  // and u certainly has positive products with x and y
 };
 
-}  // namespace asterism
+}  // namespace asterism::internal

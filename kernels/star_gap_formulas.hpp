@@ -12,7 +12,7 @@
 
 #include "asterism/core/plane_algebra.hpp"
 
-namespace asterism::star_gap_detail {
+namespace asterism::internal::star_gap_detail {
 
 // On the ray p = v + u/s from v, s > 0, C s^2 - 2 H s - A has the sign of f_z - f_v at p; the
 // larger root is the first meeting with the bisector of v and z = v + d.
@@ -94,4 +94,4 @@ inline double radicand_beyond_magnitude(double extent_z, double extent, double b
          step * (4 * reach + step * (2 * (extent * extent) + 4 * bend * (reach * reach)));
 }
 
-}  // namespace asterism::star_gap_detail
+}  // namespace asterism::internal::star_gap_detail

@@ -12,7 +12,7 @@ namespace asterism {
 
 enum class predicate : std::size_t {
   orientation,
-  is_spd,
+  is_positive_definite,
   compare_distance,
   in_wedge,
   dominates,

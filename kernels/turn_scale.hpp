@@ -9,10 +9,10 @@
 
 #include "asterism/core/site.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 inline int turn_scale_exponent(const metric_tensor& m) {
   return -(std::ilogb(m.m11) + std::ilogb(m.m22)) / 2;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -11,7 +11,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace asterism {
+namespace asterism::internal {
 
 // + - * work lane by lane; x[0] and x[1] are the lanes.
 using two_doubles = double __attribute__((vector_size(16)));
@@ -53,4 +53,4 @@ inline two_displacements operator-(const two_displacements& a, const two_displac
   return {a.x - b.x, a.y - b.y};
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -12,7 +12,7 @@
 #include "asterism/kernels/double_arithmetic.hpp"
 #include "asterism/predicates/insertion_test.hpp"
 
-namespace asterism::numeric {
+namespace asterism::internal::numeric {
 
 // A point with f_v = f_w = f_x, as its displacement from v: Newton's method from the centre of the
 // circle in the sum of the three metrics.
@@ -91,4 +91,4 @@ inline std::optional<search_hints> find_quick_hints(const insertion_question<dou
   return hints;
 }
 
-}  // namespace asterism::numeric
+}  // namespace asterism::internal::numeric

@@ -15,7 +15,7 @@
 #include "asterism/predicates/visible_arc.hpp"
 #include "asterism/predicates/voronoi_vertices.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // Is the value P + beta sqrt E zero where the norm P^2 - beta^2 E is known to be?
 inline uncertain_bool conjugate_vanishes(uncertain_sign rational_part, uncertain_sign beta) {
@@ -75,4 +75,4 @@ uncertain_int arc_intersection_count(const visible_arc<Number>& arc, const basic
   return no_p.value() ? uncertain_int(0) : count(Arithmetic::real_roots(p), true);
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -14,7 +14,7 @@
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/core/sign.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 template <class Number>
 Number compare_distance_value(const basic_site<Number>& v, const basic_site<Number>& w,
@@ -29,4 +29,4 @@ uncertain_sign compare_distance(const basic_site<Number>& v, const basic_site<Nu
   return sign_of(compare_distance_value(v, w, q));
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -20,7 +20,7 @@
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/core/sign.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // The difference f_v - f_w on the ray from v through p, as A t^2 + 2 H t - C with p at t = 1, after
 // multiplication by weight^2: A, H weight, C weight^2. u = weight (p - v), d = w - v.
@@ -93,4 +93,4 @@ uncertain_sign dominates(const basic_site<Number>& v, const basic_site<Number>& 
   return dominates(v, w, between(v.position, p), between(w.position, p), Number(1));
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -17,7 +17,7 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/predicates/visible_arc.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 template <class Number>
 struct encroachment_question {
@@ -42,4 +42,4 @@ struct encroachment_question {
   }
 };
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -15,7 +15,7 @@
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/core/sign.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 template <class Number>
 Number in_circle_value(const basic_metric_tensor<Number>& m, const basic_point<Number>& v,
@@ -51,4 +51,4 @@ Number opposite_angles_value(const basic_metric_tensor<Number>& m, const basic_p
   return angle_value(m, v, w, x) * orientation_y - angle_value(m, v, w, y) * orientation_x;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

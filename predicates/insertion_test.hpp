@@ -19,7 +19,7 @@
 #include "asterism/predicates/in_circle.hpp"
 #include "asterism/predicates/visible_arc.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // What makes a neighbour's condition hold at a point, one by one.
 struct neighbour_verdict {
@@ -174,4 +174,4 @@ uncertain_bool insertion_test_equal_metrics(const basic_metric_tensor<Number>& m
   return inside.value() != side_x.value();
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

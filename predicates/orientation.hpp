@@ -13,7 +13,7 @@
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/core/sign.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 template <class Number>
 Number orientation_value(const basic_point<Number>& p, const basic_point<Number>& q,
@@ -27,4 +27,4 @@ uncertain_sign orientation(const basic_point<Number>& p, const basic_point<Numbe
   return sign_of(orientation_value(p, q, r));
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

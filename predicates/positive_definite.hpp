@@ -12,11 +12,11 @@
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/core/sign.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 template <class Number>
 uncertain_bool is_positive_definite(const basic_metric_tensor<Number>& m) {
   return is_positive(sign_of(m.m11)) & is_positive(sign_of(m.m11 * m.m22 - square(m.m12)));
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

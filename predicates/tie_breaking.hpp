@@ -22,7 +22,7 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/predicates/visible_arc.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // 2 D_i x D_j about `origin`, where D_s(p) = M_s (p - p_s).
 template <class Number>
@@ -99,4 +99,4 @@ inline bool equal_metric_tie_goes_to_edge(const point& v, const point& w, const 
   return lexicographically_less(of_edge, of_others);
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -21,7 +21,7 @@
 #include "asterism/core/polynomial.hpp"
 #include "asterism/core/sign.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // The value of p at m = mu / lambda, times lambda^Degree.
 template <class Number, std::size_t Degree>
@@ -206,4 +206,4 @@ plane_quadratic<Number> line_through(const basic_point<Number>& origin,
   return {{zero, zero, zero}, {zero - along.y, along.x}, cross(along, offset)};
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

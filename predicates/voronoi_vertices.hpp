@@ -21,7 +21,7 @@
 #include "asterism/core/polynomial.hpp"
 #include "asterism/predicates/visible_arc.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // alpha y^2 + beta(x) y + gamma(x)
 template <class Number>
@@ -131,4 +131,4 @@ uncertain_int voronoi_vertex_count(const basic_site<Number>& u, const basic_site
   return {};
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

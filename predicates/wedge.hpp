@@ -14,7 +14,7 @@
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/core/sign.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // (q - v)^T M_v (w - v): positive where v sees q at less than 90 degrees from w.
 template <class Number>
@@ -30,4 +30,4 @@ uncertain_bool in_wedge(const basic_site<Number>& v, const basic_site<Number>& w
          is_positive(sign_of(wedge_value(w, v.position, q)));
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -20,12 +20,14 @@
 #include <string>
 #include <vector>
 
-#include "asterism/kernels/parse_number.hpp"
-#include "asterism/mesh/domain_sources.hpp"
-#include "asterism/mesh/metric_angle.hpp"
-#include "asterism/mesh/metric_field.hpp"
+#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
+#include "asterism/mesh/numerics/metric_angle.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
 
 namespace asterism::bench {
+using namespace internal;
 namespace {
 
 constexpr double angle_bound = 20, root_half = 0.70710678118654752;
@@ -55,7 +57,7 @@ mesh read_mesh(const std::string& path) {
     } else if (word == "Triangles" && file >> count) {
       read.triangles.resize(count);
       for (triangle& t : read.triangles) {
-        for (index& v : t) {
+        for (vertex_index& v : t) {
           file >> v;
           --v;
         }
@@ -65,7 +67,7 @@ mesh read_mesh(const std::string& path) {
   }
   if (read.triangles.empty()) fail("no triangles in " + path);
   for (const triangle& t : read.triangles)
-    for (const index v : t)
+    for (const vertex_index v : t)
       if (v >= read.sites.size()) fail("a triangle with a vertex that does not exist in " + path);
   return read;
 }
@@ -88,7 +90,7 @@ double length(const site& a, const site& b) {
 }
 
 nlohmann::json edges_of(const mesh& m) {
-  std::vector<std::array<index, 2>> edges;
+  std::vector<std::array<vertex_index, 2>> edges;
   for (const triangle& t : m.triangles)
     for (std::size_t i = 0; i < 3; ++i)
       edges.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});

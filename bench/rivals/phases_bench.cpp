@@ -23,18 +23,20 @@
 
 #include "asterism/kernels/double_kernel.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/audit.hpp"
-#include "asterism/mesh/boundary.hpp"
-#include "asterism/mesh/certify.hpp"
-#include "asterism/mesh/domain_sources.hpp"
-#include "asterism/mesh/local/neighbourhood.hpp"
-#include "asterism/mesh/metric_field.hpp"
-#include "asterism/mesh/refinement.hpp"
-#include "asterism/mesh/star_kernel.hpp"
-#include "asterism/mesh/star_oracle.hpp"
-#include "asterism/mesh/star_set.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/stars/boundary.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
+#include "asterism/mesh/stars/proximity.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/refine/refinement_loop.hpp"
+#include "asterism/mesh/stars/star_predicates.hpp"
+#include "asterism/mesh/stars/star_oracle.hpp"
+#include "asterism/mesh/stars/star_set.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
 
 namespace asterism::bench {
+using namespace internal;
 namespace {
 
 using json = nlohmann::ordered_json;
@@ -65,17 +67,17 @@ class stopwatch {
 struct job {
   domain shape = square();
   std::unique_ptr<metric_field> field;
-  refinement_options options;
+  mesh_options options;
 };
 
 template <class Kernel>
-refinement_outcome refined(const job& j) {
+mesh_outcome refined(const job& j) {
   const Kernel kernel;
-  auto outcome = refine_on(star_kernel_on(kernel), j.shape, *j.field, j.options, {});
-  return outcome ? std::move(outcome).value() : refinement_outcome{};
+  auto outcome = mesh_domain(star_predicates_on(kernel), j.shape, *j.field, j.options, {});
+  return outcome ? std::move(outcome).value() : mesh_outcome{};
 }
 
-bool audited(const job& j, const refinement_outcome& outcome) {
+bool audited(const job& j, const mesh_outcome& outcome) {
   audit_options options;
   options.angle_bound = j.options.angle_bound;
   options.original = &j.shape;
@@ -85,7 +87,7 @@ bool audited(const job& j, const refinement_outcome& outcome) {
 }
 
 std::size_t stars_at_once(const adopted_mesh& adopted) {
-  const star_kernel_on<filtered_kernel> kernel;
+  const star_predicates_on<filtered_kernel> kernel;
   const auto edges = boundary::build(adopted.shape, kernel);
   if (!edges) return 0;
   const neighbourhood near(adopted.subject.sites, edges.value());
@@ -99,7 +101,7 @@ std::size_t stars_at_once(const adopted_mesh& adopted) {
 bool round(const job& j, std::size_t threads, bool in_doubles, stopwatch& watch, json& about) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   const std::string suffix = threads == 1 ? ", one thread" : ", all threads";
-  refinement_outcome outcome;
+  mesh_outcome outcome;
   bool good = true;
   watch.time("refinement" + suffix, [&] { outcome = refined<filtered_kernel>(j); });
   watch.time("audit" + suffix, [&] { good = audited(j, outcome); });

@@ -12,13 +12,13 @@
 
 namespace foreign {
 
-using index = std::size_t;
-constexpr index none = static_cast<index>(-1);
+using vertex_index = std::size_t;
+constexpr vertex_index none = static_cast<vertex_index>(-1);
 
 // Corners counter-clockwise; across[k] is the triangle opposite to corner[k].
 struct triangle {
-  std::array<index, 3> corner;
-  std::array<index, 3> across{none, none, none};
+  std::array<vertex_index, 3> corner;
+  std::array<vertex_index, 3> across{none, none, none};
 };
 
 class mesher {
@@ -30,7 +30,7 @@ class mesher {
 
   // False when the flips did not come to an end.
   bool run() {
-    for (index p = 3; p < sites_.size(); ++p)
+    for (vertex_index p = 3; p < sites_.size(); ++p)
       if (!insert(p)) return false;
     return true;
   }
@@ -45,8 +45,8 @@ class mesher {
   // Edges that fail the test although flipping them would be possible.
   int failing_edges() const {
     int failing = 0;
-    for (index t = 0; t < triangles_.size(); ++t)
-      for (index k = 0; k < 3; ++k)
+    for (vertex_index t = 0; t < triangles_.size(); ++t)
+      for (vertex_index k = 0; k < 3; ++k)
         if (triangles_[t].across[k] != none && t < triangles_[t].across[k])
           failing += should_flip(t, k) ? 1 : 0;
     return failing;
@@ -57,27 +57,27 @@ class mesher {
   long flips() const { return flips_; }
 
  private:
-  asterism::sign side(index a, index b, index c) const {
+  asterism::sign side(vertex_index a, vertex_index b, vertex_index c) const {
     return kernel_.orientation(sites_[a].position, sites_[b].position, sites_[c].position);
   }
 
-  static index corner_across(const triangle& t, index neighbour) {
-    for (index k = 0; k < 3; ++k)
+  static vertex_index corner_across(const triangle& t, vertex_index neighbour) {
+    for (vertex_index k = 0; k < 3; ++k)
       if (t.across[k] == neighbour) return k;
     return none;
   }
 
-  void replace_across(index of, index old_neighbour, index new_neighbour) {
+  void replace_across(vertex_index of, vertex_index old_neighbour, vertex_index new_neighbour) {
     if (of == none) return;
     triangles_[of].across[corner_across(triangles_[of], old_neighbour)] = new_neighbour;
   }
 
   // The triangle with p inside or on its border, by asking all: the point here is not speed.
-  index locate(index p) const {
-    for (index t = 0; t < triangles_.size(); ++t) {
+  vertex_index locate(vertex_index p) const {
+    for (vertex_index t = 0; t < triangles_.size(); ++t) {
       const auto& c = triangles_[t].corner;
       bool inside = true;
-      for (index k = 0; k < 3; ++k)
+      for (vertex_index k = 0; k < 3; ++k)
         inside = inside && side(c[(k + 1) % 3], c[(k + 2) % 3], p) != asterism::sign::negative;
       if (inside) return t;
     }
@@ -85,11 +85,11 @@ class mesher {
   }
 
   // Splits the triangle in three; on an edge that makes a flat one, which is flipped first.
-  bool insert(index p) {
-    const index t = locate(p);
+  bool insert(vertex_index p) {
+    const vertex_index t = locate(p);
     if (t == none) return false;
     const triangle old = triangles_[t];
-    const index second = triangles_.size(), third = second + 1;
+    const vertex_index second = triangles_.size(), third = second + 1;
     const auto [a, b, c] = old.corner;
     triangles_[t] = {{a, b, p}, {second, third, old.across[2]}};
     triangles_.push_back({{b, c, p}, {third, t, old.across[0]}});
@@ -100,12 +100,12 @@ class mesher {
   }
 
   // Corner k of t and the opposite corner over the edge across from it.
-  bool should_flip(index t, index k) const {
+  bool should_flip(vertex_index t, vertex_index k) const {
     const triangle& here = triangles_[t];
-    const index other = here.across[k];
+    const vertex_index other = here.across[k];
     if (other == none) return false;
-    const index x = here.corner[k], v = here.corner[(k + 1) % 3], w = here.corner[(k + 2) % 3];
-    const index y = triangles_[other].corner[corner_across(triangles_[other], t)];
+    const vertex_index x = here.corner[k], v = here.corner[(k + 1) % 3], w = here.corner[(k + 2) % 3];
+    const vertex_index y = triangles_[other].corner[corner_across(triangles_[other], t)];
     if (side(x, v, y) != asterism::sign::positive || side(y, w, x) != asterism::sign::positive)
       return false;                                          // the quadrilateral is not convex
     if (side(x, v, w) == asterism::sign::zero) return true;  // a flat triangle
@@ -113,12 +113,12 @@ class mesher {
            kernel_.edge_test(sites_[x], sites_[y], sites_[v], sites_[w]);
   }
 
-  bool restore(std::vector<index> waiting) {
+  bool restore(std::vector<vertex_index> waiting) {
     const long most = flips_ + 100 + 10 * static_cast<long>(triangles_.size());
     while (!waiting.empty()) {
-      const index t = waiting.back();
+      const vertex_index t = waiting.back();
       waiting.pop_back();
-      for (index k = 0; k < 3; ++k) {
+      for (vertex_index k = 0; k < 3; ++k) {
         if (!should_flip(t, k)) continue;
         if (++flips_ > most) return false;
         waiting.push_back(triangles_[t].across[k]);
@@ -131,14 +131,14 @@ class mesher {
   }
 
   // x v w and v y w become x v y and x y w... with x the corner k of t.
-  void flip(index t, index k) {
-    const index u = triangles_[t].across[k];
+  void flip(vertex_index t, vertex_index k) {
+    const vertex_index u = triangles_[t].across[k];
     const triangle here = triangles_[t], there = triangles_[u];
-    const index j = corner_across(there, t);
-    const index x = here.corner[k], v = here.corner[(k + 1) % 3], w = here.corner[(k + 2) % 3],
+    const vertex_index j = corner_across(there, t);
+    const vertex_index x = here.corner[k], v = here.corner[(k + 1) % 3], w = here.corner[(k + 2) % 3],
                 y = there.corner[j];
-    const index beyond_xv = here.across[(k + 2) % 3], beyond_wx = here.across[(k + 1) % 3];
-    const index beyond_vy = there.across[(j + 1) % 3], beyond_yw = there.across[(j + 2) % 3];
+    const vertex_index beyond_xv = here.across[(k + 2) % 3], beyond_wx = here.across[(k + 1) % 3];
+    const vertex_index beyond_vy = there.across[(j + 1) % 3], beyond_yw = there.across[(j + 2) % 3];
     triangles_[t] = {{x, v, y}, {beyond_vy, u, beyond_xv}};
     triangles_[u] = {{x, y, w}, {beyond_yw, beyond_wx, t}};
     replace_across(beyond_vy, u, t);

@@ -8,7 +8,7 @@
 #include <new>
 #include <string_view>
 
-namespace asterism {
+namespace asterism::internal {
 
 namespace {
 
@@ -75,4 +75,4 @@ result<std::string> paint_file(picture_format format, int width, int height,
   return bytes;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

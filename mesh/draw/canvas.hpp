@@ -12,11 +12,11 @@
 // cairo's cairo_t: programs that use this library need not have cairo's headers.
 struct _cairo;  // NOLINT(bugprone-reserved-identifier)
 
-namespace asterism {
+namespace asterism::internal {
 
 // The bytes of a file of `width` by `height` (pixels or points) that `paint` has drawn on. The same
 // drawing gives the same bytes: no dates, no counters of the process. Fails when cairo does.
 result<std::string> paint_file(picture_format format, int width, int height,
                                const std::function<void(_cairo*)>& paint);
 
-}  // namespace asterism
+}  // namespace asterism::internal

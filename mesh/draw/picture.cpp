@@ -14,9 +14,10 @@
 #include <vector>
 
 #include "asterism/mesh/draw/canvas.hpp"
-#include "asterism/mesh/metric_angle.hpp"
+#include "asterism/mesh/numerics/metric_angle.hpp"
 
 namespace asterism {
+using namespace internal;
 
 namespace {
 
@@ -76,7 +77,7 @@ result<page> lay_out(const mesh& m, const picture_options& options) {
 
 void trace(cairo_t* cairo, const page& p, const mesh& m, const triangle& t) {
   cairo_new_sub_path(cairo);
-  for (const index v : t) {
+  for (const vertex_index v : t) {
     const point at = p.at(m.sites[v].position);
     cairo_line_to(cairo, at.x, at.y);
   }
@@ -98,7 +99,7 @@ void fill_triangles(cairo_t* cairo, const page& p, const mesh& m, double angle_b
 
 // Each edge once, so that lines shared by two triangles are no darker than others.
 void stroke_edges(cairo_t* cairo, const page& p, const mesh& m) {
-  std::set<std::pair<index, index>> edges;
+  std::set<std::pair<vertex_index, vertex_index>> edges;
   for (const auto* triangles : {&m.triangles, &m.disagreeing})
     for (const triangle& t : *triangles)
       for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
@@ -143,7 +144,7 @@ std::optional<ellipse> unit_ball(const metric_tensor& m) {
 }
 
 // Sites at least `distance` apart on the page, those of lower index first.
-std::vector<index> sites_apart(const page& p, const mesh& m, double distance) {
+std::vector<vertex_index> sites_apart(const page& p, const mesh& m, double distance) {
   const auto square_of = [&](double length) { return static_cast<int>(length / distance); };
   // At most a few chosen sites lie in each square of side `distance`, and none beyond the next
   // squares is too near.
@@ -159,12 +160,12 @@ std::vector<index> sites_apart(const page& p, const mesh& m, double distance) {
       }
     return true;
   };
-  std::vector<index> chosen;
+  std::vector<vertex_index> chosen;
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     const point at = p.at(m.sites[v].position);
     if (!is_free(at)) continue;
     chosen_in[{square_of(at.x), square_of(at.y)}].push_back(at);
-    chosen.push_back(static_cast<index>(v));
+    chosen.push_back(static_cast<vertex_index>(v));
   }
   return chosen;
 }
@@ -188,9 +189,9 @@ void draw_ellipse(cairo_t* cairo, const point& centre, const ellipse& e, double 
 
 void draw_ellipses(cairo_t* cairo, const page& p, const mesh& m) {
   const double distance = p.width / 18.0;
-  std::vector<std::pair<index, ellipse>> balls;
+  std::vector<std::pair<vertex_index, ellipse>> balls;
   double longest = 0;
-  for (const index v : sites_apart(p, m, distance)) {
+  for (const vertex_index v : sites_apart(p, m, distance)) {
     const auto ball = unit_ball(m.sites[v].metric);
     if (!ball) continue;
     balls.emplace_back(v, *ball);
@@ -212,7 +213,7 @@ std::vector<double> shortest_edges(const page& p, const mesh& m) {
   std::vector<double> shortest(m.sites.size(), std::numeric_limits<double>::infinity());
   for (const triangle& t : m.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
-      const index a = t[i], b = t[(i + 1) % 3];
+      const vertex_index a = t[i], b = t[(i + 1) % 3];
       const point from = p.at(m.sites[a].position), to = p.at(m.sites[b].position);
       const double length = std::hypot(to.x - from.x, to.y - from.y);
       shortest[a] = std::min(shortest[a], length);

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/mesh.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
 

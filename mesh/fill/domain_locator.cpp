@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace asterism {
+namespace asterism::internal {
 
 domain_locator::domain_locator(const domain& d) : domain_(&d), box_(d.box()), segments_(box_) {
   for (std::size_t s = 0; s < d.segments.size(); ++s)
@@ -33,4 +33,4 @@ bool domain_locator::contains(const filtered_kernel& kernel, const point& q) con
   return segments_.visit(ray, cross) && inside;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // Is a point strictly inside a domain, and which segments are near? `contains` of
-// mesh/domain_contains.hpp with an index of the segments, for asking often. Exact.
+// mesh/domain/point_in_domain.hpp with an index of the segments, for asking often. Exact.
 #pragma once
 
 #include "asterism/core/site.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/domain.hpp"
-#include "asterism/mesh/local/box_index.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/search/box_index.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 class domain_locator {
  public:
@@ -26,4 +26,4 @@ class domain_locator {
   box_index segments_;
 };
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -9,18 +9,19 @@
 #include <limits>
 #include <optional>
 
-#include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/fill/domain_locator.hpp"
-#include "asterism/mesh/fill/plain_net.hpp"
+#include "asterism/mesh/numerics/approximate_star.hpp"
 #include "asterism/mesh/fill/scattered_places.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
-#include "asterism/mesh/local/box_index.hpp"
-#include "asterism/mesh/local/hilbert_order.hpp"
-#include "asterism/mesh/local/neighbourhood.hpp"
-#include "asterism/mesh/local/parallel.hpp"
-#include "asterism/mesh/local/site_index.hpp"
+#include "asterism/mesh/search/box_index.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/stars/proximity.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/search/site_index.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -33,11 +34,11 @@ constexpr double own_part = 0.6;
 struct proposal {
   site where;
   double squared_radius;
-  index from;  // the centre of a star it is near
+  vertex_index from;  // the centre of a star it is near
 };
 
 struct disturbed {
-  index star, by;
+  vertex_index star, by;
 };
 
 class filling {
@@ -51,7 +52,7 @@ class filling {
         box_(d.box()),
         locator_(d),
         sites_index_(box_),
-        pieces_index_(box_) {}
+        subsegments_index_(box_) {}
 
   result<filled_domain> run(const fill_progress& progress) {
     int levels = 0;
@@ -63,7 +64,7 @@ class filling {
     start();
     for (int level = levels; level >= 0 && !failure_ && !full_; --level) {
       distance_ = options_.distance * std::exp2(level);
-      divide(level == 0 ? 0 : options_.longest_piece * std::exp2(level));
+      divide(level == 0 ? 0 : options_.longest_subsegment * std::exp2(level));
       while (!failure_ && !full_ && rounds_ < most_rounds) {
         if (progress && !progress(sites_.size(), needed_)) full_ = stopped_ = true;
         if (full_ || !round()) break;
@@ -83,10 +84,10 @@ class filling {
   // gone wrong.
   static constexpr std::size_t most_rounds = 4000;
 
-  // An interval of a segment's division that is one piece so far.
+  // An interval of a segment's division that is one subsegment so far.
   struct interval {
     std::size_t segment, first, last;  // into the division's points
-    index a, b;
+    vertex_index a, b;
   };
 
   // Half the distance takes twice the sites on segments and four times those inside.
@@ -131,7 +132,7 @@ class filling {
       at_division_[s].assign(divisions_[s].points.size(), no_site);
       const segment& one = domain_.segments[s];
       intervals_.push_back({s, 0, divisions_[s].points.size() - 1, one.a, one.b});
-      insert_piece(intervals_.size() - 1);
+      insert_subsegment(intervals_.size() - 1);
     }
     if (options_.is_uneven) {
       halve_intervals(0);
@@ -170,18 +171,18 @@ class filling {
   void add_site(const site& s, bool on_segment) {
     sites_.push_back(s);
     on_segment_.push_back(on_segment);
-    sites_index_.insert(sites_, static_cast<index>(sites_.size() - 1));
+    sites_index_.insert(sites_, static_cast<vertex_index>(sites_.size() - 1));
   }
   bool is_out_of_room() {
     full_ = full_ || sites_.size() >= options_.max_sites;
     return full_;
   }
 
-  bounding_box piece_box(std::size_t i) const {
+  bounding_box subsegment_box(std::size_t i) const {
     return box_of(sites_[intervals_[i].a].position, sites_[intervals_[i].b].position);
   }
-  void insert_piece(std::size_t i) {
-    pieces_index_.insert(static_cast<std::uint32_t>(i), piece_box(i));
+  void insert_subsegment(std::size_t i) {
+    subsegments_index_.insert(static_cast<std::uint32_t>(i), subsegment_box(i));
   }
 
   void divide(double longest) {
@@ -189,7 +190,7 @@ class filling {
     halve_intervals(longest);
     renew_stars();
     changed_.resize(sites_.size());
-    for (index v = 0; v < sites_.size(); ++v) changed_[v] = v;  // the distance is new as well
+    for (vertex_index v = 0; v < sites_.size(); ++v) changed_[v] = v;  // the distance is new as well
   }
 
   // Those that are longer than `longest`.
@@ -206,13 +207,13 @@ class filling {
       const auto s = site_at(d.points[middle]);
       if (!s) return;
       add_site(*s, true);
-      const auto m = static_cast<index>(sites_.size() - 1);
+      const auto m = static_cast<vertex_index>(sites_.size() - 1);
       at_division_[now.segment][middle] = m;
-      pieces_index_.remove(static_cast<std::uint32_t>(i), piece_box(i));
+      subsegments_index_.remove(static_cast<std::uint32_t>(i), subsegment_box(i));
       intervals_[i] = {now.segment, now.first, middle, now.a, m};
       intervals_.push_back({now.segment, middle, now.last, m, now.b});
-      insert_piece(i);
-      insert_piece(intervals_.size() - 1);
+      insert_subsegment(i);
+      insert_subsegment(intervals_.size() - 1);
     }
   }
 
@@ -242,13 +243,13 @@ class filling {
   }
 
   // The Voronoi vertices of the star's triangles that are far enough from all sites and inside.
-  void propose(const filtered_kernel& kernel, index v, std::uint64_t& looked_at,
+  void propose(const filtered_kernel& kernel, vertex_index v, std::uint64_t& looked_at,
                std::vector<proposal>& out) const {
     const plain_star& star = stars_[v];
     const point& centre = sites_[v].position;
     for (std::size_t i = 0; i < star.size(); ++i) {
       const plain_gap& gap = star[i];
-      const index next = star[i + 1 < star.size() ? i + 1 : 0].neighbour;
+      const vertex_index next = star[i + 1 < star.size() ? i + 1 : 0].neighbour;
       const bool found = gap.squared_radius < infinity;
       if (!(gap.squared_radius > distance_ * distance_) || !(found || options_.is_uneven)) continue;
       if (v > gap.neighbour || (found && v > next)) continue;  // another star proposes it
@@ -277,17 +278,17 @@ class filling {
     // Metrics that differ more than this within the distance are beyond what the net can do.
     constexpr double margin = 1.25;
     const bounding_box near = box_around(s, margin * distance_);
-    return among.visit_box(sites_, near.low, near.high, [&](index w) {
+    return among.visit_box(sites_, near.low, near.high, [&](vertex_index w) {
       ++looked_at;
       return squared_distance(sites_[w], s.position) > squared &&
              squared_distance(s, sites_[w].position) > own;
     });
   }
 
-  // Whether no piece has its bisector point nearer to s than to its ends.
+  // Whether no subsegment has its bisector point nearer to s than to its ends.
   bool stays_clear(const site& s, std::uint64_t& looked_at) const {
     const bounding_box near = box_around(s, distance_);
-    return pieces_index_.visit(near, [&](std::uint32_t i) {
+    return subsegments_index_.visit(near, [&](std::uint32_t i) {
       ++looked_at;
       const site &a = sites_[intervals_[i].a], &b = sites_[intervals_[i].b];
       const point m = bisector_point(a, b);
@@ -309,7 +310,7 @@ class filling {
       if (!has_room(chosen, p.where, looked_at)) continue;
       if (is_out_of_room()) break;
       add_site(p.where, false);
-      chosen.insert(sites_, static_cast<index>(sites_.size() - 1));
+      chosen.insert(sites_, static_cast<vertex_index>(sites_.size() - 1));
     }
     candidates_ += looked_at;
   }
@@ -334,20 +335,20 @@ class filling {
     changed_.clear();
     if (!full_) renew_disturbed(pairs);
     for (std::size_t w = fresh_from_; w < sites_.size(); ++w)
-      changed_.push_back(static_cast<index>(w));
+      changed_.push_back(static_cast<vertex_index>(w));
   }
 
   // Of the sites from `first` to before `last`, and which stars of older ones they disturb.
   std::vector<disturbed> make_stars(std::size_t first, std::size_t last) {
     return collect_chunks<disturbed>(
         last - first, chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
-          std::vector<index> near;
+          std::vector<vertex_index> near;
           std::uint64_t looked_at = 0;
           for (std::size_t i = begin; i < end; ++i) {
-            const auto w = static_cast<index>(first + i);
+            const auto w = static_cast<vertex_index>(first + i);
             if (is_enough(i)) break;
             build_with_neighbourhood(w, near, looked_at);
-            for (const index u : near)
+            for (const vertex_index u : near)
               if (u < fresh_from_ && disturbs(sites_, u, stars_[u], w)) out.push_back({u, w});
           }
           candidates_ += looked_at;
@@ -361,11 +362,11 @@ class filling {
       if (i == 0 || pairs[i].star != pairs[i - 1].star) starts.push_back(i);
     starts.push_back(pairs.size());
     parallel_chunks(starts.size() - 1, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-      std::vector<index> candidates;
+      std::vector<vertex_index> candidates;
       std::uint64_t looked_at = 0;
       for (std::size_t i = begin; i < end; ++i) {
         if (is_enough(i)) break;
-        const index v = pairs[starts[i]].star;
+        const vertex_index v = pairs[starts[i]].star;
         candidates.clear();
         for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
         for (std::size_t j = starts[i]; j < starts[i + 1]; ++j) candidates.push_back(pairs[j].by);
@@ -384,7 +385,7 @@ class filling {
 
   // The star of w among all sites so near that no farther one could belong to it; `near` is left
   // holding them.
-  void build_with_neighbourhood(index w, std::vector<index>& near, std::uint64_t& looked_at) {
+  void build_with_neighbourhood(vertex_index w, std::vector<vertex_index>& near, std::uint64_t& looked_at) {
     const site& s = sites_[w];
     double reach = 2.2 * distance_;
     for (int attempt = 0; attempt < 64; ++attempt, reach *= 2) {
@@ -392,7 +393,7 @@ class filling {
       const bounding_box box = box_around(s, reach);
       const bool all = box.low.x <= box_.low.x && box.low.y <= box_.low.y &&
                        box.high.x >= box_.high.x && box.high.y >= box_.high.y;
-      sites_index_.visit_box(sites_, box.low, box.high, [&](index u) {
+      sites_index_.visit_box(sites_, box.low, box.high, [&](vertex_index u) {
         ++looked_at;
         if (u != w && (all || squared_distance(s, sites_[u].position) <= reach * reach))
           near.push_back(u);
@@ -431,7 +432,7 @@ class filling {
     filled.crowded = most_crowded();
     filled.divisions.resize(divisions_.size());
     for (std::size_t s = 0; s < divisions_.size(); ++s)
-      for (const index m : at_division_[s])
+      for (const vertex_index m : at_division_[s])
         if (m != no_site) filled.divisions[s].push_back(sites_[m]);
     for (std::size_t w = domain_.vertices.size(); w < sites_.size(); ++w)
       if (on_segment_[w] == 0) filled.interior.push_back(sites_[w]);
@@ -439,7 +440,7 @@ class filling {
     return filled;
   }
 
-  static constexpr index no_site = std::numeric_limits<index>::max();
+  static constexpr vertex_index no_site = std::numeric_limits<vertex_index>::max();
 
   const domain& domain_;
   const metric_field& field_;
@@ -454,16 +455,16 @@ class filling {
   using star_blocks = boost::container::deque_options_t<boost::container::block_size<1024>>;
   boost::container::deque<plain_star, void, star_blocks> stars_;
   std::vector<interval> intervals_;
-  box_index pieces_index_;
-  std::vector<std::vector<index>> at_division_;  // the site at each point of a division
-  std::vector<index> changed_;                   // stars that may propose something new
+  box_index subsegments_index_;
+  std::vector<std::vector<vertex_index>> at_division_;  // the site at each point of a division
+  std::vector<vertex_index> changed_;                   // stars that may propose something new
   std::size_t fresh_from_ = 0;                   // the sites without stars yet
   double distance_ = 0;                          // of the level
   std::size_t rounds_ = 0;
   bool full_ = false;     // a site was wanted and there was no room
   bool stopped_ = false;  // by `progress`, which makes it full
   bool crowded_ = false;  // is_overworked(), which makes it full as well
-  // Of all rounds: stars disturbed by new sites, and sites and pieces looked at as candidates.
+  // Of all rounds: stars disturbed by new sites, and sites and subsegments looked at as candidates.
   std::uint64_t disturbed_ = 0;
   std::atomic<std::uint64_t> candidates_ = 0;
   double needed_ = 0;
@@ -474,15 +475,15 @@ class filling {
 
 result<filled_domain> fill(const domain& d, const metric_field& field, const fill_options& options,
                            const fill_progress& progress) {
-  auto divisions = divide_segments(d, field, options.longest_piece, options.max_sites);
+  auto divisions = divide_segments(d, field, options.longest_subsegment, options.max_sites);
   if (!divisions) return divisions.failure();
   if (divisions.value().of_each.empty() && !d.segments.empty()) {
     filled_domain nothing;
     nothing.divisions.resize(d.segments.size());
-    nothing.needed = divisions.value().pieces;
+    nothing.needed = divisions.value().subsegments;
     return nothing;
   }
   return filling(d, field, options, std::move(divisions.value().of_each)).run(progress);
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

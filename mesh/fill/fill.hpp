@@ -20,14 +20,14 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/core/site.hpp"
-#include "asterism/mesh/domain.hpp"
-#include "asterism/mesh/metric_field.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 struct fill_options {
   double distance = 0.75;      // from every point of the domain to the nearest site, metric length
-  double longest_piece = 0.9;  // of the segments, metric length
+  double longest_subsegment = 0.9;  // of the segments, metric length
   std::size_t max_sites = 100000;
   // Lengths wanted may differ by large factors from one site to its neighbours: all segments are
   // divided and coarse sites put inside before there is a star, and where no Voronoi vertex is
@@ -70,4 +70,4 @@ using fill_progress = std::function<bool(std::size_t sites, double needed)>;
 result<filled_domain> fill(const domain& d, const metric_field& field, const fill_options& options,
                            const fill_progress& progress = {});
 
-}  // namespace asterism
+}  // namespace asterism::internal

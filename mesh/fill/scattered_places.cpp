@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace asterism {
+namespace asterism::internal {
 namespace {
 
 constexpr std::uint32_t deepest = 30;
@@ -42,4 +42,4 @@ void visit_scattered(const bounding_box& box, std::size_t most,
   }
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -8,9 +8,9 @@
 #include <cstddef>
 #include <functional>
 
-#include "asterism/mesh/domain.hpp"
+#include "asterism/mesh/data/domain.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // One place in each cell of a quadtree over the box, level by level; whether the cell is cut in
 // four is what `visit` answers, given the place and the displacement from the cell's middle to its
@@ -20,4 +20,4 @@ namespace asterism {
 void visit_scattered(const bounding_box& box, std::size_t most,
                      const std::function<bool(const point& place, const point& half)>& visit);
 
-}  // namespace asterism
+}  // namespace asterism::internal

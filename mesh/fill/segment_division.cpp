@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "asterism/mesh/constructions.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 namespace {
 
 point at_fraction(const point& a, const point& b, double t) {
@@ -83,12 +83,12 @@ class arc_length {
   std::optional<error> failure_;
 };
 
-// What the first pieces at a vertex should measure on all its segments.
-std::vector<double> first_pieces(const domain& d, const std::vector<arc_length>& measured,
+// What the first subsegments at a vertex should measure on all its segments.
+std::vector<double> first_subsegments(const domain& d, const std::vector<arc_length>& measured,
                                  double longest) {
   std::vector<double> wanted(d.vertices.size(), 0.92 * longest);
   for (std::size_t s = 0; s < d.segments.size(); ++s)
-    for (const index v : {d.segments[s].a, d.segments[s].b})
+    for (const vertex_index v : {d.segments[s].a, d.segments[s].b})
       if (measured[s].total() > longest) wanted[v] = std::min(wanted[v], measured[s].total() / 2);
   return wanted;
 }
@@ -99,11 +99,11 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
   std::vector<double> lengths{0};
   const auto divide_evenly = [&](double until) {
     const double start = lengths.back();
-    const auto pieces =
+    const auto subsegments =
         static_cast<std::size_t>(std::max(1.0, std::ceil((until - start) / longest)));
-    for (std::size_t i = 1; i <= pieces; ++i)
+    for (std::size_t i = 1; i <= subsegments; ++i)
       lengths.push_back(start +
-                        (until - start) * static_cast<double>(i) / static_cast<double>(pieces));
+                        (until - start) * static_cast<double>(i) / static_cast<double>(subsegments));
   };
   if (total > longest && from_a + from_b < total - longest / 2) {
     lengths.push_back(from_a);
@@ -125,7 +125,7 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
     made.points.push_back(q);
     made.lengths.push_back(length);
   }
-  // Not interpolated: that can miss the end by rounding, which would leave a piece as short.
+  // Not interpolated: that can miss the end by rounding, which would leave a subsegment as short.
   made.points.push_back(b);
   made.lengths.push_back(total);
   return made;
@@ -140,13 +140,13 @@ result<segment_divisions> divide_segments(const domain& d, const metric_field& f
   for (const segment& s : d.segments) {
     auto one = arc_length::measure(field, d.vertices[s.a], d.vertices[s.b], longest / 16);
     if (!one) return one.failure();
-    made.pieces += one.value().total() / longest;
+    made.subsegments += one.value().total() / longest;
     measured.push_back(std::move(one).value());
   }
-  if (!std::isfinite(made.pieces))
+  if (!std::isfinite(made.subsegments))
     return error{"the lengths of the domain's segments in this metric leave the range of doubles"};
-  if (made.pieces > static_cast<double>(most_points)) return made;
-  const std::vector<double> wanted = first_pieces(d, measured, longest);
+  if (made.subsegments > static_cast<double>(most_points)) return made;
+  const std::vector<double> wanted = first_subsegments(d, measured, longest);
   for (std::size_t s = 0; s < d.segments.size(); ++s) {
     const segment& one = d.segments[s];
     made.of_each.push_back(divide(d.vertices[one.a], d.vertices[one.b], measured[s], wanted[one.a],
@@ -155,4 +155,4 @@ result<segment_divisions> divide_segments(const domain& d, const metric_field& f
   return made;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

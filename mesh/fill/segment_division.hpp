@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the segments of the domain are to be divided so that all pieces are about equally long in
+// Where the segments of the domain are to be divided so that all subsegments are about equally long in
 // the metric: the first step of filling a domain.
 //
 // Lengths are integrals along the segment, taken numerically in plain doubles: they decide where
-// points are proposed, nothing else. The pieces next to a vertex are about equally long on all its
-// segments, as the vertex measures, so that pieces meeting at a small angle end on one circle and
+// points are proposed, nothing else. The subsegments next to a vertex are about equally long on all its
+// segments, as the vertex measures, so that subsegments meeting at a small angle end on one circle and
 // do not encroach on each other.
 #pragma once
 
@@ -13,10 +13,10 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/core/site.hpp"
-#include "asterism/mesh/domain.hpp"
-#include "asterism/mesh/metric_field.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 struct division {
   // The points of the division, both ends included, and their distances along the segment.
@@ -25,13 +25,13 @@ struct division {
 };
 
 struct segment_divisions {
-  double pieces = 0;              // about how many there are in all
+  double subsegments = 0;              // about how many there are in all
   std::vector<division> of_each;  // none when that is more than `most_points`
 };
 
-// One for each segment of `d`, none of whose pieces is much longer than `longest` (metric length).
+// One for each segment of `d`, none of whose subsegments is much longer than `longest` (metric length).
 // Fails where the field does, and where lengths leave the range of doubles.
 result<segment_divisions> divide_segments(const domain& d, const metric_field& field,
                                           double longest, std::size_t most_points);
 
-}  // namespace asterism
+}  // namespace asterism::internal

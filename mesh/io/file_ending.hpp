@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace asterism {
+namespace asterism::internal {
 
 // Not std::tolower, whose answer depends on the locale.
 inline char lower_case(char c) {
@@ -22,4 +22,4 @@ inline bool has_ending(std::string_view name, std::string_view ending) {
                     [](char wanted, char c) { return wanted == lower_case(c); });
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -9,7 +9,7 @@
 #include <optional>
 #include <system_error>
 
-namespace asterism {
+namespace asterism::internal {
 
 namespace {
 
@@ -94,4 +94,4 @@ result<fs::path> check_writable(const fs::path& path) {
   return path;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -9,7 +9,7 @@
 
 #include "asterism/core/result.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 struct output_file {
   std::filesystem::path path;
@@ -26,4 +26,4 @@ result<std::vector<std::filesystem::path>> write_files(const std::vector<output_
 // file. Returns `path`.
 result<std::filesystem::path> check_writable(const std::filesystem::path& path);
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -8,12 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/kernels/parse_number.hpp"
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism {
+using namespace internal;
 
 namespace {
 
@@ -84,13 +85,13 @@ class medit_reader {
     return to_marker(source_, source_.next(), meaning);
   }
   // A vertex number of the file. Whether it exists is known when all sections have been read.
-  result<index> read_vertex(std::string_view meaning);
+  result<vertex_index> read_vertex(std::string_view meaning);
   failure check_vertices();
   void take_segment_numbers();
   void find_internal_edges();
 
   struct use {
-    index vertex;
+    vertex_index vertex;
     std::size_t line;
     std::string_view meaning;
   };
@@ -100,7 +101,7 @@ class medit_reader {
   int dimension_ = 2;
   bool vertices_seen_ = false, triangles_seen_ = false, edges_seen_ = false, required_seen_ = false;
   std::vector<use> uses_;
-  std::vector<index> required_;
+  std::vector<vertex_index> required_;
 };
 
 failure medit_reader::read_mesh() {
@@ -123,7 +124,7 @@ failure medit_reader::read_mesh() {
   // here.
   bool in_order = true;
   for (std::size_t i = 0; i < required_.size(); ++i) in_order = in_order && required_[i] == i;
-  m_.given = in_order ? static_cast<index>(required_.size()) : 0;
+  m_.given = in_order ? static_cast<vertex_index>(required_.size()) : 0;
   return {};
 }
 
@@ -156,19 +157,19 @@ result<std::size_t> medit_reader::read_count(std::string_view keyword, bool& see
   if (seen) return source_.failure(w.line, "a second section " + std::string(keyword));
   seen = true;
   auto count = to_count(source_, w, keyword);
-  if (count.ok() && count.value() > std::numeric_limits<index>::max() / 4)
+  if (count.ok() && count.value() > std::numeric_limits<vertex_index>::max() / 4)
     return source_.failure(w.line, std::string(keyword) + ": more than 32-bit numbers can name");
   return count;
 }
 
-result<index> medit_reader::read_vertex(std::string_view meaning) {
+result<vertex_index> medit_reader::read_vertex(std::string_view meaning) {
   const word w = source_.next();
   const auto value = to_integer(source_, w, meaning);
   if (!value.ok()) return value.failure();
-  if (value.value() < 1 || value.value() > std::numeric_limits<index>::max())
+  if (value.value() < 1 || value.value() > std::numeric_limits<vertex_index>::max())
     return source_.failure(
         w.line, std::string(meaning) + ": vertex " + quoted_token(w.text) + " does not exist");
-  const auto v = static_cast<index>(value.value() - 1);
+  const auto v = static_cast<vertex_index>(value.value() - 1);
   // Sections come in any order; what lies beyond the vertices read so far is checked at the end.
   if (v >= m_.sites.size()) uses_.push_back({v, w.line, meaning});
   return v;
@@ -204,7 +205,7 @@ failure medit_reader::read_triangles() {
   m_.triangles.reserve(count.value());
   for (std::size_t i = 0; i < count.value(); ++i) {
     triangle t{};
-    for (index& corner : t) {
+    for (vertex_index& corner : t) {
       const auto v = read_vertex("corner of a triangle");
       if (!v.ok()) return v.failure();
       corner = v.value();
@@ -228,7 +229,7 @@ failure medit_reader::read_edges() {
     if (!b.ok()) return b.failure();
     const auto marker = read_reference("reference of an edge");
     if (!marker.ok()) return marker.failure();
-    m_.boundary.push_back({a.value(), b.value(), static_cast<index>(i), marker.value()});
+    m_.boundary.push_back({a.value(), b.value(), static_cast<vertex_index>(i), marker.value()});
   }
   return {};
 }
@@ -268,11 +269,11 @@ failure medit_reader::skip_text(const word& keyword) {
 }
 
 void medit_reader::find_internal_edges() {
-  std::vector<std::array<index, 2>> sides;
+  std::vector<std::array<vertex_index, 2>> sides;
   for (const triangle& t : m_.triangles)
     for (std::size_t i = 0; i < 3; ++i) sides.push_back({t[i], t[(i + 1) % 3]});
   std::sort(sides.begin(), sides.end());
-  const auto has = [&](index a, index b) {
+  const auto has = [&](vertex_index a, vertex_index b) {
     return std::binary_search(sides.begin(), sides.end(), std::array{a, b});
   };
   for (boundary_edge& e : m_.boundary) e.internal = has(e.a, e.b) && has(e.b, e.a);
@@ -290,15 +291,15 @@ failure medit_reader::check_vertices() {
 // Comments are only believed when they fit: one number from 1 for every edge.
 void medit_reader::take_segment_numbers() {
   constexpr std::string_view mark = "segments";
-  std::vector<index> numbers;
+  std::vector<vertex_index> numbers;
   for (const std::string_view comment : source_.comments()) {
     if (!comment.starts_with(mark)) continue;
     text_scanner words("", comment.substr(mark.size()));
     for (word w = words.next(); !w.empty(); w = words.next()) {
       const auto number = to_integer(words, w, "");
-      if (!number.ok() || number.value() < 1 || number.value() > std::numeric_limits<index>::max())
+      if (!number.ok() || number.value() < 1 || number.value() > std::numeric_limits<vertex_index>::max())
         return;
-      numbers.push_back(static_cast<index>(number.value() - 1));
+      numbers.push_back(static_cast<vertex_index>(number.value() - 1));
     }
   }
   if (numbers.size() != m_.boundary.size()) return;

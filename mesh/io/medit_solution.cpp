@@ -5,10 +5,10 @@
 #include <string>
 #include <system_error>
 
-#include "asterism/kernels/parse_number.hpp"
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh
   return has_ending(path.string(), ".mtr") ? read_bamg_metric(source, m) : read_sections(source, m);
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -10,9 +10,9 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
-#include "asterism/mesh/mesh.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // `MeshVersionFormatted 1..3`, `Dimension 2 or 3`: returns the dimension.
 result<int> read_medit_header(text_scanner& source);
@@ -23,4 +23,4 @@ result<int> read_medit_header(text_scanner& source);
 std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh& m,
                                          const medit_read_options& options);
 
-}  // namespace asterism
+}  // namespace asterism::internal

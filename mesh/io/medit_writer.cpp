@@ -11,22 +11,23 @@
 #include "asterism/mesh/io/text_lines.hpp"
 
 namespace asterism {
+using namespace internal;
 
 namespace {
 
 using text = std::back_insert_iterator<std::string>;
 
-// The marker of a boundary piece at each vertex, 0 for vertices on none.
+// The marker of a boundary subsegment at each vertex, 0 for vertices on none.
 std::vector<int> vertex_references(const mesh& m) {
   std::vector<int> references(m.sites.size(), 0);
   for (const boundary_edge& e : m.boundary)
-    for (const index v : {e.a, e.b})
+    for (const vertex_index v : {e.a, e.b})
       if (v < references.size() && references[v] == 0) references[v] = e.marker;
   return references;
 }
 
 // The given vertices at which the boundary is not one straight line.
-std::vector<index> corners(const mesh& m) {
+std::vector<vertex_index> corners(const mesh& m) {
   std::vector<std::vector<const boundary_edge*>> arriving(m.given), leaving(m.given);
   for (const boundary_edge& e : m.boundary) {
     if (e.a >= m.sites.size() || e.b >= m.sites.size()) continue;
@@ -34,8 +35,8 @@ std::vector<index> corners(const mesh& m) {
     if (e.b < m.given) arriving[e.b].push_back(&e);
   }
   const filtered_kernel kernel;
-  std::vector<index> found;
-  for (index v = 0; v < m.given; ++v) {
+  std::vector<vertex_index> found;
+  for (vertex_index v = 0; v < m.given; ++v) {
     if (leaving[v].empty() && arriving[v].empty()) continue;
     const bool simple = leaving[v].size() == 1 && arriving[v].size() == 1;
     if (simple && kernel.orientation(m.sites[arriving[v][0]->a].position, m.sites[v].position,
@@ -46,13 +47,13 @@ std::vector<index> corners(const mesh& m) {
   return found;
 }
 
-void write_list(text out, const char* keyword, const std::vector<index>& vertices) {
+void write_list(text out, const char* keyword, const std::vector<vertex_index>& vertices) {
   if (vertices.empty()) return;
   fmt::format_to(out, "\n{}\n{}\n", keyword, vertices.size());
-  for (const index v : vertices) fmt::format_to(out, "{}\n", v + 1);
+  for (const vertex_index v : vertices) fmt::format_to(out, "{}\n", v + 1);
 }
 
-// Comments of at most 80 characters: some readers take lines in pieces of a fixed length.
+// Comments of at most 80 characters: some readers take lines in subsegments of a fixed length.
 void write_segments(text out, const mesh& m) {
   std::string line = "#segments";
   for (const boundary_edge& e : m.boundary) {
@@ -89,7 +90,7 @@ std::string medit_mesh_text(const mesh& m) {
   });
   fmt::format_to(out, "\nTriangles\n{}\n", m.triangles.size());
   append_lines(contents, m.triangles.size(), [&](std::size_t i, std::string& line) {
-    for (const index v : m.triangles[i]) {
+    for (const vertex_index v : m.triangles[i]) {
       append_integer(line, v + 1);
       line += ' ';
     }
@@ -98,8 +99,8 @@ std::string medit_mesh_text(const mesh& m) {
   });
   write_boundary(out, m);
   write_list(out, "Corners", corners(m));
-  std::vector<index> given(m.given);
-  for (index v = 0; v < m.given; ++v) given[v] = v;
+  std::vector<vertex_index> given(m.given);
+  for (vertex_index v = 0; v < m.given; ++v) given[v] = v;
   write_list(out, "RequiredVertices", given);
   contents += "\nEnd\n";
   return contents;

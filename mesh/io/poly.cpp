@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/kernels/parse_number.hpp"
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 namespace {
 
@@ -145,7 +145,7 @@ failure poly_reader::read_vertex_header(std::size_t& count, std::size_t& record_
   if (!announced.ok()) return announced.failure();
   count = announced.value();
   // The mesh adds vertices of its own to these.
-  if (count > std::numeric_limits<index>::max() / 4)
+  if (count > std::numeric_limits<vertex_index>::max() / 4)
     return source_.failure(header[0].line, "more vertices than 32-bit numbers can name");
   if (header.size() > 1) {
     const auto dimension = to_integer(source_, header[1], "dimension");
@@ -214,7 +214,7 @@ failure poly_reader::read_segments() {
 failure poly_reader::read_segment(const words& record, std::size_t expected_size) {
   const long long first = d_.origin.first_number;
   const auto vertices = static_cast<long long>(d_.vertices.size());
-  index ends[2] = {};
+  vertex_index ends[2] = {};
   for (int end = 0; end < 2; ++end) {
     const word& w = record[static_cast<std::size_t>(end) + 1];
     const auto number = to_integer(source_, w, "vertex of segment " + std::string(record[0].text));
@@ -224,7 +224,7 @@ failure poly_reader::read_segment(const words& record, std::size_t expected_size
                                          quoted_token(w.text) + " does not exist; there are " +
                                          std::to_string(first) + " to " +
                                          std::to_string(first + vertices - 1));
-    ends[end] = static_cast<index>(number.value() - first);
+    ends[end] = static_cast<vertex_index>(number.value() - first);
   }
   int marker = 0;
   if (expected_size > 3) {
@@ -331,4 +331,4 @@ result<domain> read_poly(const std::filesystem::path& path) {
   return d;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -24,11 +24,11 @@
 #include <filesystem>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/domain.hpp"
+#include "asterism/mesh/data/domain.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // As written: check_domain has yet to accept it. `name` is the path as given.
 result<domain> read_poly(const std::filesystem::path& path);
 
-}  // namespace asterism
+}  // namespace asterism::internal

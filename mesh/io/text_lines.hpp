@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "asterism/mesh/local/parallel.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // Seventeen significant digits, enough to read the same double back; what printf's %.17g writes in
 // the C locale.
@@ -52,4 +52,4 @@ void append_lines(std::string& text, std::size_t count, const Line& line) {
   }
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

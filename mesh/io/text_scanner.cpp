@@ -7,9 +7,9 @@
 #include <limits>
 #include <system_error>
 
-#include "asterism/kernels/parse_number.hpp"
+#include "asterism/core/number_text.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 namespace {
 
@@ -121,4 +121,4 @@ result<std::size_t> to_count(const text_scanner& source, const word& w, std::str
   return static_cast<std::size_t>(count);
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

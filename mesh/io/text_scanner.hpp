@@ -12,7 +12,7 @@
 
 #include "asterism/core/result.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // The whole file, without the byte order mark some editors put before UTF-8; fails naming it when
 // it is missing, no regular file, or unreadable.
@@ -63,4 +63,4 @@ result<int> to_marker(const text_scanner& source, const word& w, std::string_vie
 // each takes at least two bytes.
 result<std::size_t> to_count(const text_scanner& source, const word& w, std::string_view meaning);
 
-}  // namespace asterism
+}  // namespace asterism::internal

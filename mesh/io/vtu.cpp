@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "asterism/mesh/metric_angle.hpp"
+#include "asterism/mesh/numerics/metric_angle.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 namespace {
 
@@ -30,7 +30,7 @@ void write_array(text out, std::string_view type, std::string_view name, int com
 std::vector<int> star_sizes(const mesh& m) {
   std::vector<int> sizes(m.sites.size(), 0);
   for (const triangle& t : m.triangles)
-    for (const index v : t) ++sizes[v];
+    for (const vertex_index v : t) ++sizes[v];
   return sizes;
 }
 
@@ -104,4 +104,4 @@ std::string vtu_text(const mesh& m) {
   return contents;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -11,10 +11,10 @@
 
 #include <string>
 
-#include "asterism/mesh/mesh.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 std::string vtu_text(const mesh& m);
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -15,6 +15,7 @@
 #include "asterism/mesh/io/vtu.hpp"
 
 namespace asterism {
+using namespace internal;
 
 namespace {
 
@@ -37,7 +38,7 @@ picture_format picture_format_of(mesh_format format) {
 
 // Writers index by these; a mesh made by hand may be wrong.
 std::optional<error> check_indices(const mesh& m) {
-  const auto bad = [&](index v) { return v >= m.sites.size(); };
+  const auto bad = [&](vertex_index v) { return v >= m.sites.size(); };
   for (const auto* triangles : {&m.triangles, &m.disagreeing})
     for (const triangle& t : *triangles)
       if (std::any_of(t.begin(), t.end(), bad)) return error{"a triangle names a missing site"};

@@ -16,7 +16,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/draw/picture.hpp"
-#include "asterism/mesh/mesh.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
 

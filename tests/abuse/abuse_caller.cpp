@@ -14,6 +14,7 @@
 #endif
 
 namespace asterism::abuse {
+using namespace internal;
 
 namespace {
 
@@ -29,7 +30,7 @@ uncertain_int ask_first_tier(const batch_record& r) {
   switch (r.question) {
     case predicate::orientation:
       return as_integer(semi_static::orientation(point_at(r, 0), point_at(r, 2), point_at(r, 4)));
-    case predicate::is_spd:
+    case predicate::is_positive_definite:
       return as_integer(semi_static::is_positive_definite(metric_at(r, 0)));
     case predicate::compare_distance:
       return as_integer(semi_static::compare_distance(s(0), s(1), at));
@@ -52,7 +53,7 @@ asterism_status ask_c(const batch_record& r, int* answer) {
   switch (r.question) {
     case predicate::orientation:
       return asterism_orientation(n, n + 2, n + 4, answer);
-    case predicate::is_spd:
+    case predicate::is_positive_definite:
       return asterism_is_spd(n, answer);
     case predicate::compare_distance:
       return asterism_compare_distance(n, n + 5, n + 10, answer);

@@ -265,7 +265,7 @@ batch_record cut_record(predicate question, const scene& s) {
   const auto add_metric = [&](const metric_tensor& m) {
     for (const double number : {m.m11, m.m12, m.m22}) *out++ = number;
   };
-  if (question == predicate::is_spd) {
+  if (question == predicate::is_positive_definite) {
     add_metric(s.tensor);
   } else if (question == predicate::orientation) {
     add_point(s.sites[0].position);

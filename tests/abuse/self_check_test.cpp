@@ -11,6 +11,7 @@
 #include "asterism/tests/property/random_source.hpp"
 
 namespace asterism {
+using namespace internal;
 namespace {
 
 using property::random_source;

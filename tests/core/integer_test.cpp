@@ -11,6 +11,7 @@
 #include <vector>
 
 using namespace asterism;
+using namespace asterism::internal;
 
 namespace {
 

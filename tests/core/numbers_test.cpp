@@ -12,6 +12,7 @@
 #include "asterism/core/square_root_sum.hpp"
 
 using namespace asterism;
+using namespace asterism::internal;
 
 TEST_CASE("a dyadic number holds every double exactly", "[dyadic]") {
   const double smallest = std::numeric_limits<double>::denorm_min();

@@ -189,7 +189,7 @@ std::optional<batch_record> decode_record(std::span<const std::uint8_t> bytes) {
   batch_record record{static_cast<predicate>(first % predicate_count), {}};
   decoder numbers(source, record);
   const record_shape shape = shape_of(record.question);
-  if (record.question == predicate::is_spd) {
+  if (record.question == predicate::is_positive_definite) {
     for (int k = 0; k < 3; ++k) numbers.add_coordinate();
   }
   for (std::size_t k = 0; k < shape.sites; ++k) {

@@ -8,6 +8,7 @@
 #include "asterism/kernels/star_gap.hpp"
 
 namespace asterism::fuzz {
+using namespace internal;
 
 namespace {
 

@@ -45,6 +45,7 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 using namespace asterism;
+using namespace asterism::internal;
 
 namespace {
 

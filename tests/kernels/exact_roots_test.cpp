@@ -5,6 +5,7 @@
 #include "asterism/kernels/root_line.hpp"
 
 using namespace asterism;
+using namespace asterism::internal;
 using namespace asterism::exact;
 
 namespace {

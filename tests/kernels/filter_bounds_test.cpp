@@ -11,6 +11,7 @@
 #include "asterism/kernels/semi_static_filter.hpp"
 
 using namespace asterism;
+using namespace asterism::internal;
 
 namespace {
 

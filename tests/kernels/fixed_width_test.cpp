@@ -22,6 +22,7 @@
 #include "asterism/predicates/wedge.hpp"
 
 using namespace asterism;
+using namespace asterism::internal;
 
 namespace {
 

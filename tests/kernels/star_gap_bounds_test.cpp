@@ -13,6 +13,7 @@
 #include "asterism/kernels/star_gap_formulas.hpp"
 
 using namespace asterism;
+using namespace asterism::internal;
 using namespace asterism::star_gap_detail;
 
 namespace {

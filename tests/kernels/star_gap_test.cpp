@@ -19,6 +19,7 @@
 #include "asterism/kernels/star_gap.hpp"
 
 using namespace asterism;
+using namespace asterism::internal;
 
 namespace {
 

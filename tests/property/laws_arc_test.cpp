@@ -11,6 +11,7 @@
 #include "asterism/predicates/visible_arc.hpp"
 
 namespace asterism::property {
+using namespace internal;
 namespace {
 
 const exact_kernel exact;

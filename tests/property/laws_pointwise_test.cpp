@@ -11,6 +11,7 @@
 #include "asterism/predicates/in_circle.hpp"
 
 namespace asterism::property {
+using namespace internal;
 namespace {
 
 const exact_kernel exact;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/core/number_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace asterism::internal {
+
+std::string quoted_token(std::string_view token) {
+  constexpr std::size_t longest = 40;
+  std::string text = "'";
+  for (const char c : token.substr(0, longest)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (token.size() > longest ? "...'" : "'");
+}
+
+namespace {
+
+// Is a number that no double holds (so: of exponent far from 0) large rather than small? `digits`
+// has no sign and no base prefix and was read by from_chars; `base` is 10 or 16.
+bool is_huge(std::string_view digits, int base) {
+  const std::string_view exponent_mark = base == 16 ? "pP" : "eE";
+  const std::size_t mark = std::min(digits.find_first_of(exponent_mark), digits.size());
+  const std::string_view mantissa = digits.substr(0, mark);
+  const std::size_t leading = mantissa.find_first_not_of("0.");
+  if (leading == std::string_view::npos) return false;
+  std::string_view exponent = digits.substr(std::min(mark + 1, digits.size()));
+  const bool negative = !exponent.empty() && exponent.front() == '-';
+  if (!exponent.empty() && (negative || exponent.front() == '+')) exponent.remove_prefix(1);
+  long long power = 0;
+  const auto read = std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+  // No text is long enough to make up for an exponent like that.
+  constexpr long long beyond_any_text = 1LL << 60;
+  if (read.ec == std::errc::result_out_of_range || power > beyond_any_text) return !negative;
+  const std::size_t dot = std::min(mantissa.find('.'), mantissa.size());
+  const long long places = static_cast<long long>(dot) - static_cast<long long>(leading);
+  return (negative ? -power : power) + (base == 16 ? 4 : 1) * places > 0;
+}
+
+}  // namespace
+
+result<double> parse_number(std::string_view token) {
+  const error no_number{quoted_token(token) + " is not a number"};
+  std::string_view digits = token;
+  const bool negative = !digits.empty() && digits.front() == '-';
+  if (!digits.empty() && (negative || digits.front() == '+')) digits.remove_prefix(1);
+  const bool hexadecimal = digits.starts_with("0x") || digits.starts_with("0X");
+  if (hexadecimal) digits.remove_prefix(2);
+  // from_chars would take a second sign here.
+  if (digits.empty() || digits.front() == '-' || digits.front() == '+') return no_number;
+
+  double value = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto read = std::from_chars(
+      digits.data(), end, value, hexadecimal ? std::chars_format::hex : std::chars_format::general);
+  if (read.ec == std::errc::invalid_argument || read.ptr != end) return no_number;
+  // "0xinf" is not C99's; plain "inf" and "nan" are numbers, but not finite ones.
+  if (hexadecimal && !std::isfinite(value)) return no_number;
+  // from_chars gives no value here and does not tell overflow from underflow.
+  if (read.ec == std::errc::result_out_of_range)
+    value = is_huge(digits, hexadecimal ? 16 : 10) ? HUGE_VAL : 0;
+  if (!std::isfinite(value)) return error{quoted_token(token) + " is not finite"};
+  return negative ? -value : value;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/audit.hpp"
+
+#include <numeric>
+
+#include "asterism/mesh/audit/context.hpp"
+
+namespace asterism {
+using namespace internal;
+
+const std::array<std::string_view, finding_kind_count> finding_kind_names = {
+    "invalid_option",
+    "empty_mesh",
+    "disagreeing_triangles",
+    "index_out_of_range",
+    "not_finite",
+    "metric_not_positive_definite",
+    "repeated_position",
+    "repeated_corner",
+    "repeated_triangle",
+    "orientation",
+    "repeated_edge",
+    "unmatched_edge",
+    "boundary_without_triangle",
+    "boundary_inside",
+    "repeated_boundary",
+    "open_boundary",
+    "boundary_contact",
+    "wrong_winding",
+    "unused_vertex",
+    "broken_fan",
+    "given_changed",
+    "segment_not_covered",
+    "marker_changed",
+    "side_changed",
+    "boundary_deviation",
+    "wrong_region",
+    "angle_below_bound",
+    "exemption_not_proven",
+    "star_neighbour_rejected",
+    "star_site_missing",
+    "voronoi_vertex_missing",
+    "voronoi_arc_reversed",
+    "voronoi_site_nearer",
+    "voronoi_boundary_encroached",
+};
+
+const std::array<std::string_view, 4> voronoi_verdict_names = {"not asked", "not reached",
+                                                               "refused", "proved"};
+
+std::size_t audit_report::total_found() const {
+  return std::accumulate(found.begin(), found.end(), std::size_t{0});
+}
+
+audit_report audit(const mesh& subject, const audit_options& options) {
+  using namespace audit_detail;
+  audit_report report;
+  report.sites = subject.sites.size();
+  report.triangles = subject.triangles.size();
+  report.boundary_subsegments = subject.boundary.size();
+  report.given = subject.given;
+
+  audit_context context(subject, options, report);
+  check_values(context);
+  check_orientations(context);
+  check_edges(context);
+  check_boundary_contacts(context);
+  // The rest of point 2 is a statement about matched edges and a simple boundary.
+  const bool matched = report.total_found() == 0;
+  if (matched) {
+    check_winding(context);
+    check_fans(context);
+  }
+  const bool triangulation = report.total_found() == 0;
+  if (options.original != nullptr) check_domain_kept(context);
+  check_regions(context);
+  check_angles(context);
+  if (options.check_stars && triangulation) check_stars(context);
+
+  report.certified = report.total_found() == 0;
+  if (options.check_voronoi) {
+    report.voronoi = voronoi_verdict::not_reached;
+    if (triangulation) check_voronoi(context);
+  }
+  report.counters += context.kernel.counters();
+  return report;
+}
+
+}  // namespace asterism

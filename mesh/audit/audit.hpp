@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+//
+// Is this mesh what it claims to be? Decided from the mesh alone, by exact arithmetic, with no code
+// of the stars or the refinement that may have made it.
+//
+// A certified mesh is proven to
+//  0. hold finite, distinct sites with positive definite metric tensors;
+//  1. have only counter-clockwise triangles;
+//  2. be a triangulation of the region its boundary encloses, every site a vertex, and, when the
+//     domain is given, of that domain with its segments split, those inside it being edges with a
+//     triangle on each side; and every triangle has the number of its region;
+//  3. have no angle below the bound, at any corner, in the metric of any of the triangle's three
+//     vertices, hence of any convex combination of them; triangles at an exempt corner,
+//     or across a narrow internal wedge, excepted;
+//  4. have every triangle in the star of each of its vertices: each star is a fixed point of the
+//     incremental insertion among the sites visible from its centre.
+// When asked for, it is moreover proven or refused that the mesh
+//  5. is the dual of the anisotropic Voronoi diagram of its sites, restricted to the domain, all of
+//     whose arcs are wedged. A mesh can be certified without.
+// docs/math/certificate.md states and proves what each point rests on, voronoi-certificate.md
+// point 5.
+//
+// Input: any mesh, however damaged; indices out of range or numbers that are not finite are
+// findings, never undefined behaviour. Cost: O(n log n) for points 0 to 3 but for long axis-aligned
+// sides, where pairs of boundary boxes are compared; point 4 likewise where the metric is smooth at
+// the scale of an edge, and O(n^2) at worst; so does point 5.
+// Source: the thesis, definitions 2 to 6 and 9, theorem 4.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "asterism/kernels/tier_counters.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism {
+
+enum class finding_kind : std::size_t {
+  invalid_option,                // the audit was asked something it cannot answer
+  empty_mesh,                    // no triangle
+  disagreeing_triangles,         // the mesh itself says that stars disagree
+  index_out_of_range,            //
+  not_finite,                    // a coordinate or metric entry
+  metric_not_positive_definite,  //
+  repeated_position,             // two vertices at the same point
+  repeated_corner,               // a triangle or subsegment that names a vertex twice
+  repeated_triangle,             // same three vertices
+  orientation,                   // clockwise or flat triangle
+  repeated_edge,                 // a directed edge of two triangles
+  unmatched_edge,                // no triangle across, and no boundary subsegment
+  boundary_without_triangle,     // no triangle on the left of a subsegment, or right of an internal one
+  boundary_inside,               // a subsegment that is not internal with a triangle on its right
+  repeated_boundary,             // two equal subsegments
+  open_boundary,                 // subsegments arriving at a vertex and leaving it differ in number
+  boundary_contact,              // two subsegments cross or touch other than in a common end
+  wrong_winding,                 // the boundary encloses its left side not exactly once
+  unused_vertex,                 // a site in no triangle
+  broken_fan,                    // the triangles at a vertex do not surround it once
+  given_changed,                 // sites[0 .. given) are not the domain's vertices
+  segment_not_covered,           // the subsegments of a segment do not lead from its start to its end
+  marker_changed,                // a subsegment has another marker than its segment
+  side_changed,                  // a subsegment is internal and its segment is not, or the reverse
+  boundary_deviation,            // a split point too far from its segment for rounding
+  wrong_region,                  // a triangle does not have the number of its region
+  angle_below_bound,             //
+  exemption_not_proven,          // the corner's own angle is not below the bound
+  star_neighbour_rejected,       // a neighbour the star would not accept again
+  star_site_missing,             // a visible site the star would accept
+  // The last four refuse point 5 alone.
+  voronoi_vertex_missing,       // a triangle without a Voronoi vertex that its corners all see
+  voronoi_arc_reversed,         // Voronoi vertices in the wrong order around an edge
+  voronoi_site_nearer,          // a third site nearer to a point of an arc
+  voronoi_boundary_encroached,  // a third site nearer to a point of a boundary edge
+};
+inline constexpr std::size_t finding_kind_count = 34;
+// As certificates spell them, in the order of `finding_kind`.
+extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
+
+// `witness` is one sentence that names vertices, triangles and boundary subsegments counted from 1, as
+// a .mesh file does, with their coordinates.
+struct audit_finding {
+  finding_kind kind{};
+  std::string witness;
+};
+
+struct audit_options {
+  // Degrees, 0 <= bound < 90. Empty: angles are measured but none is asked for.
+  std::optional<double> angle_bound;
+  // Corners (indices from 0) whose triangles may be below the bound. Each must be proven: the angle
+  // of the domain at it, in its own metric, is below the bound.
+  std::vector<vertex_index> exempt_corners;
+  // Exempt every corner for which that can be proven, without a claim.
+  bool find_exempt_corners = false;
+  // The domain as it was meshed (after check_domain); not owned, may be null.
+  const domain* original = nullptr;
+  // How far a split point may be from its segment, as a multiple of the largest coordinate of the
+  // segment's ends. Rounding is about 2^-53 a split; it decides no topology.
+  double deviation_limit = 0x1p-40;
+  bool check_stars = true;
+  bool check_voronoi = false;
+  // Findings kept of each kind; all are counted.
+  std::size_t findings_kept = 20;
+};
+
+enum class voronoi_verdict : std::size_t {
+  not_asked,
+  not_reached,  // the mesh is no triangulation of a region, or was not looked at so far
+  refused,      // the findings say why
+  proved,
+};
+
+// As certificates spell them, in that order.
+extern const std::array<std::string_view, 4> voronoi_verdict_names;
+
+// The least angle of a corner; for information, in floating point.
+struct audited_angle {
+  double degrees = 180;
+  vertex_index triangle = 0, corner = 0, perspective = 0;  // indices from 0; the last two are vertices
+};
+
+struct audit_report {
+  bool certified = false;  // points 0 to 4, as far as asked for
+  voronoi_verdict voronoi = voronoi_verdict::not_asked;
+  std::vector<audit_finding> findings;
+  std::array<std::size_t, finding_kind_count> found{};  // of each kind, kept or not
+
+  std::size_t sites = 0, triangles = 0, boundary_subsegments = 0, given = 0;
+  bool domain_checked = false;  // false: no domain was given
+  bool angles_checked = false;  // false: no bound was given
+  bool stars_checked = false;   // false: not asked for, or the mesh is no triangulation
+
+  audited_angle worst;                  // over the triangles away from exempt corners
+  audited_angle worst_exempt;           // over those at them, below the bound or not
+  std::vector<vertex_index> exempt_corners;    // proven, ascending
+  std::vector<vertex_index> exempt_triangles;  // those below the bound at or across them, ascending
+  std::vector<vertex_index> low_triangles;     // all others below the bound, ascending
+  // Upper bound of the distance of a split point from its segment, in units of the domain.
+  double largest_deviation = 0;
+
+  // Decisions of the auditor's own arithmetic, and those of them that needed rationals; the
+  // kernel's are in `counters`.
+  std::size_t decisions = 0, exact_decisions = 0;
+  std::size_t star_pairs = 0, star_pairs_tested = 0;  // looked at, and left for edge_test
+  // Arcs against sites, and those of them that needed exact numbers.
+  std::size_t voronoi_pairs = 0, voronoi_pairs_exact = 0;
+  tier_counters counters;
+
+  std::size_t total_found() const;
+};
+
+audit_report audit(const mesh& subject, const audit_options& options);
+
+}  // namespace asterism

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/certificate.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace asterism {
+namespace {
+
+class fnv1a {
+ public:
+  void add(std::uint64_t word) {
+    for (int i = 0; i < 8; ++i) {
+      hash_ = (hash_ ^ (word & 0xff)) * 0x100000001b3U;
+      word >>= 8;
+    }
+  }
+  void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325U;
+};
+
+// Other than 1 everywhere, which is the same as none.
+bool has_regions(const mesh& subject) {
+  return std::any_of(subject.regions.begin(), subject.regions.end(),
+                     [](int region) { return region != 1; });
+}
+
+}  // namespace
+
+std::uint64_t mesh_fingerprint(const mesh& subject) {
+  fnv1a hash;
+  for (const std::size_t count : {subject.sites.size(), std::size_t{subject.given},
+                                  subject.triangles.size(), subject.boundary.size()})
+    hash.add(std::uint64_t{count});
+  for (const site& s : subject.sites)
+    for (const double x : {s.position.x, s.position.y, s.metric.m11, s.metric.m12, s.metric.m22})
+      hash.add(x);
+  for (const triangle& t : subject.triangles)
+    for (const vertex_index v : t) hash.add(std::uint64_t{v});
+  for (const boundary_edge& e : subject.boundary) {
+    hash.add(std::uint64_t{e.a});
+    hash.add(std::uint64_t{e.b});
+    hash.add(static_cast<std::uint64_t>(e.marker));
+  }
+  if (has_regions(subject))
+    for (const int region : subject.regions) hash.add(static_cast<std::uint64_t>(region));
+  return hash.value();
+}
+
+certificate make_certificate(const mesh& subject, const audit_options& options,
+                             const audit_report& report) {
+  certificate c;
+  c.version = ASTERISM_VERSION;
+  c.sites = report.sites;
+  c.triangles = report.triangles;
+  c.boundary_subsegments = report.boundary_subsegments;
+  c.given = report.given;
+  c.fingerprint = mesh_fingerprint(subject);
+  c.angle_bound = options.angle_bound;
+  c.worst_angle = report.worst.degrees;
+  c.exempt_corners = report.exempt_corners;
+  c.exempt_triangles = report.exempt_triangles;
+  c.low_triangles = report.low_triangles;
+  c.largest_deviation = report.largest_deviation;
+  c.domain_checked = report.domain_checked;
+  c.angles_checked = report.angles_checked;
+  c.stars_checked = report.stars_checked;
+  c.certified = report.certified;
+  c.voronoi = report.voronoi;
+  for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
+    if (report.found[kind] != 0) c.found.emplace(finding_kind_names[kind], report.found[kind]);
+  for (const audit_finding& f : report.findings)
+    c.witnesses.push_back(std::string(finding_kind_names[static_cast<std::size_t>(f.kind)]) + ": " +
+                          f.witness);
+  c.audit_counters = report.counters;
+  if (options.original != nullptr) c.original = *options.original;
+  return c;
+}
+
+}  // namespace asterism

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+//
+// What is known of a finished mesh, written beside it so that anybody can check it again.
+//
+// As a file: JSON, UTF-8, the same bytes for the same run (no times, no machine). Numbers are
+// written so that they read back to the same doubles; vertices, triangles and boundary edges are
+// counted from 1, as in a .mesh file, though the fields below count from 0.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/kernels/tier_counters.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/relaxation_report.hpp"
+
+namespace asterism {
+
+struct certificate {
+  std::string version;  // of the program that made it
+
+  // What was asked for; make_certificate leaves these to whoever ran the mesher.
+  std::string metric;                          // as --metric takes it
+  std::map<std::string, std::string> options;  // by name, as text
+  bool complete = false;                       // the mesher reached its goal
+  std::string reason;                          // one sentence: why it ended
+  tier_counters mesher_counters;               // of the kernel that made the mesh
+
+  // The mesh, as counted and audited.
+  std::size_t sites = 0, triangles = 0, boundary_subsegments = 0, given = 0;
+  std::uint64_t fingerprint = 0;
+  std::size_t star_repairs = 0;  // stars a local search had got wrong, mended before the end
+  // Where the mesh is of another metric than the one asked for; without the tensors given.
+  std::optional<relaxation_report> relaxed;
+  // What numerics/mesh_statistics.hpp measures, by the names there; those that are finite.
+  std::map<std::string, double> measured;
+  std::optional<double> angle_bound;  // degrees
+  // Away from exempt corners; 180 where no triangle is, in the file null.
+  double worst_angle = 180;
+  std::vector<vertex_index> exempt_corners;
+  std::vector<vertex_index> exempt_triangles;
+  std::vector<vertex_index> low_triangles;  // below the bound, and not exempt
+  double largest_deviation = 0;
+  bool domain_checked = false, angles_checked = false, stars_checked = false;
+  bool certified = false;
+  voronoi_verdict voronoi = voronoi_verdict::not_asked;
+  std::map<std::string, std::size_t> found;  // findings by kind, those that occurred
+  std::vector<std::string> witnesses;        // "kind: sentence"
+  tier_counters audit_counters;
+
+  std::optional<domain> original;  // what point 2 is repeated against
+};
+
+// A 64-bit FNV-1a hash of everything a .mesh and its .sol hold: numbers of each, positions and
+// metrics bit for bit, triangles and their regions, boundary edges with their markers. It tells
+// files apart; it is no protection against forgery, for which verify() repeats the audit.
+std::uint64_t mesh_fingerprint(const mesh& subject);
+
+// `report` must be of an audit of `subject` with `options`.
+certificate make_certificate(const mesh& subject, const audit_options& options,
+                             const audit_report& report);
+
+std::string certificate_text(const certificate& c);
+// `name` is the file's, for messages.
+result<certificate> parse_certificate(const std::string& text, const std::string& name);
+
+// Errors name the file. Nothing is left behind by a failed write.
+result<std::filesystem::path> write_certificate(const std::filesystem::path& path,
+                                                const certificate& c);
+result<certificate> read_certificate(const std::filesystem::path& path);
+
+struct verify_report {
+  bool verified = false;  // certified, and nothing contradicts the certificate
+  audit_report audit;
+  std::vector<std::string> contradictions;  // one sentence each, claim against mesh
+};
+
+// Audits again, from the mesh and the certificate alone. From the certificate come the domain, the
+// exempt corners and the angle bound where `options` has none of its own, and what it says is the
+// dual of the Voronoi diagram is checked to be; without a certificate
+// exempt corners are looked for, and nothing is known of the domain.
+verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
+                     audit_options options);
+
+// For a claim with a relaxed metric: the triangles that it lists as low in the metric asked for,
+// against those that the auditor's exact test finds in the metric of `asked`. A sentence if they
+// differ, or if `asked` fails at a site; none where nothing is relaxed or no angle is asked for.
+std::optional<std::string> contradiction_in_low_triangles(const mesh& subject,
+                                                          const certificate& claim,
+                                                          const metric_field& asked);
+
+}  // namespace asterism

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "asterism/mesh/audit/certificate.hpp"
+
+namespace asterism {
+namespace {
+
+std::string text_of(bool yes) { return yes ? "true" : "false"; }
+std::string text_of(double x) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, x).ptr};
+}
+std::string text_of(const std::vector<vertex_index>& numbers) {
+  return "a list of " + std::to_string(numbers.size());
+}
+std::string text_of(voronoi_verdict verdict) {
+  return std::string(voronoi_verdict_names[static_cast<std::size_t>(verdict)]);
+}
+
+// The claims that do not hold, a sentence each.
+class contradictions {
+ public:
+  void compare_count(std::string_view what, std::size_t claimed, std::size_t counted) {
+    if (claimed != counted)
+      add("the certificate is of a mesh with " + std::to_string(claimed) + " " + std::string(what) +
+          ", this one has " + std::to_string(counted));
+  }
+
+  // Equal to the last bit, as the same program computes both (a number that is none equals none).
+  template <class Value>
+  void compare(const std::string& field, const Value& claimed, const Value& found) {
+    if (claimed != found)
+      add("\"" + field + "\" is " + text_of(claimed) + " in the certificate, and " +
+          text_of(found) + (text_of(claimed) == text_of(found) ? " others" : "") + " of this mesh");
+  }
+
+  void add(std::string sentence) { all_.push_back(std::move(sentence)); }
+  bool none() const { return all_.empty(); }
+  std::vector<std::string> take() { return std::move(all_); }
+
+ private:
+  std::vector<std::string> all_;
+};
+
+// `audited` must answer the question that the certificate answers: the same bound and domain.
+void compare_audit(contradictions& all, const certificate& claim, const certificate& found) {
+  all.compare("audit.domain_checked", claim.domain_checked, found.domain_checked);
+  all.compare("audit.angles_checked", claim.angles_checked, found.angles_checked);
+  all.compare("audit.worst_angle", claim.worst_angle, found.worst_angle);
+  all.compare("audit.exempt_corners", claim.exempt_corners, found.exempt_corners);
+  all.compare("audit.exempt_triangles", claim.exempt_triangles, found.exempt_triangles);
+  all.compare("audit.low_triangles", claim.low_triangles, found.low_triangles);
+  all.compare("audit.largest_boundary_deviation", claim.largest_deviation, found.largest_deviation);
+  if (claim.voronoi == voronoi_verdict::proved)
+    all.compare("audit.voronoi", claim.voronoi, found.voronoi);
+  // Of a mesh that was not finished the stars may not have been looked at, nor what they tell.
+  if (!claim.certified) return;
+  all.compare("audit.stars_checked", claim.stars_checked, found.stars_checked);
+  // What is found of the diagram counts among the findings: they are the same where it was asked
+  // for in both, or in neither.
+  if (claim.voronoi != found.voronoi) return;
+  if (claim.found != found.found)
+    all.add("\"audit.findings\" are others in the certificate than those of this mesh");
+  if (claim.witnesses != found.witnesses)
+    all.add("\"audit.witnesses\" are others in the certificate than those of this mesh");
+}
+
+// The bound is written twice: as the number that is audited, and among the options.
+void compare_bounds(contradictions& all, const certificate& claim) {
+  const auto option = claim.options.find("angle-bound");
+  if (option == claim.options.end() || !claim.angle_bound) return;
+  const std::string& text = option->second;
+  double bound = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), bound);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size() ||
+      bound != *claim.angle_bound)
+    all.add("\"asked.angle_bound\" is " + text_of(*claim.angle_bound) +
+            " in the certificate, and \"asked.options.angle-bound\" is " + text);
+}
+
+// `as_claimed`: the audit answered the question that the certificate answers.
+std::vector<std::string> contradictions_of(const mesh& subject, const certificate& claim,
+                                           const audit_options& options,
+                                           const audit_report& audited, bool as_claimed) {
+  contradictions all;
+  all.compare_count("vertices", claim.sites, audited.sites);
+  all.compare_count("given vertices", claim.given, audited.given);
+  all.compare_count("triangles", claim.triangles, audited.triangles);
+  all.compare_count("boundary edges", claim.boundary_subsegments, audited.boundary_subsegments);
+  if (all.none() && claim.fingerprint != mesh_fingerprint(subject))
+    all.add("the certificate is of another mesh: the fingerprints differ");
+  // Numbers of another mesh say nothing.
+  if (all.none() && as_claimed)
+    compare_audit(all, claim, make_certificate(subject, options, audited));
+  compare_bounds(all, claim);
+  if (!claim.certified) all.add("the certificate itself says that its mesh was not certified");
+  if (!claim.complete)
+    all.add("the certificate itself says that its mesh was not completed: " + claim.reason);
+  if (claim.complete && claim.relaxed && !claim.relaxed->low_triangles.empty())
+    all.add("the certificate says that its mesh was completed, and lists " +
+            std::to_string(claim.relaxed->low_triangles.size()) +
+            " triangles that are below the bound in the metric asked for");
+  return all.take();
+}
+
+}  // namespace
+
+verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
+                     audit_options options) {
+  bool as_claimed = false;
+  if (claim) {
+    as_claimed = (!options.angle_bound || options.angle_bound == claim->angle_bound) &&
+                 options.original == nullptr && options.exempt_corners.empty();
+    if (!options.angle_bound) options.angle_bound = claim->angle_bound;
+    if (options.original == nullptr && claim->original) options.original = &*claim->original;
+    if (options.exempt_corners.empty()) options.exempt_corners = claim->exempt_corners;
+    if (claim->voronoi == voronoi_verdict::proved) options.check_voronoi = true;
+  } else {
+    options.find_exempt_corners = true;
+  }
+  verify_report report;
+  report.audit = audit(subject, options);
+  if (claim)
+    report.contradictions = contradictions_of(subject, *claim, options, report.audit, as_claimed);
+  report.verified = report.audit.certified && report.contradictions.empty() &&
+                    (!options.check_voronoi || report.audit.voronoi == voronoi_verdict::proved);
+  return report;
+}
+
+std::optional<std::string> contradiction_in_low_triangles(const mesh& subject,
+                                                          const certificate& claim,
+                                                          const metric_field& asked) {
+  if (!claim.relaxed || !claim.angle_bound) return std::nullopt;
+  mesh as_asked = subject;
+  for (site& s : as_asked.sites) {
+    const auto metric = asked.at(s.position);
+    if (!metric) return "the metric asked for fails: " + metric.failure().message;
+    s.metric = metric.value();
+  }
+  audit_options options;
+  options.angle_bound = claim.angle_bound;
+  options.find_exempt_corners = true;
+  options.check_stars = false;
+  const std::vector<vertex_index> low = audit(as_asked, options).low_triangles;
+  if (low == claim.relaxed->low_triangles) return std::nullopt;
+  std::vector<vertex_index> in_one;
+  std::set_symmetric_difference(low.begin(), low.end(), claim.relaxed->low_triangles.begin(),
+                                claim.relaxed->low_triangles.end(), std::back_inserter(in_one));
+  return "as the metric asked for measures them " + std::to_string(low.size()) +
+         " triangles are below the bound, and the certificate lists " +
+         std::to_string(claim.relaxed->low_triangles.size()) +
+         (in_one.empty() ? " in another order"
+                         : "; triangle " + std::to_string(std::size_t{in_one[0]} + 1) +
+                               " is the first that differs");
+}
+
+}  // namespace asterism

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/context.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace asterism::internal::audit_detail {
+
+namespace {
+
+void keep(audit_report& report, std::size_t most, audit_finding finding) {
+  std::size_t& count = report.found[static_cast<std::size_t>(finding.kind)];
+  if (count++ < most) report.findings.push_back(std::move(finding));
+}
+
+void keep_least(audited_angle& least, const audited_angle& other) {
+  if (other.degrees < least.degrees) least = other;
+}
+
+// The first place of a -> b in `list`, sorted, whose members that leave a start at start[a]; or its
+// size.
+template <class Item>
+std::size_t find_directed(const std::vector<Item>& list, const std::vector<std::size_t>& start,
+                          vertex_index a, vertex_index b) {
+  const auto first = list.begin() + static_cast<std::ptrdiff_t>(start[a]),
+             last = list.begin() + static_cast<std::ptrdiff_t>(start[a + 1]);
+  const auto place =
+      std::lower_bound(first, last, b, [](const Item& item, vertex_index key) { return item.b < key; });
+  return place == last || place->b != b ? list.size()
+                                        : static_cast<std::size_t>(place - list.begin());
+}
+
+}  // namespace
+
+void audit_tally::found(finding_kind kind, std::string witness) {
+  keep(part, findings_kept, {kind, std::move(witness)});
+}
+
+void audit_context::found(finding_kind kind, std::string witness) {
+  keep(report, options.findings_kept, {kind, std::move(witness)});
+}
+
+void audit_context::take(audit_tally&& tally) {
+  // Those not kept are more than enough of their kind: they are counted below.
+  for (audit_finding& finding : tally.part.findings) {
+    --tally.part.found[static_cast<std::size_t>(finding.kind)];
+    keep(report, options.findings_kept, std::move(finding));
+  }
+  for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
+    report.found[kind] += tally.part.found[kind];
+  keep_least(report.worst, tally.part.worst);
+  keep_least(report.worst_exempt, tally.part.worst_exempt);
+  report.exempt_triangles.insert(report.exempt_triangles.end(), tally.part.exempt_triangles.begin(),
+                                 tally.part.exempt_triangles.end());
+  report.low_triangles.insert(report.low_triangles.end(), tally.part.low_triangles.begin(),
+                              tally.part.low_triangles.end());
+  report.decisions += tally.part.decisions;
+  report.exact_decisions += tally.part.exact_decisions;
+  report.star_pairs += tally.part.star_pairs;
+  report.star_pairs_tested += tally.part.star_pairs_tested;
+  report.voronoi_pairs += tally.part.voronoi_pairs;
+  report.voronoi_pairs_exact += tally.part.voronoi_pairs_exact;
+  report.counters += tally.kernel.counters();
+}
+
+std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index b) {
+  return find_directed(context.edges, context.edge_start, a, b);
+}
+
+std::size_t find_subsegment(const audit_context& context, vertex_index a, vertex_index b) {
+  const std::size_t place = find_directed(context.sides, context.side_start, a, b);
+  return place == context.sides.size() ? context.subject.boundary.size()
+                                       : context.sides[place].subsegment;
+}
+
+vertex_index apex(const audit_context& context, const directed_edge& edge) {
+  const triangle& t = context.subject.triangles[edge.triangle];
+  for (const vertex_index corner : t)
+    if (corner != edge.a && corner != edge.b) return corner;
+  return t[0];  // not reached: the corners are distinct
+}
+
+bool same_ray(const point& v, const point& a, const point& b) {
+  if (a.x != v.x) return (a.x > v.x) == (b.x > v.x) && b.x != v.x;
+  return (a.y > v.y) == (b.y > v.y) && b.y != v.y;
+}
+
+std::string number_text(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
+}
+
+std::string vertex_text(const audit_context& context, vertex_index v) {
+  std::string text = "vertex " + std::to_string(std::size_t{v} + 1);
+  if (v < context.subject.sites.size())
+    text += " (" + number_text(context.at(v).x) + ", " + number_text(context.at(v).y) + ")";
+  return text;
+}
+
+std::string triangle_text(const audit_context& context, vertex_index t) {
+  const triangle& corners = context.subject.triangles[t];
+  return "triangle " + std::to_string(std::size_t{t} + 1) + " of " +
+         vertex_text(context, corners[0]) + ", " + vertex_text(context, corners[1]) + ", " +
+         vertex_text(context, corners[2]);
+}
+
+std::string subsegment_text(const audit_context& context, vertex_index subsegment) {
+  const boundary_edge& e = context.subject.boundary[subsegment];
+  return (e.internal ? "internal edge " : "boundary edge ") +
+         std::to_string(std::size_t{subsegment} + 1) + " from " + vertex_text(context, e.a) + " to " +
+         vertex_text(context, e.b);
+}
+
+}  // namespace asterism::internal::audit_detail

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+//
+// What the checks of one audit share; inside the auditor alone.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/number.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+
+namespace asterism::internal::audit_detail {
+
+// The edge a -> b of `triangle`, the triangle on its left.
+struct directed_edge {
+  vertex_index a = 0, b = 0;
+  vertex_index triangle = 0;
+};
+
+// The boundary edge `subsegment` as seen from a domain on the left of a -> b. An internal one is seen
+// both ways.
+struct directed_subsegment {
+  vertex_index a = 0, b = 0;
+  vertex_index subsegment = 0;
+};
+
+// The triangles around a vertex, counter-clockwise, as far as the next boundary edge: triangle i
+// has the vertex, link[i] and link[i + 1]; a closed fan comes back to link[0], an open one has one
+// more neighbour than triangles. At the free end of an internal edge the open fan starts and ends
+// with the same neighbour.
+struct vertex_fan {
+  bool closed = false;
+  std::vector<vertex_index> link;
+};
+
+// What one part of a check, run by one thread, has found and counted. `part` holds findings,
+// counts and, of the angles, the worst of that part.
+struct audit_tally {
+  std::size_t findings_kept = 0;
+  audit_report part;
+  filtered_kernel kernel;
+
+  void found(finding_kind kind, std::string witness);
+};
+
+struct audit_context {
+  audit_context(const mesh& m, const audit_options& o, audit_report& r)
+      : subject(m), options(o), report(r) {}
+
+  const mesh& subject;
+  const audit_options& options;
+  audit_report& report;
+  filtered_kernel kernel;
+
+  // Filled by check_values: what the later checks may touch. vector<char>: one flag a site.
+  std::vector<char> placed;      // finite position
+  std::vector<char> measured;    // placed, and a positive definite metric
+  std::vector<vertex_index> triangles;  // in range, three distinct placed corners
+  std::vector<vertex_index> subsegments;     // of the boundary: in range, two distinct placed ends
+  // Filled by check_edges.
+  std::vector<directed_edge> edges;   // of `triangles`, sorted by (a, b, triangle)
+  std::vector<directed_subsegment> sides;  // of `subsegments`, sorted by (a, b, subsegment)
+  // Those that leave v are edges[edge_start[v] .. edge_start[v + 1]), and the same for sides.
+  std::vector<std::size_t> edge_start, side_start;
+  // Filled by check_domain_kept: of each boundary edge the segment of the domain it is a subsegment of.
+  std::vector<std::optional<vertex_index>> segment_of;
+  // Filled by check_fans, only when the edges match.
+  std::vector<std::vector<vertex_fan>> fans;
+
+  const point& at(vertex_index v) const { return subject.sites[v].position; }
+  sign orientation(vertex_index a, vertex_index b, vertex_index c) const {
+    return kernel.orientation(at(a), at(b), at(c));
+  }
+  void found(finding_kind kind, std::string witness);
+  // Adds what a part of a check found.
+  void take(audit_tally&& tally);
+};
+
+// check(tally, begin, end) for chunks of [0, count), in parallel; the tallies are taken in order,
+// so that the report is that of one thread. Of the context a check may write only what belongs to
+// its chunk alone.
+template <class Check>
+void check_in_parallel(audit_context& context, std::size_t count, const Check& check,
+                       std::size_t chunk = 1024) {
+  std::vector<audit_tally> tallies(chunk_count(count, chunk));
+  parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    tallies[i].findings_kept = context.options.findings_kept;
+    check(tallies[i], begin, end);
+  });
+  for (audit_tally& tally : tallies) context.take(std::move(tally));
+}
+
+// Where a list sorted by its members' `a`, below `count`, has those of each a: count + 1 places.
+template <class Item>
+std::vector<std::size_t> starts_of(const std::vector<Item>& sorted, std::size_t count) {
+  std::vector<std::size_t> start(count + 1, 0);
+  for (const Item& item : sorted) ++start[item.a + 1];
+  for (std::size_t v = 0; v < count; ++v) start[v + 1] += start[v];
+  return start;
+}
+
+// The checks, in the order of audit(). Each reports into the context and goes on.
+void check_values(audit_context& context);
+void check_orientations(audit_context& context);
+void check_edges(audit_context& context);
+void check_boundary_contacts(audit_context& context);
+void check_winding(audit_context& context);
+void check_fans(audit_context& context);
+void check_domain_kept(audit_context& context);
+void check_regions(audit_context& context);
+void check_angles(audit_context& context);
+void check_stars(audit_context& context);
+void check_voronoi(audit_context& context);
+
+// Index into context.edges, or the size of it.
+std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index b);
+// The boundary edge with the domain on the left of a -> b: index into subject.boundary, or the size
+// of it.
+std::size_t find_subsegment(const audit_context& context, vertex_index a, vertex_index b);
+// The third corner of the triangle on the left of `edge`.
+vertex_index apex(const audit_context& context, const directed_edge& edge);
+// For two points known to be collinear with v: are they on the same side of it?
+bool same_ray(const point& v, const point& a, const point& b);
+
+// Witness texts: numbers from 1, coordinates that read back to the same double.
+std::string number_text(double value);
+std::string vertex_text(const audit_context& context, vertex_index v);
+std::string triangle_text(const audit_context& context, vertex_index t);
+std::string subsegment_text(const audit_context& context, vertex_index subsegment);
+
+template <class Number>
+vector2<Number> difference(const point& to, const point& from) {
+  return {Number(to.x) - Number(from.x), Number(to.y) - Number(from.y)};
+}
+template <class Number>
+tensor<Number> tensor_of(const metric_tensor& m) {
+  return {Number(m.m11), Number(m.m12), Number(m.m22)};
+}
+
+}  // namespace asterism::internal::audit_detail

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+//
+// Point 2 against the domain that was meshed: its vertices are kept bit for bit, and the boundary
+// is its segments, each cut into subsegments that lead from its start to its end.
+//
+// A split point is a rounded point, so the subsegments need not lie on the segment exactly: the largest
+// distance is reported, and refused when rounding cannot explain it.
+#include <mpfr.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "asterism/mesh/audit/context.hpp"
+
+namespace asterism::internal::audit_detail {
+namespace {
+
+bool same_bits(const point& a, const point& b) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y);
+}
+
+bool check_given(audit_context& context) {
+  const mesh& m = context.subject;
+  const auto& vertices = context.options.original->vertices;
+  if (m.given != vertices.size() || m.given > m.sites.size()) {
+    context.found(finding_kind::given_changed, std::to_string(m.given) +
+                                                   " vertices are kept as given, the domain has " +
+                                                   std::to_string(vertices.size()));
+    return false;
+  }
+  bool kept = true;
+  for (vertex_index v = 0; v < m.given; ++v) {
+    if (same_bits(m.sites[v].position, vertices[v])) continue;
+    kept = false;
+    context.found(finding_kind::given_changed, vertex_text(context, v) + " was given at (" +
+                                                   number_text(vertices[v].x) + ", " +
+                                                   number_text(vertices[v].y) + ")");
+  }
+  return kept;
+}
+
+// The subsegments from one given vertex to the next along the boundary.
+struct chain {
+  vertex_index start = 0, end = 0;
+  std::vector<vertex_index> subsegments;
+};
+
+std::vector<chain> chains_of(const audit_context& context, vertex_index given) {
+  const auto& boundary = context.subject.boundary;
+  std::vector<std::vector<vertex_index>> leaving(context.subject.sites.size());
+  for (const vertex_index subsegment : context.subsegments) leaving[boundary[subsegment].a].push_back(subsegment);
+  std::vector<chain> chains;
+  for (vertex_index v = 0; v < given; ++v)
+    for (const vertex_index first : leaving[v]) {
+      chain c{v, boundary[first].b, {first}};
+      // Bounded: a damaged mesh may go round without ever meeting a given vertex.
+      while (c.end >= given && leaving[c.end].size() == 1 && c.subsegments.size() <= boundary.size()) {
+        c.subsegments.push_back(leaving[c.end].front());
+        c.end = boundary[c.subsegments.back()].b;
+      }
+      chains.push_back(std::move(c));
+    }
+  return chains;
+}
+
+// An upper bound of sqrt(square), as a double; infinity where that overflows.
+double root_rounded_up(const rational& square) {
+  mpfr_t value;
+  mpfr_init2(value, 53);
+  mpfr_set_q(value, square.backend().data(), MPFR_RNDU);
+  mpfr_sqrt(value, value, MPFR_RNDU);
+  const double result = mpfr_get_d(value, MPFR_RNDU);
+  mpfr_clear(value);
+  return result;
+}
+
+void check_split_points(audit_context& context, const chain& c) {
+  const point& a = context.at(c.start);
+  const point& b = context.at(c.end);
+  const vector2<rational> along = difference<rational>(b, a);
+  const double reach = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+  for (const vertex_index subsegment : c.subsegments) {
+    const boundary_edge& e = context.subject.boundary[subsegment];
+    const vector2<rational> forward = difference<rational>(context.at(e.b), context.at(e.a));
+    if (dot(forward, along) <= 0)
+      context.found(finding_kind::segment_not_covered,
+                    subsegment_text(context, subsegment) + " runs against its segment from " +
+                        vertex_text(context, c.start) + " to " + vertex_text(context, c.end));
+    if (e.b == c.end) continue;
+    const rational offset = cross(along, difference<rational>(context.at(e.b), a));
+    const double distance = root_rounded_up(offset * offset / dot(along, along));
+    context.report.decisions += 1;
+    context.report.exact_decisions += 1;
+    context.report.largest_deviation = std::max(context.report.largest_deviation, distance);
+    if (!(distance <= context.options.deviation_limit * reach))
+      context.found(finding_kind::boundary_deviation,
+                    vertex_text(context, e.b) + " is up to " + number_text(distance) +
+                        " away from the segment from " + vertex_text(context, c.start) + " to " +
+                        vertex_text(context, c.end));
+  }
+}
+
+void check_subsegment(audit_context& context, vertex_index subsegment, const segment& s) {
+  const boundary_edge& e = context.subject.boundary[subsegment];
+  if (e.marker != s.marker)
+    context.found(finding_kind::marker_changed,
+                  subsegment_text(context, subsegment) + " has marker " + std::to_string(e.marker) +
+                      ", its segment has " + std::to_string(s.marker));
+  if (e.internal != s.internal)
+    context.found(finding_kind::side_changed, subsegment_text(context, subsegment) + " has the domain on " +
+                                                  (e.internal ? "both sides" : "one side") +
+                                                  ", its segment on " +
+                                                  (s.internal ? "both" : "one"));
+}
+
+std::string segment_text(const audit_context& context, vertex_index s) {
+  const segment& seg = context.options.original->segments[s];
+  return "segment " + std::to_string(std::size_t{s} + 1) + " from " + vertex_text(context, seg.a) +
+         " to " + vertex_text(context, seg.b);
+}
+
+// Chains and segments are matched by their ends, which two segments cannot share.
+void match_chains(audit_context& context, std::vector<chain> chains) {
+  const auto& segments = context.options.original->segments;
+  std::sort(chains.begin(), chains.end(), [](const chain& l, const chain& r) {
+    return std::array{l.start, l.end} < std::array{r.start, r.end};
+  });
+  std::vector<char> taken(chains.size(), 0);
+  for (vertex_index s = 0; s < segments.size(); ++s) {
+    const std::array ends{segments[s].a, segments[s].b};
+    const auto c =
+        std::lower_bound(chains.begin(), chains.end(), ends, [](const chain& l, const auto& key) {
+          return std::array{l.start, l.end} < key;
+        });
+    const auto place = static_cast<std::size_t>(c - chains.begin());
+    if (c == chains.end() || std::array{c->start, c->end} != ends || taken[place]) {
+      context.found(finding_kind::segment_not_covered,
+                    "no chain of boundary edges is " + segment_text(context, s));
+      continue;
+    }
+    taken[place] = 1;
+    check_split_points(context, *c);
+    for (const vertex_index subsegment : c->subsegments) {
+      check_subsegment(context, subsegment, segments[s]);
+      context.segment_of[subsegment] = s;
+    }
+  }
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    if (!taken[i])
+      context.found(finding_kind::segment_not_covered,
+                    subsegment_text(context, chains[i].subsegments.front()) + " and what follows it up to " +
+                        vertex_text(context, chains[i].end) + " belong to no segment");
+}
+
+}  // namespace
+
+void check_domain_kept(audit_context& context) {
+  context.report.domain_checked = true;
+  context.segment_of.assign(context.subject.boundary.size(), std::nullopt);
+  const domain& original = *context.options.original;
+  if (!check_given(context)) return;
+  for (const segment& s : original.segments)
+    if (s.a >= original.vertices.size() || s.b >= original.vertices.size()) {
+      context.found(finding_kind::invalid_option,
+                    "the domain has a segment that names a vertex it does not have");
+      return;
+    }
+  if (std::find(context.placed.begin(), context.placed.end(), 0) != context.placed.end()) return;
+  std::vector<chain> chains = chains_of(context, context.subject.given);
+  std::size_t covered = 0;
+  for (const chain& c : chains) covered += c.subsegments.size();
+  match_chains(context, std::move(chains));
+  if (covered != context.subsegments.size())
+    context.found(finding_kind::segment_not_covered,
+                  std::to_string(context.subsegments.size()) + " boundary edges, " +
+                      std::to_string(covered) + " of them between given vertices");
+}
+
+}  // namespace asterism::internal::audit_detail

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+//
+// Point 2, the combinatorial part: every directed edge once, its reverse once or the boundary; both
+// at an internal edge.
+#include <algorithm>
+
+#include "asterism/mesh/audit/context.hpp"
+
+namespace asterism::internal::audit_detail {
+namespace {
+
+std::string edge_text(const audit_context& context, const directed_edge& edge) {
+  return "edge " + std::to_string(std::size_t{edge.a} + 1) + "-" +
+         std::to_string(std::size_t{edge.b} + 1) + " of " + triangle_text(context, edge.triangle);
+}
+
+// By counting for a, in each a's range by comparing: linear where degrees are bounded. The bound on
+// what a mesh with vertices of any degree costs is that of std::sort.
+void list_edges(audit_context& context) {
+  const auto& triangles = context.subject.triangles;
+  auto& start = context.edge_start;
+  start.assign(context.subject.sites.size() + 1, 0);
+  for (const vertex_index t : context.triangles)
+    for (const vertex_index v : triangles[t]) ++start[v + 1];
+  for (std::size_t v = 0; v + 1 < start.size(); ++v) start[v + 1] += start[v];
+  context.edges.resize(3 * context.triangles.size());
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  for (const vertex_index t : context.triangles) {
+    const triangle& c = triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) context.edges[next[c[i]]++] = {c[i], c[(i + 1) % 3], t};
+  }
+  const auto at = [&](std::size_t i) {
+    return context.edges.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  check_in_parallel(context, next.size(), [&](audit_tally&, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      std::sort(at(start[v]), at(start[v + 1]), [](const auto& l, const auto& r) {
+        return std::array{l.b, l.triangle} < std::array{r.b, r.triangle};
+      });
+  });
+}
+
+void list_sides(audit_context& context) {
+  for (const vertex_index subsegment : context.subsegments) {
+    const boundary_edge& e = context.subject.boundary[subsegment];
+    context.sides.push_back({e.a, e.b, subsegment});
+    if (e.internal) context.sides.push_back({e.b, e.a, subsegment});
+  }
+  std::sort(context.sides.begin(), context.sides.end(), [](const auto& l, const auto& r) {
+    return std::array{l.a, l.b, l.subsegment} < std::array{r.a, r.b, r.subsegment};
+  });
+  context.side_start = starts_of(context.sides, context.subject.sites.size());
+}
+
+void check_triangle_edge(const audit_context& context, audit_tally& tally, std::size_t i) {
+  const auto& edges = context.edges;
+  const directed_edge& e = edges[i];
+  if (i > 0 && edges[i - 1].a == e.a && edges[i - 1].b == e.b)
+    tally.found(finding_kind::repeated_edge,
+                edge_text(context, e) + " runs the same way in triangle " +
+                    std::to_string(std::size_t{edges[i - 1].triangle} + 1));
+  if (find_edge(context, e.b, e.a) == edges.size() &&
+      find_subsegment(context, e.a, e.b) == context.subject.boundary.size())
+    tally.found(finding_kind::unmatched_edge,
+                edge_text(context, e) + " has no triangle across and is no boundary edge");
+}
+
+void check_triangle_edges(audit_context& context) {
+  check_in_parallel(context, context.edges.size(),
+                    [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+                      for (std::size_t i = begin; i < end; ++i)
+                        check_triangle_edge(context, tally, i);
+                    });
+}
+
+void check_subsegments(audit_context& context) {
+  const auto& sides = context.sides;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const directed_subsegment& side = sides[i];
+    const boundary_edge& subsegment = context.subject.boundary[side.subsegment];
+    const std::string text = subsegment_text(context, side.subsegment);
+    if (i > 0 && sides[i - 1].a == side.a && sides[i - 1].b == side.b)
+      context.found(
+          finding_kind::repeated_boundary,
+          text + " repeats boundary edge " + std::to_string(std::size_t{sides[i - 1].subsegment} + 1));
+    if (find_edge(context, side.a, side.b) == context.edges.size())
+      context.found(finding_kind::boundary_without_triangle,
+                    text + " has no triangle on its " + (side.a == subsegment.a ? "left" : "right"));
+    const std::size_t other_side = find_edge(context, side.b, side.a);
+    if (!subsegment.internal && other_side != context.edges.size())
+      context.found(finding_kind::boundary_inside,
+                    text + " has " + triangle_text(context, context.edges[other_side].triangle) +
+                        " on its right");
+  }
+}
+
+void check_closed_curves(audit_context& context) {
+  std::vector<int> balance(context.subject.sites.size(), 0);
+  for (const directed_subsegment& side : context.sides) {  // internal ones cancel out
+    ++balance[side.a];
+    --balance[side.b];
+  }
+  for (vertex_index v = 0; v < balance.size(); ++v)
+    if (balance[v] != 0)
+      context.found(finding_kind::open_boundary,
+                    std::to_string(std::abs(balance[v])) + " more boundary edges " +
+                        (balance[v] > 0 ? "leave " : "reach ") + vertex_text(context, v) +
+                        (balance[v] > 0 ? " than reach it" : " than leave it"));
+}
+
+void check_used(audit_context& context) {
+  std::vector<char> used(context.subject.sites.size(), 0);
+  for (const directed_edge& e : context.edges) used[e.a] = 1;
+  for (vertex_index v = 0; v < used.size(); ++v)
+    if (!used[v])
+      context.found(finding_kind::unused_vertex, vertex_text(context, v) + " is in no triangle");
+}
+
+}  // namespace
+
+void check_edges(audit_context& context) {
+  list_edges(context);
+  list_sides(context);
+  check_triangle_edges(context);
+  check_subsegments(context);
+  check_closed_curves(context);
+  check_used(context);
+}
+
+}  // namespace asterism::internal::audit_detail

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/star_filter.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace asterism::internal::audit_detail {
+namespace {
+
+vector2<bounded> offset_of(const site& v, const site& z) {
+  return {bounded(z.position.x) - bounded(v.position.x),
+          bounded(z.position.y) - bounded(v.position.y)};
+}
+
+vector2<bounded> quarter_turn(const vector2<bounded>& a) { return {-a.y, a.x}; }
+
+// The direction in which the lower bounds of both sides are about equal, in plain doubles: any
+// direction is a valid choice, a good one makes the filter strong. Between x and y the difference
+// of the bounds changes sign once; the secant through both ends is refined by bisection.
+vector2<double> balanced_direction(const gap_side& x, const gap_side& y,
+                                   const tensor<bounded>& metric) {
+  const auto difference = [&](double t) {
+    // Ends scaled to about unit length, so that t moves evenly.
+    const double x_scale = x.inverse_length.value(), y_scale = y.inverse_length.value();
+    const vector2<bounded> u = {
+        bounded((1 - t) * x.offset.x.value() * x_scale + t * y.offset.x.value() * y_scale),
+        bounded((1 - t) * x.offset.y.value() * x_scale + t * y.offset.y.value() * y_scale)};
+    const bounded length_squared = dot(u, metric * u);
+    return std::pair{u, x.bound(u, length_squared).value() - y.bound(u, length_squared).value()};
+  };
+  // Obtuse triangles have their Voronoi vertex beyond x or y.
+  double low = -1, high = 2;
+  for (int i = 0; i < 20; ++i) {
+    const double t = (low + high) / 2;
+    (difference(t).second > 0 ? low : high) = t;
+  }
+  const vector2<bounded> u = difference((low + high) / 2).first;
+  return {u.x.value(), u.y.value()};
+}
+
+}  // namespace
+
+gap_side::gap_side(const site& v, const site& z) : offset(offset_of(v, z)) {
+  const tensor<bounded> own = tensor_of_doubles(z.metric), metric = tensor_of_doubles(v.metric);
+  const vector2<bounded> dual = own * offset;
+  const bounded length_squared = dot(offset, dual);
+  v_covector = metric * offset;
+  v_length_squared = dot(offset, v_covector);
+  covector = {dual.x / length_squared, dual.y / length_squared};
+  inverse_length = bounded(1) / root(length_squared);
+  bend = greatest_bound((own.determinant() / length_squared).upper(),
+                        (metric.determinant() / v_length_squared).upper());
+}
+
+bounded gap_side::bound(const vector2<bounded>& u, const bounded& length_squared) const {
+  const bounded turned = cross(u, offset);
+  const bounded radicand = length_squared - bounded(bend) * turned * turned;
+  // Where the root is not certainly real the bound proves nothing.
+  const bounded rooted = radicand.certainly_positive()
+                             ? root(radicand)
+                             : bounded::within(0, std::numeric_limits<double>::infinity());
+  return dot(u, covector) + rooted * inverse_length;
+}
+
+star_gap_filter::star_gap_filter(const site& v, const site& x, const site& y)
+    : v_(v), x_(v, x), y_(v, y) {
+  const tensor<bounded> metric = tensor_of_doubles(v.metric);
+  const vector2<double> u = balanced_direction(x_, y_, metric);
+  middle_ = {bounded(u.x), bounded(u.y)};
+  middle_length_squared_ = dot(middle_, metric * middle_);
+  middle_bound_x_ = x_.bound(middle_, middle_length_squared_);
+  middle_bound_y_ = y_.bound(middle_, middle_length_squared_);
+  // A bound that is not positive says nothing of how far the ray goes.
+  usable_ = dot(middle_, x_.v_covector).certainly_positive() &&
+            dot(middle_, y_.v_covector).certainly_positive() &&
+            middle_bound_x_.certainly_positive() && middle_bound_y_.certainly_positive();
+}
+
+double star_gap_filter::reach() const {
+  if (!usable_) return std::numeric_limits<double>::infinity();
+  const bounded length = root(middle_length_squared_);
+  return greatest_bound(
+      greatest_bound((length / middle_bound_x_).upper(), (length / middle_bound_y_).upper()),
+      greatest_bound(root(x_.v_length_squared).upper(), root(y_.v_length_squared).upper()));
+}
+
+namespace {
+
+// s_w from above, as a convex function of the direction.
+struct upper_bound {
+  upper_bound(const site& v, const site& w) : offset(offset_of(v, w)) {
+    const tensor<bounded> own = tensor_of_doubles(w.metric), metric = tensor_of_doubles(v.metric);
+    v_covector = metric * offset;
+    v_length_squared = dot(offset, v_covector);
+    dual = own * offset;
+    inverse = bounded(1) / dot(offset, dual);
+    inverse_length = root(inverse);
+    determinant = metric.determinant();
+    bend = std::fmin(positive_bound((own.determinant() * inverse).lower()),
+                     positive_bound((determinant / v_length_squared).lower()));
+  }
+
+  bounded operator()(const vector2<bounded>& u, const bounded& u_length_squared) const {
+    const bounded turned = cross(u, offset);
+    return dot(u, dual) * inverse +
+           root(u_length_squared - bounded(bend) * turned * turned) * inverse_length;
+  }
+
+  vector2<bounded> offset, v_covector, dual;
+  bounded v_length_squared, inverse, inverse_length, determinant;
+  double bend = 0;
+};
+
+// Nothing of w is left between the middle direction and `end`, the one at a right angle to w on
+// the side of z: either z alone stands in the way all along, or from z's own ray on the triangle of
+// v, w and the point contains z. `turned` is the area of z and w, positive.
+bool closed_towards(const gap_side& z, const upper_bound& w, const vector2<bounded>& end,
+                    const bounded& turned) {
+  const bounded end_length_squared = w.determinant * w.v_length_squared;
+  const bounded at_end = w(end, end_length_squared);
+  if (certainly_less(at_end, z.bound(end, end_length_squared))) return true;
+  const bounded along = dot(z.v_covector, w.offset);
+  return along.certainly_positive() &&
+         certainly_less(at_end * turned, w.v_length_squared - along) &&
+         certainly_less(w(z.offset, z.v_length_squared), bounded(1));
+}
+
+}  // namespace
+
+bool star_gap_filter::excludes(const site& w) const {
+  if (!usable_) return false;
+  const upper_bound s(v_, w);
+  if (!dot(middle_, s.v_covector).certainly_positive()) return false;
+  const bounded at_middle = s(middle_, middle_length_squared_);
+  if (!certainly_less(at_middle, middle_bound_x_) || !certainly_less(at_middle, middle_bound_y_))
+    return false;
+  const vector2<bounded> left = quarter_turn(s.v_covector);
+  return closed_towards(x_, s, {-left.x, -left.y}, cross(x_.offset, s.offset)) &&
+         closed_towards(y_, s, left, cross(s.offset, y_.offset));
+}
+
+}  // namespace asterism::internal::audit_detail

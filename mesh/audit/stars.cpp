@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+//
+// Point 4: the triangles of the mesh around v are the star of v. Not built again but recognised: a
+// star is final when (a) each of its neighbours, taken out, would be accepted again, and (b) no
+// other site that v sees inside the domain would be. The two ends of an open fan are boundary
+// subsegments or internal ones, and stay.
+// Requires what points 0 to 2 prove: no site lies on an edge or inside a triangle, so that a site
+// on the ray of a neighbour is farther than it, and a site in a gap is beyond the gap's edge.
+// Source: the thesis, section 3.3 (INSERTIONTEST) and definition 9.
+//
+// Nearly every question is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
+// for a gap; what it does not know by the auditor's own filter of wider range, and then edge_test.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/kernels/star_gap.hpp"
+#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/subsegment_tree.hpp"
+#include "asterism/mesh/audit/site_tree.hpp"
+#include "asterism/mesh/audit/star_filter.hpp"
+
+namespace asterism::internal::audit_detail {
+namespace {
+
+site scaled(const site& s, int places, int metrics) {
+  const auto& [q, m] = s;
+  return {{std::scalbn(q.x, places), std::scalbn(q.y, places)},
+          {std::scalbn(m.m11, metrics), std::scalbn(m.m12, metrics), std::scalbn(m.m22, metrics)}};
+}
+
+// No question about stars changes its answer when all places are multiplied by one number and all
+// metrics by another. Very large and very small ones are brought to about unit size by powers of
+// two, where doubles can decide; if that is exact for every site. Empty otherwise.
+std::vector<site> in_unit_size(const std::vector<site>& sites) {
+  constexpr int ordinary = 64;
+  double reach = 0, steepest = 0;
+  for (const site& s : sites) {
+    reach = std::max({reach, std::abs(s.position.x), std::abs(s.position.y)});
+    steepest = std::max({steepest, s.metric.m11, s.metric.m22});
+  }
+  if (!(reach > 0 && steepest > 0)) return {};
+  const int places = -std::ilogb(reach), metrics = -std::ilogb(steepest);
+  if (std::abs(places) <= ordinary && std::abs(metrics) <= ordinary) return {};
+  std::vector<site> unit;
+  unit.reserve(sites.size());
+  for (const site& s : sites) {
+    unit.push_back(scaled(s, places, metrics));
+    if (!(scaled(unit.back(), -places, -metrics) == s)) return {};
+  }
+  return unit;
+}
+
+// What all parts of the check look things up in.
+struct star_surroundings {
+  explicit star_surroundings(const audit_context& context)
+      : unit(in_unit_size(context.subject.sites)),
+        at(unit.empty() ? context.subject.sites : unit),
+        sites(at),
+        subsegments(context) {}
+
+  std::vector<site> unit;
+  const std::vector<site>& at;
+  site_tree sites;
+  subsegment_tree subsegments;
+};
+
+// Does some boundary subsegment meet the open segment between v and w? Such a w is not seen from v: what
+// v sees is joined to it inside the domain.
+class visibility_test {
+ public:
+  visibility_test(const audit_context& context, const subsegment_tree& subsegments, const filtered_kernel& kernel)
+      : context_(context), subsegments_(subsegments), kernel_(kernel) {}
+
+  bool clear(vertex_index v, vertex_index w) const {
+    return subsegments_.visit(box_around(context_.at(v), context_.at(w)), [&](vertex_index subsegment) {
+      return !blocks(context_.subject.boundary[subsegment], v, w);
+    });
+  }
+
+ private:
+  sign turn(vertex_index a, vertex_index b, vertex_index c) const {
+    return kernel_.orientation(context_.at(a), context_.at(b), context_.at(c));
+  }
+
+  bool blocks(const boundary_edge& e, vertex_index v, vertex_index w) const {
+    const sign side_a = turn(v, w, e.a), side_b = turn(v, w, e.b);
+    if (side_a == sign::zero && inside_segment(e.a, v, w)) return true;
+    if (side_b == sign::zero && inside_segment(e.b, v, w)) return true;
+    if (side_a * side_b != sign::negative) return false;
+    return turn(e.a, e.b, v) * turn(e.a, e.b, w) == sign::negative;
+  }
+
+  // For q on the line of v and w.
+  bool inside_segment(vertex_index q, vertex_index v, vertex_index w) const {
+    return q != v && q != w && same_ray(context_.at(v), context_.at(q), context_.at(w)) &&
+           same_ray(context_.at(w), context_.at(q), context_.at(v));
+  }
+
+  const audit_context& context_;
+  const subsegment_tree& subsegments_;
+  const filtered_kernel& kernel_;
+};
+
+// One gap of a fan, from x counter-clockwise to y.
+struct fan_gap {
+  vertex_index x = 0, y = 0;
+  bool on_boundary = false;               // x -> y is a subsegment: nothing beyond it is seen
+  std::optional<star_gap> prepared;       // unless on the boundary
+  std::optional<star_gap_filter> filter;  // only where `prepared` knows no reach
+};
+
+// One fan of v's star, made ready to be asked about other sites.
+struct prepared_fan {
+  vertex_index v = 0;
+  const vertex_fan* fan = nullptr;
+  std::vector<vertex_index> neighbours;  // of all fans of v
+  std::vector<vector2<double>> rays;
+  std::vector<fan_gap> gaps;
+  double reach = 0;  // how far from v sites matter to one of the gaps
+};
+
+class star_check {
+ public:
+  star_check(const audit_context& context, audit_tally& tally, const star_surroundings& around)
+      : context_(context),
+        tally_(tally),
+        around_(around),
+        sight_(context, around.subsegments, tally.kernel) {}
+
+  // Of vertices near each other: the sites around are looked for once for all of them.
+  void run(const vertex_index* begin, const vertex_index* end) {
+    used_ = 0;
+    for (const vertex_index* v = begin; v != end; ++v)
+      for (const vertex_fan& fan : context_.fans[*v]) {
+        check_neighbours(*v, fan);
+        prepare(*v, fan);
+      }
+    reaching_.clear();
+    for (std::size_t i = 0; i < used_; ++i)
+      if (is_finite(prepared_[i].reach))
+        reaching_.push_back({at(prepared_[i].v), prepared_[i].reach});
+    const bool gathered = around_.sites.gather(reaching_, leaves_);
+    for (std::size_t i = 0; i < used_; ++i) {
+      const prepared_fan& p = prepared_[i];
+      const auto look = [&](vertex_index w) {
+        if (w != p.v && !is_neighbour(p, w)) check_other(p, w);
+      };
+      if (gathered && is_finite(p.reach))
+        around_.sites.visit_near(leaves_, at(p.v), p.reach, look);
+      else
+        around_.sites.visit_near(at(p.v), p.reach, look);
+    }
+  }
+
+ private:
+  const site& at(vertex_index v) const { return around_.at[v]; }
+  sign turn(vertex_index a, vertex_index b, vertex_index c) const {
+    return tally_.kernel.orientation(context_.at(a), context_.at(b), context_.at(c));
+  }
+
+  static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
+
+  static bool is_neighbour(const prepared_fan& p, vertex_index w) {
+    return std::find(p.neighbours.begin(), p.neighbours.end(), w) != p.neighbours.end();
+  }
+
+  // Each inner edge of a fan once, from its lesser end: what edge_test is asked about the other end
+  // is the same question, and x and y are next to v there.
+  void check_neighbours(vertex_index v, const vertex_fan& fan) {
+    const std::size_t n = fan.link.size();
+    const std::size_t skipped = fan.closed ? 0 : 1;
+    for (std::size_t i = skipped; i + skipped < n; ++i) {
+      const vertex_index w = fan.link[i], x = fan.link[(i + n - 1) % n], y = fan.link[(i + 1) % n];
+      if (w < v) continue;
+      const bool by_v = is_asked(v, w, x, y), by_w = is_asked(w, v, y, x);
+      if ((!by_v && !by_w) || tally_.kernel.edge_test(at(v), at(w), at(x), at(y))) continue;
+      if (by_v) report_rejected(v, w, x, y);
+      if (by_w) report_rejected(w, v, y, x);
+    }
+  }
+
+  // Not where x to y is a half turn or more, or w inside the triangle v, x, y.
+  bool is_asked(vertex_index v, vertex_index w, vertex_index x, vertex_index y) const {
+    return turn(v, x, y) == sign::positive && turn(x, y, w) != sign::positive;
+  }
+
+  void report_rejected(vertex_index v, vertex_index w, vertex_index x, vertex_index y) {
+    tally_.found(finding_kind::star_neighbour_rejected,
+                 "the star of " + vertex_text(context_, v) + " does not accept its neighbour " +
+                     vertex_text(context_, w) + " between " + vertex_text(context_, x) + " and " +
+                     vertex_text(context_, y));
+  }
+
+  void prepare(vertex_index v, const vertex_fan& fan) {
+    if (used_ == prepared_.size()) prepared_.emplace_back();
+    prepared_fan& p = prepared_[used_++];
+    p.v = v;
+    p.fan = &fan;
+    p.reach = 0;
+    p.neighbours.clear();
+    for (const vertex_fan& each : context_.fans[v])
+      p.neighbours.insert(p.neighbours.end(), each.link.begin(), each.link.end());
+    p.rays.clear();
+    for (const vertex_index r : fan.link) p.rays.push_back(to(v, r));
+    p.gaps.clear();
+    const std::size_t n = fan.link.size();
+    for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
+      fan_gap& gap = p.gaps.emplace_back();
+      gap.x = fan.link[i];
+      gap.y = fan.link[(i + 1) % n];
+      gap.on_boundary = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
+      if (!gap.on_boundary) p.reach = greatest_bound(p.reach, prepare(v, gap));
+    }
+  }
+
+  double prepare(vertex_index v, fan_gap& gap) const {
+    gap.prepared.emplace(at(v), at(gap.x), at(gap.y));
+    const double reach = greatest_bound(gap.prepared->reach_radius(), gap.prepared->longest());
+    if (reach < std::numeric_limits<double>::infinity()) return reach;
+    return gap.filter.emplace(at(v), at(gap.x), at(gap.y)).reach();
+  }
+
+  vector2<double> to(vertex_index v, vertex_index w) const {
+    return {context_.at(w).x - context_.at(v).x, context_.at(w).y - context_.at(v).y};
+  }
+
+  // Which side of the ray from v to link[i] is w on? The area is off by at most four roundings,
+  // 2^-50, of its magnitude; in the range asked for underflow takes less than the rest of 2^-49.
+  sign side(const prepared_fan& p, std::size_t i, const vector2<double>& to_w, vertex_index w) const {
+    const double left = p.rays[i].x * to_w.y, right = p.rays[i].y * to_w.x;
+    const double turned = left - right, size = std::abs(left) + std::abs(right);
+    if (std::abs(turned) > 0x1p-49 * size && size > 0x1p-900 && size < 0x1p1000)
+      return turned > 0 ? sign::positive : sign::negative;
+    return turn(p.v, p.fan->link[i], w);
+  }
+
+  // The gap strictly between whose rays w lies; none on a ray or outside an open fan.
+  const fan_gap* gap_of(const prepared_fan& p, vertex_index w) const {
+    const auto to_w = to(p.v, w);
+    const std::size_t n = p.rays.size();
+    sign before = side(p, 0, to_w, w);
+    for (std::size_t i = 0; i < p.gaps.size(); ++i) {
+      const sign after = side(p, (i + 1) % n, to_w, w);
+      if (before == sign::positive && after == sign::negative) return &p.gaps[i];
+      before = after;
+    }
+    return nullptr;
+  }
+
+  void check_other(const prepared_fan& p, vertex_index w) {
+    const fan_gap* gap = gap_of(p, w);
+    if (gap == nullptr || gap->on_boundary) return;
+    ++tally_.part.star_pairs;
+    if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
+    tally_.found(finding_kind::star_site_missing, "the star of " + vertex_text(context_, p.v) +
+                                                      " would accept " + vertex_text(context_, w) +
+                                                      " between " + vertex_text(context_, gap->x) +
+                                                      " and " + vertex_text(context_, gap->y));
+  }
+
+  bool is_accepted(vertex_index v, vertex_index w, const fan_gap& gap) {
+    const uncertain_bool by_v = gap.prepared->accepts(at(w));
+    if (by_v.certain()) return by_v.value();
+    // The question is the same to w, who often sees it more clearly.
+    const uncertain_bool by_w = star_gap(at(w), at(gap.y), at(gap.x)).accepts(at(v));
+    if (by_w.certain()) return by_w.value();
+    // Slower than both, and worth it: edge_test takes thirty times as long when it comes to
+    // intervals.
+    if (star_gap_filter(at(w), at(gap.y), at(gap.x)).excludes(at(v))) return false;
+    if ((gap.filter ? *gap.filter : star_gap_filter(at(v), at(gap.x), at(gap.y))).excludes(at(w)))
+      return false;
+    ++tally_.part.star_pairs_tested;
+    return tally_.kernel.edge_test(at(v), at(w), at(gap.x), at(gap.y));
+  }
+
+  const audit_context& context_;
+  audit_tally& tally_;
+  const star_surroundings& around_;
+  visibility_test sight_;
+  // Of the vertices at hand; members to spare allocations.
+  std::vector<prepared_fan> prepared_;  // the first used_
+  std::size_t used_ = 0;
+  std::vector<site_tree::reaching> reaching_;
+  std::vector<std::size_t> leaves_;
+};
+
+}  // namespace
+
+void check_stars(audit_context& context) {
+  context.report.stars_checked = true;
+  const star_surroundings around(context);
+  const std::vector<vertex_index>& order = around.sites.order();
+  const std::vector<std::size_t>& groups = around.sites.groups();
+  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    star_check part(context, tally, around);
+    for (std::size_t i = begin; i < end; ++i)
+      part.run(order.data() + groups[i], order.data() + groups[i + 1]);
+  };
+  constexpr std::size_t at_a_time = 128;
+  check_in_parallel(context, groups.size() - 1, check, at_a_time);
+}
+
+}  // namespace asterism::internal::audit_detail

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+//
+// Points 0 and 1: numbers, indices, repetitions, orientation.
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "asterism/mesh/audit/context.hpp"
+
+namespace asterism::internal::audit_detail {
+namespace {
+
+bool finite(const point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+bool finite(const metric_tensor& m) {
+  return std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
+}
+
+std::string metric_text(const audit_context& context, vertex_index v) {
+  const metric_tensor& m = context.subject.sites[v].metric;
+  return "metric tensor " + number_text(m.m11) + " " + number_text(m.m12) + " " +
+         number_text(m.m22) + " of " + vertex_text(context, v);
+}
+
+void check_sites(audit_context& context) {
+  const auto& sites = context.subject.sites;
+  context.placed.assign(sites.size(), 0);
+  context.measured.assign(sites.size(), 0);
+  for (vertex_index v = 0; v < sites.size(); ++v) {
+    const metric_tensor& m = sites[v].metric;
+    context.placed[v] = finite(sites[v].position);
+    if (!context.placed[v])
+      context.found(finding_kind::not_finite, vertex_text(context, v) + " is not finite");
+    if (!finite(m))
+      context.found(finding_kind::not_finite, "the " + metric_text(context, v) + " is not finite");
+    else if (!context.kernel.is_positive_definite(m))
+      context.found(finding_kind::metric_not_positive_definite,
+                    "the " + metric_text(context, v) + " is not positive definite");
+    else
+      context.measured[v] = context.placed[v];
+  }
+}
+
+void check_positions(audit_context& context) {
+  std::vector<vertex_index> order;
+  for (vertex_index v = 0; v < context.placed.size(); ++v)
+    if (context.placed[v]) order.push_back(v);
+  tbb::parallel_sort(order.begin(), order.end(), [&](vertex_index a, vertex_index b) {
+    if (lexicographically_less(context.at(a), context.at(b))) return true;
+    return context.at(a) == context.at(b) && a < b;
+  });
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (context.at(order[i - 1]) == context.at(order[i]))
+      context.found(finding_kind::repeated_position, vertex_text(context, order[i - 1]) + " and " +
+                                                         vertex_text(context, order[i]) +
+                                                         " are at the same point");
+}
+
+// True when every index is in range and no two are equal and all positions are finite.
+template <class Corners>
+bool usable(audit_context& context, const Corners& corners, const char* kind, std::size_t number) {
+  const auto what = [&] {
+    std::string text = kind;
+    text += ' ';
+    text += std::to_string(number + 1);
+    return text;
+  };
+  for (const vertex_index v : corners) {
+    if (v < context.subject.sites.size()) continue;
+    context.found(finding_kind::index_out_of_range,
+                  what() + " names vertex " + std::to_string(std::size_t{v} + 1) + " of " +
+                      std::to_string(context.subject.sites.size()));
+    return false;
+  }
+  Corners sorted = corners;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end()) {
+    context.found(finding_kind::repeated_corner,
+                  what() + " names " + vertex_text(context, *twice) + " twice");
+    return false;
+  }
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](vertex_index v) { return context.placed[v] != 0; });
+}
+
+void check_indices(audit_context& context) {
+  const mesh& m = context.subject;
+  for (vertex_index t = 0; t < m.triangles.size(); ++t)
+    if (usable(context, m.triangles[t], "triangle", t)) context.triangles.push_back(t);
+  for (vertex_index e = 0; e < m.boundary.size(); ++e)
+    if (usable(context, std::array{m.boundary[e].a, m.boundary[e].b}, "boundary edge", e))
+      context.subsegments.push_back(e);
+  if (m.given > m.sites.size())
+    context.found(finding_kind::index_out_of_range, std::to_string(m.given) +
+                                                        " vertices are said to be given, of " +
+                                                        std::to_string(m.sites.size()));
+}
+
+void check_repeated_triangles(audit_context& context) {
+  std::vector<std::pair<triangle, vertex_index>> sorted;
+  for (const vertex_index t : context.triangles) {
+    triangle corners = context.subject.triangles[t];
+    std::sort(corners.begin(), corners.end());
+    sorted.emplace_back(corners, t);
+  }
+  tbb::parallel_sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (sorted[i - 1].first == sorted[i].first)
+      context.found(finding_kind::repeated_triangle,
+                    triangle_text(context, sorted[i].second) + " has the vertices of triangle " +
+                        std::to_string(std::size_t{sorted[i - 1].second} + 1));
+}
+
+}  // namespace
+
+void check_values(audit_context& context) {
+  const mesh& m = context.subject;
+  if (m.triangles.empty()) context.found(finding_kind::empty_mesh, "the mesh has no triangle");
+  if (!m.disagreeing.empty())
+    context.found(finding_kind::disagreeing_triangles,
+                  "the mesh carries " + std::to_string(m.disagreeing.size()) +
+                      " triangles on which the stars disagree");
+  check_sites(context);
+  check_positions(context);
+  check_indices(context);
+  check_repeated_triangles(context);
+}
+
+void check_orientations(audit_context& context) {
+  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const vertex_index t = context.triangles[i];
+      const triangle& c = context.subject.triangles[t];
+      const sign turn =
+          tally.kernel.orientation(context.at(c[0]), context.at(c[1]), context.at(c[2]));
+      if (turn == sign::positive) continue;
+      tally.found(finding_kind::orientation,
+                  triangle_text(context, t) +
+                      (turn == sign::zero ? " is flat" : " is not counter-clockwise"));
+    }
+  };
+  check_in_parallel(context, context.triangles.size(), check);
+}
+
+}  // namespace asterism::internal::audit_detail

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+//
+// Voronoi vertices and arcs of a mesh enclosed in doubles with error bounds, and the question
+// whether a site is nearer to a point of an arc than the arc's owners. Certain or not at all: what
+// is left goes to mesh/audit/voronoi_exact.hpp.
+//
+// An arc is cut into spans. Over a span from p to q the arc is p + t (q - p) + h(t) n with
+// |h(t)| <= bulge t (1 - t) for a vector n across it, so f_w - f_v is at least a quadratic in t.
+// Source: docs/math/voronoi-certificate.md, section 4, with proofs.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "asterism/core/sign.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/audit/number.hpp"
+
+namespace asterism::internal::audit_detail {
+
+// A point as its displacement from a site.
+using offset = vector2<bounded>;
+
+// to - from
+offset between(const point& from, const point& to);
+
+// The point with f_a = f_b = f_c that lies in the wedges of all three pairs, as seen from a. Empty:
+// not found, which proves nothing.
+std::optional<offset> enclose_voronoi_vertex(const site& a, const site& b, const site& c);
+
+// The first point of the ray from v with f_v = f_u, where the direction is certainly within a right
+// angle of u, as v sees it: a point of the visible arc. Empty when not found.
+std::optional<offset> enclose_bisector_point(const site& v, const site& u, const offset& direction);
+
+class enclosed_arc {
+ public:
+  // The part of the visible arc of v, u from one of its points to another, counter-clockwise around
+  // v; displacements from v.
+  enclosed_arc(const site& v, const site& u, const offset& from, const offset& to);
+
+  // False: nothing is known of the arc.
+  bool usable() const { return !spans_.empty(); }
+  // No point of the arc is farther from v, as v sees it; infinite when not usable.
+  double reach() const { return reach_; }
+
+  // Is w nearer to a point of the arc than v? A tied end is known to be equally near.
+  uncertain_bool is_nearer(const site& w, bool tied_from, bool tied_to) const;
+
+ private:
+  // f_v - f_z as a quadratic in the displacement from v.
+  struct difference_of_distances {
+    difference_of_distances(const site& v, const site& z);
+    bounded at(const offset& r) const;
+    offset gradient(const offset& r) const;
+
+    tensor<bounded> form;
+    offset linear;
+    bounded constant;
+  };
+  friend std::optional<offset> enclose_voronoi_vertex(const site&, const site&, const site&);
+
+  struct span {
+    offset from, to;
+    vector2<double> across{};
+    double bulge = 0;
+  };
+
+  std::optional<span> make_span(const offset& from, const offset& to) const;
+  std::optional<offset> middle(const offset& from, const offset& to) const;
+  bool add_spans(const offset& from, const offset& to, int depth);
+  void extend_reach(const span& s);
+  uncertain_bool is_nearer(const difference_of_distances& w, const span& s, bool tied_from,
+                           bool tied_to, int depth) const;
+
+  site v_, u_;
+  difference_of_distances bisector_;
+  std::vector<span> spans_;
+  double reach_ = 0;
+};
+
+}  // namespace asterism::internal::audit_detail

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/voronoi_exact.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "asterism/kernels/exact_to_interval.hpp"
+#include "asterism/kernels/turn_scale.hpp"
+#include "asterism/predicates/in_circle.hpp"
+
+namespace asterism::internal::audit_detail {
+namespace {
+
+using exact_site = basic_site<dyadic>;
+
+// (p - i)^T M_i (j - i) about `origin`: positive where i sees p within a right angle of j.
+plane_quadratic<dyadic> wedge_side(const basic_point<dyadic>& origin, const exact_site& i,
+                                   const exact_site& j) {
+  const auto covector = apply(i.metric, between(i.position, j.position));
+  return {{dyadic(0), dyadic(0), dyadic(0)}, covector, dot(covector, between(i.position, origin))};
+}
+
+// The number, as far as doubles hold it.
+bounded around(const dyadic& low, const dyadic& high) {
+  const interval below = enclose(low), above = enclose(high);
+  const double middle = 0.5 * below.inf() + 0.5 * above.sup();
+  const bounded width = bounded(above.sup()) - bounded(below.inf());
+  if (!(width.upper() < std::numeric_limits<double>::infinity()))
+    return bounded::within(0, std::numeric_limits<double>::infinity());
+  return bounded::within(middle, width.upper());
+}
+
+}  // namespace
+
+exact_voronoi_arc::exact_voronoi_arc(const site& v, const site& u)
+    : v_(v),
+      u_(u),
+      on_(convert<dyadic>(v), convert<dyadic>(u), dyadic(1).scaled(turn_scale_exponent(v.metric))) {
+}
+
+std::optional<exact_voronoi_arc::parameter> exact_voronoi_arc::vertex(const site& third) const {
+  const exact_site x = convert<dyadic>(third);
+  const auto equidistance = on_.restrict(distance_difference(on_.v, x));
+  const auto& origin = on_.v.position;
+  const std::array sides = {
+      on_.restrict(wedge_side(origin, on_.v, x)), on_.restrict(wedge_side(origin, x, on_.v)),
+      on_.restrict(wedge_side(origin, on_.w, x)), on_.restrict(wedge_side(origin, x, on_.w))};
+  exact::root_line line;
+  exact::add_zeros(line, on_, equidistance, 0);
+  for (exact::cut& c : line.cuts()) {
+    if (!exact::is_on_arc(on_, c.root)) continue;
+    if (exact::sign_at(on_, equidistance, c.root) != sign::zero) continue;
+    bool wedged = true;
+    for (const auto& side : sides)
+      wedged = wedged && exact::sign_at(on_, side, c.root) == sign::positive;
+    if (wedged) return c.root;
+  }
+  return std::nullopt;
+}
+
+exact_voronoi_arc::parameter exact_voronoi_arc::on_segment() {
+  const exact::dense_polynomial itself(std::vector<dyadic>{dyadic(0), dyadic(1)});
+  return {itself, dyadic(0), dyadic(0), sign::positive};
+}
+
+bool exact_voronoi_arc::is_nearer(const site& w, parameter from, parameter to) const {
+  const auto difference = on_.restrict(distance_difference(on_.v, convert<dyadic>(w)));
+  exact::root_line line;
+  line.add(from.defining(), 0);
+  line.add(to.defining(), 0);
+  exact::add_zeros(line, on_, difference, 1);
+  const std::vector<dyadic> samples = line.samples();
+  for (std::size_t k = 1; k < line.cuts().size(); ++k) {
+    const bool between = compare(from, line.cuts()[k - 1].root) != sign::positive &&
+                         compare(to, line.cuts()[k].root) != sign::negative;
+    if (between && exact::sign_at(on_, difference, samples[k]) == sign::positive) return true;
+  }
+  return false;
+}
+
+offset exact_voronoi_arc::enclose(parameter at) const {
+  constexpr int most_halvings = 512, halvings_a_turn = 128;
+  const double turn = std::ldexp(1.0, turn_scale_exponent(v_.metric));
+  const offset to_u = audit_detail::between(v_.position, u_.position),
+               covector = tensor_of_doubles(v_.metric) * to_u,
+               across{bounded(turn) * -covector.y, bounded(turn) * covector.x};
+  for (int halvings = 1; halvings <= most_halvings; ++halvings) {
+    at.refine();
+    if (halvings % halvings_a_turn == 0 || at.is_dyadic()) {
+      const bounded m = around(at.low(), at.high());
+      const offset direction{to_u.x + m * across.x, to_u.y + m * across.y};
+      if (const auto found = enclose_bisector_point(v_, u_, direction)) return *found;
+      if (at.is_dyadic()) break;
+    }
+  }
+  const bounded unknown = bounded::within(0, std::numeric_limits<double>::infinity());
+  return {unknown, unknown};
+}
+
+sign excess_at_centre(const metric_tensor& metric, const point& a, const point& b, const point& c,
+                      const point& d) {
+  const auto exact = [](const point& p) { return convert<dyadic>(p); };
+  const basic_metric_tensor<dyadic> m{dyadic(metric.m11), dyadic(metric.m12), dyadic(metric.m22)};
+  return -in_circle(m, exact(a), exact(b), exact(c), exact(d)).value();
+}
+
+}  // namespace asterism::internal::audit_detail

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// The result of meshing, as plain data: what io/ writes, draw/ paints and the auditor certifies.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/domain.hpp"
+
+namespace asterism {
+
+// A subsegment of a split segment; the domain lies to the left of a -> b, and on the right too when the
+// segment is internal.
+struct boundary_edge {
+  vertex_index a = 0, b = 0;
+  vertex_index segment = 0;  // index into domain::segments of the segment it is a subsegment of
+  int marker = 0;
+  bool internal = false;
+};
+
+using triangle = std::array<vertex_index, 3>;   // counter-clockwise
+using triangle_sites = std::array<site, 3>;  // the sites of one
+
+// Every index refers to `sites`. `sites[0 .. given)` are the domain's vertices in their order,
+// bit for bit. `triangles` holds only what is certain: triangles on which all three stars agree.
+struct mesh {
+  std::vector<site> sites;
+  vertex_index given = 0;
+  std::vector<triangle> triangles;
+  // Of each triangle; empty: all are in region 1. 0 is also the number of a triangle which no
+  // others join to a segment, in a mesh with gaps.
+  std::vector<int> regions;
+  // Each subsegment once, internal ones in the direction of their segment.
+  std::vector<boundary_edge> boundary;
+  std::vector<triangle> disagreeing;  // empty when refinement was complete
+};
+
+}  // namespace asterism

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/domain/built_in_domains.hpp"
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "asterism/mesh/domain/point_in_domain.hpp"
+
+namespace asterism {
+using namespace internal;
+
+namespace {
+
+// Half the thickness of a NACA 0012 section at x in [0,1], x the square of `root`.
+double half_thickness(double root) {
+  const double x = root * root;
+  const double series = 0.2969 * root + x * (-0.1260 + x * (-0.3516 + x * (0.2843 + x * -0.1036)));
+  return 5 * 0.12 * series;
+}
+
+// Appends the ring through the vertices from `first` to the last one.
+void close_ring(domain& d, std::size_t first, int marker) {
+  const std::size_t end = d.vertices.size();
+  for (std::size_t i = first; i < end; ++i)
+    d.segments.push_back(
+        {static_cast<vertex_index>(i), static_cast<vertex_index>(i + 1 < end ? i + 1 : first), marker});
+}
+
+// splitmix64 (Steele, Lea and Flood 2014): written out, so that it is the same everywhere.
+class random_numbers {
+ public:
+  explicit random_numbers(std::uint64_t seed) : state_(seed) {}
+
+  // Uniform on the multiples of 2^-53 in [0,1).
+  double next() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+bounding_box shrunk(const bounding_box& box) {
+  // Fractions of the corners rather than of the extent, which may overflow.
+  return {{0.95 * box.low.x + 0.05 * box.high.x, 0.95 * box.low.y + 0.05 * box.high.y},
+          {0.05 * box.low.x + 0.95 * box.high.x, 0.05 * box.low.y + 0.95 * box.high.y}};
+}
+
+}  // namespace
+
+domain square() {
+  domain d;
+  d.name = "square";
+  d.vertices = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  d.segments = {{0, 1, 1}, {1, 2, 2}, {2, 3, 3}, {3, 0, 4}};
+  return d;
+}
+
+result<domain> airfoil(const airfoil_options& options) {
+  const std::size_t n = options.points_per_side;
+  const bounding_box& box = options.box;
+  if (n < 2 || n > 1000000)
+    return error{"airfoil: " + std::to_string(n) + " intervals a side; 2 to 1000000 are possible"};
+  const bool surrounds = box.low.x < 0 && box.low.y < -0.06 && box.high.x > 1 && box.high.y > 0.06;
+  if (!surrounds || !std::isfinite(box.low.x) || !std::isfinite(box.low.y) ||
+      !std::isfinite(box.high.x) || !std::isfinite(box.high.y))
+    return error{"airfoil: the box must contain [0,1] x [-0.06,0.06] and be finite"};
+
+  domain d;
+  d.name = "airfoil";
+  d.vertices = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+  close_ring(d, 0, 1);
+  // Along the lower side from the trailing to the leading edge, back along the upper one. The root
+  // of x is a cubic of the parameter that makes points denser at both edges; unlike the customary
+  // cosine it needs no function of the C library, whose last bit may differ between machines.
+  const auto root_at = [n](std::size_t i) {
+    const double t = static_cast<double>(i) / static_cast<double>(n);
+    return t * (1.5 - 0.5 * t * t);
+  };
+  d.vertices.push_back({1, 0});
+  for (std::size_t i = n - 1; i > 0; --i)
+    d.vertices.push_back({root_at(i) * root_at(i), -half_thickness(root_at(i))});
+  d.vertices.push_back({0, 0});
+  for (std::size_t i = 1; i < n; ++i)
+    d.vertices.push_back({root_at(i) * root_at(i), half_thickness(root_at(i))});
+  close_ring(d, 4, 2);
+  d.holes = {{0.5, 0}};
+  return d;
+}
+
+result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed) {
+  constexpr std::size_t draws_per_point = 1000;
+  const auto less = [](const point& a, const point& b) { return lexicographically_less(a, b); };
+  std::set<point, decltype(less)> taken(d.vertices.begin(), d.vertices.end(), less);
+  const bounding_box box = shrunk(d.box());
+  random_numbers random(seed);
+  for (std::size_t added = 0; added < count; ++added) {
+    std::size_t draws = 0;
+    for (bool accepted = false; !accepted; ++draws) {
+      if (draws == draws_per_point)
+        return error{"random points: " + std::to_string(added) + " of " + std::to_string(count) +
+                     " found; " + std::to_string(draws) + " draws in a row missed the inside of " +
+                     d.name};
+      const double u = random.next(), v = random.next();
+      const point q{(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y};
+      accepted = contains(d, q) && taken.insert(q).second;
+      if (accepted) d.vertices.push_back(q);
+    }
+  }
+  return d;
+}
+
+}  // namespace asterism

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/domain/check_domain.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "asterism/mesh/domain/ring_closure.hpp"
+#include "asterism/mesh/domain/face_map.hpp"
+#include "asterism/mesh/domain/planar_graph.hpp"
+#include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/domain/regions.hpp"
+#include "asterism/mesh/domain/repair_tally.hpp"
+
+namespace asterism {
+using namespace internal;
+
+namespace {
+
+using failure = std::optional<error>;
+
+bool is_finite(const point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+failure check_values(const domain& d) {
+  const domain_names names(d);
+  if (d.vertices.size() > std::numeric_limits<vertex_index>::max() / 4)
+    return error{names.at_start() + "more vertices than 32-bit numbers can name"};
+  for (std::size_t v = 0; v < d.vertices.size(); ++v)
+    if (!is_finite(d.vertices[v]))
+      return error{names.at_vertex(v) + names.vertex(v) + " is not finite"};
+  for (std::size_t s = 0; s < d.segments.size(); ++s)
+    if (d.segments[s].a >= d.vertices.size() || d.segments[s].b >= d.vertices.size())
+      return error{names.at_segment(s) + names.segment(s) + " uses a vertex that does not exist"};
+  for (std::size_t h = 0; h < d.holes.size(); ++h)
+    if (!is_finite(d.holes[h])) return error{names.at_hole(h) + names.hole(h) + " is not finite"};
+  for (std::size_t r = 0; r < d.regions.size(); ++r)
+    if (!is_finite(d.regions[r].at))
+      return error{names.at_region(r) + names.region(r) + " is not finite"};
+  if (d.segments.empty())
+    return error{names.at_start() + "the domain is empty: it has no segments"};
+  return {};
+}
+
+// The edges of the boundary, turned so that the domain is on their left, and the internal ones; the
+// others are counted.
+std::vector<segment> kept_edges(const domain& d, const plane_graph& graph, const face_map& faces,
+                                const domain_parts& parts, domain_repairs& repairs) {
+  const domain_names names(d);
+  repair_tally outer(repairs.outer_subsegments);
+  std::vector<segment> kept;
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    const graph_edge& e = graph.edges[i];
+    std::size_t left = faces.left_of(2 * i), right = faces.left_of(2 * i + 1);
+    if (parts.removed[left] && parts.removed[right]) {
+      outer.add([&] { return names.at_segment(e.source); },
+                [&] { return names.segment(e.source); });
+      continue;
+    }
+    segment s{e.a, e.b, e.marker};
+    if (parts.removed[left]) {
+      std::swap(s.a, s.b);
+      std::swap(left, right);
+    }
+    s.internal = !parts.removed[right];
+    s.left_region = parts.region[left];
+    if (s.internal) s.right_region = parts.region[right];
+    kept.push_back(s);
+  }
+  outer.report("segments outside of the domain dropped", repairs.messages);
+  return kept;
+}
+
+// Vertices of the segments, and loose ones inside, in their order; the rest is counted.
+std::vector<bool> kept_vertices(const domain& d, const plane_graph& graph, const face_map& faces,
+                                const std::vector<bool>& removed,
+                                const std::vector<segment>& segments, domain_repairs& repairs) {
+  const domain_names names(d);
+  std::vector<bool> kept(d.vertices.size(), false), on_segment(d.vertices.size(), false);
+  for (const graph_edge& e : graph.edges) on_segment[e.a] = on_segment[e.b] = true;
+  for (const segment& s : segments) kept[s.a] = kept[s.b] = true;
+  repair_tally dropped(repairs.dropped_vertices);
+  for (std::size_t v = 0; v < kept.size(); ++v) {
+    if (kept[v] || graph.first_alike[v] != v) continue;
+    kept[v] = !on_segment[v] && !removed[faces.face_around(d.vertices[v])];
+    if (!kept[v]) dropped.add([&] { return names.at_vertex(v); }, [&] { return names.vertex(v); });
+  }
+  dropped.report("vertices outside of the domain dropped", repairs.messages);
+  return kept;
+}
+
+std::vector<region_point> without_limits(const domain& d, domain_repairs& repairs) {
+  const domain_names names(d);
+  repair_tally dropped(repairs.dropped_area_limits);
+  std::vector<region_point> regions = d.regions;
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    if (std::exchange(regions[r].largest_area, 0) != 0)
+      dropped.add([&] { return names.at_region(r); }, [&] { return names.region(r); });
+  dropped.report("limits on areas of triangles dropped", repairs.messages);
+  return regions;
+}
+
+domain assemble(const domain& d, const std::vector<bool>& kept,
+                const std::vector<segment>& segments) {
+  domain accepted;
+  accepted.name = d.name;
+  accepted.number_all_regions = d.number_all_regions;
+  std::vector<vertex_index> renumbered(d.vertices.size(), 0);
+  for (std::size_t v = 0; v < kept.size(); ++v) {
+    if (!kept[v]) continue;
+    renumbered[v] = static_cast<vertex_index>(accepted.vertices.size());
+    accepted.vertices.push_back(d.vertices[v]);
+  }
+  std::vector<graph_edge> edges;
+  for (segment s : segments) {
+    s.a = renumbered[s.a];
+    s.b = renumbered[s.b];
+    accepted.segments.push_back(s);
+    edges.push_back({s.a, s.b, edges.size(), s.marker});
+  }
+  // A hole that shared a segment with the outside is a part of it now, and needs no point.
+  const face_map faces(accepted.vertices, edges);
+  for (const point& hole : d.holes)
+    if (faces.face_around(hole) != face_map::outside) accepted.holes.push_back(hole);
+  return accepted;
+}
+
+}  // namespace
+
+result<domain> check_domain(const domain& input, domain_repairs* repairs) {
+  domain_repairs unasked;
+  domain_repairs& report = repairs != nullptr ? *repairs : unasked;
+  report = {};
+  if (auto failed = check_values(input)) return std::move(*failed);
+  const auto graph = build_plane_graph(input, report);
+  if (!graph.ok()) return graph.failure();
+  const face_map faces(input.vertices, graph.value().edges);
+  // First what is open towards the outside, or a hole or region point in it would be blamed.
+  std::vector<bool> outside(2 * graph.value().edges.size() + 1, false);
+  outside[face_map::outside] = true;
+  if (auto failed = check_closed(input, graph.value(), faces, outside)) return std::move(*failed);
+  const auto parts = find_parts(input, graph.value(), faces);
+  if (!parts.ok()) return parts.failure();
+  const std::vector<bool>& removed = parts.value().removed;
+  if (auto failed = check_closed(input, graph.value(), faces, removed)) return std::move(*failed);
+  const auto segments = kept_edges(input, graph.value(), faces, parts.value(), report);
+  if (segments.empty())
+    return error{
+        domain_names(input).at_start() + "the domain is empty: " +
+        (input.holes.empty() ? "its segments enclose nothing" : "the holes leave nothing of it")};
+  const auto kept = kept_vertices(input, graph.value(), faces, removed, segments, report);
+  domain accepted = assemble(input, kept, segments);
+  accepted.regions = without_limits(input, report);
+  return accepted;
+}
+
+}  // namespace asterism

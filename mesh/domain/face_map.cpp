@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/domain/face_map.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "asterism/core/sign.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+
+namespace asterism::internal {
+
+namespace {
+
+std::size_t twin(std::size_t half_edge) { return half_edge ^ 1; }
+
+// Sets of small integers that only ever grow together.
+class joined_sets {
+ public:
+  explicit joined_sets(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  // The lesser name survives.
+  void join(std::size_t i, std::size_t j) {
+    const auto [low, high] = std::minmax({find(i), find(j)});
+    parent_[high] = low;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+}  // namespace
+
+face_map::face_map(const std::vector<point>& vertices, const std::vector<graph_edge>& edges)
+    : vertices_(vertices), edges_(edges) {
+  sort_around_vertices();
+  walk_faces();
+  join_walks();
+}
+
+vertex_index face_map::origin(std::size_t half_edge) const {
+  const graph_edge& e = edges_[half_edge / 2];
+  return half_edge % 2 == 0 ? e.a : e.b;
+}
+
+// Directions are ordered from straight down, excluded, once around: first those to the right or
+// straight up, which are the lexicographically greater ends.
+void face_map::sort_around_vertices() {
+  const filtered_kernel kernel;
+  around_.resize(vertices_.size());
+  position_.resize(2 * edges_.size());
+  for (std::size_t h = 0; h < 2 * edges_.size(); ++h) around_[origin(h)].push_back(h);
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    const point& p = vertices_[v];
+    std::sort(around_[v].begin(), around_[v].end(), [&](std::size_t g, std::size_t h) {
+      const point &a = vertices_[origin(twin(g))], &b = vertices_[origin(twin(h))];
+      const bool a_right = lexicographically_less(p, a), b_right = lexicographically_less(p, b);
+      if (a_right != b_right) return a_right;
+      return kernel.orientation(p, a, b) == sign::positive;
+    });
+    for (std::size_t i = 0; i < around_[v].size(); ++i) position_[around_[v][i]] = i;
+  }
+}
+
+// Walks are numbered from 1; 0 is kept for the outside.
+void face_map::walk_faces() {
+  constexpr std::size_t none = 0;
+  face_of_.assign(2 * edges_.size(), none);
+  std::size_t walks = 0;
+  for (std::size_t start = 0; start < face_of_.size(); ++start) {
+    if (face_of_[start] != none) continue;
+    ++walks;
+    // The leftmost turn at the end of h is the half-edge clockwise from the way back.
+    for (std::size_t h = start; face_of_[h] == none;) {
+      face_of_[h] = walks;
+      const auto& out = around_[origin(twin(h))];
+      const std::size_t back = position_[twin(h)];
+      h = out[(back + out.size() - 1) % out.size()];
+    }
+  }
+}
+
+void face_map::join_walks() {
+  joined_sets parts(vertices_.size());
+  for (const graph_edge& e : edges_) parts.join(e.a, e.b);
+  std::vector<std::size_t> lowest(vertices_.size(), vertices_.size());
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    std::size_t& low = lowest[parts.find(v)];
+    const bool lower =
+        low == vertices_.size() || lexicographically_less(vertices_[v], vertices_[low]);
+    if (!around_[v].empty() && lower) low = v;
+  }
+  std::size_t walks = 0;
+  for (const std::size_t walk : face_of_) walks = std::max(walks, walk);
+  joined_sets faces(walks + 1);
+  for (const std::size_t v : lowest) {
+    if (v == vertices_.size()) continue;
+    // All edges at v leave to the right or straight up: the wedge past the last one is outer.
+    const std::size_t outer_walk = face_of_[around_[v].back()];
+    const std::size_t below = half_edge_below(vertices_[v]);
+    faces.join(outer_walk, below == no_half_edge ? outside : face_of_[below]);
+  }
+  for (std::size_t& face : face_of_) face = faces.find(face);
+}
+
+// The ray runs down from q, moved to the left by an infinitesimal: it meets no vertex, and edges
+// that meet at q's place above or beside it do not count.
+std::size_t face_map::half_edge_below(const point& q) const {
+  const filtered_kernel kernel;
+  std::size_t best = no_half_edge;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const point &a = vertices_[edges_[e].a], &b = vertices_[edges_[e].b];
+    if (std::min(a.y, b.y) > q.y || (a.x < q.x) == (b.x < q.x)) continue;
+    const std::size_t h = a.x < b.x ? 2 * e : 2 * e + 1;
+    const point &left = vertices_[origin(h)], &right = vertices_[origin(twin(h))];
+    if (kernel.orientation(left, right, q) != sign::positive) continue;
+    if (best == no_half_edge || is_above(h, best)) best = h;
+  }
+  return best;
+}
+
+// Both run to the right, do not cross, and have an interval of x in common.
+bool face_map::is_above(std::size_t g, std::size_t h) const {
+  const filtered_kernel kernel;
+  const point &a = vertices_[origin(g)], &b = vertices_[origin(twin(g))];
+  const point &c = vertices_[origin(h)], &d = vertices_[origin(twin(h))];
+  sign above = a.x >= c.x ? kernel.orientation(c, d, a) : -kernel.orientation(a, b, c);
+  // A common left end, or one edge starting on the other one's: then the right ends tell.
+  if (above == sign::zero)
+    above = b.x <= d.x ? kernel.orientation(c, d, b) : -kernel.orientation(a, b, d);
+  return above == sign::positive;
+}
+
+std::size_t face_map::face_around(const point& q) const {
+  const std::size_t below = half_edge_below(q);
+  return below == no_half_edge ? outside : face_of_[below];
+}
+
+std::size_t face_map::edge_through(const point& q) const {
+  const filtered_kernel kernel;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const point &a = vertices_[edges_[e].a], &b = vertices_[edges_[e].b];
+    const bool in_box = std::min(a.x, b.x) <= q.x && q.x <= std::max(a.x, b.x) &&
+                        std::min(a.y, b.y) <= q.y && q.y <= std::max(a.y, b.y);
+    if (in_box && kernel.orientation(a, b, q) == sign::zero) return e;
+  }
+  return edges_.size();
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// From the segments of a domain, which may overlap, repeat and touch, to a plane graph whose edges
+// meet only at vertices. Works inside check_domain.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+
+namespace asterism::internal {
+
+// `a` and `b` as on the first segment that covers the edge: `source`, an index into the domain's.
+struct graph_edge {
+  vertex_index a = 0, b = 0;
+  std::size_t source = 0;
+  int marker = 0;           // the first of the covering segments' that is not 0
+  std::size_t covered = 1;  // by how many segments
+};
+
+struct plane_graph {
+  // For each vertex of the domain the first one with the same coordinates. Edges use only these.
+  std::vector<vertex_index> first_alike;
+  std::vector<graph_edge> edges;
+};
+
+// All coordinates finite, all indices in range. Counts and messages go to `repairs`. Fails where
+// two segments cross in a point inside both.
+result<plane_graph> build_plane_graph(const domain& d, domain_repairs& repairs);
+
+}  // namespace asterism::internal

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/domain/regions.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "asterism/mesh/domain/message_names.hpp"
+
+namespace asterism::internal {
+
+namespace {
+
+using failure = std::optional<error>;
+
+// The face around q. `place` and `name` are what messages call it.
+result<std::size_t> bounded_face(const domain& d, const plane_graph& graph, const face_map& faces,
+                                 const point& q, const std::string& place,
+                                 const std::string& name) {
+  const domain_names names(d);
+  const std::size_t edge = faces.edge_through(q);
+  if (edge < graph.edges.size()) {
+    const std::size_t s = graph.edges[edge].source;
+    return error{place + name + " lies on " + names.segment(s) + names.line_of_segment(s)};
+  }
+  const std::size_t face = faces.face_around(q);
+  if (face == face_map::outside) return error{place + name + " lies outside of the domain"};
+  return face;
+}
+
+failure remove_holes(const domain& d, const plane_graph& graph, const face_map& faces,
+                     domain_parts& parts) {
+  const domain_names names(d);
+  for (std::size_t h = 0; h < d.holes.size(); ++h) {
+    const auto face = bounded_face(d, graph, faces, d.holes[h], names.at_hole(h), names.hole(h));
+    if (!face) return face.failure();
+    parts.removed[face.value()] = true;
+  }
+  return {};
+}
+
+// From each face with a region point to the first of them.
+using named_faces = std::map<std::size_t, std::size_t>;
+
+failure name_faces(const domain& d, const plane_graph& graph, const face_map& faces,
+                   const domain_parts& parts, named_faces& named) {
+  const domain_names names(d);
+  for (std::size_t r = 0; r < d.regions.size(); ++r) {
+    const auto face =
+        bounded_face(d, graph, faces, d.regions[r].at, names.at_region(r), names.region(r));
+    if (!face) return face.failure();
+    if (parts.removed[face.value()])
+      return error{names.at_region(r) + names.region(r) + " lies in a hole"};
+    const auto [first, is_new] = named.try_emplace(face.value(), r);
+    if (!is_new && d.regions[first->second].number != d.regions[r].number)
+      return error{names.at_region(r) + names.region(r) + " and " + names.region(first->second) +
+                   " give different numbers to one region"};
+  }
+  return {};
+}
+
+// The faces without a region point, in the order of the edges, by the least numbers still free.
+void number_the_rest(const domain& d, const plane_graph& graph, const face_map& faces,
+                     const named_faces& named, domain_parts& parts) {
+  std::set<int> taken;
+  for (const region_point& r : d.regions) taken.insert(r.number);
+  std::vector<bool> done(parts.region.size(), false);
+  for (const auto& face : named) done[face.first] = true;
+  int next = 1;
+  for (std::size_t h = 0; h < 2 * graph.edges.size(); ++h) {
+    const std::size_t face = faces.left_of(h);
+    if (parts.removed[face] || done[face]) continue;
+    while (taken.contains(next)) ++next;
+    parts.region[face] = next++;
+    done[face] = true;
+  }
+}
+
+}  // namespace
+
+result<domain_parts> find_parts(const domain& d, const plane_graph& graph, const face_map& faces) {
+  const std::size_t count = 2 * graph.edges.size() + 1;  // one walk a half-edge at most
+  domain_parts parts{std::vector<bool>(count, false), std::vector<int>(count, 1)};
+  parts.removed[face_map::outside] = true;
+  if (auto failed = remove_holes(d, graph, faces, parts)) return std::move(*failed);
+  if (d.regions.empty() && !d.number_all_regions) return parts;
+  named_faces named;
+  if (auto failed = name_faces(d, graph, faces, parts, named)) return std::move(*failed);
+  std::fill(parts.region.begin(), parts.region.end(), 0);
+  for (const auto& [face, r] : named) parts.region[face] = d.regions[r].number;
+  if (d.number_all_regions) number_the_rest(d, graph, faces, named, parts);
+  return parts;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// Are the rings of a domain closed? Works inside check_domain.
+//
+// A chain of segments that ends alone is no ring. Inside the domain it is an internal segment; in a
+// face that is removed it can only be a ring that was meant to be closed, whose hole has run out
+// or whose inside is outside. It is refused by both its ends: where it ends alone, and where it
+// ends alone too or joins other segments.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/domain/face_map.hpp"
+#include "asterism/mesh/domain/planar_graph.hpp"
+
+namespace asterism::internal {
+
+// `faces` are those of `graph`, whose edges came from `d`; `removed`, by face.
+std::optional<error> check_closed(const domain& d, const plane_graph& graph, const face_map& faces,
+                                  const std::vector<bool>& removed);
+
+}  // namespace asterism::internal

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+//
+// Certificates as JSON. nlohmann's library reports by exceptions; none leaves this file.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/io/file_output.hpp"
+
+namespace asterism {
+using namespace internal;
+namespace {
+
+using json = nlohmann::ordered_json;  // keys in the order written: the text is deterministic
+
+constexpr std::string_view format_name = "asterism certificate 1";
+
+constexpr double no_angle_to_judge = 180;
+
+// In the order of relaxation_kind.
+constexpr std::array<std::string_view, 4> relaxation_kind_names = {"softened", "graded", "constant",
+                                                                   "without demands"};
+
+// Thrown by the readers below, inside parse_certificate alone.
+struct malformed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::vector<std::size_t> from_one(const std::vector<vertex_index>& numbers) {
+  std::vector<std::size_t> result;
+  result.reserve(numbers.size());
+  for (const vertex_index i : numbers) result.push_back(std::size_t{i} + 1);
+  return result;
+}
+
+json counters_json(const tier_counters& counters) {
+  json result = json::object();
+  for (std::size_t p = 0; p < predicate_count; ++p) {
+    json tiers = json::object();
+    for (std::size_t t = 0; t < tier_count; ++t)
+      tiers[std::string(tier_names[t])] = counters.decided[p][t];
+    result[std::string(predicate_names[p])] = std::move(tiers);
+  }
+  return result;
+}
+
+json points_json(const std::vector<point>& points) {
+  json result = json::array();
+  for (const point& p : points) result.push_back({p.x, p.y});
+  return result;
+}
+
+// Three numbers; six where there is something to say of sides and regions.
+json segment_json(const segment& s) {
+  json written = {std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker};
+  if (s.internal || s.left_region != 1 || s.right_region != 1)
+    for (const int more : {s.internal ? 1 : 0, s.left_region, s.right_region})
+      written.push_back(more);
+  return written;
+}
+
+json domain_json(const domain& d) {
+  json segments = json::array();
+  for (const segment& s : d.segments) segments.push_back(segment_json(s));
+  return {{"name", d.name},
+          {"vertices", points_json(d.vertices)},
+          {"segments", std::move(segments)},
+          {"holes", points_json(d.holes)}};
+}
+
+std::string hexadecimal(std::uint64_t value) {
+  std::array<char, 16> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  const std::string text(digits.data(), end.ptr);
+  return std::string(16 - text.size(), '0') + text;
+}
+
+json mesh_json(const certificate& c) {
+  return {{"vertices", c.sites},
+          {"given", c.given},
+          {"triangles", c.triangles},
+          {"boundary_edges", c.boundary_subsegments},
+          {"fingerprint", hexadecimal(c.fingerprint)}};
+}
+
+json measured_json(const certificate& c) {
+  json result = json::object();
+  for (const auto& [name, value] : c.measured)
+    if (std::isfinite(value)) result[name] = value;
+  return result;
+}
+
+// Null where no triangle is away from the exempt corners.
+json worst_angle_json(double degrees) {
+  return degrees < no_angle_to_judge ? json(degrees) : json(nullptr);
+}
+
+// The metric the mesh is of, held against the one asked for.
+json relaxed_json(const certificate& c) {
+  if (!c.relaxed) return nullptr;
+  const relaxation_report& r = *c.relaxed;
+  return {{"why", r.why},
+          {"kind", relaxation_kind_names[static_cast<std::size_t>(r.kind)]},
+          {"power", r.power},
+          {"beta", r.beta},
+          {"reach", r.reach},
+          {"tries", r.tries},
+          {"vertices_changed", r.changed},
+          {"most_longer", r.most_longer},
+          {"most_shorter", r.most_shorter},
+          {"worst_angle_as_given", worst_angle_json(r.worst_angle)},
+          {"low_triangles_as_given", from_one(r.low_triangles)}};
+}
+
+json audit_json(const certificate& c) {
+  json found = json::object();
+  for (const auto& [kind, count] : c.found) found[kind] = count;
+  return {{"certified", c.certified},
+          {"domain_checked", c.domain_checked},
+          {"angles_checked", c.angles_checked},
+          {"stars_checked", c.stars_checked},
+          {"voronoi", voronoi_verdict_names[static_cast<std::size_t>(c.voronoi)]},
+          {"worst_angle", worst_angle_json(c.worst_angle)},
+          {"exempt_corners", from_one(c.exempt_corners)},
+          {"exempt_triangles", from_one(c.exempt_triangles)},
+          {"low_triangles", from_one(c.low_triangles)},
+          {"largest_boundary_deviation",
+           std::isfinite(c.largest_deviation) ? json(c.largest_deviation) : json(nullptr)},
+          {"findings", std::move(found)},
+          {"witnesses", c.witnesses},
+          {"decided", counters_json(c.audit_counters)}};
+}
+
+// The readers: each names the key it wanted.
+const json& member(const json& object, const std::string& key) {
+  const auto place = object.find(key);
+  if (place == object.end()) throw malformed("\"" + key + "\" is missing");
+  return *place;
+}
+
+template <class T>
+T read(const json& object, const std::string& key) {
+  try {
+    return member(object, key).get<T>();
+  } catch (const json::exception&) {
+    throw malformed("\"" + key + "\" is not what it should be");
+  }
+}
+
+// Older certificates hold the number itself where there is none to judge.
+double worst_angle_of(const json& object, const std::string& key) {
+  return member(object, key).is_null() ? no_angle_to_judge : read<double>(object, key);
+}
+
+std::size_t count_of(const json& object, const std::string& key) {
+  if (!member(object, key).is_number_unsigned()) throw malformed("\"" + key + "\" is not a count");
+  return read<std::size_t>(object, key);
+}
+
+vertex_index index_of(const json& number, const std::string& key) {
+  if (!number.is_number_unsigned() || number.get<std::uint64_t>() < 1 ||
+      number.get<std::uint64_t>() > std::numeric_limits<vertex_index>::max())
+    throw malformed("\"" + key + "\" holds " + number.dump() + ", which counts nothing from 1");
+  return static_cast<vertex_index>(number.get<std::uint64_t>() - 1);
+}
+
+const json& array_of(const json& object, const std::string& key) {
+  const json& list = member(object, key);
+  if (!list.is_array()) throw malformed("\"" + key + "\" is not a list");
+  return list;
+}
+
+std::vector<vertex_index> indices_of(const json& object, const std::string& key) {
+  std::vector<vertex_index> result;
+  for (const json& number : array_of(object, key)) result.push_back(index_of(number, key));
+  return result;
+}
+
+std::vector<point> points_of(const json& object, const std::string& key) {
+  std::vector<point> result;
+  for (const json& p : array_of(object, key)) {
+    if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
+      throw malformed("\"" + key + "\" holds " + p.dump() + ", which is no point");
+    result.push_back({p[0].get<double>(), p[1].get<double>()});
+  }
+  return result;
+}
+
+segment segment_of(const json& s) {
+  const bool usable = s.is_array() && (s.size() == 3 || s.size() == 6) &&
+                      std::all_of(s.begin(), s.end(),
+                                  [](const json& number) { return number.is_number_integer(); });
+  if (!usable) throw malformed("\"segments\" holds " + s.dump() + ", which is no segment");
+  segment made{index_of(s[0], "segments"), index_of(s[1], "segments"), s[2].get<int>()};
+  if (s.size() == 3) return made;
+  made.internal = s[3].get<int>() != 0;
+  made.left_region = s[4].get<int>();
+  made.right_region = s[5].get<int>();
+  return made;
+}
+
+domain domain_of(const json& object) {
+  domain d;
+  d.name = read<std::string>(object, "name");
+  d.vertices = points_of(object, "vertices");
+  d.holes = points_of(object, "holes");
+  for (const json& s : array_of(object, "segments")) {
+    const segment read_segment = segment_of(s);
+    if (read_segment.a >= d.vertices.size() || read_segment.b >= d.vertices.size())
+      throw malformed("segment " + s.dump() + " names a vertex the domain does not have");
+    d.segments.push_back(read_segment);
+  }
+  return d;
+}
+
+tier_counters counters_of(const json& object, const std::string& key) {
+  tier_counters counters;
+  const json& all = member(object, key);
+  for (std::size_t p = 0; p < predicate_count; ++p) {
+    const json& tiers = member(all, std::string(predicate_names[p]));
+    for (std::size_t t = 0; t < tier_count; ++t)
+      counters.decided[p][t] = count_of(tiers, std::string(tier_names[t]));
+  }
+  return counters;
+}
+
+std::uint64_t fingerprint_of(const json& object) {
+  const auto text = read<std::string>(object, "fingerprint");
+  std::uint64_t value = 0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (text.size() != 16 || end.ec != std::errc() || end.ptr != text.data() + text.size())
+    throw malformed("\"fingerprint\" is not sixteen hexadecimal digits");
+  return value;
+}
+
+void read_mesh(const json& object, certificate& c) {
+  c.sites = count_of(object, "vertices");
+  c.given = count_of(object, "given");
+  c.triangles = count_of(object, "triangles");
+  c.boundary_subsegments = count_of(object, "boundary_edges");
+  c.fingerprint = fingerprint_of(object);
+}
+
+// Certificates written before the question could be asked do not answer it.
+voronoi_verdict voronoi_of(const json& object) {
+  if (!object.contains("voronoi")) return voronoi_verdict::not_asked;
+  const auto text = read<std::string>(object, "voronoi");
+  const auto place = std::find(voronoi_verdict_names.begin(), voronoi_verdict_names.end(), text);
+  if (place == voronoi_verdict_names.end())
+    throw malformed("\"voronoi\" holds \"" + text + "\", which is no verdict");
+  return static_cast<voronoi_verdict>(place - voronoi_verdict_names.begin());
+}
+
+// Certificates written before metrics were relaxed say nothing of it.
+std::optional<relaxation_report> relaxed_of(const json& outcome) {
+  if (!outcome.contains("relaxed") || outcome["relaxed"].is_null()) return std::nullopt;
+  const json& object = outcome["relaxed"];
+  relaxation_report r;
+  r.why = read<std::string>(object, "why");
+  const auto kind = read<std::string>(object, "kind");
+  const auto place = std::find(relaxation_kind_names.begin(), relaxation_kind_names.end(), kind);
+  if (place == relaxation_kind_names.end())
+    throw malformed("\"kind\" holds \"" + kind + "\", which is no way to relax a metric");
+  r.kind = static_cast<relaxation_kind>(place - relaxation_kind_names.begin());
+  r.power = read<double>(object, "power");
+  r.beta = read<double>(object, "beta");
+  r.reach = read<double>(object, "reach");
+  r.tries = count_of(object, "tries");
+  r.changed = count_of(object, "vertices_changed");
+  r.most_longer = read<double>(object, "most_longer");
+  r.most_shorter = read<double>(object, "most_shorter");
+  r.worst_angle = worst_angle_of(object, "worst_angle_as_given");
+  r.low_triangles = indices_of(object, "low_triangles_as_given");
+  return r;
+}
+
+void read_audit(const json& object, certificate& c) {
+  c.certified = read<bool>(object, "certified");
+  c.domain_checked = read<bool>(object, "domain_checked");
+  c.angles_checked = read<bool>(object, "angles_checked");
+  c.stars_checked = read<bool>(object, "stars_checked");
+  c.voronoi = voronoi_of(object);
+  c.worst_angle = worst_angle_of(object, "worst_angle");
+  c.exempt_corners = indices_of(object, "exempt_corners");
+  c.exempt_triangles = indices_of(object, "exempt_triangles");
+  if (object.contains("low_triangles")) c.low_triangles = indices_of(object, "low_triangles");
+  const json& deviation = member(object, "largest_boundary_deviation");
+  c.largest_deviation = deviation.is_null() ? std::numeric_limits<double>::infinity()
+                                            : read<double>(object, "largest_boundary_deviation");
+  c.found = read<std::map<std::string, std::size_t>>(object, "findings");
+  c.witnesses = read<std::vector<std::string>>(object, "witnesses");
+  c.audit_counters = counters_of(object, "decided");
+}
+
+certificate certificate_of(const json& root) {
+  if (!root.is_object() || root.value("format", "") != format_name)
+    throw malformed("this is not an \"" + std::string(format_name) + "\"");
+  certificate c;
+  c.version = read<std::string>(root, "version");
+  const json& asked = member(root, "asked");
+  c.metric = read<std::string>(asked, "metric");
+  if (!member(asked, "angle_bound").is_null()) c.angle_bound = read<double>(asked, "angle_bound");
+  c.options = read<std::map<std::string, std::string>>(asked, "options");
+  const json& outcome = member(root, "outcome");
+  c.complete = read<bool>(outcome, "complete");
+  c.reason = read<std::string>(outcome, "reason");
+  c.mesher_counters = counters_of(outcome, "decided");
+  c.star_repairs = outcome.contains("star_repairs") ? count_of(outcome, "star_repairs") : 0;
+  c.relaxed = relaxed_of(outcome);
+  read_mesh(member(root, "mesh"), c);
+  if (root.contains("measured")) c.measured = read<std::map<std::string, double>>(root, "measured");
+  read_audit(member(root, "audit"), c);
+  if (!member(root, "domain").is_null()) c.original = domain_of(member(root, "domain"));
+  return c;
+}
+
+}  // namespace
+
+std::string certificate_text(const certificate& c) {
+  json options = json::object();
+  for (const auto& [name, value] : c.options) options[name] = value;
+  const json root = {{"format", format_name},
+                     {"version", c.version},
+                     {"numbering", "from 1"},
+                     {"asked",
+                      {{"metric", c.metric},
+                       {"angle_bound", c.angle_bound ? json(*c.angle_bound) : json(nullptr)},
+                       {"options", std::move(options)}}},
+                     {"outcome",
+                      {{"complete", c.complete},
+                       {"reason", c.reason},
+                       {"star_repairs", c.star_repairs},
+                       {"relaxed", relaxed_json(c)},
+                       {"decided", counters_json(c.mesher_counters)}}},
+                     {"mesh", mesh_json(c)},
+                     {"measured", measured_json(c)},
+                     {"audit", audit_json(c)},
+                     {"domain", c.original ? domain_json(*c.original) : json(nullptr)}};
+  // Text that is not UTF-8 (a file's name may be anything) is replaced, not refused.
+  return root.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+result<certificate> parse_certificate(const std::string& text, const std::string& name) {
+  try {
+    return certificate_of(json::parse(text));
+  } catch (const malformed& e) {
+    return error{name + ": " + e.what()};
+  } catch (const json::exception& e) {
+    return error{name + ": " + e.what()};
+  }
+}
+
+result<std::filesystem::path> write_certificate(const std::filesystem::path& path,
+                                                const certificate& c) {
+  const auto written = write_files({{path, certificate_text(c)}});
+  if (!written.ok()) return written.failure();
+  return path;
+}
+
+result<certificate> read_certificate(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return error{path.string() + ": cannot be opened"};
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (in.bad()) return error{path.string() + ": cannot be read"};
+  return parse_certificate(text.str(), path.string());
+}
+
+}  // namespace asterism

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// Loads a domain by its name or from its file.
+#pragma once
+
+#include <string_view>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+
+namespace asterism {
+
+// `square`, `airfoil` (or `naca0012`), or the path of a .poly file (mesh/io/poly.hpp). The domain
+// is as written there: check_domain has yet to accept it.
+result<domain> load_domain(std::string_view what);
+
+}  // namespace asterism

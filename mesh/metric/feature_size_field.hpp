@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// Where a domain has many vertices, sites are first spread as its short segments will need them:
+// near together there, farther apart inside. Triangles of 20 degrees grow about so; without this
+// every vertex sees a good part of all others until refinement has put sites between them, one by
+// one. It decides where sites are proposed and nothing else: they are given the field's own metric.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+
+namespace asterism::internal {
+
+// The tensor of `field` divided by h^2: with l_v the shorter segment at the vertex v, in the metric
+// there, and |q - v| measured at q, h is the least of `longest` and of 1.3 l_v + 0.7 |q - v| over
+// all vertices, or up to a sixth more (which spares looking at all that are about equally far).
+// Isolated vertices have no say.
+class featured_field : public metric_field {
+ public:
+  // `d` as accepted by check_domain; `field` must outlive this. Fails where the field does.
+  static result<featured_field> make(const domain& d, const metric_field& field, double longest);
+
+  // From any thread.
+  result<metric_tensor> at(const point& q) const override;
+
+ private:
+  struct feature {
+    point vertex;
+    double shorter;  // l_v
+  };
+  // A binary tree; a node without children has features_[first .. last).
+  struct node {
+    bounding_box box;
+    double shortest;
+    std::size_t first, last;
+    std::size_t second_child;  // the first one is next to the node; 0: none
+  };
+
+  featured_field(const metric_field& field, double longest) : field_(&field), longest_(longest) {}
+  void add_node(std::size_t first, std::size_t last);
+  double length_at(const site& q) const;
+
+  const metric_field* field_;
+  double longest_;
+  std::vector<feature> features_;
+  std::vector<node> nodes_;
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// Metric gradation: a field made to change slowly, as measured by itself.
+//
+// With sigma = ln(beta), each metric is intersected with what every other allows at its place,
+//     M_q <- M_q ∩ (1 + sigma d_p(q))^-2 M_p,   d_p(q) the distance from p to q as p measures it
+// (the intersection is that of numerics/metric_algebra.hpp, which never makes the shortest length shorter):
+// a length wanted at p grows to at most 1 + sigma d times as much at distance d. Where a field is
+// graded, neighbouring edges differ by a factor of about beta, and the distortion between p and q
+// is at most 1 / (1 - sigma d_p(q)): the hypothesis H1 of docs/math/refinement.md. Source:
+// Alauzet, "Size gradation control of anisotropic meshes", Finite Elements in Analysis and Design
+// 46, 2010.
+//
+// How: the field is sampled on an adaptive grid over the box (metric/gradation_grid.hpp), nodes take over
+// what neighbouring nodes and eight points at distance 1 in their own metric allow, until that
+// changes nothing, and the grid is refined where the result is not yet resolved. Between the nodes
+// logarithms are interpolated. Metrics only grow, and no eigenvalue grows above the largest in the
+// box: the sweeps come to an end, and there is a bound on their number besides.
+//
+// What holds: no node is coarser than the field as given, every value is positive definite, the
+// same input gives the same field, and where no node of a triangle of the grid was changed the
+// field as given is returned itself. What does not: the growth is bounded up to the slack of the
+// sweeps and the resolution of the grid (a fifth more than sigma in all but some pairs of points in
+// a thousand, the tests measure it); between nodes a length may come out some percent longer than
+// given; a feature narrower than a 32nd of the box that no sample hits is not seen. For beta below
+// about 1.02 the slack, 0.03 of the square of a length at distance 1, is more than sigma allows,
+// and bounds the growth instead. Outside the box the field goes on as on its border.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/bounding_box.hpp"
+
+namespace asterism {
+
+struct gradation_options {
+  double beta = 1.1;                  // above 1, finite
+  std::size_t max_nodes = 200000;     // of the grid, exceeded by a few
+  int max_sweeps = 200;               // over all its nodes
+  std::function<bool()> enough = {};  // asked now and then, true ends it; may be empty
+};
+
+struct gradation_report {
+  double beta = 0;
+  std::size_t nodes = 0, changed = 0;          // of the grid
+  double largest_growth = 1;                   // of sqrt(det M), at the nodes
+  double smallest_cell = 0, largest_cell = 0;  // longer sides, in units of the domain
+  int sweeps = 0;
+  bool settled = true;   // the last sweep changed nothing
+  bool resolved = true;  // the grid was refined wherever it should be
+};
+
+struct graded_metric {
+  std::unique_ptr<metric_field> field;
+  gradation_report report;
+};
+
+// Takes `field` over, and returns it when no node was changed. `box` is that of the domain. Fails
+// where the field does anywhere in the box, inside the domain or not, for options out of range, and
+// when `enough` ended it.
+result<graded_metric> grade_metric(std::unique_ptr<metric_field> field, const bounding_box& box,
+                                   const gradation_options& options = {});
+
+}  // namespace asterism

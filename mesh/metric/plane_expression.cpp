@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/metric/plane_expression.hpp"
+
+#include <muParser.h>
+
+#include <numbers>
+#include <utility>
+
+namespace asterism::internal {
+
+namespace {
+
+error parser_failure(const std::string& text, const mu::ParserError& e) {
+  std::string what = "'" + text + "': " + e.GetMsg();
+  while (!what.empty() && (what.back() == '\n' || what.back() == '.')) what.pop_back();
+  return {what + " (position " + std::to_string(e.GetPos() + 1) + ")"};
+}
+
+// Position of an `=` that is no part of a comparison: muparser would change x or y there.
+std::size_t find_assignment(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '=') continue;
+    if (i + 1 < text.size() && text[i + 1] == '=') {
+      ++i;
+    } else if (i == 0 || (text[i - 1] != '<' && text[i - 1] != '>' && text[i - 1] != '!')) {
+      return i;
+    }
+  }
+  return std::string::npos;
+}
+
+}  // namespace
+
+// The parser keeps the addresses of x and y, so the state never moves.
+struct plane_expression::state {
+  std::string text;
+  double x = 0, y = 0;
+  mu::Parser parser;
+};
+
+plane_expression::plane_expression(std::unique_ptr<state> s) : state_(std::move(s)) {}
+plane_expression::plane_expression(plane_expression&&) noexcept = default;
+plane_expression& plane_expression::operator=(plane_expression&&) noexcept = default;
+plane_expression::~plane_expression() = default;
+
+result<plane_expression> plane_expression::parse(const std::string& text) {
+  if (text.find_first_not_of(" \t") == std::string::npos) return error{"an expression is empty"};
+  if (const std::size_t at = find_assignment(text); at != std::string::npos)
+    return error{"'" + text + "': assignments are not allowed (position " + std::to_string(at + 1) +
+                 ")"};
+  auto s = std::make_unique<state>();
+  s->text = text;
+  try {
+    s->parser.DefineVar("x", &s->x);
+    s->parser.DefineVar("y", &s->y);
+    s->parser.DefineConst("pi", std::numbers::pi);
+    s->parser.DefineConst("e", std::numbers::e);
+    s->parser.SetExpr(text);
+    int values = 0;
+    // muparser finds errors when it evaluates for the first time.
+    s->parser.Eval(values);
+    if (values != 1)
+      return error{"'" + text + "': one value is wanted, not " + std::to_string(values)};
+  } catch (const mu::ParserError& e) {
+    return parser_failure(text, e);
+  }
+  return plane_expression(std::move(s));
+}
+
+result<double> plane_expression::operator()(const point& q) const {
+  state_->x = q.x;
+  state_->y = q.y;
+  try {
+    return state_->parser.Eval();
+  } catch (const mu::ParserError& e) {
+    return parser_failure(state_->text, e);
+  }
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/metric/sized_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "asterism/kernels/filtered_kernel.hpp"
+
+namespace asterism::internal {
+namespace {
+
+bool has_extent(double half_unit, const point& origin) {
+  return half_unit > 0 && std::isfinite(half_unit) && std::isfinite(origin.x + origin.y);
+}
+
+double half_of_longer_side(const bounding_box& box) {
+  return std::max(box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2);
+}
+
+}  // namespace
+
+result<metric_tensor> checked_tensor(const point& q, const metric_tensor& m) {
+  const bool finite = std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
+  if (finite && filtered_kernel().is_positive_definite(m)) return m;
+  return error{fmt::format(
+      "the metric at ({:.17g}, {:.17g}) is not {}: m11 = {:.17g}, m12 = {:.17g}, m22 = {:.17g}",
+      q.x, q.y, finite ? "positive definite" : "finite", m.m11, m.m12, m.m22)};
+}
+
+result<metric_tensor> sized_field::at(const point& q) const {
+  const auto raw = unsized(q);
+  if (!raw.ok()) return raw.failure();
+  const metric_tensor& m = raw.value();
+  return checked_tensor(q, {m.m11 / size_squared_, m.m12 / size_squared_, m.m22 / size_squared_});
+}
+
+error bad_metric(std::string_view specification, const std::string& what) {
+  return {"metric '" + std::string(specification) + "': " + what};
+}
+
+std::optional<field_frame> frame_in_the_middle(const bounding_box& box) {
+  const point centre{box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2};
+  const field_frame frame{centre, half_of_longer_side(box) / 2};
+  if (!has_extent(frame.half_unit, frame.origin)) return std::nullopt;
+  return frame;
+}
+
+std::optional<field_frame> frame_at_the_corner(const bounding_box& box) {
+  const field_frame frame{box.low, half_of_longer_side(box)};
+  if (!has_extent(frame.half_unit, frame.origin)) return std::nullopt;
+  return frame;
+}
+
+}  // namespace asterism::internal

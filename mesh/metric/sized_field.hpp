@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// What the fields with a formula have in common: the size, and a check of every tensor. Not part of
+// the public interface.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/bounding_box.hpp"
+
+namespace asterism::internal {
+
+// Divides by size^2 and lets no tensor pass that no metric is.
+class sized_field : public metric_field {
+ public:
+  explicit sized_field(double size) : size_squared_(size * size) {}
+  result<metric_tensor> at(const point& q) const final;
+
+ private:
+  virtual result<metric_tensor> unsized(const point& q) const = 0;
+
+  double size_squared_;
+};
+
+using made_field = result<std::unique_ptr<metric_field>>;
+
+// "metric 'SPECIFICATION': WHAT".
+error bad_metric(std::string_view specification, const std::string& what);
+
+// `m` if it is finite and positive definite (exactly tested); else an error that names q and m.
+result<metric_tensor> checked_tensor(const point& q, const metric_tensor& m);
+
+// The coordinates in which a field is round or layered: u = (q - origin) / unit. Computed from
+// halves, since the extent of a box may overflow.
+struct field_frame {
+  point origin;
+  double half_unit = 0;
+
+  point local(const point& q) const {
+    return {(q.x / 2 - origin.x / 2) / half_unit, (q.y / 2 - origin.y / 2) / half_unit};
+  }
+};
+
+// From the middle of the box, in halves of its longer side; empty when the box has no extent.
+std::optional<field_frame> frame_in_the_middle(const bounding_box& box);
+// From the lower left corner, in longer sides.
+std::optional<field_frame> frame_at_the_corner(const bounding_box& box);
+
+}  // namespace asterism::internal

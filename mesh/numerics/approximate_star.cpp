@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/numerics/approximate_star.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "asterism/core/plane_algebra.hpp"
+#include "asterism/kernels/vertex_hints.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct candidate {
+  double turn;  // grows with the angle, from -2 to 2
+  vertex_index who;
+  displacement<double> d, z;
+};
+
+double turn_of(const displacement<double>& d) {
+  const double slope = d.x / (std::abs(d.x) + std::abs(d.y));
+  return d.y < 0 ? slope - 1 : 1 - slope;
+}
+
+// Whether w, between y and x, is a corner of the hull; always across half a turn or more.
+bool stands_out(const candidate& y, const candidate& w, const candidate& x) {
+  return cross(y.d, x.d) <= 0 || cross(w.z - y.z, x.z - w.z) > 0;
+}
+
+std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_index v,
+                                         const std::vector<vertex_index>& from) {
+  thread_local std::vector<candidate> all;
+  all.clear();
+  site s = sites[v];
+  std::optional<round_coordinates> round;
+  if (is_thin(s.metric)) s = round.emplace(s.position, s.metric).inward(s);
+  double nearest = infinity;
+  std::size_t first = 0;
+  for (const vertex_index w : from) {
+    if (w == v) continue;
+    const site other = round ? round->inward(sites[w]) : sites[w];
+    const auto d = between(s.position, other.position);
+    const auto dual = apply(other.metric, d), own = apply(s.metric, d);
+    const double inverse = 1 / dot(dual, d);
+    const double own_inverse = std::sqrt(inverse / dot(own, d));
+    all.push_back({turn_of(d), w, d, inverse * dual + own_inverse * own});
+  }
+  std::sort(all.begin(), all.end(), [](const candidate& a, const candidate& b) {
+    return a.turn != b.turn ? a.turn < b.turn : a.who < b.who;
+  });
+  all.erase(std::unique(all.begin(), all.end(),
+                        [](const candidate& a, const candidate& b) { return a.who == b.who; }),
+            all.end());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double distance = squared_length(s.metric, all[i].d);
+    if (distance < nearest) {
+      nearest = distance;
+      first = i;
+    }
+  }
+  // The nearest is on the hull: start there.
+  std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
+  return all;
+}
+
+// Vertex and radius of the gap of s between y and x.
+void close_gap(const site& s, const site& y, const site& x, plain_gap& gap) {
+  const auto to_y = between(s.position, y.position), to_x = between(s.position, x.position);
+  if (!(cross(to_y, to_x) > 0)) return;
+  const auto vertex = numeric::voronoi_vertex_near(s, y, x);
+  if (!vertex) return;
+  const auto seen = apply(s.metric, *vertex);
+  // Beyond a right angle from a neighbour it is not the vertex of this gap.
+  if (!(dot(seen, to_y) > 0 && dot(seen, to_x) > 0)) return;
+  gap.vertex = {vertex->x, vertex->y};
+  gap.squared_radius = dot(seen, *vertex);
+}
+
+}  // namespace
+
+void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next) {
+  gap.squared_radius = infinity;
+  const site &s = sites[v], &y = sites[gap.neighbour], &x = sites[next];
+  if (!is_thin(s.metric)) return close_gap(s, y, x, gap);
+  const round_coordinates round(s.position, s.metric);
+  close_gap(round.inward(s), round.inward(y), round.inward(x), gap);
+  gap.vertex = round.outward(gap.vertex);
+}
+
+plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
+                            const std::vector<vertex_index>& candidates) {
+  const std::vector<candidate>& all = order_candidates(sites, v, candidates);
+  thread_local std::vector<const candidate*> hull;
+  hull.clear();
+  for (const candidate& next : all) {
+    while (hull.size() > 1 && !stands_out(*hull[hull.size() - 2], *hull.back(), next))
+      hull.pop_back();
+    hull.push_back(&next);
+  }
+  while (hull.size() > 2 && !stands_out(*hull[hull.size() - 2], *hull.back(), *hull.front()))
+    hull.pop_back();
+  plain_star star(hull.size());
+  for (std::size_t i = 0; i < hull.size(); ++i) star[i].neighbour = hull[i]->who;
+  for (std::size_t i = 0; i < star.size(); ++i)
+    close_gap(sites, v, star[i], star[i + 1 < star.size() ? i + 1 : 0].neighbour);
+  return star;
+}
+
+bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star, vertex_index w) {
+  if (star.size() < 3) return true;
+  const site& s = sites[v];
+  const auto to_w = between(s.position, sites[w].position);
+  auto before = between(s.position, sites[star.front().neighbour].position);
+  const auto first = before;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const auto after =
+        i + 1 < star.size() ? between(s.position, sites[star[i + 1].neighbour].position) : first;
+    const bool wide = !(cross(before, after) > 0);
+    const bool past = cross(before, to_w) >= 0, not_beyond = cross(to_w, after) > 0;
+    if (wide ? past || not_beyond : past && not_beyond) {
+      if (star[i].squared_radius == infinity) return true;
+      const point& vertex = star[i].vertex;
+      return squared_length(sites[w].metric, point{vertex.x - to_w.x, vertex.y - to_w.y}) <
+             star[i].squared_radius;
+    }
+    before = after;
+  }
+  return true;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+
+namespace asterism {
+using namespace internal;
+namespace {
+
+double length(const site& from, const point& to) { return std::sqrt(squared_distance(from, to)); }
+
+// Sums of one chunk of triangles. An edge inside the mesh is met twice, one on the boundary once.
+struct sums {
+  double half_edges = 0, unit = 0, lengths = 0;
+  double quality = 0, least_quality = 1;
+  double below_20 = 0, below_30 = 0;
+  double area = 0, sigma = 0, eps = 0;
+};
+
+void add_edge(const site& p, const site& q, double weight, sums& s) {
+  const double l = (length(p, q.position) + length(q, p.position)) / 2;
+  s.half_edges += weight;
+  s.lengths += weight * l;
+  if (l >= 1 / std::numbers::sqrt2 && l <= std::numbers::sqrt2) s.unit += weight;
+  s.sigma = std::max(s.sigma, variation(p, q));
+}
+
+// The triangle in round coordinates.
+triangle_shape shape_in_round(const triangle_sites& t) {
+  metric_tensor mean{};
+  double squares = 0;
+  for (const site& s : t) {
+    mean.m11 += s.metric.m11 / 3;
+    mean.m12 += s.metric.m12 / 3;
+    mean.m22 += s.metric.m22 / 3;
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    squares += squared_distance({t[i].position, mean}, t[(i + 1) % 3].position);
+  const point &a = t[0].position, &b = t[1].position, &c = t[2].position;
+  const double plane = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+  const double area = plane * root_of_determinant(mean);
+  return {area, 4 * std::numbers::sqrt3 * area / squares};
+}
+
+void add_triangle(const triangle_sites& given, sums& s) {
+  const triangle_sites t = in_round_coordinates(given);
+  for (std::size_t i = 0; i < 3; ++i) add_edge(t[i], t[(i + 1) % 3], 1, s);
+  const auto [area, quality] = shape_in_round(t);
+  const double angle = smallest_angle(t);
+  s.quality += quality;
+  s.least_quality = std::min(s.least_quality, quality);
+  s.below_20 += angle < 20 ? 1 : 0;
+  s.below_30 += angle < 30 ? 1 : 0;
+  s.area += area;
+  s.eps = std::max(s.eps, metric_circumradius(t));
+}
+
+}  // namespace
+
+// The eigenvalues of M_p^-1 M_q are t +- sqrt(t^2 - d), t half the trace, d the determinant. Both
+// tensors are first scaled by one power of two, which changes no ratio, as products of entries
+// beyond 2^+-512 would leave the range of doubles; and a thin p is made round.
+double distortion(const metric_tensor& p, const metric_tensor& q) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double trace = p.m11 + p.m22;
+  if (!(trace > 0 && std::isfinite(trace))) return infinity;
+  const int exponent = -std::ilogb(trace);
+  const auto scaled = [exponent](const metric_tensor& m) {
+    return metric_tensor{std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent),
+                         std::scalbn(m.m22, exponent)};
+  };
+  metric_tensor a = scaled(p), b = scaled(q);
+  if (is_thin(a)) {
+    const round_coordinates round({}, a);
+    a = round.inward({{}, a}).metric;
+    b = round.inward({{}, b}).metric;
+  }
+  const double det_a = a.m11 * a.m22 - a.m12 * a.m12, det_b = b.m11 * b.m22 - b.m12 * b.m12;
+  const double t = (a.m22 * b.m11 - 2 * a.m12 * b.m12 + a.m11 * b.m22) / det_a / 2;
+  const double d = det_b / det_a;
+  const double largest = t + std::sqrt(std::max(0.0, t * t - d));
+  if (!(largest > 0 && d > 0)) return infinity;
+  return std::sqrt(std::max({1.0, largest, largest / d}));
+}
+
+double variation(const site& p, const site& q) {
+  const double tau = distortion(p.metric, q.metric);
+  return (1 - 1 / tau) / std::min(length(p, q.position), length(q, p.position));
+}
+
+// The root of the ratio of the eigenvalues t +- r, as (t + r) / root of the determinant.
+double aspect(const metric_tensor& m) {
+  const double r = std::hypot(m.m11 / 2 - m.m22 / 2, m.m12);
+  return (m.m11 / 2 + m.m22 / 2 + r) / root_of_determinant(m);
+}
+
+triangle_shape shape_of(const triangle_sites& t) { return shape_in_round(in_round_coordinates(t)); }
+
+std::map<std::string, double> by_name(const mesh_statistics& s) {
+  return {{"edges", static_cast<double>(s.edges)},
+          {"unit_edges", s.unit_edges},
+          {"mean_length", s.mean_length},
+          {"mean_quality", s.mean_quality},
+          {"least_quality", s.least_quality},
+          {"below_20", s.below_20},
+          {"below_30", s.below_30},
+          {"metric_area", s.metric_area},
+          {"count_ratio", s.count_ratio},
+          {"aspect", s.aspect},
+          {"sigma", s.sigma},
+          {"eps", s.eps},
+          {"sigma_eps", s.sigma_eps}};
+}
+
+mesh_statistics measure(const mesh& m) {
+  constexpr std::size_t chunk = 1024;
+  const auto parts = collect_chunks<sums>(
+      m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<sums>& out) {
+        out.emplace_back();
+        for (std::size_t i = begin; i < end; ++i) {
+          const triangle& t = m.triangles[i];
+          add_triangle({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}, out.back());
+        }
+      });
+  sums all;
+  for (const boundary_edge& e : m.boundary)
+    if (!e.internal) add_edge(m.sites[e.a], m.sites[e.b], 1, all);
+  for (const sums& s : parts) {
+    all.half_edges += s.half_edges;
+    all.unit += s.unit;
+    all.lengths += s.lengths;
+    all.quality += s.quality;
+    all.least_quality = std::min(all.least_quality, s.least_quality);
+    all.below_20 += s.below_20;
+    all.below_30 += s.below_30;
+    all.area += s.area;
+    all.sigma = std::max(all.sigma, s.sigma);
+    all.eps = std::max(all.eps, s.eps);
+  }
+  mesh_statistics result;
+  if (m.triangles.empty()) return result;
+  const auto count = static_cast<double>(m.triangles.size());
+  result.edges = static_cast<std::size_t>(all.half_edges / 2);
+  result.unit_edges = all.unit / all.half_edges;
+  result.mean_length = all.lengths / all.half_edges;
+  result.mean_quality = all.quality / count;
+  result.least_quality = all.least_quality;
+  result.below_20 = all.below_20 / count;
+  result.below_30 = all.below_30 / count;
+  result.metric_area = all.area;
+  result.count_ratio = count / (all.area * 4 / std::numbers::sqrt3);
+  for (const site& s : m.sites) result.aspect = std::max(result.aspect, aspect(s.metric));
+  result.sigma = all.sigma;
+  result.eps = all.eps;
+  result.sigma_eps = all.sigma * all.eps;
+  return result;
+}
+
+}  // namespace asterism

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "asterism/core/plane_algebra.hpp"
+#include "asterism/kernels/vertex_hints.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/support/double_double.hpp"
+#include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr double to_degrees = 180 / std::numbers::pi;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+point difference(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
+double cross(const point& a, const point& b) { return a.x * b.y - a.y * b.x; }
+
+// The sum of the magnitudes inner_product adds up. Each term takes three rounded products and two
+// rounded differences of coordinates: 8 epsilon of this sum bounds the error with room to spare.
+double inner_product_magnitude(const metric_tensor& m, const point& a, const point& b) {
+  return m.m11 * std::abs(a.x * b.x) +
+         std::abs(m.m12) * (std::abs(a.x * b.y) + std::abs(a.y * b.x)) +
+         m.m22 * std::abs(a.y * b.y);
+}
+
+// The tensor times a power of two, so that its determinant stays in the range of doubles: what an
+// angle is does not depend on units. Nothing is lost unless it is much wider than any aspect is.
+metric_tensor in_range(const metric_tensor& m) {
+  const double product = m.m11 * m.m22;
+  if (0x1p-900 < product && product < 0x1p900) return m;
+  const int exponent = -(std::ilogb(m.m11) + std::ilogb(m.m22)) / 2;
+  return {std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent), std::scalbn(m.m22, exponent)};
+}
+
+bool corner_is_low(const metric_tensor& given, const point& a, const point& b, double cotangent) {
+  const metric_tensor m = in_range(given);
+  const double left = inner_product(m, a, b) + 8 * epsilon * inner_product_magnitude(m, a, b);
+  if (left <= 0) return false;
+  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
+  const double det = product - square - 4 * epsilon * (product + square);
+  const double area = cross(a, b) - 8 * epsilon * (std::abs(a.x * b.y) + std::abs(a.y * b.x));
+  if (!(det > 0) || !(area > 0)) return true;  // too thin to be sure of in doubles
+  return !(left <= cotangent * std::sqrt(det) * area * (1 - 4 * epsilon));
+}
+
+// The same for a thin metric, in twice the precision. Differences of doubles are exact there; the
+// rest are sums of at most 16 operations, each off by less than 2^-102 of its result, so that
+// 2^-97 of the magnitudes covers them. Rounding to doubles is relative, and within the 4 epsilon.
+bool thin_corner_is_low(const metric_tensor& given, const std::array<point, 3>& corner,
+                        double cotangent) {
+  const metric_tensor m = in_range(given);
+  using wide = double_double;
+  const auto& [o, p, q] = corner;
+  const wide ax = wide(p.x) - o.x, ay = wide(p.y) - o.y, bx = wide(q.x) - o.x, by = wide(q.y) - o.y;
+  const point a{ax.high, ay.high}, b{bx.high, by.high};
+  constexpr double part = 0x1p-97;
+  const double inner =
+      static_cast<double>(wide(m.m11) * (ax * bx) + wide(m.m12) * (ax * by + ay * bx) +
+                          wide(m.m22) * (ay * by)) +
+      part * inner_product_magnitude(m, a, b);
+  if (inner <= 0) return false;
+  const double det =
+      static_cast<double>(wide(m.m11) * m.m22 - wide(m.m12) * m.m12) - part * m.m11 * m.m22;
+  const double area =
+      static_cast<double>(ax * by - ay * bx) - part * (std::abs(a.x * b.y) + std::abs(a.y * b.x));
+  if (!(det > 0) || !(area > 0)) return true;
+  return !(inner <= cotangent * std::sqrt(det) * area * (1 - 8 * epsilon));
+}
+
+double angle_between(const metric_tensor& m, const point& a, const point& b) {
+  const double across = root_of_determinant(m) * cross(a, b);
+  return std::atan2(across, inner_product(m, a, b)) * to_degrees;
+}
+
+}  // namespace
+
+angle_requirement::angle_requirement(double degrees)
+    : degrees_(degrees), cotangent_(1 / std::tan(degrees * (1 + 1e-9) / to_degrees)) {}
+
+bool angle_requirement::is_low(const triangle_sites& t, const std::array<bool, 3>& left_out) const {
+  if (degrees_ == 0) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (left_out[i]) continue;
+    const point a = difference(t[(i + 1) % 3].position, t[i].position);
+    const point b = difference(t[(i + 2) % 3].position, t[i].position);
+    for (const site& from : t)
+      if (corner_is_low(from.metric, a, b, cotangent_) &&
+          !(is_thin(from.metric) &&
+            !thin_corner_is_low(from.metric,
+                                {t[i].position, t[(i + 1) % 3].position, t[(i + 2) % 3].position},
+                                cotangent_)))
+        return true;
+  }
+  return false;
+}
+
+triangle_sites in_round_coordinates(triangle_sites t) {
+  const auto thin =
+      std::find_if(t.begin(), t.end(), [](const site& s) { return is_thin(s.metric); });
+  if (thin == t.end()) return t;
+  const round_coordinates round(t[0].position, thin->metric);
+  for (site& s : t) s = round.inward(s);
+  return t;
+}
+
+double smallest_angle(const triangle_sites& given) {
+  const triangle_sites t = in_round_coordinates(given);
+  double smallest = 180;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const point a = difference(t[(i + 1) % 3].position, t[i].position);
+    const point b = difference(t[(i + 2) % 3].position, t[i].position);
+    for (const site& from : t) smallest = std::min(smallest, angle_between(from.metric, a, b));
+  }
+  return smallest;
+}
+
+double corner_angle(const site& corner, const point& first, const point& last) {
+  const metric_tensor& m = corner.metric;
+  const triangle_sites t = in_round_coordinates({corner, {first, m}, {last, m}});
+  return angle_between(t[0].metric, difference(t[1].position, t[0].position),
+                       difference(t[2].position, t[0].position));
+}
+
+double metric_circumradius(const triangle_sites& given) {
+  const triangle_sites t = in_round_coordinates(given);
+  // Newton's method from the centre of the mean circle finds the near vertex of nearly every
+  // triangle at a tenth of the cost.
+  if (const auto near = numeric::voronoi_vertex_near(t[0], t[1], t[2])) {
+    const auto seen = apply(t[0].metric, *near);
+    if (dot(seen, between(t[0].position, t[1].position)) > 0 &&
+        dot(seen, between(t[0].position, t[2].position)) > 0)
+      return std::sqrt(dot(seen, *near));
+  }
+  const auto vertices = voronoi_vertices(t[0], t[1], t[2]);
+  if (vertices.empty()) return std::numeric_limits<double>::infinity();
+  return std::sqrt(squared_distance(t[0], vertices.front()));
+}
+
+}  // namespace asterism::internal

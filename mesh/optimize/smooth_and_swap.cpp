@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/optimize/smooth_and_swap.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace asterism::internal::fitting {
+namespace {
+
+constexpr int visits_before_rest = 3;
+// Of a visit: less is nothing. More wakes the neighbours.
+constexpr double least_gain = 1e-6, waking_gain = 1e-4;
+constexpr double move_margin = 1e-13, flip_margin = 1e-12;
+constexpr int rounds_of_relaxing = 4;
+constexpr double first_step_of_relaxing = 0.4;
+constexpr std::array<double, 6> parts_of_sweep{0.25, 1, 0.25, 1, 0.25, 1};
+constexpr std::array<double, 6> parts_of_relaxing{1, 0.3, 0.1, 1, 0.3, 0.1};
+constexpr std::size_t visits_between_questions = 256;
+
+// A number in [0, 1) that depends on all bits of the two (the mixing is splitmix64's).
+double random_part(std::uint64_t vertex, std::uint64_t number) {
+  std::uint64_t z = vertex * 0x9e3779b97f4a7c15U + number * 0xd1342543de82ef95U + 1;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+}  // namespace
+
+bool mover::has_enough() {
+  stopped_ = stopped_ || mesh_->field_failure() || (*enough_ && (*enough_)());
+  return stopped_;
+}
+
+double mover::visit(vertex_index v, double step, std::span<const double> parts) {
+  if (mesh_->around(v).empty() || mesh_->kind(v) == vertex_kind::given) return 0;
+  if (tries_.size() < mesh_->sites().size()) tries_.resize(mesh_->sites().size(), 0);
+  const double before = mesh_->energy_around(v);
+  double energy = before;
+  for (const double part : parts) {
+    const std::uint32_t number = tries_[v]++;
+    const double turn = 2 * std::numbers::pi * random_part(v, 2 * std::uint64_t{number});
+    const double far = std::sqrt(random_part(v, 2 * std::uint64_t{number} + 1));
+    const auto to = mesh_->displaced(v, part * step, {far * std::cos(turn), far * std::sin(turn)});
+    if (!to) continue;
+    if (const auto now = mesh_->move(v, *to, energy - move_margin)) {
+      energy = *now;
+      ++moves_;
+    }
+  }
+  return energy - before;
+}
+
+double mover::flip_changed_edges(vertex_index t) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const auto change = mesh_->flip(t, i, flip_margin)) {
+      ++flips_;
+      return *change;
+    }
+  return 0;
+}
+
+void mover::wake(std::span<const vertex_index> vertices) {
+  if (rests_.size() < mesh_->sites().size()) rests_.resize(mesh_->sites().size(), 0);
+  for (const vertex_index v : vertices) rests_[v] = 0;
+}
+
+void mover::flip_all() {
+  for (vertex_index t = 0; t < mesh_->triangles().size(); ++t) {
+    if (!mesh_->triangles()[t].exists() || !mesh_->is_changed(t)) continue;
+    mesh_->clear_changed(t);
+    if (flip_changed_edges(t) < 0) wake(mesh_->triangles()[t].v);
+  }
+}
+
+bool mover::sweep(double step) {
+  wake({});
+  for (vertex_index v = 0; v < mesh_->sites().size(); ++v) {
+    if (rests_[v] >= visits_before_rest) continue;
+    if (++visits_ % visits_between_questions == 0 && has_enough()) return false;
+    const double change = visit(v, step, parts_of_sweep);
+    ++rests_[v];
+    if (change < -least_gain) rests_[v] = 0;
+    if (change < -waking_gain)
+      for (const vertex_index t : mesh_->around(v)) wake(mesh_->triangles()[t].v);
+  }
+  flip_all();
+  return !has_enough();
+}
+
+std::vector<vertex_index> mover::ring(std::span<const vertex_index> seeds, int depth) {
+  mark_.resize(mesh_->sites().size(), 0);
+  ++last_mark_;
+  std::vector<vertex_index> found;
+  const auto add = [&](vertex_index v) {
+    if (mark_[v] == last_mark_) return;
+    mark_[v] = last_mark_;
+    found.push_back(v);
+  };
+  for (const vertex_index v : seeds) add(v);
+  for (std::size_t step = 0, begin = 0; step < static_cast<std::size_t>(depth); ++step)
+    for (const std::size_t end = found.size(); begin < end; ++begin)
+      for (const vertex_index t : mesh_->around(found[begin]))
+        for (const vertex_index u : mesh_->triangles()[t].v) add(u);
+  return found;
+}
+
+double mover::relax(std::span<const vertex_index> seeds, int depth) {
+  const std::vector<vertex_index> near = ring(seeds, depth);
+  double change = 0;
+  for (int round = 0; round < rounds_of_relaxing; ++round) {
+    const double step = first_step_of_relaxing / (1 + 0.3 * round);
+    for (const vertex_index v : near) {
+      change += visit(v, step, parts_of_relaxing);
+      const std::vector<vertex_index> around = mesh_->around(v);  // flips change it
+      for (const vertex_index t : around) change += flip_changed_edges(t);
+    }
+  }
+  return change;
+}
+
+}  // namespace asterism::internal::fitting

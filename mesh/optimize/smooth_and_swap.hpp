@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Moves and flips, taken only where the energy falls: sweeps over all, or around one place.
+//
+// A vertex is tried at random places around it, from a fixed sequence of its own, so that what is
+// done elsewhere does not change what it tries. One that gains nothing a few times rests until
+// something around it changes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "asterism/mesh/optimize/mutable_mesh.hpp"
+
+namespace asterism::internal::fitting {
+
+class mover {
+ public:
+  // `m` must outlive it. `enough` is asked now and then; true ends a sweep.
+  mover(fitted_mesh& m, const std::function<bool()>& enough) : mesh_(&m), enough_(&enough) {}
+
+  // All vertices that do not rest once, then flips wherever triangles changed. False when there was
+  // enough, or the field failed.
+  bool sweep(double step);
+  // A few rounds around the vertices and those they reach over `depth` edges. The change of energy.
+  double relax(std::span<const vertex_index> seeds, int depth);
+
+  // The vertices, and those that triangles connect them to, over so many edges.
+  std::vector<vertex_index> ring(std::span<const vertex_index> seeds, int depth);
+  void wake(std::span<const vertex_index> vertices);
+  // Asks; once there was enough, or the field failed, it stays so.
+  bool has_enough();
+  bool is_stopped() const { return stopped_; }
+
+  std::size_t moves() const { return moves_; }
+  std::size_t flips() const { return flips_; }
+
+ private:
+  double visit(vertex_index v, double step, std::span<const double> parts);
+  double flip_changed_edges(vertex_index t);
+  void flip_all();
+
+  fitted_mesh* mesh_;
+  const std::function<bool()>* enough_;
+  std::vector<std::uint32_t> tries_;  // by vertex, as the next two
+  std::vector<char> rests_;
+  std::vector<std::uint32_t> mark_;
+  std::uint32_t last_mark_ = 0;
+  std::size_t visits_ = 0, moves_ = 0, flips_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace asterism::internal::fitting

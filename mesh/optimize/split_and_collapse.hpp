@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// Merging and splitting around triangles of much energy: each is tried, what is around it relaxed,
+// and kept only if the energy has fallen.
+#pragma once
+
+#include <cstddef>
+
+#include "asterism/mesh/optimize/smooth_and_swap.hpp"
+
+namespace asterism::internal::fitting {
+
+struct surgery_report {
+  std::size_t tried = 0, collapsed = 0, split = 0;
+};
+
+// One round over the triangles there are, the worst first: six attempts at most for each. Ends
+// early when the mover has enough.
+surgery_report operate(fitted_mesh& m, mover& moves);
+
+}  // namespace asterism::internal::fitting

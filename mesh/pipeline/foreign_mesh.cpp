@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/stars/boundary.hpp"
+#include "asterism/mesh/stars/proximity.hpp"
+#include "asterism/mesh/numerics/metric_angle.hpp"
+#include "asterism/mesh/stars/star_predicates.hpp"
+#include "asterism/mesh/stars/star_oracle.hpp"
+#include "asterism/mesh/stars/star_set.hpp"
+
+namespace asterism {
+using namespace internal;
+namespace {
+
+// The directed edges of the triangles, and what is on their left.
+class triangle_sides {
+ public:
+  explicit triangle_sides(const mesh& m) {
+    for (vertex_index t = 0; t < m.triangles.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i)
+        sides_.push_back({{m.triangles[t][i], m.triangles[t][(i + 1) % 3]}, t});
+    std::sort(sides_.begin(), sides_.end(), [](const side& p, const side& q) {
+      return p.ends != q.ends ? p.ends < q.ends : p.triangle < q.triangle;
+    });
+  }
+
+  struct side {
+    std::array<vertex_index, 2> ends;
+    vertex_index triangle;
+  };
+  const std::vector<side>& all() const { return sides_; }
+
+  const side* find(vertex_index a, vertex_index b) const {
+    const std::array ends{a, b};
+    const auto at = std::lower_bound(sides_.begin(), sides_.end(), ends,
+                                     [](const side& s, const auto& key) { return s.ends < key; });
+    return at != sides_.end() && at->ends == ends ? &*at : nullptr;
+  }
+
+ private:
+  std::vector<side> sides_;
+};
+
+void put_boundary_in_order(mesh& m, const triangle_sides& sides) {
+  if (m.boundary.empty())
+    for (const auto& s : sides.all())
+      if (sides.find(s.ends[1], s.ends[0]) == nullptr)
+        m.boundary.push_back({s.ends[0], s.ends[1], 0, 0, false});
+  for (vertex_index i = 0; i < m.boundary.size(); ++i) {
+    boundary_edge& e = m.boundary[i];
+    const bool left = sides.find(e.a, e.b) != nullptr, right = sides.find(e.b, e.a) != nullptr;
+    if (right && !left) std::swap(e.a, e.b);
+    e.internal = left && right;
+    e.segment = i;
+  }
+}
+
+domain domain_of(const mesh& m, const triangle_sides& sides) {
+  domain d;
+  d.vertices.reserve(m.sites.size());
+  for (const site& s : m.sites) d.vertices.push_back(s.position);
+  const auto region = [&](vertex_index a, vertex_index b) {
+    const auto* const s = sides.find(a, b);
+    return s == nullptr || m.regions.empty() ? 1 : m.regions[s->triangle];
+  };
+  for (const boundary_edge& e : m.boundary)
+    d.segments.push_back(
+        {e.a, e.b, e.marker, e.internal, region(e.a, e.b), e.internal ? region(e.b, e.a) : 1});
+  return d;
+}
+
+bool is_found(const audit_report& report, finding_kind kind) {
+  return report.found[static_cast<std::size_t>(kind)] != 0;
+}
+
+// What cannot be a site or a triangle: no question can be asked about it.
+constexpr std::array unusable = {
+    finding_kind::empty_mesh,        finding_kind::index_out_of_range,
+    finding_kind::not_finite,        finding_kind::metric_not_positive_definite,
+    finding_kind::repeated_position, finding_kind::repeated_corner};
+
+// The stars as the mesher would have them, on the mesh's own boundary.
+void compare_with_stars(const adopted_mesh& adopted, certify_report& report) {
+  const mesh& m = adopted.subject;
+  const star_predicates_on<filtered_kernel> kernel;
+  const auto edges = boundary::build(adopted.shape, kernel);
+  if (!edges) return;
+  const neighbourhood near(m.sites, edges.value());
+  const site_oracle oracle(m.sites, edges.value(), kernel, nullptr, &near);
+  star_set stars;
+  stars.construct_all(oracle);
+  std::vector<vertex_index> all(m.sites.size());
+  std::iota(all.begin(), all.end(), vertex_index{0});
+  stars.construct(oracle, all, star_search::thorough);
+  report.compared = true;
+  for (vertex_index v = 0; v < stars.size(); ++v) report.unsettled += stars.is_unsettled(v) ? 1 : 0;
+  for (vertex_index t = 0; t < m.triangles.size(); ++t) {
+    const triangle& c = m.triangles[t];
+    std::size_t stars_with_it = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      stars_with_it += has_triangle(oracle, c[i], stars[c[i]], c[(i + 1) % 3], c[(i + 2) % 3]);
+    ++report.in_stars[stars_with_it];
+    if (stars_with_it != 3) report.not_in_all.push_back(t);
+  }
+}
+
+double length(const site& from, const point& to) {
+  const point d{to.x - from.position.x, to.y - from.position.y};
+  const metric_tensor& m = from.metric;
+  return std::sqrt(m.m11 * d.x * d.x + 2 * m.m12 * d.x * d.y + m.m22 * d.y * d.y);
+}
+
+void measure_edges(const mesh& m, certify_report& report) {
+  const triangle_sides sides(m);
+  for (const auto& s : sides.all()) {
+    const auto [a, b] = s.ends;
+    if (a > b && sides.find(b, a) != nullptr) continue;
+    const site &p = m.sites[a], &q = m.sites[b];
+    const double mean = 0.5 * (length(p, q.position) + length(q, p.position));
+    ++report.edges;
+    report.unit_edges += mean * mean >= 0.5 && mean * mean <= 2;
+  }
+}
+
+}  // namespace
+
+result<adopted_mesh> adopt_mesh(mesh from_elsewhere) {
+  audit_options options;
+  options.check_stars = false;
+  const audit_report first = audit(from_elsewhere, options);
+  for (const finding_kind kind : unusable)
+    for (const audit_finding& f : first.findings)
+      if (f.kind == kind) return error{f.witness};
+  adopted_mesh adopted{std::move(from_elsewhere), {}};
+  mesh& m = adopted.subject;
+  const triangle_sides sides(m);
+  put_boundary_in_order(m, sides);
+  m.given = static_cast<vertex_index>(m.sites.size());
+  if (is_found(audit(m, options), finding_kind::wrong_region)) m.regions.clear();
+  adopted.shape = domain_of(m, sides);
+  return adopted;
+}
+
+certify_report certify(const adopted_mesh& adopted, double angle_bound, bool check_voronoi) {
+  const mesh& m = adopted.subject;
+  certify_report report;
+  audit_options options;
+  options.angle_bound = angle_bound;
+  options.original = &adopted.shape;
+  options.find_exempt_corners = true;
+  options.findings_kept = 5;
+  options.check_voronoi = check_voronoi;
+  report.audit = audit(m, options);
+  report.inverted = report.audit.found[static_cast<std::size_t>(finding_kind::orientation)];
+  for (const triangle& t : m.triangles) report.below_bound += smallest_angle(m, t) < angle_bound;
+  measure_edges(m, report);
+  if (report.audit.stars_checked) compare_with_stars(adopted, report);
+  return report;
+}
+
+}  // namespace asterism

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes a mesh of a domain in a metric field, without judging it: pipeline/certified_mesh.hpp does both.
+#pragma once
+
+#include <functional>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/data/outcome.hpp"
+
+namespace asterism {
+
+// `d` must have been accepted by check_domain. Fails only where the metric field does, or for
+// options out of range. `progress` may be empty; it is called now and then from this thread.
+result<mesh_outcome> make_mesh(
+    const domain& d, const metric_field& field, const mesh_options& options,
+    const std::function<void(const mesh_progress&)>& progress = {});
+
+}  // namespace asterism

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine/bad_triangle_queue.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "asterism/mesh/support/parallel.hpp"
+
+namespace asterism::internal {
+namespace {
+
+// Whether the triangle v, y, x lies in the corner c of the domain at v. Both turn by less than 180
+// degrees.
+bool lies_in(const site_oracle& oracle, const domain_corner& c, vertex_index v, vertex_index y, vertex_index x) {
+  const boundary_corner ends = oracle.edges().corners(v)[c.sector];
+  return oracle.orientation(v, ends.first, y) != sign::negative &&
+         oracle.orientation(v, x, ends.last) != sign::negative &&
+         oracle.orientation(v, y, ends.last) == sign::positive;
+}
+
+// Each of the triangle's corners that lies in one of the domain's, which are sorted by vertex.
+std::array<bool, 3> corners_in(const site_oracle& oracle, const triangle& t,
+                               const std::vector<domain_corner>& corners) {
+  std::array<bool, 3> in{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [first, last] = std::equal_range(
+        corners.begin(), corners.end(), domain_corner{t[i], 0, 0},
+        [](const domain_corner& a, const domain_corner& b) { return a.vertex < b.vertex; });
+    in[i] = std::any_of(first, last, [&](const domain_corner& c) {
+      return lies_in(oracle, c, t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
+    });
+  }
+  return in;
+}
+
+// Those of them that fill the domain's corner from one subsegment to the other. A part of a divided
+// corner could be wider.
+std::array<bool, 3> unavoidable(const boundary& edges, const triangle& t,
+                                std::array<bool, 3> in_corner) {
+  for (std::size_t i = 0; i < 3; ++i)
+    in_corner[i] = in_corner[i] && edges.is_subsegment(t[i], t[(i + 1) % 3]) &&
+                   edges.is_subsegment(t[(i + 2) % 3], t[i]);
+  return in_corner;
+}
+
+}  // namespace
+
+triangle_sites sites_of(const refine_state& state, const triangle& t) {
+  return {state.sites()[t[0]], state.sites()[t[1]], state.sites()[t[2]]};
+}
+
+std::vector<exempt_corner> exempt_corners(const refine_state& state,
+                                          const angle_requirement& angle) {
+  std::map<vertex_index, double> smallest;
+  for (const domain_corner& c : state.corners()) {
+    if (!(c.angle < angle.degrees())) continue;
+    const auto [at, added] = smallest.try_emplace(c.vertex, c.angle);
+    if (!added) at->second = std::min(at->second, c.angle);
+  }
+  std::vector<exempt_corner> corners;
+  corners.reserve(smallest.size());
+  for (const auto& [vertex, degrees] : smallest) corners.push_back({vertex, degrees});
+  return corners;
+}
+
+survey::survey(const refine_state& state, const angle_requirement& angle, bool limit_size)
+    : angle_(angle),
+      limit_size_(limit_size),
+      exempt_corners_(asterism::internal::exempt_corners(state, angle)) {
+  for (const domain_corner& c : state.corners())
+    if (c.angle < angle.degrees()) corners_below_.push_back(c);
+}
+
+std::vector<triangle> survey::exempt() const {
+  std::vector<triangle> all;
+  for (const auto& [v, r] : records_) all.insert(all.end(), r.exempt.begin(), r.exempt.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+// Whether its corners are all on two segments, not both of the rim, that meet in a corner below
+// half the bound: their low angles are left (docs/math/refinement.md, "Corners").
+bool survey::crosses_wedge(const refine_state& state, const triangle& t) const {
+  const auto accepts = [&](const domain_wedge& w) {
+    return w.internal && state.is_narrower(w, w.corner.vertex, angle_.degrees() / 2) &&
+           std::all_of(t.begin(), t.end(),
+                       [&](vertex_index v) { return state.is_narrower(w, v, angle_.degrees()); });
+  };
+  return state.wedge_across(t, accepts) != nullptr;
+}
+
+void survey::judge(const refine_state& state, const site_oracle& oracle, const triangle& t,
+                   record& into) const {
+  const triangle_sites sites = sites_of(state, t);
+  const bool low = angle_.is_low(sites);
+  std::array<bool, 3> in_corner{};
+  if (low) in_corner = corners_in(oracle, t, corners_below_);
+  if (in_corner[0] || in_corner[1] || in_corner[2]) {
+    into.exempt.push_back(t);
+    if (angle_.is_low(sites, unavoidable(state.edges(), t, in_corner)))
+      into.improvable.push_back({badness::low_angle, smallest_angle(sites), t});
+  } else if (low && crosses_wedge(state, t)) {
+    into.exempt.push_back(t);
+  } else if (low) {
+    into.bad.push_back({badness::low_angle, smallest_angle(sites), t});
+    return;
+  }
+  if (!limit_size_) return;
+  const double circumradius = metric_circumradius(sites);
+  if (circumradius > largest_circumradius)
+    into.bad.push_back({badness::too_large, -circumradius, t});
+}
+
+survey::record survey::examine(const refine_state& state, const star_predicates& kernel,
+                               vertex_index v) const {
+  record found;
+  const site_oracle oracle = state.oracle().with_kernel(kernel);
+  const star_set& stars = state.stars();
+  const auto has = [&](vertex_index u, vertex_index y, vertex_index x) {
+    return std::any_of(stars[u].sectors.begin(), stars[u].sectors.end(), [&](const sector& s) {
+      for (std::size_t gap = 0; gap < s.gaps(); ++gap)
+        if (s.neighbours[gap] == y && s.neighbours[s.after(gap)] == x) return true;
+      return false;
+    });
+  };
+  for (const sector& s : stars[v].sectors) {
+    if (s.neighbours.empty()) found.disagreeing.push_back({v, v, v});
+    for (const vertex_index u : s.neighbours)
+      if (!stars[u].contains(v)) found.one_sided.push_back(u);
+    for (std::size_t gap = 0; gap < s.gaps(); ++gap) {
+      const triangle t{v, s.neighbours[gap], s.neighbours[s.after(gap)]};
+      if (!holds_triangle(oracle, v, s, gap)) {
+        found.disagreeing.push_back(t);  // a wide gap
+      } else if (!has(t[1], t[2], v) || !has(t[2], v, t[1]) || stars.is_unsettled(v)) {
+        // Seen from another star the same triangle holds as well: its orientation is positive.
+        found.disagreeing.push_back(canonical(t));
+      } else if (v < t[1] && v < t[2]) {
+        judge(state, oracle, t, found);
+      }
+    }
+  }
+  return found;
+}
+
+void survey::forget(vertex_index v) {
+  const auto at = records_.find(v);
+  if (at == records_.end()) return;
+  const record& old = at->second;
+  for (const triangle& t : old.disagreeing) {
+    const auto entry = disagreeing_.find(t);
+    if (--entry->second.first > 0) continue;
+    bad_.erase({badness::disagreeing, entry->second.second, t});
+    --counts_[0];
+    disagreeing_.erase(entry);
+  }
+  for (const bad_triangle& b : old.bad) {
+    bad_.erase(b);
+    --counts_[static_cast<std::size_t>(b.why)];
+  }
+  for (const bad_triangle& b : old.improvable) improvable_.erase(b);
+  for (const vertex_index u : old.one_sided) {
+    std::vector<vertex_index>& claimants = claimed_by_[u];
+    claimants.erase(std::remove(claimants.begin(), claimants.end(), v), claimants.end());
+    if (claimants.empty()) claimed_by_.erase(u);
+  }
+  records_.erase(at);
+}
+
+void survey::remember(const refine_state& state, vertex_index v, record now) {
+  if (now.empty()) return;
+  for (const triangle& t : now.disagreeing) {
+    const auto [entry, added] = disagreeing_.try_emplace(t, 0, 0.0);
+    if (added) {
+      entry->second.second = smallest_angle(sites_of(state, t));
+      bad_.insert({badness::disagreeing, entry->second.second, t});
+      ++counts_[0];
+    }
+    ++entry->second.first;
+  }
+  for (const bad_triangle& b : now.bad) {
+    bad_.insert(b);
+    ++counts_[static_cast<std::size_t>(b.why)];
+  }
+  for (const bad_triangle& b : now.improvable) improvable_.insert(b);
+  for (const vertex_index u : now.one_sided) claimed_by_[u].push_back(v);
+  records_.emplace(v, std::move(now));
+}
+
+// What a star says depends on itself and on the stars of its neighbours. Those that have a touched
+// star as a neighbour are its own neighbours, now or before, or claim it one-sidedly.
+std::vector<vertex_index> survey::dependents(refine_state& state) {
+  std::vector<vertex_index> all = state.stars().take_touched();
+  if (std::exchange(first_, false)) {
+    all.resize(state.stars().size());
+    std::iota(all.begin(), all.end(), vertex_index{0});
+    return all;
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  const std::size_t touched = all.size();
+  for (std::size_t i = 0; i < touched; ++i) {
+    for (const sector& s : state.stars()[all[i]].sectors)
+      all.insert(all.end(), s.neighbours.begin(), s.neighbours.end());
+    const auto claimants = claimed_by_.find(all[i]);
+    if (claimants != claimed_by_.end())
+      all.insert(all.end(), claimants->second.begin(), claimants->second.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+void survey::update(refine_state& state) {
+  const std::vector<vertex_index> which = dependents(state);
+  constexpr std::size_t chunk = 256;
+  struct spoken {
+    vertex_index who;
+    record what;
+  };
+  std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
+  std::vector<spoken> all = collect_chunks<spoken>(
+      which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<spoken>& out) {
+        const auto kernel = state.kernel().fork();
+        for (std::size_t i = begin; i < end; ++i) {
+          record found = examine(state, *kernel, which[i]);
+          if (!found.empty()) out.push_back({which[i], std::move(found)});
+        }
+        counts[begin / chunk] = kernel->counters();
+      });
+  for (const tier_counters& c : counts) state.kernel().count(c);
+  for (const vertex_index v : which) forget(v);
+  for (spoken& s : all) remember(state, s.who, std::move(s.what));
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// What is still wrong with a mesh: its bad triangles, the worst first, kept up to date.
+//
+// Bad is what the thesis (section 4.1) calls bad: a disagreeing triangle, an angle below the bound
+// from the perspective of any vertex, or, with a size limit, a triangle too large. A wide gap of a
+// star and the triangles of a star that did not settle count as disagreeing.
+// Exempt from the angle bound, and listed, are triangles in a corner of the domain whose own angle
+// is below it: no mesh meets the bound there. Another corner at the same vertex exempts nothing.
+// Exempt are also triangles across a wedge below half the bound between two segments one of which
+// is internal: with all corners on these two, as long as each of them measures it below the bound.
+//
+// Each star is asked for what is wrong in it, and asked again when it or a star it has triangles
+// with has changed; nothing else is looked at.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+#include "asterism/mesh/stars/consistency.hpp"
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/refine/refine_state.hpp"
+
+namespace asterism::internal {
+
+enum class badness { disagreeing, low_angle, too_large };
+
+struct bad_triangle {
+  badness why = badness::disagreeing;
+  double rank = 0;  // within its kind, smaller is worse: the smallest angle, or minus the size
+  // Counter-clockwise; for a wide gap the indices may repeat or run clockwise (stars/consistency.hpp).
+  triangle where{};
+
+  friend bool operator<(const bad_triangle& a, const bad_triangle& b) {
+    if (a.why != b.why) return a.why < b.why;
+    if (a.rank != b.rank) return a.rank < b.rank;
+    return a.where < b.where;
+  }
+};
+
+class survey {
+ public:
+  survey(const refine_state& state, const angle_requirement& angle, bool limit_size);
+
+  // Looks again at what has been touched since the last time.
+  void update(refine_state& state);
+
+  // Disagreeing, then low angles, then large; ties by position in the mesh, so that the order is
+  // the same every time.
+  const std::set<bad_triangle>& bad() const { return bad_; }
+  // At exempt corners, low elsewhere than at the corner: worth trying, not demanded.
+  const std::set<bad_triangle>& improvable() const { return improvable_; }
+  std::size_t count(badness why) const { return counts_[static_cast<std::size_t>(why)]; }
+  // In lexicographic order.
+  std::vector<triangle> exempt() const;
+  const std::vector<exempt_corner>& exempt_corners() const { return exempt_corners_; }
+
+ private:
+  // What one star has to say.
+  struct record {
+    std::vector<triangle> disagreeing;  // may be found by several stars
+    std::vector<bad_triangle> bad;      // low or large: by the star of the smallest index alone
+    std::vector<bad_triangle> improvable;
+    std::vector<triangle> exempt;
+    std::vector<vertex_index> one_sided;  // neighbours that do not have the star's centre as theirs
+
+    bool empty() const {
+      return disagreeing.empty() && bad.empty() && improvable.empty() && exempt.empty() &&
+             one_sided.empty();
+    }
+  };
+
+  record examine(const refine_state& state, const star_predicates& kernel, vertex_index v) const;
+  bool crosses_wedge(const refine_state& state, const triangle& t) const;
+  void judge(const refine_state& state, const site_oracle& oracle, const triangle& t,
+             record& into) const;
+  void forget(vertex_index v);
+  void remember(const refine_state& state, vertex_index v, record now);
+  std::vector<vertex_index> dependents(refine_state& state);
+
+  angle_requirement angle_;
+  bool limit_size_;
+  std::vector<exempt_corner> exempt_corners_;
+  std::vector<domain_corner> corners_below_;   // the bound: a vertex may have wide ones beside them
+  std::unordered_map<vertex_index, record> records_;  // those that are not empty
+  std::map<triangle, std::pair<int, double>> disagreeing_;    // by how many stars, smallest angle
+  std::unordered_map<vertex_index, std::vector<vertex_index>> claimed_by_;  // the other end of one_sided
+  std::set<bad_triangle> bad_, improvable_;
+  std::size_t counts_[3] = {0, 0, 0};
+  bool first_ = true;
+};
+
+// The domain's corners below the bound, one for each vertex (its smallest), by vertex.
+std::vector<exempt_corner> exempt_corners(const refine_state& state,
+                                          const angle_requirement& angle);
+
+triangle_sites sites_of(const refine_state& state, const triangle& t);
+
+}  // namespace asterism::internal

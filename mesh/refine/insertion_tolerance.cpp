@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine/insertion_tolerance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+#include "asterism/mesh/stars/nearest_distances.hpp"
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double arc_fraction = 0.2;
+constexpr double arc_ladder = 1024;      // from start to floor
+constexpr double arc_finest_part = 256;  // of start
+// After a fill, defects are mended at points nearly as far from all sites as the fill's own.
+constexpr double fill_fraction = 0.6;
+constexpr double fill_ladder = 128;  // from start to floor
+constexpr double finest_part = 32;   // of start
+constexpr double fill_shrink = 0.75;
+constexpr double dart_fraction = 0.5;
+constexpr double dart_ladder = 1024;
+
+// How near to each other the domain brings sites, as its vertices measure: the shortest distance
+// from one to a site or to a subsegment not at it, and between the subsegments at a sharp corner; at most
+// `most`.
+double smallest_feature(const refine_state& state, vertex_index vertices, double most) {
+  double least =
+      shortest_distance(state.sites(), vertices, state.edges(), *state.oracle().near(), most);
+  // Beyond the first two subsegments at a sharp corner the domain is about so wide.
+  for (const domain_corner& c : state.corners())
+    if (c.angle < 60)
+      for (const std::size_t subsegment : state.subsegments_at(c))
+        least = std::min(least, state.subsegment_length(subsegment, c.vertex) * std::sin(c.angle * degree));
+  return least;
+}
+
+}  // namespace
+
+tolerance_range choose_tolerance(const refine_state& state, vertex_index vertices,
+                                 const mesh_options& options) {
+  const bool darts = options.strategy == refinement_strategy::poisson_darts;
+  if (options.tolerance) {
+    const double given = *options.tolerance;
+    return {given, darts ? given / dart_ladder : given};
+  }
+  if (options.strategy == refinement_strategy::guaranteed && options.limit_size) {
+    const double start = fill_fraction * largest_circumradius, finest = start / finest_part;
+    return {start, std::min(start, smallest_feature(state, vertices, start)) / fill_ladder,
+            fill_shrink, finest};
+  }
+  // With a size limit edges will be about 1 long, however far apart the given sites are.
+  const double most = options.limit_size ? 1 : std::numeric_limits<double>::infinity();
+  const auto all = static_cast<vertex_index>(state.sites().size());
+  const neighbourhood& near = *state.oracle().near();
+  const double shortest = shortest_distance(state.sites(), all, state.edges(), near, most);
+  if (darts) {
+    const double start = dart_fraction * median_distance(state.sites(), near, most);
+    return {start, std::min(start, shortest) / dart_ladder};
+  }
+  tolerance_range arcs{arc_fraction * shortest, arc_fraction * shortest / arc_ladder};
+  arcs.finest = arcs.start / arc_finest_part;
+  return arcs;
+}
+
+std::string format_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/search/hilbert_order.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace asterism::internal {
+namespace {
+
+constexpr int levels = 20;
+
+// The cell of x in [low, high] cut into 2^levels.
+std::uint32_t cell(double x, double low, double high) {
+  const double part = (x / 2 - low / 2) / (high / 2 - low / 2);  // halved: no overflow
+  constexpr double cells = 1U << levels;
+  return static_cast<std::uint32_t>(std::clamp(part * cells, 0.0, cells - 1));
+}
+
+// Each level picks one of four quarters; the curve enters and leaves it turned or mirrored.
+std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
+  std::uint64_t place = 0;
+  for (std::uint32_t bit = 1U << (levels - 1); bit > 0; bit >>= 1) {
+    const bool right = (x & bit) != 0, upper = (y & bit) != 0;
+    place = place << 2 | (right ? (upper ? 2U : 3U) : (upper ? 1U : 0U));
+    if (upper) continue;
+    if (right) {
+      x = ~x;
+      y = ~y;
+    }
+    std::swap(x, y);
+  }
+  return place;
+}
+
+}  // namespace
+
+void sort_along_curve(std::vector<site>& sites, const bounding_box& box) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(sites.size());
+  for (std::uint32_t i = 0; i < sites.size(); ++i) {
+    const point& q = sites[i].position;
+    order[i] = {place_on_curve(cell(q.x, box.low.x, box.high.x), cell(q.y, box.low.y, box.high.y)),
+                i};
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<site> sorted;
+  sorted.reserve(sites.size());
+  for (const auto& [place, i] : order) sorted.push_back(sites[i]);
+  sites = std::move(sorted);
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/search/site_index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asterism::internal {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// One operation is off by at most 2^-52 of its result in any rounding mode; the bounds below are
+// at most 16 operations deep, so a factor 1 +- 2^-47 covers them all. Underflow is kept away by
+// answering "not known" for extreme operands.
+constexpr double up = 1 + 0x1p-47, down = 1 - 0x1p-47;
+constexpr double smallest = 0x1p-900, largest = 0x1p900;
+
+// Bounds on m11 m22 - m12^2. Each product is off by 2^-52 of itself; where they cancel, the
+// difference is not, and its magnitude says by how much.
+struct range {
+  double low, high;
+};
+range determinant(const metric_tensor& m) {
+  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
+  const double slack = 0x1p-49 * (product + square);
+  return {product - square - slack, product - square + slack};
+}
+
+}  // namespace
+
+site_index::site_index(const bounding_box& box)
+    : half_{box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2} {
+  nodes_.emplace_back();
+  nodes_[0].middle = {box.low.x + half_.x, box.low.y + half_.y};
+}
+
+// An empty node has count 0 and an inverted box, which is apart from everything.
+void site_index::cover(node& n, const site& s) const {
+  if (n.count == 0) {
+    n.low = n.high = s.position;
+    n.inverse12_low = infinity;
+    n.inverse12_high = -infinity;
+    n.inverse_determinant = infinity;
+  }
+  n.low = {std::min(n.low.x, s.position.x), std::min(n.low.y, s.position.y)};
+  n.high = {std::max(n.high.x, s.position.x), std::max(n.high.y, s.position.y)};
+  const range det = determinant(s.metric);
+  if (!(det.low > smallest && det.high < largest)) {
+    n.inverse11 = n.inverse22 = n.inverse12_high = infinity;
+    n.inverse12_low = -infinity;
+    n.inverse_determinant = 0;
+    return;
+  }
+  n.inverse11 = std::max(n.inverse11, s.metric.m22 / det.low * up);
+  n.inverse22 = std::max(n.inverse22, s.metric.m11 / det.low * up);
+  const double a = -s.metric.m12 / det.low, b = -s.metric.m12 / det.high;
+  n.inverse12_low = std::min(n.inverse12_low, std::min(a, b) - std::abs(a) * 0x1p-47);
+  n.inverse12_high = std::max(n.inverse12_high, std::max(a, b) + std::abs(a) * 0x1p-47);
+  n.inverse_determinant = std::min(n.inverse_determinant, 1 / det.high * down);
+}
+
+void site_index::insert(const std::vector<site>& sites, vertex_index w) {
+  const site& s = sites[w];
+  std::uint32_t at = 0;
+  point half = half_;
+  int level = 0;
+  for (;; ++level) {
+    cover(nodes_[at], s);
+    if (nodes_[at].first_child == none) {
+      if (nodes_[at].count < leaf_capacity || level >= most_levels) break;
+      split(sites, at, half);
+    }
+    half = {half.x / 2, half.y / 2};
+    ++nodes_[at].count;
+    at = nodes_[at].first_child + quadrant(nodes_[at], s.position);
+  }
+  node& n = nodes_[at];
+  if (n.count < leaf_capacity) {
+    n.leaf[n.count] = w;
+  } else {
+    if (n.overflow == none) {
+      n.overflow = static_cast<std::uint32_t>(overflow_.size());
+      overflow_.emplace_back();
+    }
+    overflow_[n.overflow].push_back(w);
+  }
+  ++n.count;
+  ++size_;
+}
+
+void site_index::split(const std::vector<site>& sites, std::uint32_t at, const point& half) {
+  const auto first = static_cast<std::uint32_t>(nodes_.size());
+  const point middle = nodes_[at].middle, quarter{half.x / 2, half.y / 2};
+  for (int child = 0; child < 4; ++child) {
+    nodes_.emplace_back();
+    nodes_.back().middle = {middle.x + ((child & 1) != 0 ? quarter.x : -quarter.x),
+                            middle.y + ((child & 2) != 0 ? quarter.y : -quarter.y)};
+    nodes_.back().low = {infinity, infinity};
+    nodes_.back().high = {-infinity, -infinity};
+  }
+  const std::array<vertex_index, leaf_capacity> moved = nodes_[at].leaf;
+  nodes_[at].first_child = first;
+  for (const vertex_index w : moved) {
+    node& child = nodes_[first + quadrant(nodes_[at], sites[w].position)];
+    cover(child, sites[w]);
+    child.leaf[child.count++] = w;
+  }
+}
+
+// From the smallest node around v with sites enough and not all on a line: the metric area of its
+// box, shared by its sites.
+double site_index::spacing_near(const site& v) const {
+  constexpr std::uint32_t enough = 4;
+  const double root = std::sqrt(std::max(0.0, determinant(v.metric).low));
+  double spacing = 0;
+  std::uint32_t at = 0;
+  while (!nodes_.empty()) {
+    const node& n = nodes_[at];
+    const double area = root * (n.high.x - n.low.x) * (n.high.y - n.low.y);
+    if (n.count < enough) break;
+    if (area > 0) spacing = std::sqrt(area / n.count);
+    if (n.first_child == none) break;
+    at = n.first_child + quadrant(n, v.position);
+  }
+  return spacing;
+}
+
+site_index::centre site_index::centre_of(const site& v, double reach) {
+  const range det = determinant(v.metric);
+  const bool known = det.low > smallest && det.high < largest && reach < largest;
+  return {&v, known ? det.low : 0, reach};
+}
+
+// Half the trace of M_w^-1 M_v for all sites of the node, from above; infinite when not known.
+double site_index::half_trace_above(const node& n, const centre& c) {
+  if (!(c.determinant_below > 0)) return infinity;
+  const metric_tensor& m = c.v->metric;
+  const double off_diagonal = 2 * (m.m12 > 0 ? n.inverse12_high : n.inverse12_low) * m.m12;
+  const double diagonal = n.inverse11 * m.m11 + n.inverse22 * m.m22;
+  const double t = (diagonal + off_diagonal + 0x1p-47 * (diagonal + std::abs(off_diagonal))) / 2;
+  return t < 0x1p500 ? t : infinity;  // infinite if not a number
+}
+
+// (1 + sigma) R for all sites of the node; infinite when not known.
+// sigma^2 = t + sqrt(t^2 - d), t half the trace and d the determinant of M_w^-1 M_v, grows with t
+// and falls with d.
+double site_index::limit(const node& n, const centre& c) {
+  const double t = half_trace_above(n, c);
+  if (t == infinity) return infinity;
+  const double d = n.inverse_determinant * c.determinant_below * down;
+  const double sigma =
+      std::sqrt((t + std::sqrt(std::max(0.0, (t * up) * (t * up) - d)) * up) * up) * up;
+  return (1 + (sigma > 1 ? sigma : 1)) * c.reach * up;
+}
+
+// The square of a limit that is not as near, without a root: (1 + sigma)^2 <= 2 + 2 sigma^2, and
+// sigma^2 <= 2 t.
+double site_index::rough_squared_limit(const node& n, const centre& c) {
+  const double t = half_trace_above(n, c);
+  if (t == infinity) return infinity;
+  return 2 * (1 + (2 * t > 1 ? 2 * t : 1)) * (c.reach * c.reach * up) * up;
+}
+
+// With u any vector and g = M_v u, every w has |w|_v >= g.w / |u|_v. u leads to the middle of the
+// box; the least g.w is at one of its corners. No monomial below passes more than six roundings,
+// and `size` bounds the sum of their magnitudes, of |u|_v^2 as well, to within as many: 2^-48 of it
+// covers the errors. The ranges keep underflow and overflow away: |u|_v^2 is at least the least
+// g.w.
+site_index::approach site_index::approach_of(const node& n, const centre& c) {
+  const point& at = c.v->position;
+  const point low{n.low.x - at.x, n.low.y - at.y}, high{n.high.x - at.x, n.high.y - at.y};
+  if (low.x <= 0 && low.y <= 0 && high.x >= 0 && high.y >= 0) return {};  // v is in the box
+  const metric_tensor& m = c.v->metric;
+  const point u{0.5 * low.x + 0.5 * high.x, 0.5 * low.y + 0.5 * high.y};
+  const point g{m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
+  const double least = g.x * (g.x > 0 ? low.x : high.x) + g.y * (g.y > 0 ? low.y : high.y);
+  const point extent{std::max(std::abs(low.x), std::abs(high.x)),
+                     std::max(std::abs(low.y), std::abs(high.y))};
+  const double mixed = std::abs(m.m12);
+  const double size = (m.m11 * extent.x + mixed * extent.y) * extent.x +
+                      (mixed * extent.x + m.m22 * extent.y) * extent.y;
+  const double least_below = least - 0x1p-48 * size;
+  if (!(least_below > 0x1p-300 && size < 0x1p400 && extent.x + extent.y < 0x1p600)) return {};
+  return {least_below * least_below, (u.x * g.x + u.y * g.y + 0x1p-48 * size) * up};
+}
+
+bool site_index::approach::is_beyond(double squared_limit) const {
+  return squared_limit > 0x1p-500 && squared_least > squared_limit * square_above * up;
+}
+
+// Most nodes are nearer than even equal metrics would reach, or farther than a rougher limit:
+// neither takes a root.
+bool site_index::out_of_reach(const node& n, const centre& c) {
+  if (!(c.determinant_below > 0)) return false;
+  const approach a = approach_of(n, c);
+  if (!a.is_beyond(4 * (c.reach * c.reach) * up)) return false;
+  if (a.is_beyond(rough_squared_limit(n, c))) return true;
+  const double most = limit(n, c);
+  return a.is_beyond(most * most * up);
+}
+
+// |q - v|_v > limit, certainly. Monomials of at most six roundings.
+bool site_index::is_beyond(const point& q, const centre& c, double limit) {
+  const metric_tensor& m = c.v->metric;
+  const point d{q.x - c.v->position.x, q.y - c.v->position.y};
+  const double xx = m.m11 * d.x * d.x, yy = m.m22 * d.y * d.y, xy = 2 * (m.m12 * d.x * d.y);
+  const double square = xx + yy + xy - 0x1p-48 * (xx + yy + std::abs(xy));
+  const bool in_range = std::abs(d.x) + std::abs(d.y) < 0x1p400 && square < 0x1p800;
+  return in_range && limit > 0x1p-250 && square > limit * limit * up;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+//
+// The sites near a place, in a quadtree that grows with the mesh.
+//
+// Every node knows the tight box of its sites and ranges of their inverse tensors, so that two
+// kinds of question can be asked: all sites in a box (exact), and all sites that are not certainly
+// out of a star's reach (conservative, for metrics that differ from site to site):
+// with |w|_v the length of w - v as v measures, sigma^2 the largest eigenvalue of M_w^-1 M_v, or 1
+// if that is more, and R at least the distance to the Voronoi vertex of each gap of the star and
+// the length of each edge at a gap, a site with |w|_v > (1 + sigma) R is accepted in none. Source:
+// docs/math/certificate.md, section 4.3.
+//
+// Deterministic: sites are visited in an order that depends on the insertions alone.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/domain.hpp"
+
+namespace asterism::internal {
+
+class site_index {
+ public:
+  site_index() = default;
+  // An empty index of sites in, or not far outside, the box.
+  explicit site_index(const bounding_box& box);
+
+  std::size_t size() const { return size_; }
+  // Adds sites[w]. Finite position, positive definite metric, each index once.
+  void insert(const std::vector<site>& sites, vertex_index w);
+
+  // Calls visit(w) for each site in the closed box. visit returns whether to go on; so does this.
+  template <class Visit>
+  bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
+                 Visit&& visit) const;
+  // Likewise for each site w that may see q within the distance: |q - w|_w <= distance.
+  template <class Visit>
+  bool visit_seeing(const point& q, double distance, Visit&& visit) const;
+
+  // About how far sites are apart near v, as v measures; 0 where that cannot be told.
+  double spacing_near(const site& v) const;
+
+  // Likewise for each site not certainly out of reach of v, with R = reach in v's metric, infinite
+  // where nothing is known; v itself may be among them.
+  template <class Visit>
+  bool visit_reach(const std::vector<site>& sites, const site& v, double reach,
+                   Visit&& visit) const;
+
+ private:
+  static constexpr int leaf_capacity = 8;
+  static constexpr int most_levels = 60;  // deeper, distinct doubles of one box need not separate
+  static constexpr std::uint32_t none = 0;
+
+  struct node {
+    point low, high;                                               // tight around the sites below
+    point middle;                                                  // where the four children meet
+    double inverse11 = 0, inverse22 = 0, inverse_determinant = 0;  // above, above, below
+    double inverse12_low = 0, inverse12_high = 0;
+    std::uint32_t first_child = none;
+    std::uint32_t count = 0;                  // of the sites below
+    std::array<vertex_index, leaf_capacity> leaf{};  // the first sites, without children
+    std::uint32_t overflow = none;            // the rest, in overflow_; only on the last level
+  };
+
+  static bool apart(const node& n, const point& low, const point& high) {
+    return n.high.x < low.x || n.low.x > high.x || n.high.y < low.y || n.low.y > high.y;
+  }
+  // A star's centre, prepared to be asked how far nodes and sites are.
+  struct centre {
+    const site* v;
+    double determinant_below;  // of its metric; 0 when not known
+    double reach;
+  };
+  static centre centre_of(const site& v, double reach);
+  // Every |w - v|_v^2 of the node is at least squared_least / square_above, if that is positive.
+  struct approach {
+    double squared_least = 0, square_above = 0;
+    bool is_beyond(double squared_limit) const;
+  };
+  static approach approach_of(const node& n, const centre& c);
+  static double half_trace_above(const node& n, const centre& c);
+  static double limit(const node& n, const centre& c);
+  static double rough_squared_limit(const node& n, const centre& c);
+  static bool out_of_reach(const node& n, const centre& c);
+  static bool is_beyond(const point& q, const centre& c, double limit);
+  static std::uint32_t quadrant(const node& n, const point& q) {
+    return (q.x >= n.middle.x ? 1U : 0U) + (q.y >= n.middle.y ? 2U : 0U);
+  }
+  void cover(node& n, const site& s) const;
+  void split(const std::vector<site>& sites, std::uint32_t at, const point& half);
+  template <class Visit>
+  bool visit_leaf(const node& n, Visit&& visit) const;
+
+  std::vector<node> nodes_;  // the root first; no node but the root has index 0
+  std::vector<std::vector<vertex_index>> overflow_{1};
+  point half_;  // half the root's extent
+  std::size_t size_ = 0;
+};
+
+template <class Visit>
+bool site_index::visit_leaf(const node& n, Visit&& visit) const {
+  const std::uint32_t inline_count = n.count < leaf_capacity ? n.count : leaf_capacity;
+  for (std::uint32_t i = 0; i < inline_count; ++i)
+    if (!visit(n.leaf[i])) return false;
+  if (n.overflow != none)
+    for (const vertex_index w : overflow_[n.overflow])
+      if (!visit(w)) return false;
+  return true;
+}
+
+template <class Visit>
+bool site_index::visit_box(const std::vector<site>& sites, const point& low, const point& high,
+                           Visit&& visit) const {
+  // Each level leaves at most three children waiting.
+  std::array<std::uint32_t, 3 * most_levels + 4> open;
+  std::size_t waiting = 0;
+  if (!nodes_.empty()) open[waiting++] = 0;
+  while (waiting > 0) {
+    const node& n = nodes_[open[--waiting]];
+    if (apart(n, low, high)) continue;
+    if (n.first_child != none) {
+      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
+      continue;
+    }
+    const bool on = visit_leaf(n, [&](vertex_index w) {
+      const point& q = sites[w].position;
+      const bool inside = low.x <= q.x && q.x <= high.x && low.y <= q.y && q.y <= high.y;
+      return !inside || visit(w);
+    });
+    if (!on) return false;
+  }
+  return true;
+}
+
+// |dx| <= distance sqrt(M^-1_11) wherever |d|_M <= distance; the margin covers the roundings.
+template <class Visit>
+bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) const {
+  const auto beyond = [](double x, double low, double high) {
+    return x < low ? low - x : x > high ? x - high : 0;
+  };
+  std::array<std::uint32_t, 3 * most_levels + 4> open;
+  std::size_t waiting = 0;
+  if (!nodes_.empty()) open[waiting++] = 0;
+  while (waiting > 0) {
+    const node& n = nodes_[open[--waiting]];
+    const double reach = distance * (1 + 0x1p-40);
+    if (n.count == 0 || beyond(q.x, n.low.x, n.high.x) > reach * std::sqrt(n.inverse11) ||
+        beyond(q.y, n.low.y, n.high.y) > reach * std::sqrt(n.inverse22))
+      continue;
+    if (n.first_child != none)
+      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
+    else if (!visit_leaf(n, visit))
+      return false;
+  }
+  return true;
+}
+
+template <class Visit>
+bool site_index::visit_reach(const std::vector<site>& sites, const site& v, double reach,
+                             Visit&& visit) const {
+  const centre c = centre_of(v, reach);
+  std::array<std::uint32_t, 3 * most_levels + 4> open;
+  std::size_t waiting = 0;
+  if (!nodes_.empty()) open[waiting++] = 0;
+  while (waiting > 0) {
+    const node& n = nodes_[open[--waiting]];
+    if (n.count == 0 || out_of_reach(n, c)) continue;
+    if (n.first_child != none) {
+      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
+      continue;
+    }
+    const double most = limit(n, c);
+    const bool on =
+        visit_leaf(n, [&](vertex_index w) { return is_beyond(sites[w].position, c, most) || visit(w); });
+    if (!on) return false;
+  }
+  return true;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/stars/consistency.hpp"
+
+#include <algorithm>
+
+namespace asterism::internal {
+namespace {
+
+class checker {
+ public:
+  checker(const site_oracle& oracle, const star_set& stars) : oracle_(oracle), stars_(stars) {}
+
+  consistency_report run() {
+    for (vertex_index v = 0; v < stars_.size(); ++v) check_star(v);
+    for (auto* list : {&report_.agreeing, &report_.disagreeing}) {
+      std::sort(list->begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+    return std::move(report_);
+  }
+
+ private:
+  void check_star(vertex_index v) {
+    if (stars_.is_unsettled(v))
+      report_.defects.push_back({defect_kind::unsettled, v, v, {v, v, v}});
+    for (const sector& s : stars_[v].sectors) {
+      if (s.neighbours.empty()) report_.defects.push_back({defect_kind::wide_gap, v, v, {v, v, v}});
+      for (std::size_t gap = 0; gap < s.gaps(); ++gap) {
+        const triangle t{v, s.neighbours[gap], s.neighbours[s.after(gap)]};
+        if (holds_triangle(oracle_, v, s, gap))
+          check_triangle(t);
+        else
+          report_.defects.push_back({defect_kind::wide_gap, v, v, t});
+      }
+    }
+  }
+
+  void check_triangle(const triangle& t) {
+    const auto [v, y, x] = t;
+    const bool with_y = confirm(t, y, {y, x, v}), with_x = confirm(t, x, {x, v, y});
+    if (with_y && with_x) {
+      if (v < y && v < x) report_.agreeing.push_back(t);
+    } else {
+      report_.disagreeing.push_back(canonical(t));
+    }
+  }
+
+  // `seen_from_other` is t turned so that it starts at `other`.
+  bool confirm(const triangle& t, vertex_index other, const triangle& seen_from_other) {
+    const star& s = stars_[other];
+    if (has_triangle(oracle_, other, s, seen_from_other[1], seen_from_other[2])) return true;
+    const auto kind = s.contains(t[0]) ? defect_kind::missing_triangle : defect_kind::missing_edge;
+    report_.defects.push_back({kind, t[0], other, t});
+    return false;
+  }
+
+  const site_oracle& oracle_;
+  const star_set& stars_;
+  consistency_report report_;
+};
+
+}  // namespace
+
+triangle canonical(const triangle& t) {
+  triangle turned = t;
+  std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
+  return turned;
+}
+
+consistency_report check_consistency(const site_oracle& oracle, const star_set& stars) {
+  return checker(oracle, stars).run();
+}
+
+}  // namespace asterism::internal

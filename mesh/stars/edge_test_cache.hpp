@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Answers of edge_test, remembered. Rebuilding stars asks the same questions again: a third of all
+// tests of a refinement are repeats, and exact arithmetic costs milliseconds.
+//
+// An answer depends on four sites alone, which never change, so it never goes stale. The table has
+// a fixed number of places, each holding the last question that fell on it; forgetting only costs
+// time. Not for use by several threads at once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/data/domain.hpp"
+
+namespace asterism::internal {
+
+class edge_test_memory {
+ public:
+  edge_test_memory() : places_(place_count) {}
+
+  // The answer for v, w, x, y; `ask` is called when it is not known. The question is the same
+  // under exchange of v and w and of x and y. Requires four distinct indices.
+  template <class Ask>
+  bool recall(vertex_index v, vertex_index w, vertex_index x, vertex_index y, Ask ask) {
+    if (w < v) std::swap(v, w);
+    if (y < x) std::swap(x, y);
+    place& p = places_[place_of(v, w, x, y)];
+    const std::array<vertex_index, 4> question{v, w, x, y};
+    if (p.question != question) p = {question, ask()};
+    return p.answer;
+  }
+
+ private:
+  static constexpr std::size_t place_count = std::size_t{1} << 15;
+  struct place {
+    std::array<vertex_index, 4> question{};  // four zeros: none
+    bool answer = false;
+  };
+
+  static std::size_t place_of(vertex_index v, vertex_index w, vertex_index x, vertex_index y) {
+    const std::uint64_t a = (std::uint64_t{v} << 32 | w) * 0x9e3779b97f4a7c15u;
+    const std::uint64_t b = ((std::uint64_t{x} << 32 | y) ^ (a >> 29)) * 0xbf58476d1ce4e5b9u;
+    return static_cast<std::size_t>((a ^ b) >> 40) % place_count;
+  }
+
+  std::vector<place> places_;
+};
+
+}  // namespace asterism::internal

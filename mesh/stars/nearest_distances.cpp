@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/stars/nearest_distances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Squared distance from s to the segment a b, as s measures it; where s is on the segment but for
+// the rounding of the nearest point, that of the rounding.
+double squared_distance_to_segment(const site& s, const point& a, const point& b) {
+  const point d{b.x - a.x, b.y - a.y}, e{s.position.x - a.x, s.position.y - a.y};
+  const double t =
+      std::clamp(inner_product(s.metric, d, e) / squared_length(s.metric, d), 0.0, 1.0);
+  const point q{a.x + t * d.x, a.y + t * d.y};
+  const double x = 0x1p-52 * std::max(std::abs(a.x), std::abs(b.x));
+  const double y = 0x1p-52 * std::max(std::abs(a.y), std::abs(b.y));
+  const bool on_it =
+      std::abs(s.position.x - q.x) <= x && std::abs(s.position.y - q.y) <= y && (x > 0 || y > 0);
+  return on_it ? s.metric.m11 * x * x + s.metric.m22 * y * y : squared_distance(s, q);
+}
+
+// Of neighbours along a space-filling curve: seldom much more than the least of all pairs, so that
+// the searches that follow stay small.
+double least_along_curve(std::vector<site> sites, const bounding_box& box) {
+  sort_along_curve(sites, box);
+  double least = infinity;
+  for (std::size_t i = 1; i < sites.size(); ++i)
+    least = std::min({least, squared_distance(sites[i], sites[i - 1].position),
+                      squared_distance(sites[i - 1], sites[i].position)});
+  return least;
+}
+
+// The squared distance of v to the nearest other site, the lesser of what both measure; at most
+// `most`. What is nearer than the radius is seen by both searches, with a factor of two to spare
+// for roundings.
+double nearest_other(const std::vector<site>& sites, const site_index& near, vertex_index v, double most) {
+  const site& s = sites[v];
+  double nearest = most;
+  const auto look = [&](vertex_index w) {
+    if (w != v)
+      nearest = std::min({nearest, squared_distance(s, sites[w].position),
+                          squared_distance(sites[w], s.position)});
+    return true;
+  };
+  double radius = near.spacing_near(s);
+  if (!(radius > 0)) radius = std::sqrt(std::min(most, 1.0));
+  constexpr int most_searches = 64;
+  for (int search = 0; search < most_searches && radius * radius < infinity; ++search) {
+    near.visit_reach(sites, s, radius, look);
+    near.visit_seeing(s.position, 2 * radius, look);
+    if (nearest <= radius * radius) return nearest;
+    radius = nearest < infinity ? std::sqrt(nearest) * (1 + 0x1p-20) : 4 * radius;
+  }
+  for (vertex_index w = 0; w < sites.size(); ++w) look(w);
+  return nearest;
+}
+
+}  // namespace
+
+double shortest_distance(const std::vector<site>& sites, vertex_index count, const boundary& edges,
+                         const neighbourhood& near, double most) {
+  const auto end = sites.begin() + static_cast<std::ptrdiff_t>(count);
+  double least = std::min(most * most, least_along_curve({sites.begin(), end}, near.box()));
+  for (vertex_index v = 0; v < count; ++v) {
+    // Twice what is asked for: what is not seen certainly is farther, whatever the roundings.
+    const double radius = std::sqrt(least);
+    near.sites().visit_reach(sites, sites[v], radius, [&](vertex_index w) {
+      if (w != v) least = std::min(least, squared_distance(sites[v], sites[w].position));
+      return true;
+    });
+    near.subsegments().visit(box_around(sites[v], 2 * radius), [&](std::uint32_t i) {
+      const boundary_edge& p = edges.subsegments()[i];
+      if (p.a != v && p.b != v)
+        least = std::min(
+            least, squared_distance_to_segment(sites[v], sites[p.a].position, sites[p.b].position));
+      return true;
+    });
+  }
+  return std::sqrt(least);
+}
+
+double median_distance(const std::vector<site>& sites, const neighbourhood& near, double most) {
+  std::vector<double> nearest(sites.size());
+  for (vertex_index v = 0; v < sites.size(); ++v)
+    nearest[v] = nearest_other(sites, near.sites(), v, most * most);
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return std::sqrt(*middle);
+}
+
+}  // namespace asterism::internal

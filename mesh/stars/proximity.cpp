@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/stars/proximity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
+
+namespace asterism::internal {
+namespace {
+
+bounding_box box_of_sites(const std::vector<site>& sites) {
+  if (sites.empty()) return {};
+  bounding_box box{sites[0].position, sites[0].position};
+  for (const site& s : sites) {
+    const point& q = s.position;
+    box.low = {std::min(box.low.x, q.x), std::min(box.low.y, q.y)};
+    box.high = {std::max(box.high.x, q.x), std::max(box.high.y, q.y)};
+  }
+  return box;
+}
+
+bounding_box subsegment_box(const std::vector<site>& sites, const boundary_edge& subsegment) {
+  return box_of(sites[subsegment.a].position, sites[subsegment.b].position);
+}
+
+}  // namespace
+
+neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edges)
+    : box_(box_of_sites(sites)), sites_(box_), subsegments_(box_), influences_(box_) {
+  for (vertex_index w = 0; w < sites.size(); ++w) sites_.insert(sites, w);
+  for (std::size_t subsegment = 0; subsegment < edges.subsegments().size(); ++subsegment)
+    insert_subsegment(sites, edges, subsegment);
+}
+
+void neighbourhood::insert_subsegment(const std::vector<site>& sites, const boundary& edges,
+                                 std::size_t subsegment) {
+  const boundary_edge& e = edges.subsegments()[subsegment];
+  subsegments_.insert(static_cast<std::uint32_t>(subsegment), subsegment_box(sites, e));
+  influences_.insert(static_cast<std::uint32_t>(subsegment), influence_box(sites[e.a], sites[e.b]));
+}
+
+void neighbourhood::remove_subsegment(const std::vector<site>& sites, const boundary& edges,
+                                 std::size_t subsegment) {
+  const boundary_edge& e = edges.subsegments()[subsegment];
+  subsegments_.remove(static_cast<std::uint32_t>(subsegment), subsegment_box(sites, e));
+  influences_.remove(static_cast<std::uint32_t>(subsegment), influence_box(sites[e.a], sites[e.b]));
+}
+
+void neighbourhood::before_split(const std::vector<site>& sites, const boundary& edges,
+                                 std::size_t subsegment) {
+  remove_subsegment(sites, edges, subsegment);
+  if (const auto twin = edges.twin(subsegment)) remove_subsegment(sites, edges, *twin);
+}
+
+void neighbourhood::after_split(const std::vector<site>& sites, const boundary& edges,
+                                std::size_t subsegment, std::optional<std::size_t> twin,
+                                std::size_t first_new) {
+  insert_subsegment(sites, edges, subsegment);
+  if (twin) insert_subsegment(sites, edges, *twin);
+  for (; first_new < edges.subsegments().size(); ++first_new) insert_subsegment(sites, edges, first_new);
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// What is near: the sites and boundary subsegments of a growing mesh, so that stars, visibility and
+// encroachment are asked of a few instead of all. Follows the mesh's own lists; holds no copy.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/stars/boundary.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/search/box_index.hpp"
+#include "asterism/mesh/search/site_index.hpp"
+
+namespace asterism::internal {
+
+class neighbourhood {
+ public:
+  neighbourhood() = default;
+  // Of all sites and subsegments.
+  neighbourhood(const std::vector<site>& sites, const boundary& edges);
+
+  const site_index& sites() const { return sites_; }
+  const box_index& subsegments() const { return subsegments_; }
+  // Subsegments by the box of sites that could encroach on them.
+  const box_index& influences() const { return influences_; }
+  // Around all sites; some may lie outside it by rounding.
+  const bounding_box& box() const { return box_; }
+
+  // sites[w] is new.
+  void add_site(const std::vector<site>& sites, vertex_index w) { sites_.insert(sites, w); }
+  // To be called before and after edges.split(subsegment, ...), with the twin (if any) and the number of
+  // subsegments there were before.
+  void before_split(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment);
+  void after_split(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment,
+                   std::optional<std::size_t> twin, std::size_t first_new);
+
+ private:
+  void insert_subsegment(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment);
+  void remove_subsegment(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment);
+
+  bounding_box box_;
+  site_index sites_;
+  box_index subsegments_, influences_;
+};
+
+}  // namespace asterism::internal

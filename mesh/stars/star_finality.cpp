@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/stars/star_finality.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "asterism/kernels/semi_static_filter.hpp"
+#include "asterism/kernels/star_gap.hpp"
+#include "asterism/mesh/stars/star_insertion.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The gap of a sector from neighbour y counter-clockwise to x.
+struct prepared_gap {
+  vertex_index y = 0, x = 0;
+  bool on_boundary = false;         // accepts nothing
+  std::optional<star_gap> content;  // unless on the boundary, or half a turn or more
+};
+
+// One sector of v's star, its gaps prepared for many questions.
+class prepared_sector {
+ public:
+  prepared_sector(const site_oracle& oracle, vertex_index v, const sector& part)
+      : oracle_(&oracle), v_(v), part_(&part), gaps_(part.gaps()) {
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      prepared_gap& gap = gaps_[i];
+      gap.y = part.neighbours[i];
+      gap.x = part.neighbours[part.after(i)];
+      gap.on_boundary = oracle.edges().is_subsegment(gap.y, gap.x);
+      // A gap of half a turn or more accepts what prepared ones would refuse.
+      if (!gap.on_boundary && holds_triangle(oracle, v, part, i))
+        gap.content.emplace(at(v), at(gap.y), at(gap.x));
+    }
+  }
+
+  bool is_at_boundary() const {
+    return std::any_of(gaps_.begin(), gaps_.end(),
+                       [](const prepared_gap& gap) { return gap.on_boundary; });
+  }
+
+  double reach() const {
+    if (gaps_.empty()) return infinity;
+    double reach = 0;
+    for (const prepared_gap& gap : gaps_)
+      if (!gap.on_boundary)
+        reach = gap.content ? std::max({reach, gap.content->reach_radius(), gap.content->longest()})
+                            : infinity;
+    return reach;
+  }
+
+  // Whether w is certainly not accepted. It is not in the star.
+  bool certainly_refuses(vertex_index w) const {
+    const prepared_gap* gap = gap_in_doubles(w);
+    if (gap == nullptr) {
+      const placement where = locate(*oracle_, v_, *part_, w);
+      if (where.kind == placement_kind::outside) return true;
+      if (where.kind == placement_kind::on_ray || gaps_.empty()) return false;
+      gap = &gaps_[where.at];
+    }
+    if (!gap->content) return false;
+    // Inside the triangle of the gap a site is accepted whatever the arcs say.
+    return refuses(*gap, w) && oracle_->orientation(gap->y, gap->x, w) != sign::positive;
+  }
+
+ private:
+  const site& at(vertex_index u) const { return oracle_->sites()[u]; }
+
+  // The question is the same to w, who may see it more clearly.
+  bool refuses(const prepared_gap& gap, vertex_index w) const {
+    const uncertain_bool by_v = gap.content->accepts(at(w));
+    if (by_v.certain()) return !by_v.value();
+    const uncertain_bool by_w = star_gap(at(w), at(gap.x), at(gap.y)).accepts(at(v_));
+    return by_w.certain() && !by_w.value();
+  }
+
+  // The gap less than half a turn strictly between whose rays w lies, where doubles can tell.
+  const prepared_gap* gap_in_doubles(vertex_index w) const {
+    if (gaps_.empty()) return nullptr;
+    const point &v = at(v_).position, &q = at(w).position;
+    bool left_of_y =
+        semi_static::orientation(v, at(gaps_[0].y).position, q).certainly(sign::positive);
+    for (const prepared_gap& gap : gaps_) {
+      const uncertain_sign side = semi_static::orientation(v, at(gap.x).position, q);
+      if (left_of_y && side.certainly(sign::negative)) return &gap;
+      left_of_y = side.certainly(sign::positive);
+    }
+    return nullptr;
+  }
+
+  const site_oracle* oracle_;
+  vertex_index v_;
+  const sector* part_;
+  std::vector<prepared_gap> gaps_;
+};
+
+}  // namespace
+
+std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, const star& s) {
+  std::vector<prepared_sector> sectors;
+  sectors.reserve(s.sectors.size());
+  double reach = 0;
+  bool at_boundary = false;
+  for (const sector& part : s.sectors) {
+    sectors.emplace_back(oracle, v, part);
+    reach = std::max(reach, sectors.back().reach());
+    at_boundary = at_boundary || sectors.back().is_at_boundary();
+  }
+  const auto refused = [&](vertex_index w) {
+    if (w == v || s.contains(w)) return true;
+    return std::all_of(sectors.begin(), sectors.end(),
+                       [w](const prepared_sector& p) { return p.certainly_refuses(w); }) ||
+           !would_accept(oracle, v, s, w);
+  };
+  if (!oracle.near()->sites().visit_reach(oracle.sites(), oracle.sites()[v], reach, refused))
+    return std::nullopt;
+  // A split of a subsegment opens the gap it closed.
+  return at_boundary ? infinity : reach;
+}
+
+}  // namespace asterism::internal

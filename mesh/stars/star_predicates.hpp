@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// The three predicates stars and refinement ask for, behind one interface, so that everything
+// above is compiled once and runs on any kernel.
+//
+// A virtual call costs a few nanoseconds, an edge_test microseconds. The answers are those of the
+// kernel behind it (predicates/ defines them); only filtered_kernel and exact_kernel are always
+// right, double_kernel is for comparison. One object a thread, as for the kernels.
+#pragma once
+
+#include <memory>
+
+#include "asterism/core/sign.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/kernels/tier_counters.hpp"
+
+namespace asterism::internal {
+
+class star_predicates {
+ public:
+  virtual ~star_predicates() = default;
+  virtual sign orientation(const point& p, const point& q, const point& r) const = 0;
+  virtual bool encroaches(const site& a, const site& b, const site& w) const = 0;
+  virtual bool edge_test(const site& v, const site& w, const site& x, const site& y) const = 0;
+
+  // The same arithmetic for another thread.
+  virtual std::unique_ptr<star_predicates> fork() const = 0;
+  // Which tier decided how many questions asked here; of forks, those given to count().
+  virtual tier_counters counters() const = 0;
+  virtual void count(const tier_counters& of_fork) const = 0;
+};
+
+// A kernel that is owned, or that must outlive the adaptor.
+template <class Kernel>
+class star_predicates_on final : public star_predicates {
+ public:
+  star_predicates_on() : owned_(std::make_unique<Kernel>()), kernel_(owned_.get()) {}
+  explicit star_predicates_on(const Kernel& kernel) : kernel_(&kernel) {}
+
+  sign orientation(const point& p, const point& q, const point& r) const override {
+    return kernel_->orientation(p, q, r);
+  }
+  bool encroaches(const site& a, const site& b, const site& w) const override {
+    return kernel_->encroaches(a, b, w);
+  }
+  bool edge_test(const site& v, const site& w, const site& x, const site& y) const override {
+    return kernel_->edge_test(v, w, x, y);
+  }
+  std::unique_ptr<star_predicates> fork() const override { return std::make_unique<star_predicates_on>(); }
+  tier_counters counters() const override {
+    tier_counters all = of_forks_;
+    if constexpr (requires { kernel_->counters(); }) all += kernel_->counters();
+    return all;
+  }
+  void count(const tier_counters& of_fork) const override { of_forks_ += of_fork; }
+
+ private:
+  std::unique_ptr<Kernel> owned_;
+  const Kernel* kernel_;
+  mutable tier_counters of_forks_;
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/stars/star_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/stars/star_finality.hpp"
+#include "asterism/mesh/stars/star_insertion.hpp"
+#include "asterism/mesh/stars/work_limit.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
+
+namespace asterism::internal {
+namespace {
+
+// Stars are made beyond what refinement may do, as it ends with them.
+constexpr double most_work = 2;
+
+// The stars a new site is offered to. Those it will be a neighbour in are about those it has as
+// neighbours; what a local search misses a thorough one finds (stars/star_construction.hpp).
+std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_index w, const star& own) {
+  std::vector<vertex_index> candidates;
+  const neighbourhood* near = oracle.near();
+  const double reach = near == nullptr ? std::numeric_limits<double>::infinity()
+                                       : 2.2 * farthest_vertex(oracle, w, own);
+  if (near == nullptr || !(reach < std::numeric_limits<double>::infinity())) {
+    for (vertex_index v = 0; v < oracle.size(); ++v)
+      if (v != w) candidates.push_back(v);
+    return candidates;
+  }
+  const bounding_box box = box_around(oracle.sites()[w], reach);
+  near->sites().visit_box(oracle.sites(), box.low, box.high, [&](vertex_index v) {
+    if (v != w) candidates.push_back(v);
+    return true;
+  });
+  for (const sector& part : own.sectors)
+    candidates.insert(candidates.end(), part.neighbours.begin(), part.neighbours.end());
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  return candidates;
+}
+
+// The corner of a boundary star with ends replaced: neighbours that the moved ray leaves
+// outside are dropped, the others keep their places.
+sector with_ends(const site_oracle& oracle, vertex_index v, const sector& old, vertex_index first, vertex_index last) {
+  sector moved{{first, last}, false};  // may be a slit
+  for (std::size_t i = 1; i + 1 < old.size(); ++i) {
+    const vertex_index u = old.neighbours[i];
+    if (u == first || u == last) continue;
+    const placement where = locate(oracle, v, moved, u);
+    if (where.kind == placement_kind::in_gap)
+      moved.neighbours.insert(moved.neighbours.begin() + static_cast<std::ptrdiff_t>(where.at + 1),
+                              u);
+  }
+  return moved;
+}
+
+// The subsegment from v to `whole` now ends in `part`. It is at the start of a corner, at the end of
+// one, or both.
+void replace_end(const site_oracle& oracle, vertex_index v, star& at_v, vertex_index whole, vertex_index part) {
+  for (sector& s : at_v.sectors) {
+    if (s.closed) continue;
+    const bool starts = s.neighbours.front() == whole, ends = s.neighbours.back() == whole;
+    if (starts || ends)
+      s = with_ends(oracle, v, s, starts ? part : s.neighbours.front(),
+                    ends ? part : s.neighbours.back());
+  }
+}
+
+}  // namespace
+
+star_set::star_set(std::vector<star> stars, const std::vector<vertex_index>& unsettled)
+    : stars_(std::move(stars)), condition_(stars_.size(), condition::stale), final_(stars_.size()) {
+  for (const vertex_index v : unsettled) condition_[v] = condition::unsettled;
+}
+
+void star_set::construct_all(const site_oracle& oracle) {
+  stars_.assign(oracle.size(), {});
+  condition_.assign(oracle.size(), condition::stale);
+  final_.assign(oracle.size(), {});
+  std::vector<vertex_index> all(oracle.size());
+  std::iota(all.begin(), all.end(), vertex_index{0});
+  construct(oracle, all, star_search::near);
+}
+
+void star_set::touch(vertex_index v) {
+  touched_.push_back(v);
+  for (const sector& part : stars_[v].sectors)
+    touched_.insert(touched_.end(), part.neighbours.begin(), part.neighbours.end());
+}
+
+double star_set::part_of_work_bound(const site_oracle& oracle) const {
+  if (!given_) return 0;
+  return asterism::internal::part_of_work_bound(oracle.kernel().counters(), oracle.size(), *given_);
+}
+
+std::size_t star_set::stars_missing() const {
+  return static_cast<std::size_t>(
+      std::count_if(stars_.begin(), stars_.end(), [](const star& s) { return s.sectors.empty(); }));
+}
+
+// In blocks, between which the work done is looked at: the larger the longer it stays little.
+std::vector<vertex_index> star_set::construct(const site_oracle& oracle, const std::vector<vertex_index>& which,
+                                       star_search search) {
+  constexpr std::size_t first_block = 256, careful_block = 128;
+  constexpr double much = 0.25;
+  const bool confirm = search == star_search::thorough && oracle.near() != nullptr;
+  const site_index latest = confirm ? latest_sites(oracle, which) : site_index();
+  std::vector<made_star> all;
+  std::size_t block = first_block;
+  for (std::size_t at = 0; at < which.size();) {
+    const double part = part_of_work_bound(oracle);
+    if (part > most_work) break;
+    const std::size_t end = std::min(which.size(), at + (part > much ? careful_block : block));
+    std::vector<made_star> more =
+        construct_block(oracle, std::span(which).subspan(at, end - at), search,
+                        confirm ? &latest : nullptr, which.size());
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+    at = end;
+    block *= 2;
+  }
+  std::vector<vertex_index> changed;
+  for (made_star& m : all) {
+    changed.push_back(m.at);
+    accept(oracle, m.at, std::move(m.built));
+  }
+  return changed;
+}
+
+// Those of which there is news. `latest` is given if settled stars are to be confirmed; `in_all`
+// is how many are made in all blocks.
+std::vector<star_set::made_star> star_set::construct_block(const site_oracle& oracle,
+                                                           std::span<const vertex_index> which,
+                                                           star_search search,
+                                                           const site_index* latest,
+                                                           std::size_t in_all) {
+  constexpr std::size_t chunk = 64;
+  const bool few = in_all <= chunk;
+  std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
+  std::vector<made_star> all = collect_chunks<made_star>(
+      which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
+        const auto kernel = oracle.kernel().fork();
+        // A few stars are made by this thread alone, which then may remember answers.
+        const site_oracle own = few ? oracle : oracle.with_kernel(*kernel);
+        for (std::size_t i = begin; i < end; ++i) {
+          constexpr std::size_t at_a_time = 8;
+          if (enough_ && i % at_a_time == 0 && enough_()) break;
+          // Tensors may be so thin that a chunk alone takes too long.
+          if (part_of_work_bound(own) > most_work) break;
+          const vertex_index v = which[i];
+          if (latest != nullptr && condition_[v] == condition::settled) {
+            if (!is_still_final(own, v, *latest))
+              note_final(v, own.size(), final_reach(own, v, stars_[v]));
+            else
+              final_[v].against = own.size();
+            if (final_[v].against != 0) continue;
+          }
+          constructed_star built = construct_star(own, v, search);
+          if (is_news(v, built)) {
+            out.push_back({v, std::move(built)});
+            continue;
+          }
+          condition_[v] = condition::settled;
+          note_final(v, own.size(), built.final_reach);
+        }
+        counts[begin / chunk] = kernel->counters();
+      });
+  for (const tier_counters& c : counts) oracle.kernel().count(c);
+  return all;
+}
+
+void star_set::mark_stale(vertex_index v) {
+  condition_[v] = condition::stale;
+  final_[v] = {};
+}
+
+void star_set::note_final(vertex_index v, vertex_index against, const std::optional<double>& reach) {
+  final_[v] = {};
+  if (!reach) return;
+  // Within this range the float after one next to the double is no less than it, in any
+  // floating-point environment.
+  constexpr double least = 0x1p-100, most = 0x1p100;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const auto above = [](double x) { return std::nextafter(static_cast<float>(x), infinity); };
+  final_[v] = {against, *reach < most ? above(std::max(*reach, least)) : infinity};
+}
+
+// The sites that came after some of these stars were found to be final. None when they are too many
+// for a look at them alone to be worth while; is_still_final() sees that.
+site_index star_set::latest_sites(const site_oracle& oracle,
+                                  const std::vector<vertex_index>& which) const {
+  vertex_index first = oracle.size();
+  for (const vertex_index v : which)
+    if (final_[v].against != 0) first = std::min(first, final_[v].against);
+  site_index latest(oracle.near()->box());
+  if (oracle.size() - first <= oracle.size() / 8)
+    for (vertex_index w = first; w < oracle.size(); ++w) latest.insert(oracle.sites(), w);
+  return latest;
+}
+
+// Whether none of the sites that came since v's star was found to be final is in its reach.
+bool star_set::is_still_final(const site_oracle& oracle, vertex_index v, const site_index& latest) const {
+  const finality& then = final_[v];
+  if (then.against == oracle.size()) return true;
+  if (then.against == 0 || latest.size() < oracle.size() - then.against) return false;
+  return latest.visit_reach(oracle.sites(), oracle.sites()[v], static_cast<double>(then.reach),
+                            [&](vertex_index w) { return w < then.against; });
+}
+
+void star_set::add_last(const site_oracle& oracle) {
+  const vertex_index w = oracle.size() - 1;
+  stars_.resize(oracle.size());
+  condition_.resize(oracle.size(), condition::stale);
+  final_.resize(oracle.size());
+  rebuild(oracle, w, star_search::near);
+  for (const vertex_index v : candidate_stars(oracle, w, stars_[w])) {
+    if (stars_[v].contains(w)) continue;
+    if (part_of_work_bound(oracle) > most_work) {
+      mark_stale(v);  // nobody asked whether it would accept w
+      continue;
+    }
+    const star before = stars_[v];
+    if (!offer(oracle, v, stars_[v], w)) continue;
+    mark_stale(v);
+    touched_.push_back(v);
+    for (const sector& part : before.sectors)
+      touched_.insert(touched_.end(), part.neighbours.begin(), part.neighbours.end());
+  }
+}
+
+void star_set::add_many(const site_oracle& oracle, vertex_index first) {
+  stars_.resize(oracle.size());
+  condition_.resize(oracle.size(), condition::stale);
+  final_.resize(oracle.size());
+  std::vector<vertex_index> added(oracle.size() - first);
+  std::iota(added.begin(), added.end(), first);
+  construct(oracle, added, star_search::near);
+  constexpr std::size_t chunk = 16;
+  std::vector<tier_counters> counts(chunk_count(added.size(), chunk));
+  std::vector<vertex_index> disturbed = collect_chunks<vertex_index>(
+      added.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
+        const auto kernel = oracle.kernel().fork();
+        const site_oracle own = oracle.with_kernel(*kernel);
+        for (std::size_t i = begin; i < end; ++i)
+          for (const vertex_index v : candidate_stars(own, added[i], stars_[added[i]]))
+            if (v < first && would_accept(own, v, stars_[v], added[i])) out.push_back(v);
+        counts[begin / chunk] = kernel->counters();
+      });
+  for (const tier_counters& c : counts) oracle.kernel().count(c);
+  std::sort(disturbed.begin(), disturbed.end());
+  disturbed.erase(std::unique(disturbed.begin(), disturbed.end()), disturbed.end());
+  for (const vertex_index v : disturbed) mark_stale(v);
+  construct(oracle, disturbed, star_search::near);
+}
+
+void star_set::split_subsegment(const site_oracle& oracle, vertex_index a, vertex_index m, vertex_index b) {
+  touch(a);
+  touch(b);
+  replace_end(oracle, a, stars_[a], b, m);
+  replace_end(oracle, b, stars_[b], a, m);
+  mark_stale(a);
+  mark_stale(b);
+  // Rounded to the inner side, m can only hide sites from each other. Rounded to the outer side it
+  // reveals nothing but a and b to each other, whose stars are stale already: a segment that
+  // enters the sliver a, m, b through a b can only end in m. Both happen to an internal subsegment.
+  const sign turn = oracle.orientation(a, b, m);
+  if (turn == sign::positive || (turn == sign::negative && oracle.edges().is_subsegment(m, a))) {
+    remove_hidden(oracle, a, m);
+    remove_hidden(oracle, m, b);
+  }
+  add_last(oracle);
+}
+
+bool star_set::is_news(vertex_index v, const constructed_star& built) const {
+  return stars_[v] != built.content || !built.settled;
+}
+
+void star_set::accept(const site_oracle& oracle, vertex_index v, constructed_star built) {
+  touch(v);
+  note_final(v, oracle.size(), built.final_reach);
+  condition_[v] = built.settled ? condition::settled : condition::unsettled;
+  stars_[v] = std::move(built.content);
+}
+
+bool star_set::rebuild(const site_oracle& oracle, vertex_index v, star_search search) {
+  constructed_star built = construct_star(oracle, v, search);
+  const bool changed = is_news(v, built);
+  accept(oracle, v, std::move(built));
+  return changed;
+}
+
+// The sites whose edges could cross a subsegment just split: rounding moved it by less than a sliver.
+void star_set::remove_hidden(const site_oracle& oracle, vertex_index a, vertex_index b) {
+  const auto remove = [&](vertex_index v) {
+    for (sector& s : stars_[v].sectors)
+      for (std::size_t i = s.size(); i-- > 0;) {
+        if (s.is_forced(i) || !oracle.crosses(v, s.neighbours[i], a, b)) continue;
+        touch(v);
+        s.neighbours.erase(s.neighbours.begin() + static_cast<std::ptrdiff_t>(i));
+        mark_stale(v);
+      }
+    return true;
+  };
+  if (oracle.near() == nullptr) {
+    for (vertex_index v = 0; v < size(); ++v) remove(v);
+    return;
+  }
+  const bounding_box box = influence_box(oracle.sites()[a], oracle.sites()[b]);
+  oracle.near()->sites().visit_box(oracle.sites(), box.low, box.high,
+                                   [&](vertex_index v) { return v >= size() || remove(v); });
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// oneTBB's parallel_for, with its order declared to the thread sanitizer: it begins after all that
+// its caller did before, and all of it is done before the caller goes on. oneTBB as it is packaged
+// is not compiled with the sanitizer, which therefore takes every value handed to a loop, or back,
+// for a race. What two turns of one loop do to each other is declared nowhere and stays under its
+// eyes. Without the sanitizer this is parallel_for and nothing else.
+#pragma once
+
+#include <tbb/parallel_for.h>
+
+#include <cstddef>
+
+#if defined(__SANITIZE_THREAD__)
+#define ASTERISM_THREAD_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define ASTERISM_THREAD_SANITIZER
+#endif
+#endif
+
+#ifdef ASTERISM_THREAD_SANITIZER
+#include <sanitizer/tsan_interface.h>
+#endif
+
+namespace asterism::internal {
+
+#ifdef ASTERISM_THREAD_SANITIZER
+
+template <class Body>
+class declared_loop {
+ public:
+  explicit declared_loop(const Body& body) : body_(body) {}
+
+  void run(std::size_t count) {
+    __tsan_release(&begin_);
+    tbb::parallel_for(std::size_t{0}, count, [this](std::size_t i) { turn(this, i); });
+    __tsan_acquire(&end_);
+  }
+
+ private:
+  [[gnu::noinline]] static void turn(declared_loop* loop, std::size_t i) {
+    __tsan_acquire(&loop->begin_);
+    loop->body_(i);
+    __tsan_release(&loop->end_);
+  }
+
+  const Body& body_;
+  char begin_ = 0, end_ = 0;  // their addresses name the two orders
+};
+
+template <class Body>
+void parallel_for(std::size_t count, const Body& body) {
+  declared_loop<Body>(body).run(count);
+}
+
+#else
+
+// body(i) for each i below count, by as many threads as the caller's oneTBB arena has.
+template <class Body>
+void parallel_for(std::size_t count, const Body& body) {
+  tbb::parallel_for(std::size_t{0}, count, body);
+}
+
+#endif
+
+}  // namespace asterism::internal

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+//
+// Certificates as text, and the verification of a mesh against one.
+#include "asterism/mesh/audit/certificate.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "asterism/mesh/pipeline/measured_claims.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
+#include "fixtures/audit_meshes.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::test;
+using Catch::Contains;
+
+namespace {
+
+struct certified_patch {
+  patch p = make_patch(5);
+  certificate c;
+
+  certified_patch() {
+    p.m.sites[p.at(5, 2)].position.x = std::nextafter(p.m.sites[p.at(5, 2)].position.x, 9);
+    p.d.holes = {{0.1, 1e-300}};  // text alone: nothing looks at it
+    audit_options options;
+    options.angle_bound = 30;
+    options.original = &p.d;
+    c = make_certificate(p.m, options, audit(p.m, options));
+    c.metric = "swirl:12";
+    c.options = {{"seed", "1"}, {"refine", "voronoi"}};
+    c.complete = true;
+    c.reason = "every triangle agrees and meets the bound";
+    c.mesher_counters.at(predicate::edge_test, tier::exact) = 12;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a certificate reads back as it was written") {
+  const certified_patch made;
+  const std::string text = certificate_text(made.c);
+  const auto read = parse_certificate(text, "here");
+  REQUIRE(read.ok());
+  const certificate& c = read.value();
+  CHECK(certificate_text(c) == text);
+  CHECK(c.certified);
+  CHECK(c.fingerprint == mesh_fingerprint(made.p.m));
+  CHECK(c.largest_deviation == made.c.largest_deviation);
+  CHECK(c.largest_deviation > 0);
+  REQUIRE(c.original);
+  CHECK(c.original->vertices == made.p.d.vertices);
+  CHECK(c.original->segments.size() == 4);
+  CHECK(c.original->segments[3].b == 0);
+  CHECK(c.original->segments[3].marker == 13);
+  CHECK(c.original->holes == made.p.d.holes);
+  CHECK(c.mesher_counters.at(predicate::edge_test, tier::exact) == 12);
+  CHECK(c.options.at("refine") == "voronoi");
+}
+
+TEST_CASE("sides and regions of segments read back as they were written") {
+  certified_patch made;
+  made.p.d.segments.push_back({1, 3, 20, true, -4, 2147483647});
+  made.p.d.segments[0].left_region = 0;
+  made.c.original = made.p.d;
+  const std::string text = certificate_text(made.c);
+  const auto read = parse_certificate(text, "here");
+  REQUIRE(read.ok());
+  CHECK(certificate_text(read.value()) == text);
+  const segment& last = read.value().original->segments.at(4);
+  CHECK(last.internal);
+  CHECK(last.left_region == -4);
+  CHECK(last.right_region == 2147483647);
+  CHECK(read.value().original->segments[0].left_region == 0);
+  CHECK_FALSE(read.value().original->segments[1].internal);
+  const auto without = [&](const std::string& old, const std::string& now) {
+    const auto place = text.rfind(old);
+    REQUIRE(place != std::string::npos);
+    return parse_certificate(std::string(text).replace(place, old.size(), now), "c").ok();
+  };
+  CHECK_FALSE(without("2147483647", "0.5"));
+  CHECK_FALSE(without("2147483647", "true"));
+}
+
+TEST_CASE("regions are part of the fingerprint") {
+  mesh m = make_patch(2).m;
+  const std::uint64_t without = mesh_fingerprint(m);
+  m.regions.assign(m.triangles.size(), 1);
+  CHECK(mesh_fingerprint(m) == without);
+  m.regions[3] = 2;
+  CHECK(mesh_fingerprint(m) != without);
+}
+
+TEST_CASE("through a file") {
+  const certified_patch made;
+  const auto path = std::filesystem::temp_directory_path() / "asterism_certificate_test.json";
+  REQUIRE(write_certificate(path, made.c).ok());
+  const auto read = read_certificate(path);
+  REQUIRE(read.ok());
+  CHECK(certificate_text(read.value()) == certificate_text(made.c));
+  std::filesystem::remove(path);
+  const auto missing = read_certificate(path);
+  REQUIRE_FALSE(missing.ok());
+  CHECK_THAT(missing.failure().message, Contains("asterism_certificate_test.json"));
+}
+
+TEST_CASE("text that is no certificate") {
+  const std::string text = certificate_text(certified_patch().c);
+  const auto refused = [](const std::string& bad, const std::string& why) {
+    const auto read = parse_certificate(bad, "c.json");
+    REQUIRE_FALSE(read.ok());
+    CHECK_THAT(read.failure().message, Contains("c.json: ") && Contains(why));
+  };
+  const auto with = [&](const std::string& old, const std::string& now) {
+    const auto place = text.find(old);
+    REQUIRE(place != std::string::npos);
+    return std::string(text).replace(place, old.size(), now);
+  };
+  refused("", "parse error");
+  refused("[1, 2]", "this is not");
+  refused(text.substr(0, text.size() / 2), "parse error");
+  refused(with("asterism certificate 1", "something else"), "this is not");
+  refused(with("\"triangles\": 50", "\"triangles\": -50"), "\"triangles\" is not a count");
+  refused(with("\"fingerprint\": \"", "\"fingerprint\": \"x"), "sixteen hexadecimal digits");
+  refused(with("\"exempt_corners\": []", "\"exempt_corners\": [0]"), "counts nothing from 1");
+  refused(with("\"certified\": true", "\"certified\": 1"), "\"certified\" is not what it should");
+  refused(with("\"worst_angle\"", "\"worst\""), "\"worst_angle\" is missing");
+  refused(with("\"not asked\"", "\"likely\""), "\"likely\", which is no verdict");
+}
+
+TEST_CASE("the verdict on the Voronoi diagram is written, read, and checked when it is claimed") {
+  certified_patch made;
+  made.c.voronoi = voronoi_verdict::proved;
+  const std::string text = certificate_text(made.c);
+  const auto read = parse_certificate(text, "c.json");
+  REQUIRE(read.ok());
+  CHECK(read.value().voronoi == voronoi_verdict::proved);
+  const verify_report report = verify(made.p.m, read.value(), {});
+  CHECK(report.verified);
+  CHECK(report.audit.voronoi == voronoi_verdict::proved);
+  // Certificates from before there was such a verdict.
+  const std::string line = "  \"voronoi\": \"proved\",\n";
+  std::string old = text;
+  REQUIRE(old.find(line) != std::string::npos);
+  old.erase(old.find(line), line.size());
+  CHECK(parse_certificate(old, "c.json").value().voronoi == voronoi_verdict::not_asked);
+}
+
+TEST_CASE("a mesh is verified against its certificate") {
+  const certified_patch made;
+  const verify_report report = verify(made.p.m, made.c, {});
+  INFO(kinds(report.audit));
+  CHECK(report.verified);
+  CHECK(report.audit.domain_checked);
+  CHECK(report.audit.angles_checked);
+}
+
+TEST_CASE("an altered mesh is refused, and so is the certificate of another") {
+  const certified_patch made;
+  mesh m = made.p.m;
+  SECTION("vertex moved") {
+    m.sites[made.p.at(2, 2)].position.x += 0.01;
+    const verify_report report = verify(m, made.c, {});
+    CHECK(report.audit.certified);  // still a good mesh, though not this one
+    CHECK_FALSE(report.verified);
+    REQUIRE(report.contradictions.size() == 1);
+    CHECK_THAT(report.contradictions[0], Contains("fingerprints differ"));
+  }
+  SECTION("triangle removed") {
+    m.triangles.pop_back();
+    const verify_report report = verify(m, made.c, {});
+    CHECK_FALSE(report.verified);
+    CHECK_FALSE(report.audit.certified);
+    CHECK_THAT(report.contradictions[0], Contains("a mesh with 50 triangles, this one has 49"));
+  }
+  SECTION("the domain in the certificate altered") {
+    certificate forged = made.c;
+    forged.original->vertices[2].y += 1;
+    const verify_report report = verify(m, forged, {});
+    CHECK_FALSE(report.verified);
+    CHECK(found(report.audit, finding_kind::given_changed));
+  }
+  SECTION("an incomplete mesh's certificate") {
+    certificate honest = made.c;
+    honest.complete = false;
+    honest.reason = "stuck";
+    CHECK_THAT(verify(m, honest, {}).contradictions[0], Contains("not completed: stuck"));
+  }
+}
+
+TEST_CASE("without a certificate exempt corners are looked for") {
+  const mesh narrow = make_mesh_of({{0, 0}, {1, 0}, {1, 0.2}}, {{0, 1, 2}});
+  audit_options options;
+  options.angle_bound = 20;
+  const verify_report report = verify(narrow, std::nullopt, options);
+  CHECK(report.verified);
+  CHECK(report.audit.exempt_corners == std::vector<vertex_index>{0});
+  options.angle_bound = 80;  // the right angle is 90: one corner stays above
+  CHECK(verify(narrow, std::nullopt, options).audit.exempt_corners.size() == 2);
+}
+
+TEST_CASE("a refusing audit is written down") {
+  patch p = make_patch(3);
+  p.m.triangles.pop_back();
+  const audit_options options;
+  const certificate c = make_certificate(p.m, options, audit(p.m, options));
+  const std::string text = certificate_text(c);
+  CHECK_THAT(text, Contains("\"certified\": false") && Contains("\"unmatched_edge\": 1"));
+  const auto read = parse_certificate(text, "c");
+  REQUIRE(read.ok());
+  CHECK(read.value().witnesses == c.witnesses);
+  CHECK_FALSE(read.value().original);
+}
+
+TEST_CASE("altered numbers of a certificate passed") {
+  certified_patch made;
+  made.c.measured = by_name(measure(made.p.m));
+  made.c.options["angle-bound"] = "30";
+  REQUIRE(verify(made.p.m, made.c, {}).verified);
+  const auto refused_for = [&](const std::string& field, const auto& alter) {
+    certificate altered = made.c;
+    alter(altered);
+    const verify_report report = verify(made.p.m, altered, {});
+    INFO(field);
+    CHECK_FALSE(report.verified);
+    REQUIRE(report.contradictions.size() == 1);
+    CHECK_THAT(report.contradictions[0], Contains("\"" + field + "\""));
+  };
+  const auto measured_otherwise = [&](const std::string& name, double value) {
+    certificate altered = made.c;
+    altered.measured[name] = value;
+    const auto found = contradictions_in_measured(made.p.m, altered);
+    INFO(name);
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found[0], Contains("\"measured." + name + "\""));
+  };
+  CHECK(contradictions_in_measured(made.p.m, made.c).empty());
+  for (const auto& [name, value] : made.c.measured)
+    measured_otherwise(name, std::nextafter(value, 1e300));
+  measured_otherwise("luck", 1);
+  refused_for("audit.worst_angle",
+              [](certificate& c) { c.worst_angle = std::nextafter(c.worst_angle, 60); });
+  refused_for("audit.largest_boundary_deviation", [](certificate& c) { c.largest_deviation = 0; });
+  refused_for("audit.exempt_triangles", [](certificate& c) { c.exempt_triangles = {3}; });
+  refused_for("audit.low_triangles", [](certificate& c) { c.low_triangles = {3}; });
+  refused_for("audit.domain_checked", [](certificate& c) { c.domain_checked = false; });
+  refused_for("audit.angles_checked", [](certificate& c) { c.angles_checked = false; });
+  refused_for("audit.stars_checked", [](certificate& c) { c.stars_checked = false; });
+  refused_for("audit.findings", [](certificate& c) { c.found["orientation"] = 1; });
+  refused_for("audit.witnesses", [](certificate& c) { c.witnesses = {"orientation: none"}; });
+  refused_for("asked.angle_bound", [](certificate& c) { c.options["angle-bound"] = "31"; });
+  // Of another question the auditor's answers may be others.
+  audit_options lower;
+  lower.angle_bound = 10;
+  CHECK(verify(made.p.m, made.c, lower).verified);
+}
+
+TEST_CASE("where no angle is to judge a certificate said 180 degrees") {
+  certified_patch made;
+  made.c.worst_angle = 180;
+  const std::string text = certificate_text(made.c);
+  CHECK_THAT(text, Contains("\"worst_angle\": null"));
+  const auto read = parse_certificate(text, "c.json");
+  REQUIRE(read.ok());
+  CHECK(read.value().worst_angle == 180);
+}

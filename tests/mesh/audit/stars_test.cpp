@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: MIT
+//
+// Point 4 of the auditor: stars of sound meshes are recognised, flipped edges are not.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/kernels/star_gap.hpp"
+#include "asterism/mesh/audit/site_tree.hpp"
+#include "asterism/mesh/audit/star_filter.hpp"
+#include "fixtures/audit_meshes.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::test;
+using Catch::Contains;
+
+namespace {
+
+// The edge from (i + 1, j) to (i, j + 1) replaced by the other diagonal of the cell.
+void flip(patch& p, int i, int j) {
+  const auto t = static_cast<std::size_t>(2 * (i + j * p.n));
+  p.m.triangles[t] = {p.at(i, j), p.at(i + 1, j), p.at(i + 1, j + 1)};
+  p.m.triangles[t + 1] = {p.at(i, j), p.at(i + 1, j + 1), p.at(i, j + 1)};
+}
+
+// A metric with lengths exp(+-strength) along axes turned by anything.
+metric_tensor random_metric(small_generator& random, double strength) {
+  const double angle = random.between(-3.2, 3.2), s = std::sin(angle), t = std::cos(angle);
+  const double l = std::exp(random.between(-strength, strength)),
+               k = std::exp(random.between(-strength, strength));
+  return {l * t * t + k * s * s, (l - k) * s * t, l * s * s + k * t * t};
+}
+
+// The largest eigenvalue of M_w^-1 M_v.
+long double sigma_squared(const metric_tensor& w, const metric_tensor& v) {
+  using real = long double;
+  const real d = real{w.m11} * w.m22 - real{w.m12} * w.m12;
+  const real half = (real{w.m22} * v.m11 - 2 * real{w.m12} * v.m12 + real{w.m11} * v.m22) / d / 2;
+  const real determinant = (real{v.m11} * v.m22 - real{v.m12} * v.m12) / d;
+  return half + std::sqrt(std::fmax(real{0}, half * half - determinant));
+}
+
+struct star_counts {
+  std::size_t missing = 0, rejected = 0;
+};
+
+// The definition, without any shortcut: every site against every gap, every neighbour in its star.
+// For meshes of convex domains, where all sites see each other.
+star_counts count_slowly(const mesh& m) {
+  const filtered_kernel kernel;
+  const auto turn = [&](auto a, auto b, auto c) {
+    return kernel.orientation(m.sites[a].position, m.sites[b].position, m.sites[c].position);
+  };
+  const auto apex = [&](auto a, auto b) {  // of the triangle on the left of a -> b
+    for (const triangle& t : m.triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (t[i] == a && t[(i + 1) % 3] == b) return std::optional(t[(i + 2) % 3]);
+    return std::optional<asterism::vertex_index>();
+  };
+  star_counts counts;
+  for (const triangle& t : m.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto v = t[i], x = t[(i + 1) % 3], y = t[(i + 2) % 3];
+      if (apex(y, x))
+        for (asterism::vertex_index w = 0; w < m.sites.size(); ++w)
+          counts.missing += w != v && w != x && w != y && turn(v, x, w) == sign::positive &&
+                            turn(v, w, y) == sign::positive &&
+                            kernel.edge_test(m.sites[v], m.sites[w], m.sites[x], m.sites[y]);
+      // v's neighbour x stands between y and the apex on the other side.
+      const auto before = apex(x, v);
+      if (before && turn(v, *before, y) == sign::positive && turn(*before, y, x) != sign::positive)
+        counts.rejected += !kernel.edge_test(m.sites[v], m.sites[x], m.sites[*before], m.sites[y]);
+    }
+  return counts;
+}
+
+}  // namespace
+
+TEST_CASE("stars are judged as without any shortcut, however the metric varies") {
+  const std::uint64_t seed = 31;
+  CAPTURE(seed);
+  small_generator random(seed);
+  std::size_t missing = 0, rejected = 0;
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    patch p = make_patch(5, 0.1);
+    for (int flips = 0; flips < round % 4; ++flips)
+      flip(p, flips, static_cast<int>(random.next() % 5));
+    if (round % 5 == 4) p = stretched(p, 0x1p20);
+    const double stretch = round % 5 == 4 ? 0x1p-20 : 1;
+    const double strength = round % 3 == 0 ? 0 : round % 3 == 1 ? 0.3 : 2.3;
+    for (site& s : p.m.sites) s.metric = random_metric(random, strength);
+    for (site& s : p.m.sites) {
+      s.metric.m12 *= stretch;
+      s.metric.m22 *= stretch * stretch;
+    }
+    const audit_report report = audit(p.m, {});
+    REQUIRE(report.stars_checked);
+    const star_counts slow = count_slowly(p.m);
+    REQUIRE(report.found[static_cast<std::size_t>(finding_kind::star_site_missing)] ==
+            slow.missing);
+    REQUIRE(report.found[static_cast<std::size_t>(finding_kind::star_neighbour_rejected)] ==
+            slow.rejected);
+    missing += slow.missing;
+    rejected += slow.rejected;
+  }
+  CHECK(missing > 100);
+  CHECK(rejected > 100);
+}
+
+TEST_CASE("a lattice of ties is judged as without any shortcut") {
+  patch p = make_patch(6, 0);
+  for (site& s : p.m.sites)
+    s.position = {s.position.x - 0.5 * (s.position.y / 0.875), s.position.y};
+  for (const double scale : {1.0, 0x1p-300, 0x1p300}) {
+    patch q = p;
+    for (site& s : q.m.sites) {
+      s.position = {s.position.x * scale, s.position.y * scale};
+      s.metric = {1 / scale / scale, 0, 1 / scale / scale};
+    }
+    const audit_report report = audit(q.m, {});
+    const star_counts slow = count_slowly(q.m);
+    CAPTURE(scale, kinds(report));
+    CHECK(report.found[static_cast<std::size_t>(finding_kind::star_site_missing)] == slow.missing);
+    CHECK(report.found[static_cast<std::size_t>(finding_kind::star_neighbour_rejected)] ==
+          slow.rejected);
+  }
+}
+
+namespace {
+
+// Whether |w - v|_v > (1 + sigma) reach, in more digits.
+bool is_too_far(const site& v, double reach, const site& w) {
+  const long double sigma = std::sqrt(std::fmax(1.0L, sigma_squared(w.metric, v.metric)));
+  const long double dx = w.position.x - v.position.x, dy = w.position.y - v.position.y;
+  const metric_tensor& m = v.metric;
+  const long double length = std::sqrt(m.m11 * dx * dx + 2 * m.m12 * dx * dy + m.m22 * dy * dy);
+  return length > (1 + sigma) * reach * (1 - 1e-12L);
+}
+
+}  // namespace
+
+TEST_CASE("the tree leaves out only sites that are too far") {
+  const std::uint64_t seed = 32;
+  CAPTURE(seed);
+  small_generator random(seed);
+  std::size_t left_out = 0, wrong = 0;
+  for (int round = 0; round < 24; ++round) {
+    const double offset = round % 4 == 3 ? 1e8 : 0, scale = std::ldexp(1.0, 20 * (round % 5 - 2));
+    std::vector<site> sites;
+    for (int i = 0; i < 300; ++i)
+      sites.push_back({{(offset + random.between(-1, 1)) * scale, random.between(-1, 1) * scale},
+                       random_metric(random, round % 3 * 3.0)});
+    const audit_detail::site_tree tree(sites);
+    for (const site& v : sites) {
+      const double reach = scale * std::exp(random.between(-5, 0));
+      std::vector<char> seen(sites.size(), 0);
+      tree.visit_near(v, reach, [&](auto w) { seen[w] = 1; });
+      for (std::size_t w = 0; w < sites.size(); ++w) {
+        if (seen[w] != 0) continue;
+        ++left_out;
+        wrong += !is_too_far(v, reach, sites[w]);
+      }
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(left_out > 500000);
+}
+
+TEST_CASE("one descent for several stars leaves out only sites that are too far from each") {
+  const std::uint64_t seed = 33;
+  CAPTURE(seed);
+  small_generator random(seed);
+  std::size_t left_out = 0, wrong = 0, together = 0, groups = 0;
+  for (int round = 0; round < 36; ++round) {
+    const double offset = round % 4 == 3 ? 1e8 : 0, scale = std::ldexp(1.0, 200 * (round % 5 - 2));
+    // Stretched by up to 10^6 in one direction, nearly the same everywhere; or at random.
+    const double length = std::pow(10.0, round % 4 * 2), turn = random.between(0, 3);
+    std::vector<site> sites;
+    for (int i = 0; i < 600; ++i) {
+      const double along = random.between(-1, 1) * length, across = random.between(-1, 1);
+      const double angle = turn + 0.05 / length * across, c = std::cos(angle), s = std::sin(angle);
+      const double thin = 1 / (length * length);
+      const metric_tensor same = {thin * c * c + s * s, (thin - 1) * c * s, thin * s * s + c * c};
+      sites.push_back(
+          {{(offset + c * along - s * across) * scale, (s * along + c * across) * scale},
+           round % 3 == 2 ? random_metric(random, 2) : same});
+    }
+    const audit_detail::site_tree tree(sites);
+    std::vector<std::size_t> leaves;
+    for (std::size_t g = 0; g + 1 < tree.groups().size(); ++g) {
+      std::vector<audit_detail::site_tree::reaching> stars;
+      for (std::size_t i = tree.groups()[g]; i < tree.groups()[g + 1]; ++i)
+        stars.push_back({sites[tree.order()[i]], scale * std::exp(random.between(-4, -2))});
+      ++groups;
+      if (!tree.gather(stars, leaves)) continue;
+      ++together;
+      for (const auto& [v, reach] : stars) {
+        std::vector<char> seen(sites.size(), 0);
+        tree.visit_near(leaves, v, reach, [&](auto w) { seen[w] = 1; });
+        for (std::size_t w = 0; w < sites.size(); ++w) {
+          if (seen[w] != 0) continue;
+          ++left_out;
+          wrong += !is_too_far(v, reach, sites[w]);
+        }
+      }
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(left_out > 1000000);
+  CHECK(2 * together > groups);
+  CHECK(together < groups);
+}
+
+TEST_CASE("an infinite reach leaves nothing out") {
+  std::vector<site> sites;
+  for (int i = 0; i < 40; ++i) sites.push_back({{1.0 * i * i, 1.0 * i}, round_metric});
+  const audit_detail::site_tree tree(sites);
+  std::size_t seen = 0;
+  tree.visit_near(sites[3], std::numeric_limits<double>::infinity(), [&](auto) { ++seen; });
+  CHECK(seen == sites.size());
+}
+
+TEST_CASE("an edge flipped away is missed and the new one refused") {
+  patch p = make_patch(6);
+  flip(p, 2, 3);
+  const audit_report report = audit(p.m, {});
+  INFO(kinds(report));
+  CHECK(report.stars_checked);
+  CHECK_FALSE(report.certified);
+  const std::string from = std::to_string(p.at(3, 3) + 1), to = std::to_string(p.at(2, 4) + 1);
+  CHECK_THAT(
+      witnesses(report, finding_kind::star_site_missing),
+      Contains("the star of vertex " + from + " ") && Contains("would accept vertex " + to + " "));
+  const std::string end = std::to_string(p.at(2, 3) + 1);
+  CHECK_THAT(witnesses(report, finding_kind::star_neighbour_rejected),
+             Contains("the star of vertex " + end + " "));
+}
+
+TEST_CASE("every single flip is found") {
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      patch p = make_patch(4);
+      flip(p, i, j);
+      CAPTURE(i, j);
+      CHECK_FALSE(audit(p.m, {}).certified);
+    }
+}
+
+TEST_CASE("without the star check a flip is just another triangulation") {
+  patch p = make_patch(4);
+  flip(p, 1, 1);
+  audit_options options;
+  options.check_stars = false;
+  const audit_report report = audit(p.m, options);
+  CHECK(report.certified);
+  CHECK_FALSE(report.stars_checked);
+}
+
+TEST_CASE("a metric that varies gently keeps the stars") {
+  patch p = make_patch(10);
+  for (site& s : p.m.sites) {
+    const double x = s.position.x / 15, y = s.position.y / 15;
+    s.metric = {1 + 0.2 * x * x, 0.2 * x * y, 1 + 0.2 * y * y};
+  }
+  const audit_report report = audit(p.m, {});
+  INFO(kinds(report));
+  CHECK(report.certified);
+  CHECK(report.star_pairs > 0);
+  CHECK(report.star_pairs_tested < report.star_pairs / 5);
+}
+
+TEST_CASE("squares: four cocircular sites have the diagonal of the tie rule") {
+  // The greatest of the four, (1, 1), is not on the diagonal.
+  const std::vector<point> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const mesh kept = make_mesh_of(square, {{0, 1, 3}, {1, 2, 3}});
+  const audit_report report = audit(kept, {});
+  INFO(kinds(report));
+  CHECK(report.certified);
+  CHECK_FALSE(audit(make_mesh_of(square, {{0, 1, 2}, {0, 2, 3}}), {}).certified);
+}
+
+TEST_CASE("a site that is not seen is not missed") {
+  // Vertex 1 would accept vertex 5, inside the circle of its triangle, but for the boundary edge
+  // from vertex 4 to vertex 3 between them.
+  const std::vector<point> points = {{0, -0.5}, {1, 0},    {-1, 0}, {0.5, 2.2},
+                                     {-0.9, 1}, {-1.5, 2}, {-2, 1}};
+  const mesh m = make_mesh_of(points, {{0, 1, 2}, {2, 1, 3}, {4, 5, 6}});
+  const filtered_kernel kernel;
+  REQUIRE(kernel.edge_test(m.sites[0], m.sites[4], m.sites[1], m.sites[2]));
+  const audit_report report = audit(m, {});
+  INFO(kinds(report));
+  CHECK(report.certified);
+}
+
+TEST_CASE("a middle direction along which a neighbour is never met bounds no reach") {
+  const site v{{0.021824585749476474, -0.048365284798181613},
+               {0.30445532595024566, -0.011046073896418625, 0.32305103897580789}};
+  const site w{{2.8253168640733044, 4.4693916536858662},
+               {3.531625813788239, -0.82149189262108435, 5.5989245846161833}};
+  const site x{{0.60795990606248984, 0.17983712758803594},
+               {4.9200461877662161, -2.8997255021004347, 2.0344296834466702}};
+  const site y{{-0.88837472957907049, 0.64296693826375129},
+               {6.2945098004754723, -2.3268538241074355, 1.049069106753779}};
+  REQUIRE(filtered_kernel().edge_test(v, w, x, y));
+  const std::vector<site> alone = {w};
+  const double reach = audit_detail::star_gap_filter(v, x, y).reach();
+  bool found = false;
+  audit_detail::site_tree(alone).visit_near(v, reach, [&](asterism::vertex_index) { found = true; });
+  CHECK(found);
+}
+
+TEST_CASE("the quick exclusions, one by one and by distance, are never wrong") {
+  const std::uint64_t seed = 20;
+  CAPTURE(seed);
+  small_generator random(seed);
+  const filtered_kernel kernel;
+  const auto random_site = [&](double reach, double strength) {
+    const metric_tensor metric = random_metric(random, strength);
+    return site{{random.between(-reach, reach), random.between(-reach, reach)}, metric};
+  };
+  int cases = 0, excluded = 0, distant = 0, accepted = 0;
+  for (int i = 0; i < 15000; ++i) {
+    const double strength = i % 4 == 0 ? 0 : random.between(0, 3);
+    site v = random_site(0.1, strength), x = random_site(1, strength), y = random_site(1, strength);
+    const site w = random_site(i % 2 == 0 ? 1.5 : 6, strength);
+    if (kernel.orientation(v.position, x.position, y.position) == sign::negative) std::swap(x, y);
+    if (kernel.orientation(v.position, x.position, w.position) != sign::positive ||
+        kernel.orientation(v.position, w.position, y.position) != sign::positive)
+      continue;
+    ++cases;
+    const bool accepts = kernel.edge_test(v, w, x, y);
+    const audit_detail::star_gap_filter filter(v, x, y);
+    const bool excludes = filter.excludes(w);
+    const std::vector<site> alone = {w};
+    bool far = true;
+    audit_detail::site_tree(alone).visit_near(v, filter.reach(),
+                                              [&](asterism::vertex_index) { far = false; });
+    const star_gap prepared(v, x, y);
+    const double reach = std::fmax(prepared.reach_radius(), prepared.longest());
+    bool beyond = true;
+    audit_detail::site_tree(alone).visit_near(v, reach, [&](asterism::vertex_index) { beyond = false; });
+    CAPTURE(i);
+    REQUIRE_FALSE((accepts && beyond));
+    REQUIRE_FALSE((accepts && excludes));
+    REQUIRE_FALSE((accepts && far));
+    excluded += excludes;
+    distant += far && beyond;
+    accepted += accepts;
+  }
+  CAPTURE(cases, excluded, distant, accepted);
+  CHECK(cases > 2000);
+  CHECK(accepted > 200);
+  CHECK(excluded > 300);
+  CHECK(distant > 100);
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/draw/picture.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "asterism/tests/mesh/io/sample_mesh.hpp"
+
+using namespace asterism;
+using tests::sample_mesh;
+
+namespace {
+
+std::string drawn(const mesh& m, picture_format format, const picture_options& options = {}) {
+  const auto picture = draw_picture(m, format, options);
+  INFO((picture.ok() ? "" : picture.failure().message));
+  REQUIRE(picture.ok());
+  return picture.value();
+}
+
+// Big-endian, as PNG has it.
+unsigned number_at(const std::string& bytes, std::size_t at) {
+  unsigned value = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    value = value * 256 + static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("each format has its signature and is as large as asked") {
+  const mesh m = sample_mesh(6);
+  const std::string png = drawn(m, picture_format::png, {640});
+  REQUIRE(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  REQUIRE(number_at(png, 16) == 640);
+  REQUIRE(number_at(png, 20) == 640);
+  REQUIRE(drawn(m, picture_format::pdf).substr(0, 5) == "%PDF-");
+  const std::string svg = drawn(m, picture_format::svg, {500});
+  REQUIRE_THAT(svg, Catch::Contains("<svg") && Catch::Contains("viewBox=\"0 0 500 500\""));
+}
+
+TEST_CASE("the height follows the mesh") {
+  mesh m = sample_mesh(3);
+  for (site& s : m.sites) s.position.y /= 4;
+  const std::string png = drawn(m, picture_format::png, {1000});
+  REQUIRE(number_at(png, 20) == 30 + 235 + 30);
+}
+
+TEST_CASE("the same picture twice has the same bytes") {
+  for (const auto format : {picture_format::svg, picture_format::pdf, picture_format::png})
+    REQUIRE(drawn(sample_mesh(5), format, {300, true, true, 20}) ==
+            drawn(sample_mesh(5), format, {300, true, true, 20}));
+}
+
+TEST_CASE("options and the state of the mesh show in the picture") {
+  mesh m = sample_mesh(5);
+  const auto svg = [&](const picture_options& options) {
+    return drawn(m, picture_format::svg, options);
+  };
+  const std::string bare = svg({800, false, false, 0});
+  const std::string with_sites = svg({800, true, false, 0});
+  REQUIRE(count(with_sites, "<path") >= count(bare, "<path") + m.sites.size());
+  REQUIRE(count(svg({800, false, true, 0}), "<path") > count(bare, "<path") + 20);
+  REQUIRE(svg({800, false, false, 60}) != bare);
+  m.disagreeing.push_back(m.triangles.back());
+  m.triangles.pop_back();
+  REQUIRE(count(svg({800, false, false, 0}), "rgb(84%,15%,16%)") == 1);
+}
+
+TEST_CASE("tinted triangles are triangles") {
+  mesh m = sample_mesh(3);
+  const std::string svg = drawn(m, picture_format::svg, {800, false, false, 60});
+  const std::size_t begin = svg.find("fill:rgb(98%,80%,38%)");
+  REQUIRE(begin != std::string::npos);
+  const std::string path = svg.substr(begin, svg.find("/>", begin) - begin);
+  // No triangle but an equilateral one, seen from all sides, has no angle below 60 degrees.
+  REQUIRE(count(path, "Z") == m.triangles.size());
+  REQUIRE(count(path, " L ") == 2 * m.triangles.size());
+}
+
+TEST_CASE("what cannot be drawn is refused") {
+  REQUIRE_FALSE(draw_picture(mesh{}, picture_format::png).ok());
+  REQUIRE_FALSE(draw_picture(sample_mesh(2), picture_format::png, {0}).ok());
+  REQUIRE_FALSE(draw_picture(sample_mesh(2), picture_format::png, {100000}).ok());
+  mesh m = sample_mesh(2);
+  for (site& s : m.sites) s.position.x = 1;
+  REQUIRE_FALSE(draw_picture(m, picture_format::svg).ok());
+  m = sample_mesh(2);
+  for (site& s : m.sites) s.position.x *= 1e-6;
+  REQUIRE_THAT(draw_picture(m, picture_format::png).failure().message,
+               Catch::Contains("more than 20000 high"));
+}
+
+TEST_CASE("metrics of any size and shape are drawn") {
+  mesh m = sample_mesh(6);
+  m.sites[10].metric = {1e300, 0, 1e-300};
+  m.sites[11].metric = {1e-200, 0, 1e-200};
+  m.sites[12].metric = {1, 2, 1};
+  for (const auto format : {picture_format::svg, picture_format::pdf, picture_format::png})
+    REQUIRE(drawn(m, format, {400, true, true, 10}).size() > 1000);
+}

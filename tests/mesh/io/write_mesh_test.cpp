@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/write_mesh.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+
+#include "asterism/mesh/io/vtu.hpp"
+#include "asterism/tests/mesh/io/sample_mesh.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using tests::sample_mesh;
+using tests::temporary_directory;
+
+namespace {
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+TEST_CASE("the extension says the format") {
+  REQUIRE(mesh_format_of("a.mesh").value() == mesh_format::medit);
+  REQUIRE(mesh_format_of("dir.d/a.VTU").value() == mesh_format::vtu);
+  REQUIRE(mesh_format_of("a.b.Png").value() == mesh_format::png);
+  REQUIRE_THAT(mesh_format_of("a.stl").failure().message,
+               Catch::Contains("a.stl: unknown kind of file '.stl'"));
+  REQUIRE_FALSE(mesh_format_of("mesh").ok());
+  REQUIRE_FALSE(mesh_format_of("").ok());
+}
+
+TEST_CASE("every format is written, replaces what was there, and leaves nothing else") {
+  const temporary_directory here("write");
+  for (const std::string name : {"m.mesh", "m.vtu", "m.svg", "m.png", "m.pdf"}) {
+    here.write(name, "old");
+    const auto written = write_mesh(here / name, sample_mesh(4));
+    INFO((written.ok() ? "" : written.failure().message));
+    REQUIRE(written.ok());
+    REQUIRE(bytes_of(here / name).size() > 500);
+    const std::string first = bytes_of(here / name);
+    REQUIRE(write_mesh(here / name, sample_mesh(4)).ok());
+    REQUIRE(bytes_of(here / name) == first);
+  }
+  REQUIRE(here.files() == 6);
+}
+
+TEST_CASE("places where nothing can be written are refused beforehand") {
+  const temporary_directory here("refused");
+  REQUIRE_THAT(check_output(here / "none/m.mesh").failure().message,
+               Catch::Contains("there is no directory"));
+  std::filesystem::create_directory(here / "m.svg");
+  REQUIRE_THAT(check_output(here / "m.svg").failure().message,
+               Catch::Contains("not a regular file"));
+  std::filesystem::create_directory(here / "m.sol");
+  REQUIRE_THAT(check_output(here / "m.mesh").failure().message, Catch::Contains("m.sol"));
+  REQUIRE(check_output(here / "m.png").ok());
+  REQUIRE_FALSE(write_mesh(here / "m.mesh", sample_mesh(2)).ok());
+  REQUIRE(here.files() == 2);
+}
+
+TEST_CASE(
+    "a file of somebody else's with the name of a temporary one was overwritten and removed") {
+  const temporary_directory here("part");
+  here.write("m.svg.part", "precious");
+  std::filesystem::create_directory(here / "m.svg.part2");
+  REQUIRE(write_mesh(here / "m.svg", sample_mesh(2)).ok());
+  REQUIRE(bytes_of(here / "m.svg.part") == "precious");
+  REQUIRE(here.files() == 3);
+}
+
+TEST_CASE("a mesh whose numbers are wrong is not written") {
+  const temporary_directory here("wrong");
+  mesh m = sample_mesh(2);
+  m.triangles[1][2] = 99;
+  REQUIRE_THAT(write_mesh(here / "m.vtu", m).failure().message, Catch::Contains("missing site"));
+  m = sample_mesh(2);
+  m.sites[3].position.x = std::nan("");
+  REQUIRE_FALSE(write_mesh(here / "m.png", m).ok());
+  REQUIRE(here.files() == 0);
+}
+
+TEST_CASE("a .vtu file has the regions, 1 when there are none") {
+  REQUIRE_THAT(vtu_text(sample_mesh(1)),
+               Catch::Contains("Name=\"region\" format=\"ascii\">\n1\n1\n</DataArray>"));
+  REQUIRE_THAT(vtu_text(tests::divided_mesh(1)),
+               Catch::Contains("Name=\"region\" format=\"ascii\">\n-7\n2\n</DataArray>"));
+}
+
+TEST_CASE("a mesh with more or fewer regions than triangles is not written") {
+  const temporary_directory here("regions");
+  mesh m = sample_mesh(2);
+  m.regions = {1, 2};
+  REQUIRE_THAT(write_mesh(here / "m.mesh", m).failure().message,
+               Catch::Contains("not as many regions as triangles"));
+  REQUIRE(here.files() == 0);
+}
+
+TEST_CASE("a .vtu file marks disagreeing triangles") {
+  mesh m = sample_mesh(2);
+  m.disagreeing.push_back(m.triangles.back());
+  m.triangles.pop_back();
+  const std::string text = vtu_text(m);
+  REQUIRE_THAT(text, Catch::Contains("NumberOfPoints=\"9\" NumberOfCells=\"8\""));
+  REQUIRE_THAT(text, Catch::Contains("Name=\"disagreeing\" format=\"ascii\">\n"
+                                     "0\n0\n0\n0\n0\n0\n0\n1\n</DataArray>"));
+}

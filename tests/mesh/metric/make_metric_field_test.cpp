@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+using namespace asterism;
+
+namespace {
+
+constexpr bounding_box unit_box{{-1, -1}, {1, 1}};
+
+metric_tensor value(const std::string& specification, const point& q,
+                    const bounding_box& box = unit_box, double size = 1) {
+  const auto field = make_metric_field(specification, box, size);
+  INFO((field.ok() ? "" : field.failure().message));
+  REQUIRE(field.ok());
+  const auto m = field.value()->at(q);
+  INFO((m.ok() ? "" : m.failure().message));
+  REQUIRE(m.ok());
+  return m.value();
+}
+
+std::string refusal(const std::string& specification, double size = 1) {
+  const auto field = make_metric_field(specification, unit_box, size);
+  REQUIRE_FALSE(field.ok());
+  return field.failure().message;
+}
+
+}  // namespace
+
+TEST_CASE("fields with a closed form") {
+  const point q{0.5, -0.25};
+  REQUIRE(value("identity", q) == metric_tensor{1, 0, 1});
+  REQUIRE(value("swirl:8", q) == metric_tensor{3, -1, 1.5});
+  REQUIRE(value("sink:8", q) == metric_tensor{1.5, 1, 3});
+  REQUIRE(value("swirl", q) == value("swirl:12", q));
+  REQUIRE(value("sink", q) == value("sink:1.2e1", q));
+  REQUIRE(value("swirl:0", q) == metric_tensor{1, 0, 1});
+  REQUIRE(value("expr:1+8*x^2;8*x*y;1+8*y*y", q) == value("swirl:8", q));
+}
+
+TEST_CASE("swirl and sink are centred on the box and scaled by half its longer side") {
+  const bounding_box box{{10, -2}, {18, 0}};  // centre (14,-1), half 4
+  REQUIRE(value("swirl:16", {16, 0}, box) == metric_tensor{5, 2, 2});
+  REQUIRE(value("sink:16", {16, 0}, box) == metric_tensor{2, -2, 5});
+  REQUIRE(value("swirl:16", {14, -1}, box) == metric_tensor{1, 0, 1});
+}
+
+TEST_CASE("the size divides by its square") {
+  REQUIRE(value("swirl:8", {0.5, -0.25}, unit_box, 0.5) == metric_tensor{12, -4, 6});
+  REQUIRE(value("identity", {0, 0}, unit_box, 4) == metric_tensor{0.0625, 0, 0.0625});
+}
+
+TEST_CASE("expressions have the functions and constants of a calculator") {
+  REQUIRE(value("expr: sqrt(4) ; sin(0*x) ; x < 0 ? 1 : 3", {1, 1}) == metric_tensor{2, 0, 3});
+  REQUIRE(value("expr:exp(0);0;2*pi", {0, 0}).m22 == 2 * std::acos(-1.0));
+  REQUIRE(value("expr:1+(x>=0)+(y==2);0;1", {0, 2}).m11 == 3);
+}
+
+TEST_CASE("a tensor that is no metric is refused with point and numbers") {
+  const auto field = make_metric_field("expr:x;0;1", unit_box).value()->at({-0.1, 0.3});
+  REQUIRE_FALSE(field.ok());
+  REQUIRE(field.failure().message ==
+          "the metric at (-0.10000000000000001, 0.29999999999999999) is not positive definite: "
+          "m11 = -0.10000000000000001, m12 = 0, m22 = 1");
+  const auto semidefinite = make_metric_field("expr:1;3;9", unit_box).value()->at({0, 0});
+  REQUIRE_THAT(semidefinite.failure().message, Catch::Contains("not positive definite"));
+  const auto infinite = make_metric_field("expr:1/x;0;1", unit_box).value()->at({0, 1});
+  REQUIRE_THAT(infinite.failure().message, Catch::Contains("not finite: m11 = inf"));
+  const auto undefined = make_metric_field("expr:sqrt(x);0;1", unit_box).value()->at({-1, 1});
+  REQUIRE_THAT(undefined.failure().message, Catch::Contains("not finite"));
+}
+
+TEST_CASE("definiteness is decided exactly") {
+  // The determinant is 2^-105; in doubles both products round to the same number.
+  const double e = 0x1p-52;
+  const auto tensor = [&](double m11) {
+    return "expr:" + std::to_string(static_cast<int>(m11)) + "+2^-51;1+2^-52;1";
+  };
+  // (1 + 2e)(1) - (1 + e)^2 = -e^2 < 0
+  REQUIRE_FALSE(make_metric_field(tensor(1), unit_box).value()->at({0, 0}).ok());
+  REQUIRE(value("expr:1+2^-51;1+2^-52;1+2^-52", {0, 0}).m22 == 1 + e);
+}
+
+TEST_CASE("bad specifications are refused with the reason") {
+  REQUIRE_THAT(refusal("whirl:3"),
+               Catch::Contains("metric 'whirl:3': unknown; there are identity"));
+  REQUIRE_THAT(refusal(""), Catch::Contains("unknown"));
+  REQUIRE_THAT(refusal("identity:2"), Catch::Contains("takes no parameter"));
+  REQUIRE_THAT(refusal("swirl:"), Catch::Contains("K: '' is not a number"));
+  REQUIRE_THAT(refusal("swirl:abc"), Catch::Contains("K: 'abc' is not a number"));
+  REQUIRE_THAT(refusal("swirl:3x"), Catch::Contains("'3x' is not a number"));
+  REQUIRE_THAT(refusal("sink:-1"), Catch::Contains("K must not be negative, not -1"));
+  REQUIRE_THAT(refusal("sink:nan"), Catch::Contains("'nan' is not finite"));
+  REQUIRE_THAT(refusal("expr:"), Catch::Contains("M11: an expression is empty"));
+  REQUIRE_THAT(refusal("expr:1;0"), Catch::Contains("there are only 2"));
+  REQUIRE_THAT(refusal("expr:1;0;1;0"), Catch::Contains("there are more"));
+  REQUIRE_THAT(refusal("expr:1;;1"), Catch::Contains("M12: an expression is empty"));
+  REQUIRE_THAT(refusal("expr:1;0;2*(x+"), Catch::Contains("M22: ") && Catch::Contains("position"));
+  REQUIRE_THAT(refusal("expr:1;0;1+z"), Catch::Contains("\"z\"") && Catch::Contains("position 3"));
+  REQUIRE_THAT(refusal("expr:1;0;X"), Catch::Contains("\"X\""));
+  REQUIRE_THAT(refusal("expr:1;x=3;1"),
+               Catch::Contains("assignments") && Catch::Contains("position 2"));
+  REQUIRE_THAT(refusal("expr:1,2;0;1"), Catch::Contains("one value is wanted, not 2"));
+  REQUIRE_THAT(refusal("identity", 0), Catch::Contains("size must be positive and finite, not 0"));
+  REQUIRE_THAT(refusal("identity", -0.5), Catch::Contains("not -0.5"));
+  REQUIRE_THAT(refusal("identity", NAN), Catch::Contains("not nan"));
+  REQUIRE_FALSE(make_metric_field("swirl", {{1, 1}, {1, 1}}).ok());
+}
+
+TEST_CASE("an expression field may be asked from several threads") {
+  const auto field = make_metric_field("expr:1+x*x;x*y;1+y*y", unit_box);
+  std::vector<int> wrong(4, 0);
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < wrong.size(); ++t)
+    threads.emplace_back([&, t] {
+      for (int i = 0; i < 2000; ++i) {
+        const point q{0.001 * i, static_cast<double>(t)};
+        const auto m = field.value()->at(q);
+        const metric_tensor expected{1 + q.x * q.x, q.x * q.y, 1 + q.y * q.y};
+        if (!m.ok() || m.value() != expected) ++wrong[t];
+      }
+    });
+  for (std::thread& t : threads) t.join();
+  REQUIRE(wrong == std::vector<int>(4, 0));
+}
+
+TEST_CASE("layers are flat along the lower side of the box and grow upwards") {
+  const bounding_box box{{2, -1}, {4, 1}};
+  REQUIRE(value("layer:0.25,0.5", {2, -1}, box) == metric_tensor{4, 0, 16});
+  REQUIRE(value("layer:0.25,0.5", {3.3, 1}, box) == metric_tensor{4, 0, 4});
+  REQUIRE(value("layer:0.5,1", {3, 0}, box).m22 == 1 / (0.75 * 0.75));
+  REQUIRE(value("layer", {2, 0.1}, box) == value("layer:0.001,1e-1", {2, 0.1}, box));
+  REQUIRE(value("layer:0.25,0.5", {2, -1}, box, 2) == metric_tensor{1, 0, 4});
+}
+
+TEST_CASE("the curved shock is thin on its curve and round away from it") {
+  const metric_tensor on = value("shock:10", {0, 0});  // normal (-1, 1) / sqrt 2, slope 1
+  REQUIRE(on.m11 == Approx(50.5));
+  REQUIRE(on.m12 == Approx(-49.5));
+  REQUIRE(on.m22 == Approx(50.5));
+  const metric_tensor away = value("shock", {0, 0.99});
+  REQUIRE(away.m11 == Approx(1).epsilon(1e-5));
+  REQUIRE(away.m12 == Approx(0).margin(1e-5));
+  REQUIRE(value("shock", {0.1, 0.2}) == value("shock:50", {0.1, 0.2}));
+}
+
+TEST_CASE("the benchmarks have their published values on the unit square") {
+  const bounding_box square{{0, 0}, {1, 1}};
+  const auto inverse_square = [](double h) { return Approx(1 / (h * h)); };
+  REQUIRE(value("linear", {0.3, 0.5}, square).m22 == inverse_square(0.001));
+  REQUIRE(value("linear", {0.3, 1}, square).m22 == inverse_square(0.1));
+  REQUIRE(value("linear", {0.3, 0.25}, square).m22 == inverse_square(0.0505));
+  REQUIRE(value("linear", {0.9, 0.25}, square).m11 == inverse_square(0.1));
+
+  REQUIRE(value("polar-1", {0.5, 0}, square).m11 == inverse_square(0.001));
+  REQUIRE(value("polar-1", {0.5, 0}, square).m22 == inverse_square(0.1));
+  REQUIRE(value("polar-1", {0, 0}, square) == value("polar-2", {0, 0}, square));
+  REQUIRE(value("polar-1", {0, 0}, square).m11 == inverse_square(0.1));
+  REQUIRE(value("polar-1", {0, 0.8}, square).m22 == inverse_square(0.001 + 0.198 * 0.3));
+  // On the diagonal both entries are the mean of the eigenvalues.
+  const metric_tensor diagonal = value("polar-1", {0.3, 0.3}, square);
+  const double r = std::sqrt(0.18), across = 1 / std::pow(0.001 + 0.198 * (0.5 - r), 2);
+  REQUIRE(diagonal.m11 == Approx((across + 100) / 2));
+  REQUIRE(diagonal.m12 == Approx((across - 100) / 2));
+
+  REQUIRE(value("polar-2", {0, 0.5}, square).m11 == inverse_square(0.025));
+  REQUIRE(value("polar-2", {0, 0.55}, square).m11 == inverse_square(0.0625));
+  REQUIRE(value("polar-2", {0, 0.6}, square).m11 == inverse_square(0.1));
+  REQUIRE(value("polar-2", {0.45, 0}, square).m22 == inverse_square(0.0625));
+
+  REQUIRE(value("circle-1", {0.5, 0.5}, square).m11 == inverse_square(0.0005));
+  REQUIRE(value("circle-1", {0.5, 0.5}, square).m22 == inverse_square(0.1));
+  REQUIRE(value("circle-1", {0, 0.5}, square).m11 == inverse_square(0.7505));
+  REQUIRE(value("circle-1", {0, 0.5}, square).m22 == inverse_square(0.8));
+}
+
+TEST_CASE("the benchmarks scale with the box") {
+  // Twice the square: lengths are twice as long, tensors a quarter.
+  REQUIRE(value("linear", {-0.4, 0}).m22 == Approx(250000));
+  REQUIRE(value("polar-1", {0, -1}).m11 == Approx(250000));
+  REQUIRE(value("circle-1", {0, 0}, unit_box, 0.5).m11 == Approx(4000000));
+}
+
+TEST_CASE("layered fields with bad parameters are refused with the reason") {
+  REQUIRE_THAT(refusal("layer:0.1"), Catch::Contains("two lengths are wanted, H0,H1"));
+  REQUIRE_THAT(refusal("layer:0,1"), Catch::Contains("H0 must be positive, not 0"));
+  REQUIRE_THAT(refusal("layer:0.1,much"), Catch::Contains("H1: 'much' is not a number"));
+  REQUIRE_THAT(refusal("layer:0.1,1,2"), Catch::Contains("H1: '1,2' is not a number"));
+  REQUIRE_THAT(refusal("shock:-3"), Catch::Contains("A must be positive, not -3"));
+  REQUIRE_THAT(refusal("linear:2"), Catch::Contains("linear takes no parameter"));
+  REQUIRE_FALSE(make_metric_field("polar-1", {{1, 1}, {1, 1}}).ok());
+  // A tensor beyond the range of doubles is told when it is met.
+  REQUIRE_FALSE(make_metric_field("layer:1e-200,1", unit_box).value()->at({0, -1}).ok());
+}

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/real_roots.hpp"
+#include "asterism/mesh/refine/poisson_darts.hpp"
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "fixtures/star_fixture.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::testing;
+
+namespace {
+
+class site_generator {
+ public:
+  explicit site_generator(std::uint64_t seed) : random_(seed) {}
+  site next() {
+    const double x = 2 * random_.uniform() - 1, y = 2 * random_.uniform() - 1;
+    const double stretch = 1 + 8 * random_.uniform(), turn = 3 * random_.uniform();
+    const double c = std::cos(turn), s = std::sin(turn);
+    return {{x, y}, {stretch * c * c + s * s, (stretch - 1) * c * s, stretch * s * s + c * c}};
+  }
+
+ private:
+  dart_generator random_;
+};
+
+bool nearly_equal(double a, double b) { return std::abs(a - b) <= 1e-7 * (a + b); }
+
+// Zeros of f_a - f_b and f_a - f_c seen as sign changes of both over small cells of a box.
+int cells_with_sign_changes(const site& a, const site& b, const site& c) {
+  constexpr int n = 400;
+  int cells = 0;
+  const auto g = [&](const site& other, double x, double y) {
+    return squared_distance(a, {x, y}) < squared_distance(other, {x, y});
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double x = -4 + 8.0 * i / n, y = -4 + 8.0 * j / n, h = 8.0 / n;
+      const auto changes = [&](const site& other) {
+        const bool first = g(other, x, y);
+        return g(other, x + h, y) != first || g(other, x, y + h) != first ||
+               g(other, x + h, y + h) != first;
+      };
+      cells += changes(b) && changes(c);
+    }
+  return cells;
+}
+
+}  // namespace
+
+TEST_CASE("the Voronoi vertex of equal metrics is the circumcentre") {
+  const metric_tensor m{1, 0, 1};
+  const auto vertices = voronoi_vertices({{0, 0}, m}, {{4, 0}, m}, {{0, 2}, m});
+  REQUIRE(vertices.size() == 1);
+  CHECK(vertices[0].x == Approx(2));
+  CHECK(vertices[0].y == Approx(1));
+}
+
+TEST_CASE("Voronoi vertices are equally far from their sites and nearest first") {
+  site_generator sites(11);  // seed
+  int several = 0;
+  for (int i = 0; i < 500; ++i) {
+    INFO("triple " << i << " of seed 11");
+    const site a = sites.next(), b = sites.next(), c = sites.next();
+    const auto vertices = voronoi_vertices(a, b, c);
+    CHECK(vertices.size() <= 4);
+    several += vertices.size() > 1;
+    double last = 0;
+    for (const point& q : vertices) {
+      const double d = squared_distance(a, q);
+      CHECK(nearly_equal(d, squared_distance(b, q)));
+      CHECK(nearly_equal(d, squared_distance(c, q)));
+      CHECK(d >= last * (1 - 1e-6));
+      last = d;
+    }
+    CHECK(voronoi_vertices(c, a, b) == vertices);
+    CHECK(voronoi_vertices(b, a, c) == vertices);
+  }
+  CHECK(several > 50);
+}
+
+TEST_CASE("no Voronoi vertex is missed where the bisectors plainly cross") {
+  site_generator sites(5);  // seed
+  for (int i = 0; i < 20; ++i) {
+    INFO("triple " << i << " of seed 5");
+    const site a = sites.next(), b = sites.next(), c = sites.next();
+    int inside = 0;
+    for (const point& q : voronoi_vertices(a, b, c))
+      inside += std::abs(q.x) < 3.9 && std::abs(q.y) < 3.9;
+    if (cells_with_sign_changes(a, b, c) == 0) CHECK(inside == 0);
+    if (inside == 0) CHECK(cells_with_sign_changes(a, b, c) <= 2);
+  }
+}
+
+TEST_CASE("wedge exits lie on the bisector and on the wedge's border, seen by both") {
+  site_generator sites(3);  // seed
+  int found = 0;
+  for (int i = 0; i < 500; ++i) {
+    INFO("pair " << i << " of seed 3");
+    const site v = sites.next(), w = sites.next();
+    const point d{w.position.x - v.position.x, w.position.y - v.position.y};
+    const auto exits = wedge_exits(v, w);
+    CHECK(exits.size() <= 2);
+    found += static_cast<int>(exits.size());
+    for (const point& q : exits) {
+      CHECK(nearly_equal(squared_distance(v, q), squared_distance(w, q)));
+      const point from_v{q.x - v.position.x, q.y - v.position.y};
+      const point from_w{q.x - w.position.x, q.y - w.position.y};
+      const double slack = 1e-7 * squared_distance(v, q);
+      const double at_v = inner_product(v.metric, from_v, d);
+      const double at_w = -inner_product(w.metric, from_w, d);
+      CHECK(at_v >= -slack);
+      CHECK(at_w >= -slack);
+      CHECK(std::min(at_v, at_w) <= slack);
+    }
+  }
+  CHECK(found > 100);
+}
+
+TEST_CASE("equal metrics have no wedge exits") {
+  const metric_tensor m{3, 1, 2};
+  CHECK(wedge_exits({{0, 0}, m}, {{1, 2}, m}).empty());
+}
+
+TEST_CASE("a segment is split where its ends are equally far") {
+  const site a{{-1, 0}, {4, 0, 1}}, b{{2, 0}, {1, 0, 1}};
+  const point m = bisector_point(a, b);
+  CHECK(m.x == Approx(0));
+  CHECK(m.y == 0);
+  CHECK(point_at_distance(a, b.position, 2).x == Approx(0));
+}
+
+TEST_CASE("constructions survive extreme scales") {
+  for (const double scale : {0x1p-400, 0x1p400}) {
+    const metric_tensor m{1 / scale, 0, 1 / scale};
+    const auto vertices = voronoi_vertices({{0, 0}, m}, {{4 * scale, 0}, m}, {{0, 2 * scale}, m});
+    REQUIRE(vertices.size() == 1);
+    CHECK(vertices[0].x == Approx(2 * scale));
+  }
+}
+
+TEST_CASE("real roots of small polynomials") {
+  CHECK(real_roots({-6, 11, -6, 1}).size() == 3);  // 1, 2, 3
+  CHECK(real_roots({1, 0, 1}).empty());
+  CHECK(real_roots({0, 0, 0}).empty());
+  CHECK(real_roots({-4, 2}) == std::vector<double>{2});
+  CHECK(quadratic_roots(1, -3, 2) == std::vector<double>{1, 2});
+  CHECK(quadratic_roots(0, 2, -4) == std::vector<double>{2});
+  CHECK(quadratic_roots(1, 0, 1).empty());
+}
+
+TEST_CASE("angles are measured from every vertex, and err towards low") {
+  const metric_tensor unit{1, 0, 1}, flat{1, 0, 0.01};
+  const point a{0, 0}, b{1, 0}, c{0.5, std::sqrt(3.0) / 2};
+  CHECK_FALSE(angle_requirement(59).is_low({{{a, unit}, {b, unit}, {c, unit}}}));
+  CHECK_FALSE(angle_requirement(0).is_low({{{a, flat}, {b, unit}, {c, unit}}}));
+  for (int turned = 0; turned < 3; ++turned) {
+    triangle_sites t{{{a, unit}, {b, unit}, {c, unit}}};
+    t[static_cast<std::size_t>(turned)].metric = flat;
+    CHECK(angle_requirement(20).is_low(t));
+    CHECK(smallest_angle(t) < 20);
+  }
+  // An angle of 45 degrees exactly is not certain to meet a bound of 45: it counts as low.
+  const triangle_sites right{{{{0, 0}, unit}, {{1, 0}, unit}, {{0, 1}, unit}}};
+  CHECK(angle_requirement(45).is_low(right));
+  CHECK_FALSE(angle_requirement(44.999).is_low(right));
+}
+
+TEST_CASE("the corner of the square under the swirl measures acos(K / (1 + K))") {
+  const double k = 12;
+  const site corner{{1, 1}, swirl_field(k).at({1, 1}).value()};
+  const double expected = std::acos(k / (1 + k)) * 180 / 3.14159265358979323846;
+  CHECK(corner_angle(corner, {-1, 1}, {1, -1}) == Approx(expected));
+}

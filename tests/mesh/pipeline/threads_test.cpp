@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+//
+// The mesher and the auditor with four threads, for the thread sanitizer above all (scripts/abuse
+// threads); and two meshes made at the same time, which must not know of each other.
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <thread>
+#include <vector>
+
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "fixtures/domain_kinds.hpp"
+
+namespace asterism::testing {
+namespace {
+
+struct made_mesh {
+  mesh_outcome outcome;
+  bool certified = false;
+};
+
+// Asked of a field that every thread reads at once.
+made_mesh make(const domain& d, const metric_field& field, refinement_strategy strategy) {
+  mesh_options options;
+  options.strategy = strategy;
+  options.angle_bound = strategy == refinement_strategy::poisson_darts ? 5 : 15;
+  options.limit_size = true;
+  auto made = make_mesh(d, field, options);
+  if (!made) return {};
+  audit_options judged;
+  judged.angle_bound = options.angle_bound;
+  judged.original = &d;
+  const audit_report report = audit(made.value().result, judged);
+  return {std::move(made).value(), report.certified};
+}
+
+// An arena of its own has as many threads as asked for, also on a machine with fewer processors.
+template <class Work>
+void with_threads(int threads, const Work& work) {
+  const tbb::global_control most(tbb::global_control::max_allowed_parallelism,
+                                 static_cast<std::size_t>(threads));
+  tbb::task_arena(threads).execute(work);
+}
+
+bool same(const mesh& a, const mesh& b) {
+  const auto same_site = [](const site& s, const site& t) {
+    return s.position == t.position && identical(s.metric, t.metric);
+  };
+  return a.triangles == b.triangles &&
+         std::equal(a.sites.begin(), a.sites.end(), b.sites.begin(), b.sites.end(), same_site);
+}
+
+// swirl:3 with edges of length `size`.
+formula_field fine_swirl(double size) {
+  return formula_field([size, swirl = swirl_field(3)](const point& q) {
+    const metric_tensor m = swirl.at(q).value();
+    const double s = 1 / (size * size);
+    return metric_tensor{s * m.m11, s * m.m12, s * m.m22};
+  });
+}
+
+}  // namespace
+
+TEST_CASE("four threads make and audit the mesh of one", "[threads]") {
+  const domain d = with_dangling_segments();
+  const formula_field field = fine_swirl(0.1);
+  std::array<made_mesh, 2> made;
+  with_threads(1, [&] { made[0] = make(d, field, refinement_strategy::guaranteed); });
+  with_threads(4, [&] { made[1] = make(d, field, refinement_strategy::guaranteed); });
+  CHECK(made[0].outcome.sites > 300);
+  CHECK(made[0].certified);
+  CHECK(made[1].certified);
+  CHECK(same(made[0].outcome.result, made[1].outcome.result));
+}
+
+TEST_CASE("meshes made at the same time do not know of each other", "[threads]") {
+  const domain d = accepted(square());
+  const formula_field field = fine_swirl(0.5);
+  constexpr std::array strategies = {
+      refinement_strategy::guaranteed, refinement_strategy::voronoi_arcs,
+      refinement_strategy::guaranteed, refinement_strategy::poisson_darts};
+  std::array<made_mesh, 4> alone, together;
+  for (std::size_t k = 0; k < strategies.size(); ++k) alone[k] = make(d, field, strategies[k]);
+  std::vector<std::thread> running;
+  for (std::size_t k = 0; k < strategies.size(); ++k)
+    running.emplace_back([&, k] { together[k] = make(d, field, strategies[k]); });
+  for (std::thread& t : running) t.join();
+  for (std::size_t k = 0; k < strategies.size(); ++k) {
+    INFO("mesh " << k);
+    CHECK(alone[k].outcome.sites > 10);
+    CHECK(same(alone[k].outcome.result, together[k].outcome.result));
+    CHECK(alone[k].outcome.reason == together[k].outcome.reason);
+  }
+}
+
+}  // namespace asterism::testing

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+//
+// Passes over a finished mesh: what they propose, that what they accept is certified and never
+// worse, and that they leave alone what they should.
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/refine/coarsening_proposal.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "fixtures/audit_meshes.hpp"
+#include "fixtures/domain_kinds.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::testing;
+
+namespace {
+
+formula_field sized(const formula_field& field, double size) {
+  return formula_field([field, size](const point& q) {
+    const metric_tensor m = field.at(q).value();
+    const double s = 1 / (size * size);
+    return metric_tensor{s * m.m11, s * m.m12, s * m.m22};
+  });
+}
+
+mesh_outcome mesh_of(const domain& d, const metric_field& field,
+                           const mesh_options& options) {
+  auto made = make_mesh(d, field, options);
+  REQUIRE(made.ok());
+  return std::move(made).value();
+}
+
+mesh_options with_passes(std::size_t passes, bool limit_size) {
+  mesh_options options;
+  options.improve_passes = passes;
+  options.limit_size = limit_size;
+  return options;
+}
+
+void check_certified(const domain& d, const mesh_outcome& made) {
+  audit_options options;
+  options.angle_bound = 20;
+  options.original = &d;
+  for (const exempt_corner& c : made.exempt) options.exempt_corners.push_back(c.vertex);
+  const audit_report report = audit(made.result, options);
+  for (const audit_finding& f : report.findings) UNSCOPED_INFO(f.witness);
+  CHECK(report.certified);
+}
+
+double worst_angle(const mesh_outcome& made) {
+  const std::set<triangle> exempt(made.exempt_triangles.begin(), made.exempt_triangles.end());
+  double worst = 180;
+  for (const triangle& t : made.result.triangles)
+    if (exempt.count(t) == 0)
+      worst = std::min(worst, smallest_angle({made.result.sites[t[0]], made.result.sites[t[1]],
+                                              made.result.sites[t[2]]}));
+  return worst;
+}
+
+void check_not_worse(const mesh_outcome& before, const mesh_outcome& after) {
+  CHECK(after.complete);
+  CHECK(after.sites <= before.sites);
+  CHECK(worst_angle(after) >= worst_angle(before));
+  CHECK(measure(after.result).mean_quality >= measure(before.result).mean_quality);
+  CHECK(after.exempt_triangles.size() <= before.exempt_triangles.size());
+  REQUIRE(after.improved);
+  CHECK(after.improved->sites_before == before.sites);
+  CHECK(after.improved->tries <= 10 * (after.improved->passes + 1));
+}
+
+formula_field stretched_to_the_sides() {
+  return formula_field([](const point& q) {
+    return metric_tensor{1 + q.x * q.x / 4, q.x * q.y / 8, 1 + q.y * q.y / 4};
+  });
+}
+
+bool same(const mesh& a, const mesh& b) { return a.sites == b.sites && a.triangles == b.triangles; }
+
+// A patch of equilateral triangles with one more site in the middle of the triangle.
+test::patch crowded_patch(std::size_t triangle_number) {
+  test::patch p = test::make_patch(6, 0);
+  const triangle t = p.m.triangles[triangle_number];
+  point middle{0, 0};
+  for (const vertex_index v : t) {
+    middle.x += p.m.sites[v].position.x / 3;
+    middle.y += p.m.sites[v].position.y / 3;
+  }
+  const auto added = static_cast<vertex_index>(p.m.sites.size());
+  p.m.sites.push_back({middle, test::round_metric});
+  p.m.triangles[triangle_number] = {t[0], t[1], added};
+  p.m.triangles.push_back({t[1], t[2], added});
+  p.m.triangles.push_back({t[2], t[0], added});
+  return p;
+}
+
+improvement_goal modest_goal() {
+  improvement_goal goal;
+  goal.least_angle = 20;
+  goal.mean_quality = 0.9;
+  goal.largest_radius = 0.75;
+  return goal;
+}
+
+}  // namespace
+
+TEST_CASE("improvement: a site in the middle of a good triangle goes, and nothing else") {
+  const test::patch p = crowded_patch(30);
+  const std::vector<char> nobody(p.m.sites.size(), 0);
+  const auto added = static_cast<vertex_index>(p.m.sites.size() - 1);
+  const improvement_proposal proposal =
+      propose_improvement(p.m, p.d.segments.size(), identity_field(), modest_goal(), nobody);
+  CHECK(proposal.removed == std::vector<vertex_index>{added});
+  CHECK(proposal.moved.empty());
+
+  std::vector<char> barred = nobody;
+  barred[added] = 1;
+  const improvement_proposal none =
+      propose_improvement(p.m, p.d.segments.size(), identity_field(), modest_goal(), barred);
+  CHECK(none.removed.empty());
+}
+
+TEST_CASE("improvement: a site that is given stays, however crowded") {
+  test::patch p = crowded_patch(30);
+  p.m.given = static_cast<vertex_index>(p.m.sites.size());
+  const improvement_proposal proposal =
+      propose_improvement(p.m, p.d.segments.size(), identity_field(), modest_goal(),
+                          std::vector<char>(p.m.sites.size(), 0));
+  CHECK(proposal.changes_nothing());
+  CHECK(proposal.filling.interior.empty());
+}
+
+TEST_CASE("improvement: no two sites with a common edge are removed, nor any on the boundary") {
+  const mesh_outcome made =
+      mesh_of(square(), sized(swirl_field(12), 0.15), with_passes(0, true));
+  improvement_goal goal = modest_goal();
+  goal.largest_radius = std::numeric_limits<double>::infinity();
+  const improvement_proposal proposal =
+      propose_improvement(made.result, square().segments.size(), sized(swirl_field(12), 0.15), goal,
+                          std::vector<char>(made.sites, 0));
+  CHECK(proposal.removed.size() > made.sites / 10);
+  const std::set<vertex_index> removed(proposal.removed.begin(), proposal.removed.end());
+  for (const triangle& t : made.result.triangles)
+    CHECK(removed.count(t[0]) + removed.count(t[1]) + removed.count(t[2]) <= 1);
+  std::size_t on_segments = 0;
+  for (const auto& division : proposal.filling.divisions) on_segments += division.size();
+  CHECK(on_segments + 4 == made.result.boundary.size());
+  CHECK(on_segments + 4 + proposal.filling.interior.size() + removed.size() == made.sites);
+}
+
+TEST_CASE("improvement: with and without a size there are fewer sites, certified and no worse") {
+  const domain d = accepted(square());
+  for (const bool limit : {false, true}) {
+    const formula_field field = limit ? sized(swirl_field(12), 0.2) : swirl_field(12);
+    const mesh_outcome before = mesh_of(d, field, with_passes(0, limit));
+    const mesh_outcome after = mesh_of(d, field, with_passes(8, limit));
+    REQUIRE(before.complete);
+    check_not_worse(before, after);
+    check_certified(d, after);
+    CHECK(!before.improved);
+    CHECK(after.sites < before.sites);
+    CHECK(after.improved->passes > 0);
+    CHECK(after.improved->mean_quality_after == measure(after.result).mean_quality);
+  }
+}
+
+TEST_CASE("improvement: never worse, on domains and metrics of all kinds") {
+  const domain slit = with_dangling_segments(), diagonal = with_diagonal(),
+               island = island_in_hole(), touching = touching_rings(),
+               point = with_isolated_point();
+  for (const domain* d : {&slit, &diagonal, &island, &touching, &point})
+    for (const formula_field& f : {identity_field(), stretched_to_the_sides()})
+      for (const bool limit : {false, true}) {
+        const formula_field field = limit ? sized(f, (d->box().high.x - d->box().low.x) / 4) : f;
+        INFO(d->vertices.size() << " vertices, metric at 0: " << f.at({0, 0}).value().m11);
+        const mesh_outcome before = mesh_of(*d, field, with_passes(0, limit));
+        if (!before.complete) continue;
+        const mesh_outcome after = mesh_of(*d, field, with_passes(2, limit));
+        check_not_worse(before, after);
+        check_certified(*d, after);
+      }
+}
+
+TEST_CASE("improvement: the same mesh with one thread and with two") {
+  const domain d = with_dangling_segments();
+  const auto made_by = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return mesh_of(d, sized(swirl_field(12), 0.12), with_passes(3, true));
+  };
+  const mesh_outcome one = made_by(1), two = made_by(2);
+  CHECK(one.improved->passes > 0);
+  CHECK(same(one.result, two.result));
+}
+
+TEST_CASE("improvement: scaled by powers of two the same sites go") {
+  const mesh_outcome plain =
+      mesh_of(accepted(square()), swirl_field(12), with_passes(3, false));
+  for (const double scale : {0x1p-400, 0x1p400}) {
+    domain d = square();
+    for (point& q : d.vertices) q = {scale * q.x, scale * q.y};
+    const formula_field field([scale](const point& q) {
+      return swirl_field(12).at({q.x / scale, q.y / scale}).value();
+    });
+    const mesh_outcome made = mesh_of(accepted(d), field, with_passes(3, false));
+    REQUIRE(made.improved);
+    CHECK(made.sites == plain.sites);
+    CHECK(made.improved->removed == plain.improved->removed);
+    CHECK(made.improved->moved == plain.improved->moved);
+  }
+}
+
+TEST_CASE("improvement: a mesh that is not complete is left alone") {
+  mesh_options options = with_passes(5, true);
+  options.max_sites = 300;
+  const formula_field field = sized(swirl_field(12), 0.05);
+  const mesh_outcome after = mesh_of(accepted(square()), field, options);
+  options.improve_passes = 0;
+  const mesh_outcome before = mesh_of(accepted(square()), field, options);
+  CHECK(!before.complete);
+  CHECK(!after.improved);
+  CHECK(same(before.result, after.result));
+  CHECK(before.reason == after.reason);
+}
+
+// Whenever it is stopped: before the mesh is complete, between tries or within one.
+TEST_CASE("improvement: stopped, the last mesh that was accepted is what there is") {
+  const domain d = accepted(square());
+  bool while_improving = false;
+  for (int most = 1; most < 4000; most *= 2) {
+    int asked = 0;
+    mesh_options options = with_passes(8, true);
+    options.stop = [&]() -> std::optional<std::string> {
+      if (++asked > most) return "enough";
+      return std::nullopt;
+    };
+    const mesh_outcome made = mesh_of(d, sized(swirl_field(12), 0.2), options);
+    CHECK(made.complete == made.improved.has_value());
+    if (!made.complete) continue;
+    CHECK(!made.stopped);
+    while_improving = while_improving || made.improved->stopped;
+    check_certified(d, made);
+  }
+  CHECK(while_improving);
+}
