@@ -16,14 +16,15 @@
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
-#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
-#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
-#include "asterism/mesh/refine/insertion_tolerance.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/refine/insertion_tolerance.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -148,14 +149,11 @@ std::optional<error> write_result(const certify_options& options, const mesh& m,
   return std::nullopt;
 }
 
-certificate claim_of(const certify_options& options, const mesh& m, const audit_options& asked,
-                     const audit_report& report) {
-  certificate claim = make_certificate(m, asked, report);
+// Adds to the certificate what only the command knows: how the job was worded.
+void describe(certificate& claim, const certify_options& options) {
   claim.metric = options.metric.value_or("of " + options.solution.string());
   claim.options = {{"mesh", options.mesh.string()}, {"repair", options.repair ? "yes" : "no"}};
   if (options.metric) claim.options["size"] = format_number(options.size);
-  claim.complete = true;
-  return claim;
 }
 
 bool is_dual_as_asked(const certify_options& options, const audit_report& report) {
@@ -169,7 +167,9 @@ int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
   audit_options asked;
   asked.angle_bound = options.angle_bound;
   asked.original = &adopted.shape;
-  certificate claim = claim_of(options, adopted.subject, asked, report.audit);
+  certificate claim = make_certificate(adopted.subject, asked, report.audit);
+  describe(claim, options);
+  claim.complete = true;
   claim.reason = "the mesh as it came is certified";
   if (const auto failure = write_result(options, adopted.subject, claim))
     return complain(*failure, not_reached);
@@ -187,27 +187,20 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   constexpr std::size_t growth = 10, least = 100000;
   wanted.max_sites =
       options.max_sites.value_or(std::max(least, growth * adopted.subject.sites.size()));
-  std::optional<result<mesh_outcome>> made;
-  {
+  wanted.prove_voronoi = options.prove_voronoi;
+  auto made = [&] {
     progress_line line(true);
-    made = make_mesh(adopted.shape, field, wanted,
-                     [&line](const mesh_progress& progress) { line.show(progress); });
-  }
-  if (!*made) return complain(made->failure(), refused);
-  const mesh_outcome& outcome = made->value();
-  audit_options asked;
-  asked.angle_bound = options.angle_bound;
-  asked.original = &adopted.shape;
-  for (const exempt_corner& corner : outcome.exempt) asked.exempt_corners.push_back(corner.vertex);
-  asked.check_voronoi = options.prove_voronoi;
-  const audit_report judged = audit(outcome.result, asked);
-  certificate claim = claim_of(options, outcome.result, asked, judged);
-  claim.complete = outcome.complete;
-  claim.reason = outcome.reason;
-  claim.mesher_counters = outcome.counters;
+    return make_certified_mesh(adopted.shape, field, wanted,
+                               [&line](const mesh_progress& progress) { line.show(progress); });
+  }();
+  if (!made) return complain(made.failure(), refused);
+  const mesh_outcome& outcome = made.value().outcome;
+  const audit_report& judged = made.value().report;
+  certificate& claim = made.value().claim;
+  describe(claim, options);
   if (const auto failure = write_result(options, outcome.result, claim))
     return complain(*failure, not_reached);
-  const bool reached = outcome.complete && judged.certified;
+  const bool reached = made.value().certified();
   std::cout << "repaired: " << outcome.sites << " sites, "
             << outcome.sites - adopted.subject.sites.size() << " of them new, " << outcome.triangles
             << " triangles, " << worst_angle_text(judged.worst.degrees) << ": "

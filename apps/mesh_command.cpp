@@ -122,7 +122,8 @@ void add_output_options(CLI::App& app, mesh_job& job) {
                  "The certificate's file (default: first OUT with extension .certificate.json)")
       ->type_name("FILE");
   app.add_option_function<std::string>(
-         "--certify", [&job](const std::string& what) { job.prove_voronoi = what == "voronoi"; },
+         "--certify",
+         [&job](const std::string& what) { job.refinement.prove_voronoi = what == "voronoi"; },
          "stars (default): every triangle is in the stars of its corners; voronoi: moreover, the "
          "mesh is the dual of the anisotropic Voronoi diagram, or the exit status is 1")
       ->check(CLI::IsMember({"stars", "voronoi"}))

@@ -19,18 +19,18 @@
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
-#include "asterism/mesh/pipeline/foreign_mesh.hpp"
-#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
-#include "asterism/mesh/numerics/mesh_statistics.hpp"
-#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
-#include "asterism/mesh/io/load_domain.hpp"
+#include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -207,7 +207,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"tol-at-end", text_of(outcome.tolerance)},
           {"improve", std::to_string(asked.improve_passes)},
           {"improve-done", outcome.improved ? text_of(*outcome.improved, outcome.sites) : "none"},
-          {"certify", job.prove_voronoi ? "voronoi" : "stars"},
+          {"certify", job.refinement.prove_voronoi ? "voronoi" : "stars"},
           {"max-sites", std::to_string(asked.max_sites)},
           {"regions", job.number_regions ? "numbered" : "as given"},
           {"random-points", std::to_string(job.random_points)},
@@ -216,33 +216,10 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"seed", std::to_string(asked.seed)}};
 }
 
-struct judged_mesh {
-  audit_report report;
-  certificate claim;
-};
-
-judged_mesh judge(const mesh_job& job, const prepared_input& input,
-                  const mesh_outcome& outcome) {
-  audit_options options;
-  options.angle_bound = job.refinement.angle_bound;
-  options.original = &input.shape;
-  for (const exempt_corner& corner : outcome.exempt)
-    options.exempt_corners.push_back(corner.vertex);
-  // Who interrupts a run does not want to wait for the stars of a mesh that is not finished.
-  if (outcome.stopped) options.check_stars = false;
-  options.check_voronoi = job.prove_voronoi && !outcome.stopped;
-  judged_mesh judged{audit(outcome.result, options), {}};
-  if (job.prove_voronoi && outcome.stopped) judged.report.voronoi = voronoi_verdict::not_reached;
-  judged.claim = make_certificate(outcome.result, options, judged.report);
-  judged.claim.metric = job.metric;
-  judged.claim.options = options_of(job, input, outcome);
-  judged.claim.complete = outcome.complete;
-  judged.claim.reason = outcome.reason;
-  judged.claim.mesher_counters = outcome.counters;
-  judged.claim.star_repairs = outcome.star_repairs;
-  judged.claim.relaxed = outcome.relaxed;
-  judged.claim.measured = by_name(measure(outcome.result));
-  return judged;
+// Adds to the certificate what only the command knows: how the job was worded.
+void describe(certified_mesh& made, const mesh_job& job, const prepared_input& input) {
+  made.claim.metric = job.metric;
+  made.claim.options = options_of(job, input, made.outcome);
 }
 
 std::string text_of_low(const relaxation_report& relaxed, double angle_bound) {
@@ -295,18 +272,20 @@ void write_summary(const mesh_outcome& outcome, const audit_report& report, bool
     std::cout << ": NOT certified, incomplete\n";
 }
 
-int conclude(const mesh_job& job, const mesh_outcome& outcome, const audit_report& report,
-             const certificate& claim) {
-  const bool reached = outcome.complete && report.certified;
+int conclude(const mesh_job& job, const certified_mesh& made) {
+  const mesh_outcome& outcome = made.outcome;
+  const audit_report& report = made.report;
+  const bool reached = made.certified();
   std::optional<double> unit_edges;
-  if (job.size) unit_edges = claim.measured.at("unit_edges");
+  if (job.size) unit_edges = made.claim.measured.at("unit_edges");
   if (!job.quiet && outcome.improved)
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
   if (!job.quiet && outcome.fitted)
     std::cout << "fitted: " << text_of(*outcome.fitted, outcome.too_large) << '\n';
   if (!job.quiet && outcome.relaxed && reached) std::cout << "relaxed: " << outcome.reason << '\n';
   if (!job.quiet) write_summary(outcome, report, reached, unit_edges);
-  const bool dual_as_asked = !job.prove_voronoi || report.voronoi == voronoi_verdict::proved;
+  const bool dual_as_asked =
+      !job.refinement.prove_voronoi || report.voronoi == voronoi_verdict::proved;
   if (reached && dual_as_asked) return done;
   if (!outcome.complete) return complain({"not reached: " + outcome.reason}, not_reached);
   const std::string witness = report.findings.empty() ? "" : ": " + report.findings[0].witness;
@@ -315,13 +294,14 @@ int conclude(const mesh_job& job, const mesh_outcome& outcome, const audit_repor
                   not_reached);
 }
 
-result<mesh_outcome> mesh_with_progress(const mesh_job& job, const prepared_input& input,
-                                              const run_limits& limits, progress_line& line) {
+result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_input& input,
+                                          const run_limits& limits) {
   mesh_options options = job.refinement;
   options.keep_if_complete = is_mesh(job);
   options.stop = [&limits] { return limits.reason(); };
-  return make_mesh(input.shape, *input.field, options,
-                   [&line](const mesh_progress& progress) { line.show(progress); });
+  progress_line line(!job.quiet);
+  return make_certified_mesh(input.shape, *input.field, options,
+                             [&line](const mesh_progress& progress) { line.show(progress); });
 }
 
 }  // namespace
@@ -341,20 +321,13 @@ int run_mesh_job(const mesh_job& job) {
   // Until all is written: an interrupt during the audit must not lose the mesh, nor one between two
   // files the second.
   const run_limits limits(job.max_seconds, job.max_megabytes);
-  std::optional<progress_line> line(!job.quiet);
-  const auto made = mesh_with_progress(job, input.value(), limits, *line);
-  if (!made) {
-    line.reset();
-    return complain(made.failure(), refused);
-  }
-  const mesh_outcome& outcome = made.value();
-
-  line->show("auditing");
-  const judged_mesh judged = judge(job, input.value(), outcome);
-  line.reset();
-  if (const auto failure = write_files(job, certificate_path, outcome.result, judged.claim))
+  auto made = mesh_with_progress(job, input.value(), limits);
+  if (!made) return complain(made.failure(), refused);
+  describe(made.value(), job, input.value());
+  if (const auto failure =
+          write_files(job, certificate_path, made.value().outcome.result, made.value().claim))
     return complain(*failure, not_reached);
-  return conclude(job, outcome, judged.report, judged.claim);
+  return conclude(job, made.value());
 }
 
 }  // namespace asterism::apps

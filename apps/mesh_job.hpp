@@ -27,7 +27,6 @@ struct mesh_job {
   std::size_t threads = 0;              // 0: as many as there are processors
   std::optional<double> max_seconds;    // of wall time, for refinement
   std::optional<double> max_megabytes;  // of resident memory
-  bool prove_voronoi = false;           // that the mesh is the dual of the Voronoi diagram
   bool ellipses = false;
   bool quiet = false;
 };

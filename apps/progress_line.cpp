@@ -20,6 +20,10 @@ progress_line::~progress_line() {
 
 void progress_line::show(const mesh_progress& progress) {
   if (!shown_) return;
+  if (progress.phase == mesh_phase::auditing) {
+    std::cerr << wipe << "auditing" << std::flush;
+    return;
+  }
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return;
   next_ = now + std::chrono::milliseconds(100);
@@ -30,7 +34,7 @@ void progress_line::show(const mesh_progress& progress) {
   if (seconds > 1)
     std::cerr << " (" << static_cast<long>(static_cast<double>(progress.sites) / seconds)
               << " a second)";
-  if (progress.filling) {
+  if (progress.phase == mesh_phase::filling) {
     std::cerr << ", filling" << std::flush;
     return;
   }
@@ -38,10 +42,6 @@ void progress_line::show(const mesh_progress& progress) {
             << " low-angle";
   if (progress.too_large > 0) std::cerr << ", " << progress.too_large << " too large";
   std::cerr << " triangles left" << std::flush;
-}
-
-void progress_line::show(const char* what) const {
-  if (shown_) std::cerr << wipe << what << std::flush;
 }
 
 }  // namespace asterism::apps

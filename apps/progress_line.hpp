@@ -19,7 +19,6 @@ class progress_line {
 
   // At most ten times a second.
   void show(const mesh_progress& progress);
-  void show(const char* what) const;
 
  private:
   bool shown_;

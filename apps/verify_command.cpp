@@ -13,14 +13,14 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
-#include "asterism/mesh/domain/built_in_domains.hpp"
-#include "asterism/mesh/io/medit.hpp"
-#include "asterism/mesh/pipeline/measured_claims.hpp"
-#include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/measured_claims.hpp"
 
 namespace asterism::apps {
 using namespace internal;

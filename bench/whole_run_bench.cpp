@@ -22,11 +22,11 @@
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit/audit.hpp"
-#include "asterism/mesh/domain/check_domain.hpp"
-#include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/refine/refinement_loop.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/refine/refinement_loop.hpp"
 
 namespace asterism::bench {
 using namespace internal;

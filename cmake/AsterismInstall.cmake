@@ -5,14 +5,22 @@ include(CMakePackageConfigHelpers)
 set(asterism_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Asterism)
 
 install(TARGETS asterism_predicates EXPORT AsterismPredicates)
-install(TARGETS asterism EXPORT AsterismMesher)
 install(EXPORT AsterismPredicates NAMESPACE Asterism:: DESTINATION ${asterism_cmake_dir})
-install(EXPORT AsterismMesher NAMESPACE Asterism:: DESTINATION ${asterism_cmake_dir})
+if(TARGET asterism)
+  install(TARGETS asterism EXPORT AsterismMesher)
+  install(EXPORT AsterismMesher NAMESPACE Asterism:: DESTINATION ${asterism_cmake_dir})
+endif()
 
-foreach(folder core predicates kernels mesh)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}
-          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asterism
-          FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+# The public headers, by list: nothing else is installed, and none of them reaches a header of
+# another library (tests/build/check_public_headers.py).
+file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt public_headers REGEX "^[^#]")
+foreach(header IN LISTS public_headers)
+  if(header MATCHES "^mesh/" AND NOT TARGET asterism)
+    continue()
+  endif()
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/${header}
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asterism/${folder})
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // A domain and a metric of one's own: an L-shape, with triangles flat along its long sides.
-#include <asterism/mesh/audit/audit.hpp>
-#include <asterism/mesh/domain/check_domain.hpp>
-#include <asterism/mesh/io/write_mesh.hpp>
 #include <asterism/mesh/mesher.hpp>
 #include <cmath>
 #include <iostream>
@@ -35,22 +32,17 @@ int main() {
 
   asterism::mesh_options wanted;
   wanted.angle_bound = 20;
-  const auto made = asterism::make_mesh(checked.value(), layers(), wanted);
+  const auto made = asterism::make_certified_mesh(checked.value(), layers(), wanted);
   if (!made) return complain(made.failure());
-  const asterism::mesh_outcome& outcome = made.value();
+  const asterism::mesh_outcome& outcome = made.value().outcome;
   std::cout << outcome.sites << " sites, " << outcome.triangles << " triangles: " << outcome.reason
             << '\n';
-
-  asterism::audit_options options;
-  options.angle_bound = 20;
-  options.find_exempt_corners = true;
-  options.original = &checked.value();
-  const asterism::audit_report report = asterism::audit(outcome.result, options);
+  const asterism::audit_report& report = made.value().report;
   for (const auto& finding : report.findings) std::cout << finding.witness << '\n';
-  std::cout << (report.certified ? "certified" : "not certified") << ", worst angle "
+  std::cout << (made.value().certified() ? "certified" : "not certified") << ", worst angle "
             << report.worst.degrees << " degrees\n";
 
   const auto files = asterism::write_mesh("l_shape.svg", outcome.result);
   if (!files) return complain(files.failure());
-  return outcome.complete && report.certified ? 0 : 1;
+  return made.value().certified() ? 0 : 1;
 }

@@ -180,24 +180,29 @@ bool equal_metric_answer(const site& v, const site& w, const site& x, const site
 namespace unbounded {
 
 sign orientation(const point& p, const point& q, const point& r) {
-  return asterism::internal::orientation(convert<dyadic>(p), convert<dyadic>(q), convert<dyadic>(r)).value();
+  return asterism::internal::orientation(convert<dyadic>(p), convert<dyadic>(q), convert<dyadic>(r))
+      .value();
 }
 
 bool is_positive_definite(const metric_tensor& metric) {
-  return is_true(asterism::internal::is_positive_definite(convert<dyadic>(site{{}, metric}).metric));
+  return is_true(
+      asterism::internal::is_positive_definite(convert<dyadic>(site{{}, metric}).metric));
 }
 
 sign compare_distance(const site& v, const site& w, const point& q) {
-  return asterism::internal::compare_distance(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(q))
+  return asterism::internal::compare_distance(convert<dyadic>(v), convert<dyadic>(w),
+                                              convert<dyadic>(q))
       .value();
 }
 
 bool in_wedge(const site& v, const site& w, const point& q) {
-  return is_true(asterism::internal::in_wedge(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(q)));
+  return is_true(
+      asterism::internal::in_wedge(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(q)));
 }
 
 sign dominates(const site& v, const site& w, const point& p) {
-  return asterism::internal::dominates(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(p)).value();
+  return asterism::internal::dominates(convert<dyadic>(v), convert<dyadic>(w), convert<dyadic>(p))
+      .value();
 }
 
 }  // namespace unbounded
@@ -230,15 +235,16 @@ sign exact_kernel::dominates(const site& v, const site& w, const point& p) const
 }
 
 int exact_kernel::voronoi_vertex_count(const site& u, const site& v, const site& w) const {
-  return asterism::internal::voronoi_vertex_count<exact_arithmetic>(convert<dyadic>(u), convert<dyadic>(v),
-                                                          convert<dyadic>(w))
+  return asterism::internal::voronoi_vertex_count<exact_arithmetic>(
+             convert<dyadic>(u), convert<dyadic>(v), convert<dyadic>(w))
       .value();
 }
 
 int exact_kernel::arc_intersection_count(const site& v, const site& w, const site& x) const {
   const arc on(convert<dyadic>(v), convert<dyadic>(w),
                dyadic(1).scaled(turn_scale_exponent(v.metric)));
-  return asterism::internal::arc_intersection_count<exact_arithmetic>(on, convert<dyadic>(x)).value();
+  return asterism::internal::arc_intersection_count<exact_arithmetic>(on, convert<dyadic>(x))
+      .value();
 }
 
 bool exact_kernel::encroaches(const site& a, const site& b, const site& w) const {

@@ -83,8 +83,9 @@ using no_points = std::array<const point*, 0>;
 
 uncertain_sign interval_kernel::orientation(const point& p, const point& q, const point& r) const {
   return ask_interval<uncertain_sign>(no_sites{}, std::array{&p, &q, &r}, [](const auto& in) {
-    return asterism::internal::orientation(convert<interval>(in.points[0]), convert<interval>(in.points[1]),
-                                 convert<interval>(in.points[2]));
+    return asterism::internal::orientation(convert<interval>(in.points[0]),
+                                           convert<interval>(in.points[1]),
+                                           convert<interval>(in.points[2]));
   });
 }
 
@@ -99,31 +100,33 @@ uncertain_sign interval_kernel::compare_distance(const site& v, const site& w,
                                                  const point& q) const {
   return ask_interval<uncertain_sign>(std::array{&v, &w}, std::array{&q}, [](const auto& in) {
     return asterism::internal::compare_distance(convert<interval>(in.sites[0]),
-                                      convert<interval>(in.sites[1]),
-                                      convert<interval>(in.points[0]));
+                                                convert<interval>(in.sites[1]),
+                                                convert<interval>(in.points[0]));
   });
 }
 
 uncertain_bool interval_kernel::in_wedge(const site& v, const site& w, const point& q) const {
   return ask_interval<uncertain_bool>(std::array{&v, &w}, std::array{&q}, [](const auto& in) {
-    return asterism::internal::in_wedge(convert<interval>(in.sites[0]), convert<interval>(in.sites[1]),
-                              convert<interval>(in.points[0]));
+    return asterism::internal::in_wedge(convert<interval>(in.sites[0]),
+                                        convert<interval>(in.sites[1]),
+                                        convert<interval>(in.points[0]));
   });
 }
 
 uncertain_sign interval_kernel::dominates(const site& v, const site& w, const point& p) const {
   return ask_interval<uncertain_sign>(std::array{&v, &w}, std::array{&p}, [](const auto& in) {
-    return asterism::internal::dominates(convert<interval>(in.sites[0]), convert<interval>(in.sites[1]),
-                               convert<interval>(in.points[0]));
+    return asterism::internal::dominates(convert<interval>(in.sites[0]),
+                                         convert<interval>(in.sites[1]),
+                                         convert<interval>(in.points[0]));
   });
 }
 
 uncertain_int interval_kernel::voronoi_vertex_count(const site& u, const site& v,
                                                     const site& w) const {
   return ask_interval<uncertain_int>(std::array{&u, &v, &w}, no_points{}, [](const auto& in) {
-    return asterism::internal::voronoi_vertex_count<interval_arithmetic>(convert<interval>(in.sites[0]),
-                                                               convert<interval>(in.sites[1]),
-                                                               convert<interval>(in.sites[2]));
+    return asterism::internal::voronoi_vertex_count<interval_arithmetic>(
+        convert<interval>(in.sites[0]), convert<interval>(in.sites[1]),
+        convert<interval>(in.sites[2]));
   });
 }
 
@@ -132,8 +135,8 @@ uncertain_int interval_kernel::arc_intersection_count(const site& v, const site&
   return ask_interval<uncertain_int>(std::array{&v, &w, &x}, no_points{}, [](const auto& in) {
     const visible_arc<interval> arc(convert<interval>(in.sites[0]), convert<interval>(in.sites[1]),
                                     interval(turn_scale(in.sites[0])));
-    return asterism::internal::arc_intersection_count<interval_arithmetic>(arc,
-                                                                 convert<interval>(in.sites[2]));
+    return asterism::internal::arc_intersection_count<interval_arithmetic>(
+        arc, convert<interval>(in.sites[2]));
   });
 }
 

@@ -67,7 +67,7 @@ std::string replay_test(std::string_view kernel_type, const batch_record& record
   text.append(record_line(record)).append("\n// answered ").append(std::to_string(answered));
   text.append("\nTEST_CASE(\"").append(name).append(", case ").append(key.data());
   text.append("\", \"[replay]\") {\n  const ").append(kernel_type).append(" kernel;\n");
-  text.append("  const auto answer = asterism::internal::as_integer(kernel.")
+  text.append("  const auto answer = asterism::as_integer(kernel.")
       .append(method)
       .append("(\n      ");
   text.append(arguments(record)).append("));\n");

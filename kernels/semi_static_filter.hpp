@@ -87,7 +87,8 @@ inline two_displacements both(const displacement<double>& u) {
   return {asterism::internal::both(u.x), asterism::internal::both(u.y)};
 }
 inline two_displacements between(const point& a, const point& b, const point& q) {
-  return {asterism::internal::both(q.x) - pair(a.x, b.x), asterism::internal::both(q.y) - pair(a.y, b.y)};
+  return {asterism::internal::both(q.x) - pair(a.x, b.x),
+          asterism::internal::both(q.y) - pair(a.y, b.y)};
 }
 
 // u^T M u in both lanes, and an upper bound on the sum of the absolute monomials:
@@ -128,14 +129,16 @@ inline two_doubles inner_products(const two_metrics& m, const two_displacements&
 
 inline uncertain_bool in_wedge(const site& v, const site& w, const point& q) {
   const two_doubles x = pair(v.position.x, w.position.x), y = pair(v.position.y, w.position.y);
-  const two_displacements u = {asterism::internal::both(q.x) - x, asterism::internal::both(q.y) - y};
+  const two_displacements u = {asterism::internal::both(q.x) - x,
+                               asterism::internal::both(q.y) - y};
   const two_displacements d = {exchanged(x) - x, exchanged(y) - y};  // w - v and v - w
   const two_metrics m = together(v.metric, w.metric);
   const two_doubles of_m = extent(m), of_u = extent(u), of_d = extent(d);
   if (!in_range(of_m + (of_u + of_d))) return {};
   const two_doubles value = inner_products(m, u, d);
-  const two_doubles bound = of_u * (of_d * of_m) * asterism::internal::both(bound_factor(wedge_depth)) +
-                            asterism::internal::both(smallest_decided);
+  const two_doubles bound =
+      of_u * (of_d * of_m) * asterism::internal::both(bound_factor(wedge_depth)) +
+      asterism::internal::both(smallest_decided);
   if (both_less(bound, absolute(value))) return sign_bits(value) == 0;
   // One that is certainly not positive is enough for a no.
   const bool outside = (value[0] < -bound[0]) | (value[1] < -bound[1]);
@@ -207,8 +210,9 @@ inline uncertain_bool insertion_test_equal_metrics(const site& v, const site& w,
   if (!in_range((of_m + extent(d)) + (of_from_v + of_from_w))) return {};
   const two_doubles left = d.x * from_v.y, right = d.y * from_v.x;
   const two_doubles side = left - right, side_magnitude = absolute(left) + absolute(right);
-  const two_doubles side_bound = asterism::internal::both(bound_factor(orientation_depth)) * side_magnitude +
-                                 asterism::internal::both(smallest_decided);
+  const two_doubles side_bound =
+      asterism::internal::both(bound_factor(orientation_depth)) * side_magnitude +
+      asterism::internal::both(smallest_decided);
   const two_doubles side_size = absolute(side);
   if (!both_less(side_bound, side_size)) return {};
   if (sign_bits(side) == 0 || sign_bits(side) == 3) return true;

@@ -3,14 +3,15 @@
 // The mesher, all of it: domains, metric fields, a mesh with its certificate, files.
 #pragma once
 
-#include "asterism/mesh/data/domain.hpp"            // IWYU pragma: export
-#include "asterism/mesh/data/mesh.hpp"              // IWYU pragma: export
-#include "asterism/mesh/data/metric_field.hpp"      // IWYU pragma: export
-#include "asterism/mesh/data/options.hpp"           // IWYU pragma: export
-#include "asterism/mesh/data/outcome.hpp"           // IWYU pragma: export
-#include "asterism/mesh/domain/built_in_domains.hpp"  // IWYU pragma: export
-#include "asterism/mesh/domain/check_domain.hpp"    // IWYU pragma: export
-#include "asterism/mesh/io/load_domain.hpp"         // IWYU pragma: export
-#include "asterism/mesh/io/write_mesh.hpp"          // IWYU pragma: export
+#include "asterism/mesh/data/domain.hpp"               // IWYU pragma: export
+#include "asterism/mesh/data/mesh.hpp"                 // IWYU pragma: export
+#include "asterism/mesh/data/metric_field.hpp"         // IWYU pragma: export
+#include "asterism/mesh/data/options.hpp"              // IWYU pragma: export
+#include "asterism/mesh/data/outcome.hpp"              // IWYU pragma: export
+#include "asterism/mesh/domain/built_in_domains.hpp"   // IWYU pragma: export
+#include "asterism/mesh/domain/check_domain.hpp"       // IWYU pragma: export
+#include "asterism/mesh/io/load_domain.hpp"            // IWYU pragma: export
+#include "asterism/mesh/io/write_mesh.hpp"             // IWYU pragma: export
 #include "asterism/mesh/metric/make_metric_field.hpp"  // IWYU pragma: export
-#include "asterism/mesh/pipeline/make_mesh.hpp"     // IWYU pragma: export
+#include "asterism/mesh/pipeline/certified_mesh.hpp"   // IWYU pragma: export
+#include "asterism/mesh/pipeline/make_mesh.hpp"        // IWYU pragma: export

@@ -21,10 +21,10 @@
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
-#include "asterism/mesh/domain/built_in_domains.hpp"
-#include "asterism/mesh/numerics/metric_angle.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/numerics/metric_angle.hpp"
 
 namespace asterism::bench {
 using namespace internal;

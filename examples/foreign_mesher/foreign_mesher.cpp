@@ -104,7 +104,8 @@ class mesher {
     const triangle& here = triangles_[t];
     const vertex_index other = here.across[k];
     if (other == none) return false;
-    const vertex_index x = here.corner[k], v = here.corner[(k + 1) % 3], w = here.corner[(k + 2) % 3];
+    const vertex_index x = here.corner[k], v = here.corner[(k + 1) % 3],
+                       w = here.corner[(k + 2) % 3];
     const vertex_index y = triangles_[other].corner[corner_across(triangles_[other], t)];
     if (side(x, v, y) != asterism::sign::positive || side(y, w, x) != asterism::sign::positive)
       return false;                                          // the quadrilateral is not convex
@@ -135,8 +136,8 @@ class mesher {
     const vertex_index u = triangles_[t].across[k];
     const triangle here = triangles_[t], there = triangles_[u];
     const vertex_index j = corner_across(there, t);
-    const vertex_index x = here.corner[k], v = here.corner[(k + 1) % 3], w = here.corner[(k + 2) % 3],
-                y = there.corner[j];
+    const vertex_index x = here.corner[k], v = here.corner[(k + 1) % 3],
+                       w = here.corner[(k + 2) % 3], y = there.corner[j];
     const vertex_index beyond_xv = here.across[(k + 2) % 3], beyond_wx = here.across[(k + 1) % 3];
     const vertex_index beyond_vy = there.across[(j + 1) % 3], beyond_yw = there.across[(j + 2) % 3];
     triangles_[t] = {{x, v, y}, {beyond_vy, u, beyond_xv}};

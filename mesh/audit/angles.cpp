@@ -75,7 +75,8 @@ struct corner_terms {
 };
 
 template <class Number>
-corner_terms<Number> terms(const audit_context& context, const corner& c, vertex_index perspective) {
+corner_terms<Number> terms(const audit_context& context, const corner& c,
+                           vertex_index perspective) {
   const auto a = difference<Number>(context.at(c.ahead), context.at(c.at));
   const auto b = difference<Number>(context.at(c.behind), context.at(c.at));
   const auto m = tensor_of<Number>(context.subject.sites[perspective].metric);
@@ -146,7 +147,7 @@ struct narrow_wedges {
 
 struct directed_edges {
   std::vector<directed_subsegment> list;  // sorted by a
-  std::vector<std::size_t> start;    // as audit_context::side_start
+  std::vector<std::size_t> start;         // as audit_context::side_start
 };
 
 directed_edges reversed_sides(const audit_context& context) {
@@ -227,11 +228,13 @@ std::vector<narrow_sector> exempt_sectors(audit_context& context, const squared_
   return all;
 }
 
-// The segment that leaves `corner` for `next`, from subsegment to subsegment as far as the next given vertex;
-// `edges` are the sides that leave a vertex, or those that reach it, reversed. Empty if it does not
-// get there: more or fewer than one way on is a fault of another check.
-std::vector<vertex_index> follow(const audit_context& context, const std::vector<directed_subsegment>& edges,
-                          const std::vector<std::size_t>& start, vertex_index corner, vertex_index next) {
+// The segment that leaves `corner` for `next`, from subsegment to subsegment as far as the next
+// given vertex; `edges` are the sides that leave a vertex, or those that reach it, reversed. Empty
+// if it does not get there: more or fewer than one way on is a fault of another check.
+std::vector<vertex_index> follow(const audit_context& context,
+                                 const std::vector<directed_subsegment>& edges,
+                                 const std::vector<std::size_t>& start, vertex_index corner,
+                                 vertex_index next) {
   std::vector<vertex_index> chain = {next};
   for (vertex_index from = corner; chain.back() >= context.subject.given;) {
     const vertex_index at = chain.back();
@@ -247,7 +250,8 @@ std::vector<vertex_index> follow(const audit_context& context, const std::vector
 
 bool is_internal(const audit_context& context, vertex_index a, vertex_index b) {
   const std::size_t subsegment = find_subsegment(context, a, b);
-  return subsegment < context.subject.boundary.size() && context.subject.boundary[subsegment].internal;
+  return subsegment < context.subject.boundary.size() &&
+         context.subject.boundary[subsegment].internal;
 }
 
 narrow_wedges wedges_of(audit_context& context, const std::vector<narrow_sector>& sectors,
@@ -358,8 +362,8 @@ bool crosses_narrow_wedge(const audit_context& context, audit_tally& tally, cons
   for (auto p = std::lower_bound(points.begin(), points.end(), wedge_point{one, 0, false});
        p != points.end() && p->vertex == one; ++p) {
     const narrow_wedge& w = wanted.wedges.list[p->wedge];
-    const bool across =
-        std::any_of(t.begin(), t.end(), [&](vertex_index v) { return is_on(v, p->wedge, !p->last); });
+    const bool across = std::any_of(t.begin(), t.end(),
+                                    [&](vertex_index v) { return is_on(v, p->wedge, !p->last); });
     const bool within = std::all_of(t.begin(), t.end(), [&](vertex_index v) {
       return v == w.at || is_on(v, p->wedge, false) || is_on(v, p->wedge, true);
     });
@@ -400,7 +404,8 @@ class angle_check {
 
  private:
   // Only what may be the least angle so far is measured.
-  void note_angle(vertex_index t, const corner& c, vertex_index perspective, bool may_fail, double above) {
+  void note_angle(vertex_index t, const corner& c, vertex_index perspective, bool may_fail,
+                  double above) {
     double& greatest = greatest_cotangent_[may_fail ? 1 : 0];
     if (above < greatest) return;
     audited_angle& least = may_fail ? tally_.part.worst_exempt : tally_.part.worst;
@@ -411,7 +416,8 @@ class angle_check {
     greatest = cotangent - 1e-9 * (1 + std::abs(cotangent));
   }
 
-  bool is_wide(vertex_index t, const corner& c, vertex_index perspective, bool may_fail, double above) {
+  bool is_wide(vertex_index t, const corner& c, vertex_index perspective, bool may_fail,
+               double above) {
     if (wanted_.degrees <= 0) return true;
     if (above < wanted_.bound.root_below) {
       ++tally_.part.decisions;

@@ -54,7 +54,8 @@ enum class finding_kind : std::size_t {
   orientation,                   // clockwise or flat triangle
   repeated_edge,                 // a directed edge of two triangles
   unmatched_edge,                // no triangle across, and no boundary subsegment
-  boundary_without_triangle,     // no triangle on the left of a subsegment, or right of an internal one
+  boundary_without_triangle,     // no triangle on the left of a subsegment, or right of an internal
+                                 // one
   boundary_inside,               // a subsegment that is not internal with a triangle on its right
   repeated_boundary,             // two equal subsegments
   open_boundary,                 // subsegments arriving at a vertex and leaving it differ in number
@@ -63,15 +64,15 @@ enum class finding_kind : std::size_t {
   unused_vertex,                 // a site in no triangle
   broken_fan,                    // the triangles at a vertex do not surround it once
   given_changed,                 // sites[0 .. given) are not the domain's vertices
-  segment_not_covered,           // the subsegments of a segment do not lead from its start to its end
-  marker_changed,                // a subsegment has another marker than its segment
-  side_changed,                  // a subsegment is internal and its segment is not, or the reverse
-  boundary_deviation,            // a split point too far from its segment for rounding
-  wrong_region,                  // a triangle does not have the number of its region
-  angle_below_bound,             //
-  exemption_not_proven,          // the corner's own angle is not below the bound
-  star_neighbour_rejected,       // a neighbour the star would not accept again
-  star_site_missing,             // a visible site the star would accept
+  segment_not_covered,      // the subsegments of a segment do not lead from its start to its end
+  marker_changed,           // a subsegment has another marker than its segment
+  side_changed,             // a subsegment is internal and its segment is not, or the reverse
+  boundary_deviation,       // a split point too far from its segment for rounding
+  wrong_region,             // a triangle does not have the number of its region
+  angle_below_bound,        //
+  exemption_not_proven,     // the corner's own angle is not below the bound
+  star_neighbour_rejected,  // a neighbour the star would not accept again
+  star_site_missing,        // a visible site the star would accept
   // The last four refuse point 5 alone.
   voronoi_vertex_missing,       // a triangle without a Voronoi vertex that its corners all see
   voronoi_arc_reversed,         // Voronoi vertices in the wrong order around an edge
@@ -82,8 +83,8 @@ inline constexpr std::size_t finding_kind_count = 34;
 // As certificates spell them, in the order of `finding_kind`.
 extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
 
-// `witness` is one sentence that names vertices, triangles and boundary subsegments counted from 1, as
-// a .mesh file does, with their coordinates.
+// `witness` is one sentence that names vertices, triangles and boundary subsegments counted from 1,
+// as a .mesh file does, with their coordinates.
 struct audit_finding {
   finding_kind kind{};
   std::string witness;
@@ -121,7 +122,8 @@ extern const std::array<std::string_view, 4> voronoi_verdict_names;
 // The least angle of a corner; for information, in floating point.
 struct audited_angle {
   double degrees = 180;
-  vertex_index triangle = 0, corner = 0, perspective = 0;  // indices from 0; the last two are vertices
+  vertex_index triangle = 0, corner = 0,
+               perspective = 0;  // indices from 0; the last two are vertices
 };
 
 struct audit_report {
@@ -135,8 +137,8 @@ struct audit_report {
   bool angles_checked = false;  // false: no bound was given
   bool stars_checked = false;   // false: not asked for, or the mesh is no triangulation
 
-  audited_angle worst;                  // over the triangles away from exempt corners
-  audited_angle worst_exempt;           // over those at them, below the bound or not
+  audited_angle worst;                         // over the triangles away from exempt corners
+  audited_angle worst_exempt;                  // over those at them, below the bound or not
   std::vector<vertex_index> exempt_corners;    // proven, ascending
   std::vector<vertex_index> exempt_triangles;  // those below the bound at or across them, ascending
   std::vector<vertex_index> low_triangles;     // all others below the bound, ascending

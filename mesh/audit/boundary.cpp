@@ -23,7 +23,8 @@ bool segments_meet(const audit_context& context, const boundary_edge& e, const b
 }
 
 // Segments shared-p and shared-q: one point in common, or a stretch?
-bool overlap_from(const audit_context& context, vertex_index shared, vertex_index p, vertex_index q) {
+bool overlap_from(const audit_context& context, vertex_index shared, vertex_index p,
+                  vertex_index q) {
   return context.orientation(shared, p, q) == sign::zero &&
          same_ray(context.at(shared), context.at(p), context.at(q));
 }
@@ -37,12 +38,14 @@ bool contact(const audit_context& context, const boundary_edge& e, const boundar
   return segments_meet(context, e, f);
 }
 
-// How often the boundary winds around the points just left of the middle of `subsegment`, counted along
-// the ray from there to x = +infinity. Requires a boundary without contacts.
+// How often the boundary winds around the points just left of the middle of `subsegment`, counted
+// along the ray from there to x = +infinity. Requires a boundary without contacts.
 //
-// The ray starts an infinitesimal above the height of the middle, except left of a subsegment that runs
-// exactly towards -x, where the left side is below: `below` then moves every tie the other way.
-int winding_left_of(const audit_context& context, const subsegment_tree& tree, vertex_index subsegment) {
+// The ray starts an infinitesimal above the height of the middle, except left of a subsegment that
+// runs exactly towards -x, where the left side is below: `below` then moves every tie the other
+// way.
+int winding_left_of(const audit_context& context, const subsegment_tree& tree,
+                    vertex_index subsegment) {
   const auto& boundary = context.subject.boundary;
   const point& a = context.at(boundary[subsegment].a);
   const point& b = context.at(boundary[subsegment].b);
@@ -75,7 +78,8 @@ int winding_left_of(const audit_context& context, const subsegment_tree& tree, v
   return winding;
 }
 
-void check_subsegment_winding(audit_context& context, const subsegment_tree& tree, vertex_index subsegment) {
+void check_subsegment_winding(audit_context& context, const subsegment_tree& tree,
+                              vertex_index subsegment) {
   const int winding = winding_left_of(context, tree, subsegment);
   ++context.report.decisions;
   ++context.report.exact_decisions;
@@ -100,14 +104,14 @@ void check_boundary_contacts(audit_context& context) {
     });
     std::sort(met.begin(), met.end());
     for (const vertex_index other : met)
-      context.found(
-          finding_kind::boundary_contact,
-          subsegment_text(context, subsegment) + " crosses or touches " + subsegment_text(context, other));
+      context.found(finding_kind::boundary_contact, subsegment_text(context, subsegment) +
+                                                        " crosses or touches " +
+                                                        subsegment_text(context, other));
   }
 }
 
-// Along a chain of subsegments through vertices with one subsegment in and one out, the left sides belong to
-// one face of the plane cut along the boundary: one subsegment of each chain is enough.
+// Along a chain of subsegments through vertices with one subsegment in and one out, the left sides
+// belong to one face of the plane cut along the boundary: one subsegment of each chain is enough.
 void check_winding(audit_context& context) {
   const auto& boundary = context.subject.boundary;
   std::vector<std::vector<vertex_index>> leaving(context.subject.sites.size());

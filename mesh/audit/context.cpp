@@ -25,8 +25,8 @@ std::size_t find_directed(const std::vector<Item>& list, const std::vector<std::
                           vertex_index a, vertex_index b) {
   const auto first = list.begin() + static_cast<std::ptrdiff_t>(start[a]),
              last = list.begin() + static_cast<std::ptrdiff_t>(start[a + 1]);
-  const auto place =
-      std::lower_bound(first, last, b, [](const Item& item, vertex_index key) { return item.b < key; });
+  const auto place = std::lower_bound(
+      first, last, b, [](const Item& item, vertex_index key) { return item.b < key; });
   return place == last || place->b != b ? list.size()
                                         : static_cast<std::size_t>(place - list.begin());
 }
@@ -109,8 +109,8 @@ std::string triangle_text(const audit_context& context, vertex_index t) {
 std::string subsegment_text(const audit_context& context, vertex_index subsegment) {
   const boundary_edge& e = context.subject.boundary[subsegment];
   return (e.internal ? "internal edge " : "boundary edge ") +
-         std::to_string(std::size_t{subsegment} + 1) + " from " + vertex_text(context, e.a) + " to " +
-         vertex_text(context, e.b);
+         std::to_string(std::size_t{subsegment} + 1) + " from " + vertex_text(context, e.a) +
+         " to " + vertex_text(context, e.b);
 }
 
 }  // namespace asterism::internal::audit_detail

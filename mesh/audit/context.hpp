@@ -21,8 +21,8 @@ struct directed_edge {
   vertex_index triangle = 0;
 };
 
-// The boundary edge `subsegment` as seen from a domain on the left of a -> b. An internal one is seen
-// both ways.
+// The boundary edge `subsegment` as seen from a domain on the left of a -> b. An internal one is
+// seen both ways.
 struct directed_subsegment {
   vertex_index a = 0, b = 0;
   vertex_index subsegment = 0;
@@ -57,16 +57,17 @@ struct audit_context {
   filtered_kernel kernel;
 
   // Filled by check_values: what the later checks may touch. vector<char>: one flag a site.
-  std::vector<char> placed;      // finite position
-  std::vector<char> measured;    // placed, and a positive definite metric
-  std::vector<vertex_index> triangles;  // in range, three distinct placed corners
-  std::vector<vertex_index> subsegments;     // of the boundary: in range, two distinct placed ends
+  std::vector<char> placed;               // finite position
+  std::vector<char> measured;             // placed, and a positive definite metric
+  std::vector<vertex_index> triangles;    // in range, three distinct placed corners
+  std::vector<vertex_index> subsegments;  // of the boundary: in range, two distinct placed ends
   // Filled by check_edges.
-  std::vector<directed_edge> edges;   // of `triangles`, sorted by (a, b, triangle)
+  std::vector<directed_edge> edges;        // of `triangles`, sorted by (a, b, triangle)
   std::vector<directed_subsegment> sides;  // of `subsegments`, sorted by (a, b, subsegment)
   // Those that leave v are edges[edge_start[v] .. edge_start[v + 1]), and the same for sides.
   std::vector<std::size_t> edge_start, side_start;
-  // Filled by check_domain_kept: of each boundary edge the segment of the domain it is a subsegment of.
+  // Filled by check_domain_kept: of each boundary edge the segment of the domain it is a subsegment
+  // of.
   std::vector<std::optional<vertex_index>> segment_of;
   // Filled by check_fans, only when the edges match.
   std::vector<std::vector<vertex_fan>> fans;

@@ -3,8 +3,8 @@
 // Point 2 against the domain that was meshed: its vertices are kept bit for bit, and the boundary
 // is its segments, each cut into subsegments that lead from its start to its end.
 //
-// A split point is a rounded point, so the subsegments need not lie on the segment exactly: the largest
-// distance is reported, and refused when rounding cannot explain it.
+// A split point is a rounded point, so the subsegments need not lie on the segment exactly: the
+// largest distance is reported, and refused when rounding cannot explain it.
 #include <mpfr.h>
 
 #include <algorithm>
@@ -50,13 +50,15 @@ struct chain {
 std::vector<chain> chains_of(const audit_context& context, vertex_index given) {
   const auto& boundary = context.subject.boundary;
   std::vector<std::vector<vertex_index>> leaving(context.subject.sites.size());
-  for (const vertex_index subsegment : context.subsegments) leaving[boundary[subsegment].a].push_back(subsegment);
+  for (const vertex_index subsegment : context.subsegments)
+    leaving[boundary[subsegment].a].push_back(subsegment);
   std::vector<chain> chains;
   for (vertex_index v = 0; v < given; ++v)
     for (const vertex_index first : leaving[v]) {
       chain c{v, boundary[first].b, {first}};
       // Bounded: a damaged mesh may go round without ever meeting a given vertex.
-      while (c.end >= given && leaving[c.end].size() == 1 && c.subsegments.size() <= boundary.size()) {
+      while (c.end >= given && leaving[c.end].size() == 1 &&
+             c.subsegments.size() <= boundary.size()) {
         c.subsegments.push_back(leaving[c.end].front());
         c.end = boundary[c.subsegments.back()].b;
       }
@@ -109,10 +111,10 @@ void check_subsegment(audit_context& context, vertex_index subsegment, const seg
                   subsegment_text(context, subsegment) + " has marker " + std::to_string(e.marker) +
                       ", its segment has " + std::to_string(s.marker));
   if (e.internal != s.internal)
-    context.found(finding_kind::side_changed, subsegment_text(context, subsegment) + " has the domain on " +
-                                                  (e.internal ? "both sides" : "one side") +
-                                                  ", its segment on " +
-                                                  (s.internal ? "both" : "one"));
+    context.found(finding_kind::side_changed,
+                  subsegment_text(context, subsegment) + " has the domain on " +
+                      (e.internal ? "both sides" : "one side") + ", its segment on " +
+                      (s.internal ? "both" : "one"));
 }
 
 std::string segment_text(const audit_context& context, vertex_index s) {
@@ -150,8 +152,9 @@ void match_chains(audit_context& context, std::vector<chain> chains) {
   for (std::size_t i = 0; i < chains.size(); ++i)
     if (!taken[i])
       context.found(finding_kind::segment_not_covered,
-                    subsegment_text(context, chains[i].subsegments.front()) + " and what follows it up to " +
-                        vertex_text(context, chains[i].end) + " belong to no segment");
+                    subsegment_text(context, chains[i].subsegments.front()) +
+                        " and what follows it up to " + vertex_text(context, chains[i].end) +
+                        " belong to no segment");
 }
 
 }  // namespace

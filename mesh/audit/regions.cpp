@@ -27,7 +27,8 @@ void check_neighbours(audit_context& context) {
     if (across == edges.size()) continue;
     const vertex_index other = edges[across].triangle;
     if (region_of(context, e.triangle) == region_of(context, other)) continue;
-    if (find_subsegment(context, e.a, e.b) != no_subsegment || find_subsegment(context, e.b, e.a) != no_subsegment)
+    if (find_subsegment(context, e.a, e.b) != no_subsegment ||
+        find_subsegment(context, e.b, e.a) != no_subsegment)
       continue;
     context.found(finding_kind::wrong_region, region_text(context, e.triangle) + ", " +
                                                   region_text(context, other) +
@@ -46,9 +47,10 @@ void check_beside_segments(audit_context& context) {
     const int region = on_left ? s.left_region : s.right_region;
     const vertex_index t = context.edges[edge].triangle;
     if (region_of(context, t) != region)
-      context.found(finding_kind::wrong_region,
-                    region_text(context, t) + ", beside " + subsegment_text(context, side.subsegment) +
-                        " the domain is region " + std::to_string(region));
+      context.found(finding_kind::wrong_region, region_text(context, t) + ", beside " +
+                                                    subsegment_text(context, side.subsegment) +
+                                                    " the domain is region " +
+                                                    std::to_string(region));
   }
 }
 

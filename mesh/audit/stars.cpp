@@ -19,9 +19,9 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/audit/context.hpp"
-#include "asterism/mesh/audit/subsegment_tree.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
+#include "asterism/mesh/audit/subsegment_tree.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -68,17 +68,19 @@ struct star_surroundings {
   subsegment_tree subsegments;
 };
 
-// Does some boundary subsegment meet the open segment between v and w? Such a w is not seen from v: what
-// v sees is joined to it inside the domain.
+// Does some boundary subsegment meet the open segment between v and w? Such a w is not seen from v:
+// what v sees is joined to it inside the domain.
 class visibility_test {
  public:
-  visibility_test(const audit_context& context, const subsegment_tree& subsegments, const filtered_kernel& kernel)
+  visibility_test(const audit_context& context, const subsegment_tree& subsegments,
+                  const filtered_kernel& kernel)
       : context_(context), subsegments_(subsegments), kernel_(kernel) {}
 
   bool clear(vertex_index v, vertex_index w) const {
-    return subsegments_.visit(box_around(context_.at(v), context_.at(w)), [&](vertex_index subsegment) {
-      return !blocks(context_.subject.boundary[subsegment], v, w);
-    });
+    return subsegments_.visit(box_around(context_.at(v), context_.at(w)),
+                              [&](vertex_index subsegment) {
+                                return !blocks(context_.subject.boundary[subsegment], v, w);
+                              });
   }
 
  private:
@@ -230,7 +232,8 @@ class star_check {
 
   // Which side of the ray from v to link[i] is w on? The area is off by at most four roundings,
   // 2^-50, of its magnitude; in the range asked for underflow takes less than the rest of 2^-49.
-  sign side(const prepared_fan& p, std::size_t i, const vector2<double>& to_w, vertex_index w) const {
+  sign side(const prepared_fan& p, std::size_t i, const vector2<double>& to_w,
+            vertex_index w) const {
     const double left = p.rays[i].x * to_w.y, right = p.rays[i].y * to_w.x;
     const double turned = left - right, size = std::abs(left) + std::abs(right);
     if (std::abs(turned) > 0x1p-49 * size && size > 0x1p-900 && size < 0x1p1000)

@@ -28,8 +28,8 @@ class subsegment_tree {
   // Of context.subsegments.
   explicit subsegment_tree(const audit_context& context);
 
-  // Calls visit(subsegment) for each subsegment whose box meets the closed one, in an order that depends on
-  // the boundary alone, until visit returns false; returns whether it never did.
+  // Calls visit(subsegment) for each subsegment whose box meets the closed one, in an order that
+  // depends on the boundary alone, until visit returns false; returns whether it never did.
   template <class Visit>
   bool visit(const plane_box& box, const Visit& visit) const {
     return nodes_.empty() || visit_below(0, box, visit);

@@ -65,7 +65,7 @@ class vertex_check {
 struct dual_edge {
   vertex_index v = 0, u = 0;
   vertex_index left = 0, left_apex = 0;  // triangle, and its third corner
-  bool on_boundary = false;       // then nothing on the right
+  bool on_boundary = false;              // then nothing on the right
   vertex_index right = 0, right_apex = 0;
   bool has_ends = false;  // both Voronoi vertices are there
   offset from{}, to{};    // the ends, from v
@@ -166,7 +166,8 @@ class arc_check {
            vertex_text(context_, edge_.u);
   }
   std::string boundary_text() const {
-    return subsegment_text(context_, static_cast<vertex_index>(find_subsegment(context_, edge_.v, edge_.u)));
+    return subsegment_text(context_,
+                           static_cast<vertex_index>(find_subsegment(context_, edge_.v, edge_.u)));
   }
 
   void report_order() {
@@ -258,7 +259,8 @@ void check_voronoi(audit_context& context) {
   check_in_parallel(context, vertices.size(),
                     [&](audit_tally& tally, std::size_t begin, std::size_t end) {
                       vertex_check part(context, tally, vertices);
-                      for (std::size_t t = begin; t < end; ++t) part.run(static_cast<vertex_index>(t));
+                      for (std::size_t t = begin; t < end; ++t)
+                        part.run(static_cast<vertex_index>(t));
                     });
   const site_tree sites(context.subject.sites);
   const std::vector<vertex_index>& order = sites.order();

@@ -11,8 +11,8 @@
 
 namespace asterism {
 
-// A subsegment of a split segment; the domain lies to the left of a -> b, and on the right too when the
-// segment is internal.
+// A subsegment of a split segment; the domain lies to the left of a -> b, and on the right too when
+// the segment is internal.
 struct boundary_edge {
   vertex_index a = 0, b = 0;
   vertex_index segment = 0;  // index into domain::segments of the segment it is a subsegment of
@@ -20,8 +20,8 @@ struct boundary_edge {
   bool internal = false;
 };
 
-using triangle = std::array<vertex_index, 3>;   // counter-clockwise
-using triangle_sites = std::array<site, 3>;  // the sites of one
+using triangle = std::array<vertex_index, 3>;  // counter-clockwise
+using triangle_sites = std::array<site, 3>;    // the sites of one
 
 // Every index refers to `sites`. `sites[0 .. given)` are the domain's vertices in their order,
 // bit for bit. `triangles` holds only what is certain: triangles on which all three stars agree.

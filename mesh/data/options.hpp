@@ -20,12 +20,12 @@ struct mesh_options {
   double angle_bound = 20;  // degrees, 0 <= bound < 60; measured from all three vertices
   refinement_strategy strategy = refinement_strategy::guaranteed;
   // No site is inserted nearer than this to another one, in metric length, both ways. Darts start
-  // from it and shrink it. Empty: chosen from the domain (refine/insertion_tolerance.hpp) and reported in the
-  // outcome.
+  // from it and shrink it. Empty: chosen from the domain (refine/insertion_tolerance.hpp) and
+  // reported in the outcome.
   std::optional<double> tolerance;
   // A triangle is too large when its sites are farther than 0.75 metric units from their nearest
-  // common Voronoi vertex, a boundary subsegment when it is longer than 1.2: edges then come out around
-  // length 1. Checked only when set (the command line sets it when --size is given).
+  // common Voronoi vertex, a boundary subsegment when it is longer than 1.2: edges then come out
+  // around length 1. Checked only when set (the command line sets it when --size is given).
   bool limit_size = false;
   std::size_t max_sites = 100000;
   // The domain's vertices are the sites of a mesh: if no triangle of their stars is left to mend,
@@ -35,16 +35,23 @@ struct mesh_options {
   std::function<std::optional<std::string>()> stop;
   int max_rejected = 100;  // darts in a row before the tolerance shrinks
   std::uint64_t seed = 1;  // darts
-  // What is complete is improved in so many passes at most (refine/coarsening_pass.hpp); each refines anew.
+  // What is complete is improved in so many passes at most (refine/coarsening_pass.hpp); each
+  // refines anew.
   std::size_t improve_passes = 0;
   // Where the stars cannot agree in the metric as given, it is made to vary more slowly until they
-  // do (pipeline/metric_relaxation.hpp), and the outcome says so; `guaranteed` alone. Without this a run ends with
-  // disagreeing triangles there.
+  // do (pipeline/metric_relaxation.hpp), and the outcome says so; `guaranteed` alone. Without this
+  // a run ends with disagreeing triangles there.
   bool relax = true;
+  // make_certified_mesh has the mesh proved, or refused, as the dual of the anisotropic Voronoi
+  // diagram of its sites. make_mesh does not look at this.
+  bool prove_voronoi = false;
 };
 
+// While filling, sites are being proposed, and nothing is known of triangles yet.
+enum class mesh_phase { filling, refining, auditing };
+
 struct mesh_progress {
-  bool filling = false;  // sites are being proposed; nothing is known of triangles yet
+  mesh_phase phase = mesh_phase::refining;
   std::size_t sites = 0, disagreeing = 0, low_angle = 0, too_large = 0;
   double sites_expected = 0;  // while filling, about; 0 when that cannot be told yet
 };

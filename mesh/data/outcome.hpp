@@ -33,9 +33,9 @@ struct improvement_report {
 };
 
 // The metric given turns by so much over an edge that refinement did not make stars agree; a mesh
-// of the metric softened was fitted to the one given (optimize/optimize_mesh.hpp), and in that they do. It keeps
-// to the density wanted, with triangles of other shapes: outcome.too_large has those whose sites
-// are farther from their Voronoi vertex than the size asks for.
+// of the metric softened was fitted to the one given (optimize/optimize_mesh.hpp), and in that they
+// do. It keeps to the density wanted, with triangles of other shapes: outcome.too_large has those
+// whose sites are farther from their Voronoi vertex than the size asks for.
 struct fitting_report {
   std::string why;             // how refinement ended before, one sentence
   double power = 1;            // the aspects of the metric whose mesh was fitted, to this
@@ -51,8 +51,8 @@ struct mesh_outcome {
   double tolerance = 0;  // the one in force at the end
   std::size_t sites = 0, triangles = 0, disagreeing = 0, low_angle = 0, too_large = 0;
   std::size_t stars_missing = 0;  // sites whose star was never made, as the run ended before
-  bool jumps = false;      // some disagree where the metric jumps, or all but jumps
-  bool crowded = false;    // the fill was given up (fill/fill.hpp): the given vertices alone
+  bool jumps = false;             // some disagree where the metric jumps, or all but jumps
+  bool crowded = false;           // the fill was given up (fill/fill.hpp): the given vertices alone
   std::size_t inserted = 0, splits = 0, candidates_rejected = 0;
   // Where the size wanted would have taken more sites than max_sites allows, edges were made this
   // many times as long, all of them, and about so many sites would have been wanted (0: the run

@@ -24,8 +24,8 @@ double half_thickness(double root) {
 void close_ring(domain& d, std::size_t first, int marker) {
   const std::size_t end = d.vertices.size();
   for (std::size_t i = first; i < end; ++i)
-    d.segments.push_back(
-        {static_cast<vertex_index>(i), static_cast<vertex_index>(i + 1 < end ? i + 1 : first), marker});
+    d.segments.push_back({static_cast<vertex_index>(i),
+                          static_cast<vertex_index>(i + 1 < end ? i + 1 : first), marker});
 }
 
 // splitmix64 (Steele, Lea and Flood 2014): written out, so that it is the same everywhere.

@@ -6,12 +6,12 @@
 #include <optional>
 #include <utility>
 
-#include "asterism/mesh/domain/ring_closure.hpp"
 #include "asterism/mesh/domain/face_map.hpp"
-#include "asterism/mesh/domain/planar_graph.hpp"
 #include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/domain/planar_graph.hpp"
 #include "asterism/mesh/domain/regions.hpp"
 #include "asterism/mesh/domain/repair_tally.hpp"
+#include "asterism/mesh/domain/ring_closure.hpp"
 
 namespace asterism {
 using namespace internal;

@@ -7,7 +7,8 @@
 //  - vertices with identical coordinates are merged (the first one stays);
 //  - segments without length are dropped;
 //  - a segment with vertices exactly on it is split there, so that segments which overlap share
-//    subsegments; subsegments that occur several times are kept once, with the first marker that is not 0;
+//    subsegments; subsegments that occur several times are kept once, with the first marker that is
+//    not 0;
 //  - the outside is removed from the plane, and so is every face with a hole point in it (faces of
 //    the arrangement, as Triangle does; not the even-odd rule: a ring inside another one, with no
 //    hole point in it, divides the domain); segments with the domain on neither side are dropped,
@@ -46,7 +47,7 @@ namespace asterism {
 struct domain_repairs {
   std::size_t merged_vertices = 0;
   std::size_t segments_without_length = 0;
-  std::size_t split_segments = 0;   // had other vertices on them
+  std::size_t split_segments = 0;        // had other vertices on them
   std::size_t repeated_subsegments = 0;  // subsegments that another segment had covered already
   std::size_t outer_subsegments = 0;     // had the domain on neither side
   std::size_t dropped_vertices = 0;

@@ -54,8 +54,9 @@ bool in_box_of(const point& a, const point& b, const point& q) {
 }
 
 // The vertices on the segment between a and b, ends included, from a to b.
-std::vector<vertex_index> vertices_along(const domain& d, const std::vector<vertex_index>& by_place, vertex_index a,
-                                  vertex_index b, const filtered_kernel& kernel) {
+std::vector<vertex_index> vertices_along(const domain& d, const std::vector<vertex_index>& by_place,
+                                         vertex_index a, vertex_index b,
+                                         const filtered_kernel& kernel) {
   const point& pa = d.vertices[a];
   const point& pb = d.vertices[b];
   const auto less = [&](vertex_index i, const point& p) {
@@ -76,7 +77,8 @@ std::vector<vertex_index> vertices_along(const domain& d, const std::vector<vert
 }
 
 std::vector<graph_edge> cut_segments(const domain& d, const std::vector<vertex_index>& first_alike,
-                                     const std::vector<vertex_index>& by_place, domain_repairs& repairs) {
+                                     const std::vector<vertex_index>& by_place,
+                                     domain_repairs& repairs) {
   const filtered_kernel kernel;
   const domain_names names(d);
   repair_tally no_length(repairs.segments_without_length), split(repairs.split_segments);
@@ -100,8 +102,9 @@ std::vector<graph_edge> cut_segments(const domain& d, const std::vector<vertex_i
 }
 
 // Keeps the first of the subsegments between the same two vertices.
-std::vector<graph_edge> unite_subsegments(const domain& d, const std::vector<graph_edge>& subsegments,
-                                     domain_repairs& repairs) {
+std::vector<graph_edge> unite_subsegments(const domain& d,
+                                          const std::vector<graph_edge>& subsegments,
+                                          domain_repairs& repairs) {
   const domain_names names(d);
   repair_tally repeated(repairs.repeated_subsegments);
   std::map<std::pair<vertex_index, vertex_index>, std::size_t> kept_at;
@@ -170,7 +173,8 @@ result<plane_graph> build_plane_graph(const domain& d, domain_repairs& repairs) 
   plane_graph graph;
   graph.first_alike = merge_vertices(d, by_place);
   report_merged(d, graph.first_alike, repairs);
-  graph.edges = unite_subsegments(d, cut_segments(d, graph.first_alike, by_place, repairs), repairs);
+  graph.edges =
+      unite_subsegments(d, cut_segments(d, graph.first_alike, by_place, repairs), repairs);
   if (const auto crossing = find_crossing(d, graph.edges)) {
     const domain_names names(d);
     const auto [s, t] = *crossing;

@@ -38,7 +38,8 @@ chain_end other_end(const plane_graph& graph, const edges_at& around, vertex_ind
   }
 }
 
-error open_chain(const domain& d, const plane_graph& graph, const edges_at& around, vertex_index start) {
+error open_chain(const domain& d, const plane_graph& graph, const edges_at& around,
+                 vertex_index start) {
   const domain_names names(d);
   const std::size_t first = graph.edges[around[start].front()].source;
   const chain_end end = other_end(graph, around, start);

@@ -9,17 +9,17 @@
 #include <limits>
 #include <optional>
 
-#include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/fill/domain_locator.hpp"
-#include "asterism/mesh/numerics/approximate_star.hpp"
 #include "asterism/mesh/fill/scattered_places.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
+#include "asterism/mesh/numerics/approximate_star.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/search/box_index.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/search/site_index.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
 #include "asterism/mesh/support/parallel.hpp"
-#include "asterism/mesh/search/site_index.hpp"
-#include "asterism/mesh/numerics/metric_box.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -190,7 +190,8 @@ class filling {
     halve_intervals(longest);
     renew_stars();
     changed_.resize(sites_.size());
-    for (vertex_index v = 0; v < sites_.size(); ++v) changed_[v] = v;  // the distance is new as well
+    for (vertex_index v = 0; v < sites_.size(); ++v)
+      changed_[v] = v;  // the distance is new as well
   }
 
   // Those that are longer than `longest`.
@@ -385,7 +386,8 @@ class filling {
 
   // The star of w among all sites so near that no farther one could belong to it; `near` is left
   // holding them.
-  void build_with_neighbourhood(vertex_index w, std::vector<vertex_index>& near, std::uint64_t& looked_at) {
+  void build_with_neighbourhood(vertex_index w, std::vector<vertex_index>& near,
+                                std::uint64_t& looked_at) {
     const site& s = sites_[w];
     double reach = 2.2 * distance_;
     for (int attempt = 0; attempt < 64; ++attempt, reach *= 2) {
@@ -458,8 +460,8 @@ class filling {
   box_index subsegments_index_;
   std::vector<std::vector<vertex_index>> at_division_;  // the site at each point of a division
   std::vector<vertex_index> changed_;                   // stars that may propose something new
-  std::size_t fresh_from_ = 0;                   // the sites without stars yet
-  double distance_ = 0;                          // of the level
+  std::size_t fresh_from_ = 0;                          // the sites without stars yet
+  double distance_ = 0;                                 // of the level
   std::size_t rounds_ = 0;
   bool full_ = false;     // a site was wanted and there was no room
   bool stopped_ = false;  // by `progress`, which makes it full

@@ -26,7 +26,7 @@
 namespace asterism::internal {
 
 struct fill_options {
-  double distance = 0.75;      // from every point of the domain to the nearest site, metric length
+  double distance = 0.75;  // from every point of the domain to the nearest site, metric length
   double longest_subsegment = 0.9;  // of the segments, metric length
   std::size_t max_sites = 100000;
   // Lengths wanted may differ by large factors from one site to its neighbours: all segments are

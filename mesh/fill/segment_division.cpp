@@ -85,7 +85,7 @@ class arc_length {
 
 // What the first subsegments at a vertex should measure on all its segments.
 std::vector<double> first_subsegments(const domain& d, const std::vector<arc_length>& measured,
-                                 double longest) {
+                                      double longest) {
   std::vector<double> wanted(d.vertices.size(), 0.92 * longest);
   for (std::size_t s = 0; s < d.segments.size(); ++s)
     for (const vertex_index v : {d.segments[s].a, d.segments[s].b})
@@ -102,8 +102,8 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
     const auto subsegments =
         static_cast<std::size_t>(std::max(1.0, std::ceil((until - start) / longest)));
     for (std::size_t i = 1; i <= subsegments; ++i)
-      lengths.push_back(start +
-                        (until - start) * static_cast<double>(i) / static_cast<double>(subsegments));
+      lengths.push_back(start + (until - start) * static_cast<double>(i) /
+                                    static_cast<double>(subsegments));
   };
   if (total > longest && from_a + from_b < total - longest / 2) {
     lengths.push_back(from_a);

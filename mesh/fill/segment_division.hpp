@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the segments of the domain are to be divided so that all subsegments are about equally long in
-// the metric: the first step of filling a domain.
+// Where the segments of the domain are to be divided so that all subsegments are about equally long
+// in the metric: the first step of filling a domain.
 //
 // Lengths are integrals along the segment, taken numerically in plain doubles: they decide where
-// points are proposed, nothing else. The subsegments next to a vertex are about equally long on all its
-// segments, as the vertex measures, so that subsegments meeting at a small angle end on one circle and
-// do not encroach on each other.
+// points are proposed, nothing else. The subsegments next to a vertex are about equally long on all
+// its segments, as the vertex measures, so that subsegments meeting at a small angle end on one
+// circle and do not encroach on each other.
 #pragma once
 
 #include <vector>
@@ -25,12 +25,12 @@ struct division {
 };
 
 struct segment_divisions {
-  double subsegments = 0;              // about how many there are in all
+  double subsegments = 0;         // about how many there are in all
   std::vector<division> of_each;  // none when that is more than `most_points`
 };
 
-// One for each segment of `d`, none of whose subsegments is much longer than `longest` (metric length).
-// Fails where the field does, and where lengths leave the range of doubles.
+// One for each segment of `d`, none of whose subsegments is much longer than `longest` (metric
+// length). Fails where the field does, and where lengths leave the range of doubles.
 result<segment_divisions> divide_segments(const domain& d, const metric_field& field,
                                           double longest, std::size_t most_points);
 

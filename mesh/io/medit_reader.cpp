@@ -297,7 +297,8 @@ void medit_reader::take_segment_numbers() {
     text_scanner words("", comment.substr(mark.size()));
     for (word w = words.next(); !w.empty(); w = words.next()) {
       const auto number = to_integer(words, w, "");
-      if (!number.ok() || number.value() < 1 || number.value() > std::numeric_limits<vertex_index>::max())
+      if (!number.ok() || number.value() < 1 ||
+          number.value() > std::numeric_limits<vertex_index>::max())
         return;
       numbers.push_back(static_cast<vertex_index>(number.value() - 1));
     }

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
-#include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism::internal {
 

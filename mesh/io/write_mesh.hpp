@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/draw/picture.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/draw/picture.hpp"
 
 namespace asterism {
 

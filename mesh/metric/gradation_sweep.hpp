@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "asterism/mesh/metric/gradation_grid.hpp"
-#include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
 
 namespace asterism::internal {
 

@@ -10,8 +10,8 @@
 
 #include "asterism/mesh/metric/gradation_grid.hpp"
 #include "asterism/mesh/metric/gradation_sweep.hpp"
-#include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/metric/sized_field.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
 
 namespace asterism {
 using namespace internal;

@@ -4,18 +4,18 @@
 //
 // With sigma = ln(beta), each metric is intersected with what every other allows at its place,
 //     M_q <- M_q ∩ (1 + sigma d_p(q))^-2 M_p,   d_p(q) the distance from p to q as p measures it
-// (the intersection is that of numerics/metric_algebra.hpp, which never makes the shortest length shorter):
-// a length wanted at p grows to at most 1 + sigma d times as much at distance d. Where a field is
-// graded, neighbouring edges differ by a factor of about beta, and the distortion between p and q
-// is at most 1 / (1 - sigma d_p(q)): the hypothesis H1 of docs/math/refinement.md. Source:
+// (the intersection is that of numerics/metric_algebra.hpp, which never makes the shortest length
+// shorter): a length wanted at p grows to at most 1 + sigma d times as much at distance d. Where a
+// field is graded, neighbouring edges differ by a factor of about beta, and the distortion between
+// p and q is at most 1 / (1 - sigma d_p(q)): the hypothesis H1 of docs/math/refinement.md. Source:
 // Alauzet, "Size gradation control of anisotropic meshes", Finite Elements in Analysis and Design
 // 46, 2010.
 //
-// How: the field is sampled on an adaptive grid over the box (metric/gradation_grid.hpp), nodes take over
-// what neighbouring nodes and eight points at distance 1 in their own metric allow, until that
-// changes nothing, and the grid is refined where the result is not yet resolved. Between the nodes
-// logarithms are interpolated. Metrics only grow, and no eigenvalue grows above the largest in the
-// box: the sweeps come to an end, and there is a bound on their number besides.
+// How: the field is sampled on an adaptive grid over the box (metric/gradation_grid.hpp), nodes
+// take over what neighbouring nodes and eight points at distance 1 in their own metric allow, until
+// that changes nothing, and the grid is refined where the result is not yet resolved. Between the
+// nodes logarithms are interpolated. Metrics only grow, and no eigenvalue grows above the largest
+// in the box: the sweeps come to an end, and there is a bound on their number besides.
 //
 // What holds: no node is coarser than the field as given, every value is positive definite, the
 // same input gives the same field, and where no node of a triangle of the grid was changed the
@@ -32,8 +32,8 @@
 #include <memory>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 
 namespace asterism {
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "asterism/mesh/search/box_index.hpp"
-#include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/metric/sized_field.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/search/box_index.hpp"
 
 namespace asterism {
 using namespace internal;

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/core/number_text.hpp"
-#include "asterism/mesh/metric/plane_expression.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/metric/layered_field.hpp"
+#include "asterism/mesh/metric/plane_expression.hpp"
 #include "asterism/mesh/metric/sized_field.hpp"
 
 namespace asterism {

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 
 namespace asterism::internal {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/metric/sized_field.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
 
 namespace asterism::internal {
 namespace {

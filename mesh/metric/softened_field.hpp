@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Fields that vary more slowly than one given, for pipeline/metric_relaxation.hpp. Not part of the public
-// interface.
+// Fields that vary more slowly than one given, for pipeline/metric_relaxation.hpp. Not part of the
+// public interface.
 //
-// All are positive definite wherever they do not fail; tensors as numerics/metric_algebra.hpp takes them.
+// All are positive definite wherever they do not fail; tensors as numerics/metric_algebra.hpp takes
+// them.
 #pragma once
 
 #include <functional>

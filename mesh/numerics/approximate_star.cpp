@@ -111,7 +111,8 @@ plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
   return star;
 }
 
-bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star, vertex_index w) {
+bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star,
+              vertex_index w) {
   if (star.size() < 3) return true;
   const site& s = sites[v];
   const auto to_w = between(s.position, sites[w].position);

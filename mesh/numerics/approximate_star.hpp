@@ -41,6 +41,7 @@ plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
 void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next);
 
 // Whether w, which is not in the star of v, would change it.
-bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star, vertex_index w);
+bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star,
+              vertex_index w);
 
 }  // namespace asterism::internal

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "asterism/mesh/numerics/real_roots.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
+#include "asterism/mesh/numerics/real_roots.hpp"
 
 namespace asterism::internal {
 namespace {

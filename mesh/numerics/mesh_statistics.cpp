@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "asterism/mesh/numerics/constructions.hpp"
-#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism {
 using namespace internal;

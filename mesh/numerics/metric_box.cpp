@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 #include "asterism/mesh/search/box_index.hpp"
 
 namespace asterism::internal {

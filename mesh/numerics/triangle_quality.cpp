@@ -9,8 +9,8 @@
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/kernels/vertex_hints.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
-#include "asterism/mesh/support/double_double.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
+#include "asterism/mesh/support/double_double.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -30,9 +30,9 @@ class angle_requirement {
   double cotangent_;
 };
 
-// The same triangle, unless a metric is thin (numerics/ill_conditioned_metric.hpp): then in coordinates in which the
-// first such is round. Angles and lengths are the same up to rounding, and doubles can measure
-// them.
+// The same triangle, unless a metric is thin (numerics/ill_conditioned_metric.hpp): then in
+// coordinates in which the first such is round. Angles and lengths are the same up to rounding, and
+// doubles can measure them.
 triangle_sites in_round_coordinates(triangle_sites t);
 
 // The smallest of the nine angles, in degrees, in doubles: to put triangles in order.

@@ -101,7 +101,8 @@ double far_site_energy(const voronoi_centre& centre, const fit_site& far) {
                        far_margin);
 }
 
-double subsegment_energy(const voronoi_centre& centre, const point& a, const point& b, const point& c) {
+double subsegment_energy(const voronoi_centre& centre, const point& a, const point& b,
+                         const point& c) {
   if (centre.squared_radius < 0) return weight_of_stars * without_centre;
   const double ux = b.x - a.x, uy = b.y - a.y;
   const double height = ux * (c.y - a.y) - uy * (c.x - a.x);

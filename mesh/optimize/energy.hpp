@@ -13,8 +13,9 @@
 // Of an edge, from either side (far_site_energy): with x the Voronoi vertex of the triangle there,
 // r its distance and g = d(x)^2 / r^2 - 1 as the site across measures: stars disagree about the
 // edge where g < 0, so with h = (margin - g) / margin, if that is positive, h^2 + h times a weight.
-// Of a subsegment of a segment (subsegment_energy) the same, with g how far x is on the inner side, as a part
-// of the height of the triangle: a subsegment whose triangle has its x behind it is encroached.
+// Of a subsegment of a segment (subsegment_energy) the same, with g how far x is on the inner side,
+// as a part of the height of the triangle: a subsegment whose triangle has its x behind it is
+// encroached.
 #pragma once
 
 #include <cstdint>
@@ -65,6 +66,7 @@ voronoi_centre find_centre(const fit_site& a, const fit_site& b, const fit_site&
 // `far` is the site across the edge.
 double far_site_energy(const voronoi_centre& centre, const fit_site& far);
 // The subsegment a b with the third vertex c of its triangle on the left.
-double subsegment_energy(const voronoi_centre& centre, const point& a, const point& b, const point& c);
+double subsegment_energy(const voronoi_centre& centre, const point& a, const point& b,
+                         const point& c);
 
 }  // namespace asterism::internal::fitting

@@ -49,7 +49,8 @@ double fitted_mesh::edge_energy(vertex_index t, std::size_t edge) const {
   if (here.segment[edge] != none && sharp_[t] != 0) return 0;
   if (here.segment[edge] != none)
     return subsegment_energy(centres_[t], sites_[here.v[(edge + 1) % 3]].position,
-                        sites_[here.v[(edge + 2) % 3]].position, sites_[here.v[edge]].position);
+                             sites_[here.v[(edge + 2) % 3]].position,
+                             sites_[here.v[edge]].position);
   return far_site_energy(centres_[t], sites_[far_vertex(t, edge)]);
 }
 
@@ -244,7 +245,8 @@ bool fitted_mesh::is_merge_allowed(vertex_index v, vertex_index w) const {
 
 // The triangles at v that have w too, and the others; nothing where the result would be no
 // triangulation: v and w may have no common neighbours but those in triangles with both.
-std::optional<fitted_mesh::merge_plan> fitted_mesh::plan_merge(vertex_index v, vertex_index w) const {
+std::optional<fitted_mesh::merge_plan> fitted_mesh::plan_merge(vertex_index v,
+                                                               vertex_index w) const {
   if (!is_merge_allowed(v, w)) return std::nullopt;
   merge_plan plan;
   std::vector<vertex_index> near_v, near_w, common;

@@ -14,9 +14,9 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
-#include "asterism/mesh/optimize/energy.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/optimize/energy.hpp"
 
 namespace asterism::internal::fitting {
 
@@ -60,7 +60,7 @@ class fitted_mesh {
   vertex_kind kind(vertex_index v) const { return kinds_[v]; }
   const place_on_segment& place(vertex_index v) const { return places_[v]; }
   const std::vector<vertex_index>& around(vertex_index v) const { return around_[v]; }  // triangles
-  std::size_t count() const { return count_; }                            // of triangles there are
+  std::size_t count() const { return count_; }  // of triangles there are
   bool is_sharp(vertex_index t) const { return sharp_[t] != 0; }
   const std::optional<error>& field_failure() const { return field_failure_; }
 
@@ -138,7 +138,8 @@ class fitted_mesh {
   bool touches_sharp_corner(const std::array<vertex_index, 3>& v) const;
   void link(vertex_index t);
   void unlink(vertex_index t);
-  void set_triangle(vertex_index t, const std::array<vertex_index, 3>& v, const std::array<vertex_index, 3>& segment);
+  void set_triangle(vertex_index t, const std::array<vertex_index, 3>& v,
+                    const std::array<vertex_index, 3>& segment);
   vertex_index add_triangle();
   void judge(vertex_index t);
   std::optional<merge_plan> plan_merge(vertex_index v, vertex_index w) const;

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/metric/unit_frame.hpp"
+#include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/optimize/mutable_mesh.hpp"
 #include "asterism/mesh/optimize/smooth_and_swap.hpp"
 #include "asterism/mesh/optimize/split_and_collapse.hpp"
-#include "asterism/mesh/numerics/triangle_quality.hpp"
-#include "asterism/mesh/metric/unit_frame.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -67,7 +67,9 @@ class fitter {
     return true;
   }
 
-  site site_of(vertex_index v) const { return {mesh_.sites()[v].position, mesh_.sites()[v].metric}; }
+  site site_of(vertex_index v) const {
+    return {mesh_.sites()[v].position, mesh_.sites()[v].metric};
+  }
 
   void count_low() {
     found_.low = 0;

@@ -2,15 +2,16 @@
 //
 // Fitting a triangulation to a metric that turns by much over one edge.
 //
-// There refinement cannot make stars agree, but in a metric relaxed they do (pipeline/metric_relaxation.hpp).
-// Starting from the mesh of that, positions and connections are changed step by step until the
-// metric as given sees good angles, and centres of triangles that are farther from the site across
-// each edge: then the stars of these sites in the metric given should be these triangles.
+// There refinement cannot make stars agree, but in a metric relaxed they do
+// (pipeline/metric_relaxation.hpp). Starting from the mesh of that, positions and connections are
+// changed step by step until the metric as given sees good angles, and centres of triangles that
+// are farther from the site across each edge: then the stars of these sites in the metric given
+// should be these triangles.
 //
 // It proposes a triangulation and nothing more, in plain doubles: the auditor decides, exactly,
 // whether it is the mesh of its stars. What holds: every triangle turns left and
-// segments are covered by subsegments throughout, given vertices stay where they are, and the work is
-// bounded by counts. What does not: that any angle or star gets what it should.
+// segments are covered by subsegments throughout, given vertices stay where they are, and the work
+// is bounded by counts. What does not: that any angle or star gets what it should.
 // docs/design/fitting.md has the energies, the steps and what was measured.
 #pragma once
 

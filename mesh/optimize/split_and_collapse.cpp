@@ -62,8 +62,8 @@ class surgeon {
 
   // What was changed by hand changed the energy of the triangles at `near`, and relaxing by what it
   // says.
-  bool conclude(double before, const std::vector<vertex_index>& near, const std::vector<vertex_index>& seeds,
-                int depth) {
+  bool conclude(double before, const std::vector<vertex_index>& near,
+                const std::vector<vertex_index>& seeds, int depth) {
     ++report_.tried;
     const double by_hand = energy_of(triangles_at(near)) - before;
     if (by_hand + moves_.relax(seeds, depth) < -least_gain) {

@@ -48,9 +48,11 @@ class region_spread {
 
  private:
   triangle_side* side(const std::array<vertex_index, 2>& ends) {
-    const auto at = std::lower_bound(
-        sides_.begin(), sides_.end(), ends,
-        [](const triangle_side& s, const std::array<vertex_index, 2>& key) { return s.ends < key; });
+    const auto at =
+        std::lower_bound(sides_.begin(), sides_.end(), ends,
+                         [](const triangle_side& s, const std::array<vertex_index, 2>& key) {
+                           return s.ends < key;
+                         });
     return at != sides_.end() && at->ends == ends ? &*at : nullptr;
   }
 

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/numerics/metric_angle.hpp"
 #include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
-#include "asterism/mesh/numerics/metric_angle.hpp"
-#include "asterism/mesh/stars/star_predicates.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
+#include "asterism/mesh/stars/star_predicates.hpp"
 #include "asterism/mesh/stars/star_set.hpp"
 
 namespace asterism {

@@ -37,9 +37,9 @@ struct certify_report {
   // Of the triangles, in how many of their vertices' stars they are: [3] in all.
   std::array<std::size_t, 4> in_stars{};
   std::vector<vertex_index> not_in_all;  // triangles, ascending
-  std::size_t unsettled = 0;      // stars that met the bound of their construction
-  bool compared = false;          // false: it is no triangulation, and has no stars to compare
-  std::size_t below_bound = 0;    // triangles, as any vertex measures; exempt ones among them
+  std::size_t unsettled = 0;             // stars that met the bound of their construction
+  bool compared = false;        // false: it is no triangulation, and has no stars to compare
+  std::size_t below_bound = 0;  // triangles, as any vertex measures; exempt ones among them
   std::size_t edges = 0, unit_edges = 0;
 
   // All triangles are in their stars, nothing is inverted, the bound is met but where exempt, and

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a mesh of a domain in a metric field, without judging it: pipeline/certified_mesh.hpp does both.
+// Makes a mesh of a domain in a metric field, without judging it: pipeline/certified_mesh.hpp does
+// both.
 #pragma once
 
 #include <functional>
@@ -15,8 +16,8 @@ namespace asterism {
 
 // `d` must have been accepted by check_domain. Fails only where the metric field does, or for
 // options out of range. `progress` may be empty; it is called now and then from this thread.
-result<mesh_outcome> make_mesh(
-    const domain& d, const metric_field& field, const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress = {});
+result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
+                               const mesh_options& options,
+                               const std::function<void(const mesh_progress&)>& progress = {});
 
 }  // namespace asterism

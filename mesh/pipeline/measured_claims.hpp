@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a certificate says was measured of a mesh, against what numerics/mesh_statistics.hpp measures. Not
-// the auditor's, which shares no code with what made the mesh.
+// What a certificate says was measured of a mesh, against what numerics/mesh_statistics.hpp
+// measures. Not the auditor's, which shares no code with what made the mesh.
 #pragma once
 
 #include <string>

@@ -13,16 +13,16 @@
 #include <vector>
 
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/metric/softened_field.hpp"
+#include "asterism/mesh/metric/unit_frame.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
-#include "asterism/mesh/optimize/optimize_mesh.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
-#include "asterism/mesh/metric/softened_field.hpp"
-#include "asterism/mesh/refine/site_budget.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/optimize/optimize_mesh.hpp"
 #include "asterism/mesh/refine/insertion_tolerance.hpp"
 #include "asterism/mesh/refine/refinement_loop.hpp"
-#include "asterism/mesh/metric/unit_frame.hpp"
+#include "asterism/mesh/refine/site_budget.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -48,8 +48,7 @@ struct relaxation_step {
 class relaxation {
  public:
   relaxation(const star_predicates& kernel, const domain& d, const metric_field& field,
-             const mesh_options& options,
-             const std::function<void(const mesh_progress&)>& progress,
+             const mesh_options& options, const std::function<void(const mesh_progress&)>& progress,
              mesh_outcome as_given)
       : kernel_(kernel),
         domain_(d),
@@ -266,7 +265,7 @@ class relaxation {
   }
 
   mesh_outcome outcome_of(const fitted_domain& fitted, const audit_report& found,
-                                const relaxation_report& report) const {
+                          const relaxation_report& report) const {
     mesh_outcome o;
     o.complete = true;
     o.result = fitted.triangulation;
@@ -276,7 +275,8 @@ class relaxation {
     o.splits = o.result.boundary.size() - domain_.segments.size();
     o.inserted = o.sites - domain_.vertices.size() - o.splits;
     o.length_factor = tried_->length_factor;
-    for (const vertex_index v : found.exempt_corners) o.exempt.push_back({v, angle_at(o.result, v)});
+    for (const vertex_index v : found.exempt_corners)
+      o.exempt.push_back({v, angle_at(o.result, v)});
     for (const vertex_index t : found.exempt_triangles)
       o.exempt_triangles.push_back(o.result.triangles[t]);
     if (options_.limit_size) o.too_large = count_large(o.result);
@@ -332,7 +332,8 @@ class relaxation {
   // The angles in the metric given, by the auditor's exact test.
   void judge(relaxation_report& report) {
     mesh as_given = tried_->result;
-    for (vertex_index v = 0; v < as_given.sites.size(); ++v) as_given.sites[v].metric = report.given[v];
+    for (vertex_index v = 0; v < as_given.sites.size(); ++v)
+      as_given.sites[v].metric = report.given[v];
     audit_options options;
     options.angle_bound = options_.angle_bound;
     options.find_exempt_corners = true;
@@ -431,10 +432,10 @@ bool wants_relaxation(const mesh_outcome& made, const mesh_options& options) {
          !made.complete && (made.disagreeing > 0 || made.stars_missing > 0 || made.crowded);
 }
 
-result<mesh_outcome> refine_relaxed(
-    const star_predicates& kernel, const domain& d, const metric_field& field,
-    const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress, mesh_outcome as_given) {
+result<mesh_outcome> refine_relaxed(const star_predicates& kernel, const domain& d,
+                                    const metric_field& field, const mesh_options& options,
+                                    const std::function<void(const mesh_progress&)>& progress,
+                                    mesh_outcome as_given) {
   return relaxation(kernel, d, field, options, progress, std::move(as_given)).run();
 }
 

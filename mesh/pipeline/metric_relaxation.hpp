@@ -11,7 +11,8 @@
 //     without a size over a sixteenth of the domain; over more where the limit on sites makes edges
 //     longer.
 //  3. Everywhere the same: the log-Euclidean mean of the tensors at the sites there are.
-//  4. The same without demands on angles and sizes. Where no subsegment is encroached, equal metrics
+//  4. The same without demands on angles and sizes. Where no subsegment is encroached, equal
+//  metrics
 //     make the stars those of one Delaunay triangulation.
 // Eight meshes at most, each of which ends by the bounds of refinement.
 //
@@ -24,11 +25,11 @@
 #include <functional>
 
 #include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
 #include "asterism/mesh/stars/star_predicates.hpp"
-#include "asterism/mesh/data/domain.hpp"
-#include "asterism/mesh/data/metric_field.hpp"
 
 namespace asterism::internal {
 
@@ -38,9 +39,9 @@ bool wants_relaxation(const mesh_outcome& made, const mesh_options& options);
 
 // Requires wants_relaxation(as_given, options). Everything of the outcome but the counters, which
 // the kernel has. Fails where `field` fails at a site of the mesh.
-result<mesh_outcome> refine_relaxed(
-    const star_predicates& kernel, const domain& d, const metric_field& field,
-    const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress, mesh_outcome as_given);
+result<mesh_outcome> refine_relaxed(const star_predicates& kernel, const domain& d,
+                                    const metric_field& field, const mesh_options& options,
+                                    const std::function<void(const mesh_progress&)>& progress,
+                                    mesh_outcome as_given);
 
 }  // namespace asterism::internal

@@ -13,7 +13,8 @@ namespace {
 
 // Whether the triangle v, y, x lies in the corner c of the domain at v. Both turn by less than 180
 // degrees.
-bool lies_in(const site_oracle& oracle, const domain_corner& c, vertex_index v, vertex_index y, vertex_index x) {
+bool lies_in(const site_oracle& oracle, const domain_corner& c, vertex_index v, vertex_index y,
+             vertex_index x) {
   const boundary_corner ends = oracle.edges().corners(v)[c.sector];
   return oracle.orientation(v, ends.first, y) != sign::negative &&
          oracle.orientation(v, x, ends.last) != sign::negative &&

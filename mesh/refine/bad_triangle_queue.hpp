@@ -20,9 +20,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "asterism/mesh/stars/consistency.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
+#include "asterism/mesh/stars/consistency.hpp"
 
 namespace asterism::internal {
 
@@ -31,7 +31,8 @@ enum class badness { disagreeing, low_angle, too_large };
 struct bad_triangle {
   badness why = badness::disagreeing;
   double rank = 0;  // within its kind, smaller is worse: the smallest angle, or minus the size
-  // Counter-clockwise; for a wide gap the indices may repeat or run clockwise (stars/consistency.hpp).
+  // Counter-clockwise; for a wide gap the indices may repeat or run clockwise
+  // (stars/consistency.hpp).
   triangle where{};
 
   friend bool operator<(const bad_triangle& a, const bad_triangle& b) {
@@ -84,10 +85,11 @@ class survey {
   angle_requirement angle_;
   bool limit_size_;
   std::vector<exempt_corner> exempt_corners_;
-  std::vector<domain_corner> corners_below_;   // the bound: a vertex may have wide ones beside them
-  std::unordered_map<vertex_index, record> records_;  // those that are not empty
-  std::map<triangle, std::pair<int, double>> disagreeing_;    // by how many stars, smallest angle
-  std::unordered_map<vertex_index, std::vector<vertex_index>> claimed_by_;  // the other end of one_sided
+  std::vector<domain_corner> corners_below_;  // the bound: a vertex may have wide ones beside them
+  std::unordered_map<vertex_index, record> records_;        // those that are not empty
+  std::map<triangle, std::pair<int, double>> disagreeing_;  // by how many stars, smallest angle
+  std::unordered_map<vertex_index, std::vector<vertex_index>>
+      claimed_by_;  // the other end of one_sided
   std::set<bad_triangle> bad_, improvable_;
   std::size_t counts_[3] = {0, 0, 0};
   bool first_ = true;

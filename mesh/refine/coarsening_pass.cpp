@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
-#include "asterism/mesh/refine/coarsening_proposal.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/refine/coarsening_proposal.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -60,7 +60,8 @@ class places_before {
 
   // Past the last site when the point is none of them.
   vertex_index find(const point& q) const {
-    const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(q, vertex_index{0}), less);
+    const auto at =
+        std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(q, vertex_index{0}), less);
     return at != sorted_.end() && at->first == q ? at->second : none;
   }
 
@@ -95,8 +96,7 @@ std::vector<char> spoilt_at(const places_before& places, std::size_t count_befor
 class improver {
  public:
   improver(const domain& d, const metric_field& field, const unit_frame& frame,
-           const mesh_options& options, const refine_again& refine,
-           mesh_outcome& outcome)
+           const mesh_options& options, const refine_again& refine, mesh_outcome& outcome)
       : domain_(d),
         field_(field),
         frame_(frame),
@@ -189,8 +189,7 @@ class improver {
 }  // namespace
 
 void improve(const domain& d, const metric_field& field, const unit_frame& frame,
-             const mesh_options& options, const refine_again& refine,
-             mesh_outcome& outcome) {
+             const mesh_options& options, const refine_again& refine, mesh_outcome& outcome) {
   if (options.improve_passes == 0 || !outcome.complete) return;
   improver(d, field, frame, options, refine, outcome).run();
 }

@@ -3,10 +3,10 @@
 // The optional pass over a mesh that is complete already: fewer sites, better shapes, and never a
 // step that makes it worse.
 //
-// A pass proposes (refine/coarsening_proposal.hpp) and has what is left refined as if it had come from
-// the fill, all stars made anew. What comes of it replaces the mesh only if it is complete as well,
-// with no more sites, no smaller worst angle, no lower mean quality, and one of these better. Where
-// it is not, the sites around the places that spoil it are left as they were, and it is tried
+// A pass proposes (refine/coarsening_proposal.hpp) and has what is left refined as if it had come
+// from the fill, all stars made anew. What comes of it replaces the mesh only if it is complete as
+// well, with no more sites, no smaller worst angle, no lower mean quality, and one of these better.
+// Where it is not, the sites around the places that spoil it are left as they were, and it is tried
 // again, a bounded number of times.
 #pragma once
 
@@ -14,10 +14,10 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
-#include "asterism/mesh/fill/fill.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
-#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/fill/fill.hpp"
 #include "asterism/mesh/metric/unit_frame.hpp"
 
 namespace asterism::internal {
@@ -30,7 +30,6 @@ using refine_again =
 // `outcome.improved`. `d` and `field` are in `frame`, `outcome` is not. An outcome that is not
 // complete is left alone; so is the last accepted one when options.stop has something to say.
 void improve(const domain& d, const metric_field& field, const unit_frame& frame,
-             const mesh_options& options, const refine_again& refine,
-             mesh_outcome& outcome);
+             const mesh_options& options, const refine_again& refine, mesh_outcome& outcome);
 
 }  // namespace asterism::internal

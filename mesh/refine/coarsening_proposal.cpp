@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "asterism/mesh/numerics/constructions.hpp"
-#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -40,9 +40,10 @@ struct hole {
 class coarsening {
  public:
   coarsening(const mesh& m, const metric_field& field, const improvement_goal& goal,
-            const std::vector<char>& barred)
+             const std::vector<char>& barred)
       : mesh_(m), field_(field), goal_(goal), sites_(m.sites), free_(m.sites.size(), 1) {
-    for (vertex_index v = 0; v < sites_.size(); ++v) free_[v] = v >= m.given && barred[v] == 0 ? 1 : 0;
+    for (vertex_index v = 0; v < sites_.size(); ++v)
+      free_[v] = v >= m.given && barred[v] == 0 ? 1 : 0;
     for (const boundary_edge& e : m.boundary) free_[e.a] = free_[e.b] = 0;
     removed_.assign(sites_.size(), 0);
     moved_.assign(sites_.size(), 0);

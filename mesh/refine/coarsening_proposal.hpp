@@ -9,16 +9,17 @@
 
 #include <vector>
 
-#include "asterism/mesh/fill/fill.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/fill/fill.hpp"
 
 namespace asterism::internal {
 
 struct improvement_goal {
-  double least_angle = 0;     // degrees; of the triangles that fill the hole a site leaves
-  double mean_quality = 0;    // of the whole mesh, as it is
-  double largest_radius = 0;  // their metric circumradius (numerics/triangle_quality.hpp); may be infinite
+  double least_angle = 0;   // degrees; of the triangles that fill the hole a site leaves
+  double mean_quality = 0;  // of the whole mesh, as it is
+  double largest_radius =
+      0;  // their metric circumradius (numerics/triangle_quality.hpp); may be infinite
 };
 
 struct improvement_proposal {

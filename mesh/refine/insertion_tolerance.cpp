@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "asterism/mesh/stars/nearest_distances.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/stars/nearest_distances.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -26,8 +26,8 @@ constexpr double dart_fraction = 0.5;
 constexpr double dart_ladder = 1024;
 
 // How near to each other the domain brings sites, as its vertices measure: the shortest distance
-// from one to a site or to a subsegment not at it, and between the subsegments at a sharp corner; at most
-// `most`.
+// from one to a site or to a subsegment not at it, and between the subsegments at a sharp corner;
+// at most `most`.
 double smallest_feature(const refine_state& state, vertex_index vertices, double most) {
   double least =
       shortest_distance(state.sites(), vertices, state.edges(), *state.oracle().near(), most);
@@ -35,7 +35,8 @@ double smallest_feature(const refine_state& state, vertex_index vertices, double
   for (const domain_corner& c : state.corners())
     if (c.angle < 60)
       for (const std::size_t subsegment : state.subsegments_at(c))
-        least = std::min(least, state.subsegment_length(subsegment, c.vertex) * std::sin(c.angle * degree));
+        least = std::min(
+            least, state.subsegment_length(subsegment, c.vertex) * std::sin(c.angle * degree));
   return least;
 }
 

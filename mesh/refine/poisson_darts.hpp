@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "asterism/core/site.hpp"
-#include "asterism/mesh/refine/site_insertion.hpp"
-#include "asterism/mesh/refine/refine_state.hpp"
 #include "asterism/mesh/refine/bad_triangle_queue.hpp"
+#include "asterism/mesh/refine/refine_state.hpp"
+#include "asterism/mesh/refine/site_insertion.hpp"
 
 namespace asterism::internal {
 

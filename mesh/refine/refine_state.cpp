@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "asterism/mesh/numerics/constructions.hpp"
-#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
-#include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 
@@ -33,7 +33,8 @@ result<refine_state> refine_state::prepare(const domain& d, const metric_field& 
 void refine_state::construct_stars() {
   stars_.bound_work(given_);
   stars_.construct_all(oracle());
-  for (std::size_t subsegment = 0; subsegment < edges_.subsegments().size(); ++subsegment) suspects_.push_back(subsegment);
+  for (std::size_t subsegment = 0; subsegment < edges_.subsegments().size(); ++subsegment)
+    suspects_.push_back(subsegment);
 }
 
 result<refine_state> refine_state::start(const domain& d, const metric_field& field,
@@ -44,7 +45,8 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
 }
 
 result<refine_state> refine_state::start_filled(const domain& d, const metric_field& field,
-                                                const star_predicates& kernel, std::size_t most_sites,
+                                                const star_predicates& kernel,
+                                                std::size_t most_sites,
                                                 const filled_domain& filling,
                                                 std::function<bool()> enough) {
   auto state = prepare(d, field, kernel, most_sites);

@@ -5,12 +5,12 @@
 // Encroachment (thesis, definition 8) is counted only from the domain's side of a subsegment: an
 // internal subsegment and its twin have a side each.
 //
-// Corners whose angle in their own metric is below 60 degrees are *sharp*. Two subsegments at a sharp
-// corner could encroach on each other for ever; therefore subsegments with one sharp end are split at
-// power-of-two distances from it, in the corner's metric (concentric shells, after Ruppert; an
-// internal subsegment when the corner on either side of it is sharp), and
-// the far end of the subsegment across the corner does not count as encroaching unless it is nearer to
-// the corner: of two such subsegments only the longer is ever split because of the other.
+// Corners whose angle in their own metric is below 60 degrees are *sharp*. Two subsegments at a
+// sharp corner could encroach on each other for ever; therefore subsegments with one sharp end are
+// split at power-of-two distances from it, in the corner's metric (concentric shells, after
+// Ruppert; an internal subsegment when the corner on either side of it is sharp), and the far end
+// of the subsegment across the corner does not count as encroaching unless it is nearer to the
+// corner: of two such subsegments only the longer is ever split because of the other.
 #pragma once
 
 #include <array>
@@ -24,15 +24,15 @@
 #include <vector>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/data/domain.hpp"
-#include "asterism/mesh/fill/fill.hpp"
-#include "asterism/mesh/stars/proximity.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
-#include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/stars/star_predicates.hpp"
+#include "asterism/mesh/fill/fill.hpp"
+#include "asterism/mesh/stars/boundary.hpp"
+#include "asterism/mesh/stars/proximity.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
+#include "asterism/mesh/stars/star_predicates.hpp"
 #include "asterism/mesh/stars/star_set.hpp"
 
 namespace asterism::internal {
@@ -51,7 +51,7 @@ struct domain_wedge {
   domain_corner corner;
   vertex_index first = 0, last = 0;          // the segments, counter-clockwise
   vertex_index first_end = 0, last_end = 0;  // their vertices other than the corner
-  bool internal = false;              // whether either of them is
+  bool internal = false;                     // whether either of them is
 };
 
 class refine_state {
@@ -78,8 +78,8 @@ class refine_state {
   std::size_t splits() const { return splits_; }
   bool is_full() const { return sites_.size() >= most_sites_; }
 
-  // Whether the most work that is done for so many sites was done (stars/work_limit.hpp). Counted, not
-  // timed, so that every run ends at the same place.
+  // Whether the most work that is done for so many sites was done (stars/work_limit.hpp). Counted,
+  // not timed, so that every run ends at the same place.
   bool is_overworked() const;
 
   // Asked between splits and, if given to start_filled(), between stars; true ends
@@ -104,17 +104,18 @@ class refine_state {
   // add_stars() makes those.
   void add_interior_later(const site& s);
   void add_stars();
-  // Splits one subsegment at its bisector point or shell. False, and nothing changed, when the mesh is
-  // full, a new subsegment would be shorter than `shortest` (metric length, as any of its ends
+  // Splits one subsegment at its bisector point or shell. False, and nothing changed, when the mesh
+  // is full, a new subsegment would be shorter than `shortest` (metric length, as any of its ends
   // measures), or doubles cannot split it: no double between its ends, or rounding would put a site
   // or another subsegment on the wrong side.
   bool split(std::size_t subsegment, double shortest);
   // Splits the subsegment that q lies on, if there is one; where, and whether, is split()'s affair.
   bool split_at_place(const point& q, double shortest);
-  // Splits subsegments until none is encroached by a site, as far as split() allows. False when it ended
-  // early, stopped or overworked.
+  // Splits subsegments until none is encroached by a site, as far as split() allows. False when it
+  // ended early, stopped or overworked.
   bool clear_encroachments(double shortest);
-  // Splits subsegments longer than `longest`, as far as split() allows, until stopped or overworked.
+  // Splits subsegments longer than `longest`, as far as split() allows, until stopped or
+  // overworked.
   void shorten_subsegments(double longest);
 
   // The corners at a vertex, of all those in corners().
@@ -149,7 +150,8 @@ class refine_state {
   void put_on_subsegment(std::size_t subsegment, const site& m);
   void find_corners();
   void find_wedges();
-  std::optional<point> mirrored_split_point(const boundary_edge& subsegment, vertex_index encroacher) const;
+  std::optional<point> mirrored_split_point(const boundary_edge& subsegment,
+                                            vertex_index encroacher) const;
   std::optional<point> wedge_split_point(const boundary_edge& subsegment) const;
   bool split_at(std::size_t subsegment, const point& q, double shortest);
   bool strictly_inside_near(const star_predicates& kernel, const point& q) const;
@@ -175,7 +177,7 @@ class refine_state {
   std::vector<domain_wedge> wedges_;
   std::vector<std::vector<std::size_t>> wedges_of_segment_;
   std::vector<std::optional<vertex_index>> split_segment_;  // by site: the segment it splits
-  std::vector<std::size_t> suspects_;                // subsegments that may be encroached
+  std::vector<std::size_t> suspects_;                       // subsegments that may be encroached
   std::size_t most_sites_;
   std::size_t given_ = 0;  // the domain's vertices, which are the first sites
   std::size_t splits_ = 0;

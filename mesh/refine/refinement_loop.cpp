@@ -10,14 +10,14 @@
 #include <string>
 #include <utility>
 
-#include "asterism/mesh/refine/coarsening_pass.hpp"
-#include "asterism/mesh/numerics/mesh_statistics.hpp"
-#include "asterism/mesh/refine/voronoi_arc_candidates.hpp"
-#include "asterism/mesh/refine/site_budget.hpp"
-#include "asterism/mesh/refine/poisson_darts.hpp"
-#include "asterism/mesh/refine/bad_triangle_queue.hpp"
-#include "asterism/mesh/refine/insertion_tolerance.hpp"
 #include "asterism/mesh/metric/unit_frame.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
+#include "asterism/mesh/refine/bad_triangle_queue.hpp"
+#include "asterism/mesh/refine/coarsening_pass.hpp"
+#include "asterism/mesh/refine/insertion_tolerance.hpp"
+#include "asterism/mesh/refine/poisson_darts.hpp"
+#include "asterism/mesh/refine/site_budget.hpp"
+#include "asterism/mesh/refine/voronoi_arc_candidates.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -192,8 +192,8 @@ class refinement {
   }
 
   // Many bad triangles at once: each is given a site unless one of its sites, or a neighbour of
-  // one, already was in a triangle that got one; what comes of it is then looked at anew. Subsegments
-  // are split one by one, in improve().
+  // one, already was in a triangle that got one; what comes of it is then looked at anew.
+  // Subsegments are split one by one, in improve().
   bool improve_in_bulk() {
     constexpr std::size_t fewest = 32;
     if (survey_.bad().size() < fewest) return false;
@@ -346,8 +346,8 @@ class refinement {
                             : "candidates on Voronoi arcs";
     return "stuck: " + std::to_string(survey_.bad().size()) + " bad triangles are left, and no " +
            tried + " farther than the tolerance " +
-           format_number(frame_.length_outward(tolerance_now_)) + " from every site can be inserted" +
-           steep_message() + corner_message();
+           format_number(frame_.length_outward(tolerance_now_)) +
+           " from every site can be inserted" + steep_message() + corner_message();
   }
 
   std::string spent_message() const {
@@ -363,7 +363,7 @@ class refinement {
 
   void report_progress() {
     if (!progress_) return;
-    progress_({false, state_.sites().size(), survey_.count(badness::disagreeing),
+    progress_({mesh_phase::refining, state_.sites().size(), survey_.count(badness::disagreeing),
                survey_.count(badness::low_angle), survey_.count(badness::too_large)});
   }
 
@@ -409,7 +409,7 @@ class refinement {
   double tolerance_now_;
   survey survey_;
   std::set<bad_triangle> failed_at_tolerance_;  // tried in vain with the tolerance in force
-  bool retry_ = false;             // something was inserted since some were parked
+  bool retry_ = false;                          // something was inserted since some were parked
   vertex_index given_;
   std::set<triangle> unresolvable_;  // where the metric varies too fast
   std::set<vertex_index> at_jump_;   // the sites of the triangles across such places
@@ -440,10 +440,10 @@ std::optional<error> check_options(const domain& d, const mesh_options& o) {
   return std::nullopt;
 }
 
-result<mesh_outcome> refine_image(
-    const filled_domain& proposed, const unit_frame& frame, const star_predicates& kernel,
-    const domain& image, const metric_field& field, const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress) {
+result<mesh_outcome> refine_image(const filled_domain& proposed, const unit_frame& frame,
+                                  const star_predicates& kernel, const domain& image,
+                                  const metric_field& field, const mesh_options& options,
+                                  const std::function<void(const mesh_progress&)>& progress) {
   std::function<bool()> enough;
   if (options.stop) enough = [&options] { return options.stop().has_value(); };
   auto state = refine_state::start_filled(image, field, kernel, options.max_sites, proposed,
@@ -455,10 +455,10 @@ result<mesh_outcome> refine_image(
 }
 
 // And improved, if that is asked for.
-result<mesh_outcome> refine_and_improve(
-    const budgeted_filling& filled, const star_predicates& kernel, const domain& image,
-    const metric_field& field, const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress) {
+result<mesh_outcome> refine_and_improve(const budgeted_filling& filled,
+                                        const star_predicates& kernel, const domain& image,
+                                        const metric_field& field, const mesh_options& options,
+                                        const std::function<void(const mesh_progress&)>& progress) {
   const unit_frame& frame = filled.frame;
   auto made = refine_image(filled.proposed, frame, kernel, image, field, options, progress);
   // One that was filled coarser than asked for is not complete, whatever it says of itself.
@@ -476,10 +476,10 @@ result<mesh_outcome> refine_and_improve(
 }
 
 // The proposed sites refined in their frame; what came of it is in the domain's own units.
-result<mesh_outcome> refine_filled(
-    const budgeted_filling& filled, const star_predicates& kernel, const domain& d,
-    const metric_field& field, const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress) {
+result<mesh_outcome> refine_filled(const budgeted_filling& filled, const star_predicates& kernel,
+                                   const domain& d, const metric_field& field,
+                                   const mesh_options& options,
+                                   const std::function<void(const mesh_progress&)>& progress) {
   const unit_frame& frame = filled.frame;
   if (frame.is_identity()) return refine_and_improve(filled, kernel, d, field, options, progress);
   return refine_and_improve(filled, kernel, frame.inward(d), framed_field(field, frame), options,
@@ -487,9 +487,10 @@ result<mesh_outcome> refine_filled(
 }
 
 // Without room for another site: complete if there is nothing to mend.
-result<mesh_outcome> refine_as_given(
-    const unit_frame& frame, const star_predicates& kernel, const domain& d, const metric_field& field,
-    mesh_options options, const std::function<void(const mesh_progress&)>& progress) {
+result<mesh_outcome> refine_as_given(const unit_frame& frame, const star_predicates& kernel,
+                                     const domain& d, const metric_field& field,
+                                     mesh_options options,
+                                     const std::function<void(const mesh_progress&)>& progress) {
   options.max_sites = d.vertices.size();
   options.improve_passes = 0;  // what is given stays
   budgeted_filling nothing{{}, frame, 0};
@@ -505,10 +506,9 @@ bool is_final(const result<mesh_outcome>& kept) {
 
 }  // namespace
 
-result<mesh_outcome> mesh_domain(
-    const star_predicates& kernel, const domain& d, const metric_field& field,
-    const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress) {
+result<mesh_outcome> mesh_domain(const star_predicates& kernel, const domain& d,
+                                 const metric_field& field, const mesh_options& options,
+                                 const std::function<void(const mesh_progress&)>& progress) {
   if (const auto refused = check_options(d, options)) return *refused;
   const bool lengths_are_free = !options.limit_size && !options.tolerance;
   const unit_frame frame = unit_frame::choose(d, field, lengths_are_free);
@@ -536,10 +536,10 @@ result<mesh_outcome> mesh_domain(
   return mesh_from_sites(filled.value(), kernel, d, field, options, progress);
 }
 
-result<mesh_outcome> mesh_from_sites(
-    const budgeted_filling& filled, const star_predicates& kernel, const domain& d,
-    const metric_field& field, const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress) {
+result<mesh_outcome> mesh_from_sites(const budgeted_filling& filled, const star_predicates& kernel,
+                                     const domain& d, const metric_field& field,
+                                     const mesh_options& options,
+                                     const std::function<void(const mesh_progress&)>& progress) {
   auto made = refine_filled(filled, kernel, d, field, options, progress);
   if (made) report_coarser(filled.halvings, filled.proposed.stopped, options, made.value());
   return made;

@@ -15,15 +15,14 @@ namespace asterism::internal {
 
 // make_mesh on any kernel; fills everything of the outcome but the counters. With a kernel that is
 // not exact the outcome claims what that kernel believes.
-result<mesh_outcome> mesh_domain(
-    const star_predicates& kernel, const domain& d, const metric_field& field,
-    const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress);
+result<mesh_outcome> mesh_domain(const star_predicates& kernel, const domain& d,
+                                 const metric_field& field, const mesh_options& options,
+                                 const std::function<void(const mesh_progress&)>& progress);
 
 // The same from sites proposed already, which must not be crowded.
-result<mesh_outcome> mesh_from_sites(
-    const budgeted_filling& filled, const star_predicates& kernel, const domain& d,
-    const metric_field& field, const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress);
+result<mesh_outcome> mesh_from_sites(const budgeted_filling& filled, const star_predicates& kernel,
+                                     const domain& d, const metric_field& field,
+                                     const mesh_options& options,
+                                     const std::function<void(const mesh_progress&)>& progress);
 
 }  // namespace asterism::internal

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
 #include "asterism/mesh/stars/visibility.hpp"
-#include "asterism/mesh/numerics/metric_box.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -59,8 +59,8 @@ bool surely_does_not_encroach(const site& a, const site& b, const site& w) {
   return inner_product(w.metric, u, u) - 0x1p-44 * magnitude > (1 + 0x1p-47) * r * r;
 }
 
-bool in_closed_triangle(const star_predicates& kernel, const point& a, const point& b, const point& c,
-                        const point& q) {
+bool in_closed_triangle(const star_predicates& kernel, const point& a, const point& b,
+                        const point& c, const point& q) {
   return kernel.orientation(a, b, q) != sign::negative &&
          kernel.orientation(b, c, q) != sign::negative &&
          kernel.orientation(c, a, q) != sign::negative;
@@ -71,12 +71,12 @@ bool in_box(const point& a, const point& b, const point& q) {
          q.y <= std::max(a.y, b.y);
 }
 
-// Whether replacing a b by a m, m b leaves every other site and subsegment where it was: on the same
-// side of the boundary, uncrossed and untouched: where segments meet in a sharp corner, or a few
-// ulps apart, m may be rounded onto another one. Only the sliver a, m, b changes sides.
+// Whether replacing a b by a m, m b leaves every other site and subsegment where it was: on the
+// same side of the boundary, uncrossed and untouched: where segments meet in a sharp corner, or a
+// few ulps apart, m may be rounded onto another one. Only the sliver a, m, b changes sides.
 bool sliver_is_empty(const star_predicates& kernel, const std::vector<site>& sites,
-                     const boundary& edges, const neighbourhood& near, const boundary_edge& subsegment,
-                     const point& m) {
+                     const boundary& edges, const neighbourhood& near,
+                     const boundary_edge& subsegment, const point& m) {
   const point &a = sites[subsegment.a].position, &b = sites[subsegment.b].position;
   const sign turn = kernel.orientation(a, b, m);
   if (turn == sign::zero) return true;  // on the segment, which is already part of the boundary
@@ -96,7 +96,8 @@ bool sliver_is_empty(const star_predicates& kernel, const std::vector<site>& sit
 
 }  // namespace
 
-const domain_corner* refine_state::sharp_corner(vertex_index v, const boundary_edge& subsegment) const {
+const domain_corner* refine_state::sharp_corner(vertex_index v,
+                                                const boundary_edge& subsegment) const {
   for (const domain_corner& c : corners_at(v)) {
     if (c.angle >= sharp_angle) continue;
     const boundary_corner ends = edges_.corners(v)[c.sector];
@@ -131,8 +132,8 @@ bool refine_state::is_excused(const boundary_edge& subsegment, vertex_index w) c
   return false;
 }
 
-bool refine_state::is_encroached(const star_predicates& kernel, std::size_t subsegment, const site& s,
-                                 std::optional<vertex_index> self) const {
+bool refine_state::is_encroached(const star_predicates& kernel, std::size_t subsegment,
+                                 const site& s, std::optional<vertex_index> self) const {
   const boundary_edge& p = edges_.subsegments()[subsegment];
   if (self && (*self == p.a || *self == p.b)) return false;
   const site &a = sites_[p.a], &b = sites_[p.b];
@@ -181,7 +182,8 @@ void refine_state::note_encroached_by(vertex_index w) {
 
 point refine_state::split_point(const boundary_edge& subsegment) const {
   const site &a = sites_[subsegment.a], &b = sites_[subsegment.b];
-  const bool sharp_a = has_sharp_end(subsegment, subsegment.a), sharp_b = has_sharp_end(subsegment, subsegment.b);
+  const bool sharp_a = has_sharp_end(subsegment, subsegment.a),
+             sharp_b = has_sharp_end(subsegment, subsegment.b);
   if (!sharp_a && !sharp_b)
     if (const auto q = wedge_split_point(subsegment)) return *q;
   if (sharp_a == sharp_b) return bisector_point(a, b);
@@ -190,7 +192,8 @@ point refine_state::split_point(const boundary_edge& subsegment) const {
   return point_at_distance(corner, other.position, shell_radius(length));
 }
 
-bool refine_state::can_split_at(const boundary_edge& subsegment, const site& m, double shortest) const {
+bool refine_state::can_split_at(const boundary_edge& subsegment, const site& m,
+                                double shortest) const {
   const site &a = sites_[subsegment.a], &b = sites_[subsegment.b];
   if (!in_box(a.position, b.position, m.position)) return false;
   if (m.position == a.position || m.position == b.position) return false;
@@ -217,7 +220,8 @@ void refine_state::put_on_subsegment(std::size_t subsegment, const site& m) {
   ++splits_;
   suspects_.push_back(subsegment);
   if (twin) suspects_.push_back(*twin);
-  for (; new_subsegment < edges_.subsegments().size(); ++new_subsegment) suspects_.push_back(new_subsegment);
+  for (; new_subsegment < edges_.subsegments().size(); ++new_subsegment)
+    suspects_.push_back(new_subsegment);
 }
 
 bool refine_state::split(std::size_t subsegment, double shortest) {
@@ -265,7 +269,8 @@ void refine_state::shorten_subsegments(double longest) {
   for (std::size_t subsegment = 0; subsegment < edges_.subsegments().size(); ++subsegment) {
     const auto too_long = [&] {
       const boundary_edge& p = edges_.subsegments()[subsegment];
-      return std::max(subsegment_length(subsegment, p.a), subsegment_length(subsegment, p.b)) > longest;
+      return std::max(subsegment_length(subsegment, p.a), subsegment_length(subsegment, p.b)) >
+             longest;
     };
     while (too_long() && !enough_() && !is_overworked() && split(subsegment, 0)) {
     }

@@ -75,8 +75,7 @@ featured_filling fill_by_features(const domain& d, const metric_field& field, bo
 
 result<budgeted_filling> fill_within_budget(
     const unit_frame& frame, const domain& d, const metric_field& field,
-    const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress) {
+    const mesh_options& options, const std::function<void(const mesh_progress&)>& progress) {
   budgeted_filling filled{{}, frame, 0};
   const bool is_large = d.vertices.size() >= many_vertices;
   if (options.strategy != refinement_strategy::guaranteed || !(options.limit_size || is_large)) {
@@ -89,7 +88,7 @@ result<budgeted_filling> fill_within_budget(
   wanted.max_sites = options.max_sites;
   if (options.stop) wanted.enough = [&options] { return options.stop().has_value(); };
   const auto go_on = [&](std::size_t sites, double needed) {
-    mesh_progress now{true, sites, 0, 0, 0};
+    mesh_progress now{mesh_phase::filling, sites, 0, 0, 0, 0};
     now.sites_expected = needed;
     if (progress) progress(now);
     return !options.stop || !options.stop();
@@ -156,7 +155,8 @@ void report_coarser(int halvings, bool fill_stopped, const mesh_options& options
   }
   const double on_segments = sites_on_segments(m);
   const double inside = static_cast<double>(outcome.sites) - on_segments;
-  outcome.sites_wanted = on_segments * outcome.length_factor + inside * outcome.length_factor * outcome.length_factor;
+  outcome.sites_wanted =
+      on_segments * outcome.length_factor + inside * outcome.length_factor * outcome.length_factor;
   outcome.reason = fmt::format(
       "the limit of {} sites was reached: the size wanted takes about {:.3g}; with edges {:.3g} "
       "times as long, {}",

@@ -7,9 +7,9 @@
 #include <functional>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/fill/fill.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/fill/fill.hpp"
 #include "asterism/mesh/metric/unit_frame.hpp"
 
 namespace asterism::internal {
@@ -26,8 +26,7 @@ struct budgeted_filling {
 // Fails as fill() does.
 result<budgeted_filling> fill_within_budget(
     const unit_frame& frame, const domain& d, const metric_field& field,
-    const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress);
+    const mesh_options& options, const std::function<void(const mesh_progress&)>& progress);
 
 // Where the fill was given up and the outcome, of the given vertices alone, is not complete, its
 // reason says so, with the place.

@@ -62,7 +62,8 @@ void refine_state::find_wedges() {
   for (const domain_corner& c : corners_) {
     if (!(c.angle < sharp_angle)) continue;
     const auto [leaving, entering] = subsegments_at(c);
-    domain_wedge w{c, edges_.subsegments()[leaving].segment, edges_.subsegments()[entering].segment};
+    domain_wedge w{c, edges_.subsegments()[leaving].segment,
+                   edges_.subsegments()[entering].segment};
     const ends &first = segments[w.first], &last = segments[w.last];
     w.first_end = first.a == c.vertex ? first.b : first.a;
     w.last_end = last.a == c.vertex ? last.b : last.a;
@@ -89,7 +90,9 @@ std::vector<const domain_wedge*> refine_state::wedges_at_split(vertex_index v) c
 
 const domain_wedge* refine_state::wedge_across(
     const triangle& t, const std::function<bool(const domain_wedge&)>& accepts) const {
-  const auto splits = [this](vertex_index v) { return v < split_segment_.size() && split_segment_[v]; };
+  const auto splits = [this](vertex_index v) {
+    return v < split_segment_.size() && split_segment_[v];
+  };
   const auto is_on = [&](vertex_index v, vertex_index segment, vertex_index end) {
     return splits(v) ? *split_segment_[v] == segment : v == end;
   };
@@ -134,8 +137,8 @@ std::optional<point> refine_state::mirrored_split_point(const boundary_edge& sub
   return std::nullopt;
 }
 
-// Beyond the first subsegment of a segment in a narrow wedge: at round distances from the corner, so
-// that both segments of the wedge are split alike. Of two corners the nearer counts.
+// Beyond the first subsegment of a segment in a narrow wedge: at round distances from the corner,
+// so that both segments of the wedge are split alike. Of two corners the nearer counts.
 std::optional<point> refine_state::wedge_split_point(const boundary_edge& subsegment) const {
   const point &a = sites_[subsegment.a].position, &b = sites_[subsegment.b].position;
   const domain_wedge* nearest = nullptr;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "asterism/core/site.hpp"
-#include "asterism/mesh/refine/site_insertion.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
+#include "asterism/mesh/refine/site_insertion.hpp"
 
 namespace asterism::internal {
 

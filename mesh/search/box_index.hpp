@@ -4,8 +4,8 @@
 // replaced by smaller ones as the boundary is split.
 //
 // An item lies in the node that holds its middle, on the level whose cells are about as large as
-// the item: long subsegments stay near the root, short ones go deep, and a small question never has to
-// look through long lists. A node knows a box around everything that ever was below it.
+// the item: long subsegments stay near the root, short ones go deep, and a small question never has
+// to look through long lists. A node knows a box around everything that ever was below it.
 // Deterministic: items are visited in an order that depends on the changes alone.
 #pragma once
 

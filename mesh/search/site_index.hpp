@@ -61,9 +61,9 @@ class site_index {
     double inverse11 = 0, inverse22 = 0, inverse_determinant = 0;  // above, above, below
     double inverse12_low = 0, inverse12_high = 0;
     std::uint32_t first_child = none;
-    std::uint32_t count = 0;                  // of the sites below
+    std::uint32_t count = 0;                         // of the sites below
     std::array<vertex_index, leaf_capacity> leaf{};  // the first sites, without children
-    std::uint32_t overflow = none;            // the rest, in overflow_; only on the last level
+    std::uint32_t overflow = none;  // the rest, in overflow_; only on the last level
   };
 
   static bool apart(const node& n, const point& low, const point& high) {
@@ -174,8 +174,8 @@ bool site_index::visit_reach(const std::vector<site>& sites, const site& v, doub
       continue;
     }
     const double most = limit(n, c);
-    const bool on =
-        visit_leaf(n, [&](vertex_index w) { return is_beyond(sites[w].position, c, most) || visit(w); });
+    const bool on = visit_leaf(
+        n, [&](vertex_index w) { return is_beyond(sites[w].position, c, most) || visit(w); });
     if (!on) return false;
   }
   return true;

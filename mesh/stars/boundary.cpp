@@ -55,7 +55,8 @@ result<boundary> boundary::build(const domain& d, const star_predicates& kernel)
     rays[s.a].push_back({s.b, true, s.internal});
     rays[s.b].push_back({s.a, s.internal, true});
     if (!s.internal) continue;
-    b.add_subsegment({subsegment.b, subsegment.a, subsegment.segment, subsegment.marker, true}, true);
+    b.add_subsegment({subsegment.b, subsegment.a, subsegment.segment, subsegment.marker, true},
+                     true);
     const std::size_t last = b.subsegments_.size() - 1;
     b.companions_[last - 1].twin = last;
     b.companions_[last].twin = last - 1;
@@ -111,7 +112,8 @@ void boundary::split(std::size_t subsegment, vertex_index m) {
 void boundary::split_one(std::size_t subsegment, vertex_index m) {
   const boundary_edge whole = subsegments_[subsegment];
   subsegments_[subsegment].b = m;
-  add_subsegment({m, whole.b, whole.segment, whole.marker, whole.internal}, companions_[subsegment].backward);
+  add_subsegment({m, whole.b, whole.segment, whole.marker, whole.internal},
+                 companions_[subsegment].backward);
   for (boundary_corner& c : corners_[whole.a])
     if (c.first == whole.b) c.first = m;
   for (boundary_corner& c : corners_[whole.b])
@@ -147,8 +149,8 @@ std::vector<boundary_edge> boundary::in_order() const {
   return ordered;
 }
 
-bool strictly_inside(const boundary& b, const std::vector<site>& sites, const star_predicates& kernel,
-                     const point& q, const neighbourhood* near) {
+bool strictly_inside(const boundary& b, const std::vector<site>& sites,
+                     const star_predicates& kernel, const point& q, const neighbourhood* near) {
   bool inside = false;  // an internal subsegment is crossed twice
   const auto pass = [&](const boundary_edge& subsegment) {
     const point &p = sites[subsegment.a].position, &r = sites[subsegment.b].position;
@@ -163,9 +165,12 @@ bool strictly_inside(const boundary& b, const std::vector<site>& sites, const st
       inside = !inside;
     return true;
   };
-  if (near == nullptr) return std::all_of(b.subsegments().begin(), b.subsegments().end(), pass) && inside;
+  if (near == nullptr)
+    return std::all_of(b.subsegments().begin(), b.subsegments().end(), pass) && inside;
   const bounding_box ray{q, {std::numeric_limits<double>::max(), q.y}};
-  return near->subsegments().visit(ray, [&](std::uint32_t i) { return pass(b.subsegments()[i]); }) && inside;
+  return near->subsegments().visit(ray, [&](std::uint32_t i) {
+    return pass(b.subsegments()[i]);
+  }) && inside;
 }
 
 }  // namespace asterism::internal

@@ -3,8 +3,8 @@
 // Do the stars agree? Every triangle of every star, held against the stars of its other vertices.
 //
 // Source: the thesis, definition 9. Beyond it: a star with a gap of 180 degrees or more leaves a
-// hole, and one that did not settle (stars/star_construction.hpp) is not known to be a star at all; both
-// are defects named by their vertex.
+// hole, and one that did not settle (stars/star_construction.hpp) is not known to be a star at all;
+// both are defects named by their vertex.
 #pragma once
 
 #include <vector>

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "asterism/mesh/numerics/constructions.hpp"
-#include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -42,7 +42,8 @@ double least_along_curve(std::vector<site> sites, const bounding_box& box) {
 // The squared distance of v to the nearest other site, the lesser of what both measure; at most
 // `most`. What is nearer than the radius is seen by both searches, with a factor of two to spare
 // for roundings.
-double nearest_other(const std::vector<site>& sites, const site_index& near, vertex_index v, double most) {
+double nearest_other(const std::vector<site>& sites, const site_index& near, vertex_index v,
+                     double most) {
   const site& s = sites[v];
   double nearest = most;
   const auto look = [&](vertex_index w) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // How near to each other the sites and subsegments of a mesh are: what tolerances are chosen from
-// (refine/insertion_tolerance.hpp). In doubles, by searches of what is near; the values are those of a look
-// at all pairs, in the same doubles, unless a metric is stretched by more than 2^24.
+// (refine/insertion_tolerance.hpp). In doubles, by searches of what is near; the values are those
+// of a look at all pairs, in the same doubles, unless a metric is stretched by more than 2^24.
 #pragma once
 
 #include <vector>

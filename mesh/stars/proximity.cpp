@@ -37,14 +37,14 @@ neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edg
 }
 
 void neighbourhood::insert_subsegment(const std::vector<site>& sites, const boundary& edges,
-                                 std::size_t subsegment) {
+                                      std::size_t subsegment) {
   const boundary_edge& e = edges.subsegments()[subsegment];
   subsegments_.insert(static_cast<std::uint32_t>(subsegment), subsegment_box(sites, e));
   influences_.insert(static_cast<std::uint32_t>(subsegment), influence_box(sites[e.a], sites[e.b]));
 }
 
 void neighbourhood::remove_subsegment(const std::vector<site>& sites, const boundary& edges,
-                                 std::size_t subsegment) {
+                                      std::size_t subsegment) {
   const boundary_edge& e = edges.subsegments()[subsegment];
   subsegments_.remove(static_cast<std::uint32_t>(subsegment), subsegment_box(sites, e));
   influences_.remove(static_cast<std::uint32_t>(subsegment), influence_box(sites[e.a], sites[e.b]));
@@ -61,7 +61,8 @@ void neighbourhood::after_split(const std::vector<site>& sites, const boundary& 
                                 std::size_t first_new) {
   insert_subsegment(sites, edges, subsegment);
   if (twin) insert_subsegment(sites, edges, *twin);
-  for (; first_new < edges.subsegments().size(); ++first_new) insert_subsegment(sites, edges, first_new);
+  for (; first_new < edges.subsegments().size(); ++first_new)
+    insert_subsegment(sites, edges, first_new);
 }
 
 }  // namespace asterism::internal

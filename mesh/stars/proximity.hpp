@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "asterism/core/site.hpp"
-#include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/search/box_index.hpp"
 #include "asterism/mesh/search/site_index.hpp"
+#include "asterism/mesh/stars/boundary.hpp"
 
 namespace asterism::internal {
 
@@ -31,15 +31,17 @@ class neighbourhood {
 
   // sites[w] is new.
   void add_site(const std::vector<site>& sites, vertex_index w) { sites_.insert(sites, w); }
-  // To be called before and after edges.split(subsegment, ...), with the twin (if any) and the number of
-  // subsegments there were before.
+  // To be called before and after edges.split(subsegment, ...), with the twin (if any) and the
+  // number of subsegments there were before.
   void before_split(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment);
   void after_split(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment,
                    std::optional<std::size_t> twin, std::size_t first_new);
 
  private:
-  void insert_subsegment(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment);
-  void remove_subsegment(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment);
+  void insert_subsegment(const std::vector<site>& sites, const boundary& edges,
+                         std::size_t subsegment);
+  void remove_subsegment(const std::vector<site>& sites, const boundary& edges,
+                         std::size_t subsegment);
 
   bounding_box box_;
   site_index sites_;

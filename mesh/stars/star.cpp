@@ -25,8 +25,8 @@ half half_of(const site_oracle& oracle, vertex_index v, vertex_index first, vert
 
 // How w lies against neighbour u, counter-clockwise from the first: negative before it, zero on
 // its ray, positive after it.
-sign compare_direction(const site_oracle& oracle, vertex_index v, vertex_index first, vertex_index u, half half_of_w,
-                       vertex_index w) {
+sign compare_direction(const site_oracle& oracle, vertex_index v, vertex_index first,
+                       vertex_index u, half half_of_w, vertex_index w) {
   const half half_of_u = half_of(oracle, v, first, u);
   if (half_of_u != half_of_w) return half_of_u < half_of_w ? sign::positive : sign::negative;
   if (half_of_w == half::on_first_ray || half_of_w == half::on_opposite_ray) return sign::zero;
@@ -78,7 +78,8 @@ bool holds_triangle(const site_oracle& oracle, vertex_index v, const sector& s, 
   return oracle.orientation(v, s.neighbours[gap], s.neighbours[s.after(gap)]) == sign::positive;
 }
 
-bool has_triangle(const site_oracle& oracle, vertex_index v, const star& s, vertex_index y, vertex_index x) {
+bool has_triangle(const site_oracle& oracle, vertex_index v, const star& s, vertex_index y,
+                  vertex_index x) {
   for (const sector& part : s.sectors)
     for (std::size_t gap = 0; gap < part.gaps(); ++gap)
       if (part.neighbours[gap] == y && part.neighbours[part.after(gap)] == x)

@@ -4,9 +4,10 @@
 //
 // A site inside the domain has one closed sector, the full turn. A site on the boundary has one
 // open sector per interior angle of the domain at it (more than one where rings touch or internal
-// segments meet); its first and last neighbours are the ends of the two boundary subsegments there. They
-// are *forced*: the boundary is part of every mesh, so no test removes them. At the free end of an
-// internal segment both are the same site: the sector is a full turn, cut open along the subsegment.
+// segments meet); its first and last neighbours are the ends of the two boundary subsegments there.
+// They are *forced*: the boundary is part of every mesh, so no test removes them. At the free end
+// of an internal segment both are the same site: the sector is a full turn, cut open along the
+// subsegment.
 //
 // Two neighbours y, x in a row (counter-clockwise) make the triangle v, y, x when the gap between
 // them is less than 180 degrees, that is orientation(v, y, x) > 0. A wider gap holds no triangle.
@@ -64,6 +65,7 @@ placement locate(const site_oracle& oracle, vertex_index v, const sector& s, ver
 bool holds_triangle(const site_oracle& oracle, vertex_index v, const sector& s, std::size_t gap);
 
 // Whether the star of v has a triangle v, y, x (counter-clockwise).
-bool has_triangle(const site_oracle& oracle, vertex_index v, const star& s, vertex_index y, vertex_index x);
+bool has_triangle(const site_oracle& oracle, vertex_index v, const star& s, vertex_index y,
+                  vertex_index x);
 
 }  // namespace asterism::internal

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "asterism/mesh/numerics/approximate_star.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/stars/star_finality.hpp"
 #include "asterism/mesh/stars/star_insertion.hpp"
-#include "asterism/mesh/numerics/metric_box.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -148,7 +148,8 @@ struct local_star {
   star_extent extent;
 };
 
-plain_star guess_star(const site_oracle& oracle, vertex_index v, const std::vector<vertex_index>& order) {
+plain_star guess_star(const site_oracle& oracle, vertex_index v,
+                      const std::vector<vertex_index>& order) {
   if (!oracle.edges().corners(v).empty()) return {};
   return build_plain_star(oracle.sites(), v, order);
 }
@@ -189,7 +190,8 @@ local_star construct_near(const site_oracle& oracle, vertex_index v) {
 }
 
 // The sites not certainly out of reach that are not among the given ones.
-std::vector<vertex_index> others_in_reach(const site_oracle& oracle, vertex_index v, const local_star& from) {
+std::vector<vertex_index> others_in_reach(const site_oracle& oracle, vertex_index v,
+                                          const local_star& from) {
   std::vector<vertex_index> known = from.among.order, others;
   std::sort(known.begin(), known.end());
   oracle.near()->sites().visit_reach(

@@ -13,9 +13,9 @@
 //
 // With a neighbourhood only the sites near v are looked at, in two steps. Those within about twice
 // the distance of the farthest Voronoi vertex make the star; where plain doubles guess it right
-// (numerics/approximate_star.hpp), that is merely confirmed (stars/star_finality.hpp), against all sites there
-// are if it can be. Then, if asked to be thorough, every site that is not certainly out of reach
-// (site_index.hpp) is offered too.
+// (numerics/approximate_star.hpp), that is merely confirmed (stars/star_finality.hpp), against all
+// sites there are if it can be. Then, if asked to be thorough, every site that is not certainly out
+// of reach (site_index.hpp) is offered too.
 #pragma once
 
 #include <optional>

@@ -33,13 +33,15 @@ void remove_beside(const site_oracle& oracle, vertex_index v, sector& s, std::si
     erase_at(s, next);
 }
 
-void insert_in_gap(const site_oracle& oracle, vertex_index v, sector& s, std::size_t gap, vertex_index w) {
+void insert_in_gap(const site_oracle& oracle, vertex_index v, sector& s, std::size_t gap,
+                   vertex_index w) {
   const std::size_t at = s.neighbours.empty() ? 0 : gap + 1;
   s.neighbours.insert(s.neighbours.begin() + static_cast<std::ptrdiff_t>(at), w);
   remove_beside(oracle, v, s, at);
 }
 
-bool fits_gap(const site_oracle& oracle, vertex_index v, const sector& s, std::size_t gap, vertex_index w) {
+bool fits_gap(const site_oracle& oracle, vertex_index v, const sector& s, std::size_t gap,
+              vertex_index w) {
   if (!s.neighbours.empty() &&
       !accepts(oracle, v, w, s.neighbours[gap], s.neighbours[s.after(gap)]))
     return false;
@@ -63,7 +65,8 @@ bool offer_to_sector(const site_oracle& oracle, vertex_index v, sector& s, verte
 
 }  // namespace
 
-bool accepts(const site_oracle& oracle, vertex_index v, vertex_index w, vertex_index y, vertex_index x) {
+bool accepts(const site_oracle& oracle, vertex_index v, vertex_index w, vertex_index y,
+             vertex_index x) {
   if (y == x || oracle.orientation(v, y, x) != sign::positive) return true;
   if (oracle.orientation(y, x, w) == sign::positive) return true;
   if (oracle.edges().is_subsegment(y, x)) return false;

@@ -9,9 +9,9 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/stars/boundary.hpp"
+#include "asterism/mesh/stars/edge_test_cache.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
 #include "asterism/mesh/stars/star_predicates.hpp"
-#include "asterism/mesh/stars/edge_test_cache.hpp"
 
 namespace asterism::internal {
 

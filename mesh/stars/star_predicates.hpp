@@ -46,7 +46,9 @@ class star_predicates_on final : public star_predicates {
   bool edge_test(const site& v, const site& w, const site& x, const site& y) const override {
     return kernel_->edge_test(v, w, x, y);
   }
-  std::unique_ptr<star_predicates> fork() const override { return std::make_unique<star_predicates_on>(); }
+  std::unique_ptr<star_predicates> fork() const override {
+    return std::make_unique<star_predicates_on>();
+  }
   tier_counters counters() const override {
     tier_counters all = of_forks_;
     if constexpr (requires { kernel_->counters(); }) all += kernel_->counters();

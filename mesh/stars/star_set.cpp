@@ -8,11 +8,11 @@
 #include <numeric>
 #include <utility>
 
-#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/stars/star_finality.hpp"
 #include "asterism/mesh/stars/star_insertion.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
-#include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -22,7 +22,8 @@ constexpr double most_work = 2;
 
 // The stars a new site is offered to. Those it will be a neighbour in are about those it has as
 // neighbours; what a local search misses a thorough one finds (stars/star_construction.hpp).
-std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_index w, const star& own) {
+std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_index w,
+                                          const star& own) {
   std::vector<vertex_index> candidates;
   const neighbourhood* near = oracle.near();
   const double reach = near == nullptr ? std::numeric_limits<double>::infinity()
@@ -46,7 +47,8 @@ std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_inde
 
 // The corner of a boundary star with ends replaced: neighbours that the moved ray leaves
 // outside are dropped, the others keep their places.
-sector with_ends(const site_oracle& oracle, vertex_index v, const sector& old, vertex_index first, vertex_index last) {
+sector with_ends(const site_oracle& oracle, vertex_index v, const sector& old, vertex_index first,
+                 vertex_index last) {
   sector moved{{first, last}, false};  // may be a slit
   for (std::size_t i = 1; i + 1 < old.size(); ++i) {
     const vertex_index u = old.neighbours[i];
@@ -59,9 +61,10 @@ sector with_ends(const site_oracle& oracle, vertex_index v, const sector& old, v
   return moved;
 }
 
-// The subsegment from v to `whole` now ends in `part`. It is at the start of a corner, at the end of
-// one, or both.
-void replace_end(const site_oracle& oracle, vertex_index v, star& at_v, vertex_index whole, vertex_index part) {
+// The subsegment from v to `whole` now ends in `part`. It is at the start of a corner, at the end
+// of one, or both.
+void replace_end(const site_oracle& oracle, vertex_index v, star& at_v, vertex_index whole,
+                 vertex_index part) {
   for (sector& s : at_v.sectors) {
     if (s.closed) continue;
     const bool starts = s.neighbours.front() == whole, ends = s.neighbours.back() == whole;
@@ -104,8 +107,9 @@ std::size_t star_set::stars_missing() const {
 }
 
 // In blocks, between which the work done is looked at: the larger the longer it stays little.
-std::vector<vertex_index> star_set::construct(const site_oracle& oracle, const std::vector<vertex_index>& which,
-                                       star_search search) {
+std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
+                                              const std::vector<vertex_index>& which,
+                                              star_search search) {
   constexpr std::size_t first_block = 256, careful_block = 128;
   constexpr double much = 0.25;
   const bool confirm = search == star_search::thorough && oracle.near() != nullptr;
@@ -178,7 +182,8 @@ void star_set::mark_stale(vertex_index v) {
   final_[v] = {};
 }
 
-void star_set::note_final(vertex_index v, vertex_index against, const std::optional<double>& reach) {
+void star_set::note_final(vertex_index v, vertex_index against,
+                          const std::optional<double>& reach) {
   final_[v] = {};
   if (!reach) return;
   // Within this range the float after one next to the double is no less than it, in any
@@ -203,7 +208,8 @@ site_index star_set::latest_sites(const site_oracle& oracle,
 }
 
 // Whether none of the sites that came since v's star was found to be final is in its reach.
-bool star_set::is_still_final(const site_oracle& oracle, vertex_index v, const site_index& latest) const {
+bool star_set::is_still_final(const site_oracle& oracle, vertex_index v,
+                              const site_index& latest) const {
   const finality& then = final_[v];
   if (then.against == oracle.size()) return true;
   if (then.against == 0 || latest.size() < oracle.size() - then.against) return false;
@@ -257,7 +263,8 @@ void star_set::add_many(const site_oracle& oracle, vertex_index first) {
   construct(oracle, disturbed, star_search::near);
 }
 
-void star_set::split_subsegment(const site_oracle& oracle, vertex_index a, vertex_index m, vertex_index b) {
+void star_set::split_subsegment(const site_oracle& oracle, vertex_index a, vertex_index m,
+                                vertex_index b) {
   touch(a);
   touch(b);
   replace_end(oracle, a, stars_[a], b, m);
@@ -293,7 +300,8 @@ bool star_set::rebuild(const site_oracle& oracle, vertex_index v, star_search se
   return changed;
 }
 
-// The sites whose edges could cross a subsegment just split: rounding moved it by less than a sliver.
+// The sites whose edges could cross a subsegment just split: rounding moved it by less than a
+// sliver.
 void star_set::remove_hidden(const site_oracle& oracle, vertex_index a, vertex_index b) {
   const auto remove = [&](vertex_index v) {
     for (sector& s : stars_[v].sectors)

@@ -4,8 +4,8 @@
 //
 // Adding a site offers it to stars one by one (candidate_stars decides which) and marks those that
 // changed as *stale*: they were changed in the order of insertion and may not be settled
-// (stars/star_construction.hpp). A star that is not stale is settled, because it refused every site that
-// came after its construction. rebuild() makes a stale star anew.
+// (stars/star_construction.hpp). A star that is not stale is settled, because it refused every site
+// that came after its construction. rebuild() makes a stale star anew.
 #pragma once
 
 #include <cstddef>
@@ -55,16 +55,17 @@ class star_set {
   // The sites from `first` on are new, none of them on the boundary: their stars, and those of the
   // sites they disturb, are made anew, in parallel.
   void add_many(const site_oracle& oracle, vertex_index first);
-  // The oracle's last site m has just split the subsegment a -> b of the boundary, which already knows,
-  // and its twin if there is one.
+  // The oracle's last site m has just split the subsegment a -> b of the boundary, which already
+  // knows, and its twin if there is one.
   void split_subsegment(const site_oracle& oracle, vertex_index a, vertex_index m, vertex_index b);
   // Constructs the star of v anew. Returns whether there is anything new to know of it: its
   // neighbours changed, or it did not settle.
-  bool rebuild(const site_oracle& oracle, vertex_index v, star_search search = star_search::thorough);
+  bool rebuild(const site_oracle& oracle, vertex_index v,
+               star_search search = star_search::thorough);
   // The same for each of `which`, in parallel: those of which there is anything new to know, in
   // their order. No index twice.
-  std::vector<vertex_index> construct(const site_oracle& oracle, const std::vector<vertex_index>& which,
-                               star_search search);
+  std::vector<vertex_index> construct(const site_oracle& oracle,
+                                      const std::vector<vertex_index>& which, star_search search);
 
   // The stars changed since this was last asked, and those they had as neighbours: whatever was
   // known of a triangle at one of these sites is to be looked at again. May hold an index twice.
@@ -85,9 +86,9 @@ class star_set {
   };
 
   double part_of_work_bound(const site_oracle& oracle) const;
-  std::vector<made_star> construct_block(const site_oracle& oracle, std::span<const vertex_index> which,
-                                         star_search search, const site_index* latest,
-                                         std::size_t in_all);
+  std::vector<made_star> construct_block(const site_oracle& oracle,
+                                         std::span<const vertex_index> which, star_search search,
+                                         const site_index* latest, std::size_t in_all);
   void remove_hidden(const site_oracle& oracle, vertex_index a, vertex_index b);
   bool is_news(vertex_index v, const constructed_star& built) const;
   void mark_stale(vertex_index v);

@@ -18,7 +18,8 @@ bool strictly_between(const point& p, const point& q, const point& r) {
          (lexicographically_less(r, q) && lexicographically_less(q, p));
 }
 
-bool on_open_segment(const star_predicates& kernel, const point& p, const point& q, const point& at) {
+bool on_open_segment(const star_predicates& kernel, const point& p, const point& q,
+                     const point& at) {
   return strictly_between(p, at, q) && kernel.orientation(p, q, at) == sign::zero;
 }
 
@@ -30,20 +31,22 @@ bool properly_cross(const star_predicates& kernel, const point& p, const point& 
   return kernel.orientation(r, s, p) * kernel.orientation(r, s, q) == sign::negative;
 }
 
-bool sees(const boundary& b, const std::vector<site>& sites, const star_predicates& kernel, vertex_index v,
-          vertex_index w, const neighbourhood* near) {
+bool sees(const boundary& b, const std::vector<site>& sites, const star_predicates& kernel,
+          vertex_index v, vertex_index w, const neighbourhood* near) {
   const point &p = sites[v].position, &q = sites[w].position;
   const auto lets_through = [&](const boundary_edge& subsegment) {
     const point &r = sites[subsegment.a].position, &s = sites[subsegment.b].position;
     if (boxes_apart(p, q, r, s)) return true;
     // Every boundary vertex starts a subsegment, so looking at the starts looks at all of them.
     if (subsegment.a != v && subsegment.a != w && on_open_segment(kernel, p, q, r)) return false;
-    const bool shares_end = subsegment.a == v || subsegment.a == w || subsegment.b == v || subsegment.b == w;
+    const bool shares_end =
+        subsegment.a == v || subsegment.a == w || subsegment.b == v || subsegment.b == w;
     return shares_end || !properly_cross(kernel, p, q, r, s);
   };
-  if (near == nullptr) return std::all_of(b.subsegments().begin(), b.subsegments().end(), lets_through);
-  return near->subsegments().visit(box_of(p, q),
-                              [&](std::uint32_t i) { return lets_through(b.subsegments()[i]); });
+  if (near == nullptr)
+    return std::all_of(b.subsegments().begin(), b.subsegments().end(), lets_through);
+  return near->subsegments().visit(
+      box_of(p, q), [&](std::uint32_t i) { return lets_through(b.subsegments()[i]); });
 }
 
 }  // namespace asterism::internal

@@ -12,14 +12,14 @@
 
 namespace asterism::internal {
 
-// Whether the open segment between sites v and w stays off the boundary: it crosses no subsegment and
-// passes through no boundary vertex. (A segment through a boundary vertex could never be an edge
-// of a mesh that has that vertex, whichever side it continues on.)
-// Requires w to lie strictly inside one of v's corners when v is on the boundary: what happens at
-// v itself is the star's own affair. Exact; linear in the number of subsegments, or of those near the
-// segment when there is a neighbourhood.
-bool sees(const boundary& b, const std::vector<site>& sites, const star_predicates& kernel, vertex_index v,
-          vertex_index w, const neighbourhood* near = nullptr);
+// Whether the open segment between sites v and w stays off the boundary: it crosses no subsegment
+// and passes through no boundary vertex. (A segment through a boundary vertex could never be an
+// edge of a mesh that has that vertex, whichever side it continues on.) Requires w to lie strictly
+// inside one of v's corners when v is on the boundary: what happens at v itself is the star's own
+// affair. Exact; linear in the number of subsegments, or of those near the segment when there is a
+// neighbourhood.
+bool sees(const boundary& b, const std::vector<site>& sites, const star_predicates& kernel,
+          vertex_index v, vertex_index w, const neighbourhood* near = nullptr);
 
 // Whether the open segments p q and r s cross in one point interior to both. Exact.
 bool properly_cross(const star_predicates& kernel, const point& p, const point& q, const point& r,
@@ -29,6 +29,7 @@ bool properly_cross(const star_predicates& kernel, const point& p, const point& 
 bool strictly_between(const point& p, const point& q, const point& r);
 
 // Whether `at` lies on the segment p q and is no end of it. Exact.
-bool on_open_segment(const star_predicates& kernel, const point& p, const point& q, const point& at);
+bool on_open_segment(const star_predicates& kernel, const point& p, const point& q,
+                     const point& at);
 
 }  // namespace asterism::internal

@@ -14,7 +14,9 @@
 #endif
 
 namespace asterism::abuse {
+#ifndef __FAST_MATH__
 using namespace internal;
+#endif
 
 namespace {
 

@@ -9,7 +9,7 @@ import sources
 
 def documents(top):
     found = list(top.glob("*.md"))
-    for folder in sources.LAYERS + ["docs", "bench", "tests", "examples"]:
+    for folder in sources.FOLDERS + ["docs", "bench", "tests", "examples"]:
         found += (top / folder).rglob("*.md")
     return sorted(found)
 

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Each folder includes only folders before it in LAYERS; and what certifies, writes or draws a mesh
-reaches, through any chain of includes, nothing of what makes one."""
+"""Each folder includes only itself and folders before it in sources.LAYERS; and the auditor only its
+whitelist, through any chain of includes: it must not share code with what it judges."""
 import sources
 
-# The auditor must not share code with what it judges.
-MAKING = ("mesh/star", "mesh/consistency", "mesh/refine", "mesh/boundary", "mesh/constructions",
-          "mesh/visibility", "mesh/mesher", "mesh/corner", "mesh/candidate")
-JUDGING = ("mesh/audit", "mesh/certificate", "mesh/io/", "mesh/draw/")
+AUDITOR = "mesh/audit"
+AUDITOR_MAY_USE = ("core", "predicates", "kernels", "mesh/support", "mesh/data", AUDITOR)
 
 
 def project_includes(top, path):
@@ -18,14 +16,21 @@ def project_includes(top, path):
             yield (path.parent / name).as_posix()
 
 
+def folder_of(name):
+    return name.rsplit("/", 1)[0]
+
+
 def layer_problems(top, path):
-    own = sources.LAYERS.index(path.parts[0])
+    own = folder_of(path.as_posix())
+    if own not in sources.LAYERS:
+        yield f"{path}: the folder {own} is not in the list of layers"
+        return
     for name in project_includes(top, path):
-        layer = name.split("/")[0]
+        layer = folder_of(name)
         if not (top / name).is_file():
             yield f"{path}: includes {name}, which does not exist"
-        elif layer not in sources.LAYERS or sources.LAYERS.index(layer) > own:
-            yield f"{path}: {path.parts[0]}/ must not include {name}"
+        elif layer not in sources.LAYERS or sources.LAYERS.index(layer) > sources.LAYERS.index(own):
+            yield f"{path}: {own}/ must not include {name}"
 
 
 def reached_problems(top, path):
@@ -36,17 +41,19 @@ def reached_problems(top, path):
             if name in seen or not (top / name).is_file():
                 continue
             seen[name] = f"{chain} -> {name}"
-            if name.startswith(MAKING):
-                yield f"{path}: must not know how meshes are made: {seen[name]}"
+            if folder_of(name) not in AUDITOR_MAY_USE:
+                yield f"{path}: the auditor may not use {seen[name]}"
             waiting.append((type(path)(name), seen[name]))
 
 
 def main():
     top = sources.root()
-    paths = sources.files(top, sources.LAYERS, sources.CODE)
+    paths = sources.files(top, sources.FOLDERS, sources.CODE)
     problems = [p for path in paths for p in layer_problems(top, path)]
-    judging = [p for p in paths if p.as_posix().startswith(JUDGING)]
-    problems += [p for path in judging for p in reached_problems(top, path)]
+    auditor = [p for p in paths if folder_of(p.as_posix()) == AUDITOR]
+    problems += [p for path in auditor for p in reached_problems(top, path)]
+    if not auditor:
+        problems.append(f"no file in {AUDITOR}")
     sources.finish(problems, len(paths))
 
 

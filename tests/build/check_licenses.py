@@ -8,7 +8,7 @@ import sys
 import sources
 
 OWN = "SPDX-License-Identifier: MIT"
-FOLDERS = sources.LAYERS + ["tests", "bench", "examples", "scripts", "docs"]
+FOLDERS = sources.FOLDERS + ["tests", "bench", "examples", "scripts", "docs"]
 ALLOWED = ("LGPL-", "MIT", "BSL-1.0", "BSD-")
 
 
@@ -44,7 +44,7 @@ def cgal_problems(top, paths, system):
 def main():
     top = sources.root()
     system = sys.argv[2:] or ["/usr/include", "/usr/local/include"]
-    paths = sources.files(top, sources.LAYERS, sources.CODE)
+    paths = sources.files(top, sources.FOLDERS, sources.CODE)
     problems = list(own_licence_problems(top)) + list(cgal_problems(top, paths, system))
     sources.finish(problems, len(paths))
 

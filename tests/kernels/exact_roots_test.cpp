@@ -6,7 +6,7 @@
 
 using namespace asterism;
 using namespace asterism::internal;
-using namespace asterism::exact;
+using namespace asterism::internal::exact;
 
 namespace {
 

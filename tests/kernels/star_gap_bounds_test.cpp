@@ -14,7 +14,7 @@
 
 using namespace asterism;
 using namespace asterism::internal;
-using namespace asterism::star_gap_detail;
+using namespace asterism::internal::star_gap_detail;
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "asterism/mesh/pipeline/measured_claims.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
+#include "asterism/mesh/pipeline/measured_claims.hpp"
 #include "fixtures/audit_meshes.hpp"
 
 using namespace asterism;

@@ -83,7 +83,8 @@ TEST_CASE("meshes with internal edges are certified") {
 
 TEST_CASE("a lost internal edge is found") {
   for (patch p : {divided_patch(), slit_patch()}) {
-    p.m.boundary.erase(p.m.boundary.begin() + static_cast<std::ptrdiff_t>(internal_subsegment(p, 1)));
+    p.m.boundary.erase(p.m.boundary.begin() +
+                       static_cast<std::ptrdiff_t>(internal_subsegment(p, 1)));
     const audit_report report = audited(p);
     CHECK_FALSE(report.certified);
     CHECK(found(report, finding_kind::segment_not_covered));

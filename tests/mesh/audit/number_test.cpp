@@ -13,7 +13,7 @@
 
 #include "../abuse/caller_environment.hpp"
 
-namespace asterism::audit_detail {
+namespace asterism::internal::audit_detail {
 using namespace internal;
 namespace {
 
@@ -160,4 +160,4 @@ TEST_CASE("what the auditor charges an operation pays for its bound's own roundi
   CHECK((1 + 16 * charged) * std::pow(1 - eps, 7 + 3) >= 1);
 }
 
-}  // namespace asterism::audit_detail
+}  // namespace asterism::internal::audit_detail

@@ -309,7 +309,8 @@ TEST_CASE("a middle direction along which a neighbour is never met bounds no rea
   const std::vector<site> alone = {w};
   const double reach = audit_detail::star_gap_filter(v, x, y).reach();
   bool found = false;
-  audit_detail::site_tree(alone).visit_near(v, reach, [&](asterism::vertex_index) { found = true; });
+  audit_detail::site_tree(alone).visit_near(v, reach,
+                                            [&](asterism::vertex_index) { found = true; });
   CHECK(found);
 }
 
@@ -342,7 +343,8 @@ TEST_CASE("the quick exclusions, one by one and by distance, are never wrong") {
     const star_gap prepared(v, x, y);
     const double reach = std::fmax(prepared.reach_radius(), prepared.longest());
     bool beyond = true;
-    audit_detail::site_tree(alone).visit_near(v, reach, [&](asterism::vertex_index) { beyond = false; });
+    audit_detail::site_tree(alone).visit_near(v, reach,
+                                              [&](asterism::vertex_index) { beyond = false; });
     CAPTURE(i);
     REQUIRE_FALSE((accepts && beyond));
     REQUIRE_FALSE((accepts && excludes));

@@ -15,18 +15,18 @@
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/voronoi_arc.hpp"
 #include "asterism/mesh/audit/voronoi_exact.hpp"
-#include "asterism/mesh/domain/check_domain.hpp"
-#include "asterism/mesh/domain/built_in_domains.hpp"
-#include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
 #include "fixtures/audit_meshes.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
 using namespace asterism::test;
-using namespace asterism::audit_detail;
+using namespace asterism::internal::audit_detail;
 using Catch::Contains;
 
 namespace {

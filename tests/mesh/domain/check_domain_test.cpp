@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "asterism/mesh/domain/point_in_domain.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
+#include "asterism/mesh/domain/point_in_domain.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;

@@ -89,7 +89,8 @@ TEST_CASE("a chain may end alone inside the domain, not outside and not in a hol
   domain sticking_out = square();
   add_chain(sticking_out, {{1, 0}, {2, 0}});
   CHECK(refusal(sticking_out) ==
-        "the boundary is not closed: it ends at vertex 6 (2, 0), the end of segment 5 (vertices "
+        "square: the boundary is not closed: it ends at vertex 6 (2, 0), the end of segment 5 "
+        "(vertices "
         "5-6) alone, and comes from vertex 5 (1, 0)");
   domain beside = square();
   add_chain(beside, {{2, 0}, {3, 0}});
@@ -120,7 +121,7 @@ TEST_CASE("crossing segments inside the domain are refused like any others") {
   domain d = square();
   d.segments.push_back({0, 2, 0});
   d.segments.push_back({1, 3, 0});
-  CHECK(refusal(d) == "segment 6 (vertices 2-4) crosses segment 5 (vertices 1-3)");
+  CHECK(refusal(d) == "square: segment 6 (vertices 2-4) crosses segment 5 (vertices 1-3)");
 }
 
 TEST_CASE("regions get the numbers of the points in them") {

@@ -30,7 +30,8 @@ inline mesh sample_mesh(vertex_index n) {
     number[{i, j}] = static_cast<vertex_index>(m.sites.size());
     m.sites.push_back({p, {1 + 12 * p.x * p.x, 12 * p.x * p.y, 1 + 12 * p.y * p.y}});
   };
-  for (const auto& [i, j] : {std::pair{vertex_index{0}, vertex_index{0}}, {n, 0}, {n, n}, {0, n}}) add(i, j);
+  for (const auto& [i, j] : {std::pair{vertex_index{0}, vertex_index{0}}, {n, 0}, {n, n}, {0, n}})
+    add(i, j);
   m.given = 4;
   for (vertex_index j = 0; j <= n; ++j)
     for (vertex_index i = 0; i <= n; ++i) add(i, j);

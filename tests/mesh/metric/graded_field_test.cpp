@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;

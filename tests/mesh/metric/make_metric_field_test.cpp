@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <thread>
 #include <vector>
+
+#include "asterism/mesh/data/metric_field.hpp"
 
 using namespace asterism;
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/mesh/numerics/constructions.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/real_roots.hpp"
-#include "asterism/mesh/refine/poisson_darts.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/refine/poisson_darts.hpp"
 #include "fixtures/star_fixture.hpp"
 
 using namespace asterism;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // Statistics of meshes whose numbers are known.
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <utility>
 
-#include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "fixtures/audit_meshes.hpp"
 
 using namespace asterism;
-using namespace asterism::internal;
 using asterism::test::make_mesh_of;
 using asterism::test::small_generator;
 

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "asterism/mesh/audit/audit.hpp"
-#include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/unit_frame.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "fixtures/domain_kinds.hpp"
 
 using namespace asterism;

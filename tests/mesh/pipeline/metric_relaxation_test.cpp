@@ -20,8 +20,7 @@ using namespace asterism::testing;
 
 namespace {
 
-mesh_outcome mesh_of(const domain& d, const metric_field& field,
-                           const mesh_options& options) {
+mesh_outcome mesh_of(const domain& d, const metric_field& field, const mesh_options& options) {
   auto made = make_mesh(d, field, options);
   REQUIRE(made.ok());
   return std::move(made).value();

@@ -11,10 +11,10 @@
 #include <set>
 
 #include "asterism/mesh/audit/audit.hpp"
-#include "asterism/mesh/refine/coarsening_proposal.hpp"
-#include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/refine/coarsening_proposal.hpp"
 #include "fixtures/audit_meshes.hpp"
 #include "fixtures/domain_kinds.hpp"
 
@@ -32,8 +32,7 @@ formula_field sized(const formula_field& field, double size) {
   });
 }
 
-mesh_outcome mesh_of(const domain& d, const metric_field& field,
-                           const mesh_options& options) {
+mesh_outcome mesh_of(const domain& d, const metric_field& field, const mesh_options& options) {
   auto made = make_mesh(d, field, options);
   REQUIRE(made.ok());
   return std::move(made).value();
@@ -139,8 +138,7 @@ TEST_CASE("improvement: a site that is given stays, however crowded") {
 }
 
 TEST_CASE("improvement: no two sites with a common edge are removed, nor any on the boundary") {
-  const mesh_outcome made =
-      mesh_of(square(), sized(swirl_field(12), 0.15), with_passes(0, true));
+  const mesh_outcome made = mesh_of(square(), sized(swirl_field(12), 0.15), with_passes(0, true));
   improvement_goal goal = modest_goal();
   goal.largest_radius = std::numeric_limits<double>::infinity();
   const improvement_proposal proposal =
@@ -201,8 +199,7 @@ TEST_CASE("improvement: the same mesh with one thread and with two") {
 }
 
 TEST_CASE("improvement: scaled by powers of two the same sites go") {
-  const mesh_outcome plain =
-      mesh_of(accepted(square()), swirl_field(12), with_passes(3, false));
+  const mesh_outcome plain = mesh_of(accepted(square()), swirl_field(12), with_passes(3, false));
   for (const double scale : {0x1p-400, 0x1p400}) {
     domain d = square();
     for (point& q : d.vertices) q = {scale * q.x, scale * q.y};

@@ -22,8 +22,7 @@ using namespace asterism::testing;
 
 namespace {
 
-mesh_outcome mesh_of(const domain& d, const metric_field& field,
-                           const mesh_options& options) {
+mesh_outcome mesh_of(const domain& d, const metric_field& field, const mesh_options& options) {
   auto made = make_mesh(d, field, options);
   REQUIRE(made.ok());
   return std::move(made).value();
@@ -235,8 +234,7 @@ TEST_CASE("guaranteed: a domain far thinner than its units are apart ends by cou
 TEST_CASE("guaranteed: stars that were never made are counted where a run is stopped") {
   mesh_options options = with_size(true);
   options.stop = [] { return std::optional<std::string>("at once"); };
-  const mesh_outcome made =
-      mesh_of(accepted(square()), sized(identity_field(), 0.1), options);
+  const mesh_outcome made = mesh_of(accepted(square()), sized(identity_field(), 0.1), options);
   INFO(made.reason);
   CHECK(made.stopped);
   CHECK(made.stars_missing == made.sites);
@@ -324,8 +322,7 @@ TEST_CASE("guaranteed: a size that takes 4e14 triangles ends soon, and says so")
   mesh_options options = with_size(true);
   options.max_sites = 5000;
   for (const double size : {1e-7, 1e-30, 1e-100}) {
-    const mesh_outcome made =
-        mesh_of(accepted(square()), sized(identity_field(), size), options);
+    const mesh_outcome made = mesh_of(accepted(square()), sized(identity_field(), size), options);
     INFO(made.reason);
     CHECK_FALSE(made.complete);
     CHECK(made.sites <= options.max_sites);
@@ -384,8 +381,7 @@ TEST_CASE(
   add_chain(d, {{0.4, 0.1}, {0, 0.30000000000000004}});
   d.vertices.push_back({0.30000000000000004, 0.3000000000000001});
   d.vertices.push_back({0.20000000000000004, 0.2});
-  const mesh_outcome made =
-      mesh_of(accepted(d), sized(identity_field(), 0.1), with_size(true));
+  const mesh_outcome made = mesh_of(accepted(d), sized(identity_field(), 0.1), with_size(true));
   INFO(made.reason);
   CHECK(made.tolerance > 0x1p-70);
   CHECK(made.disagreeing == 0);

@@ -15,8 +15,7 @@ using namespace asterism::testing;
 
 namespace {
 
-mesh_outcome mesh_of(const domain& d, const metric_field& field,
-                           const mesh_options& options) {
+mesh_outcome mesh_of(const domain& d, const metric_field& field, const mesh_options& options) {
   auto made = make_mesh(d, field, options);
   REQUIRE(made.ok());
   return std::move(made).value();
@@ -294,11 +293,11 @@ TEST_CASE("options out of range are refused, and so is a field that fails") {
 TEST_CASE("progress is reported and its last word is the outcome's") {
   mesh_progress last;
   std::size_t calls = 0;
-  const auto made = make_mesh(square_with_points(1), swirl_field(3), with_bound(20),
-                              [&](const mesh_progress& p) {
-                                last = p;
-                                ++calls;
-                              });
+  const auto made =
+      make_mesh(square_with_points(1), swirl_field(3), with_bound(20), [&](const mesh_progress& p) {
+        last = p;
+        ++calls;
+      });
   REQUIRE(made.ok());
   CHECK(calls > 1);
   CHECK(last.sites == made.value().sites);

@@ -27,7 +27,9 @@ domain square_around(const point& centre) {
   return d;
 }
 
-void add_segment(domain& d, vertex_index a, vertex_index b) { d.segments.push_back({a, b, 5, true}); }
+void add_segment(domain& d, vertex_index a, vertex_index b) {
+  d.segments.push_back({a, b, 5, true});
+}
 
 vertex_index add_vertex(domain& d, const point& q) {
   d.vertices.push_back(q);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The indices of what is near, held against a scan of everything.
+#include "asterism/mesh/search/site_index.hpp"
+
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -13,7 +15,6 @@
 #include "asterism/mesh/search/box_index.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
-#include "asterism/mesh/search/site_index.hpp"
 #include "fixtures/audit_meshes.hpp"
 
 using namespace asterism;
@@ -205,7 +206,8 @@ TEST_CASE("an index narrows its answers, and stops when told to") {
   for (const site& s : c.sites) round.push_back({s.position, {1, 0, 1}});
   const site_index even = index_of(round, box_of_all(round));
   std::size_t near = 0, all = 0;
-  for (const site& v : round) even.visit_reach(round, v, 0.1, [&](vertex_index) { return ++near > 0; });
+  for (const site& v : round)
+    even.visit_reach(round, v, 0.1, [&](vertex_index) { return ++near > 0; });
   for (const site& v : round)
     even.visit_reach(round, v, INFINITY, [&](vertex_index) { return ++all > 0; });
   CHECK(all == round.size() * round.size());

@@ -31,7 +31,8 @@ consistency_report check(std::vector<star> stars, const std::vector<vertex_index
   return check_consistency(setting.oracle(), star_set(std::move(stars), unsettled));
 }
 
-bool has_defect(const consistency_report& report, defect_kind kind, vertex_index owner, vertex_index other) {
+bool has_defect(const consistency_report& report, defect_kind kind, vertex_index owner,
+                vertex_index other) {
   return std::any_of(report.defects.begin(), report.defects.end(), [&](const defect& d) {
     return d.kind == kind && d.owner == owner && d.other == other;
   });

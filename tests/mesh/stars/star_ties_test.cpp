@@ -3,8 +3,8 @@
 // Exactly cocircular sites: ties are broken alike in every star, so the stars agree as they are.
 #include <catch2/catch.hpp>
 
-#include "asterism/mesh/stars/consistency.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/stars/consistency.hpp"
 #include "fixtures/star_fixture.hpp"
 
 using namespace asterism;

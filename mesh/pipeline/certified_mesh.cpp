@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/certified_mesh.hpp"
+
+#include <utility>
+
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
+#include "asterism/mesh/pipeline/make_mesh.hpp"
+
+namespace asterism {
+namespace {
+
+audit_options questions_for(const mesh_outcome& outcome, const domain& d,
+                            const mesh_options& options) {
+  audit_options asked;
+  asked.angle_bound = options.angle_bound;
+  asked.original = &d;
+  for (const exempt_corner& corner : outcome.exempt) asked.exempt_corners.push_back(corner.vertex);
+  // Whoever interrupts a run does not want to wait for the stars of a mesh that is not finished.
+  asked.check_stars = !outcome.stopped;
+  asked.check_voronoi = options.prove_voronoi && !outcome.stopped;
+  return asked;
+}
+
+}  // namespace
+
+certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_options& options) {
+  const audit_options asked = questions_for(outcome, d, options);
+  certified_mesh judged;
+  judged.report = audit(outcome.result, asked);
+  if (options.prove_voronoi && outcome.stopped)
+    judged.report.voronoi = voronoi_verdict::not_reached;
+  certificate& claim = judged.claim;
+  claim = make_certificate(outcome.result, asked, judged.report);
+  claim.complete = outcome.complete;
+  claim.reason = outcome.reason;
+  claim.mesher_counters = outcome.counters;
+  claim.star_repairs = outcome.star_repairs;
+  claim.relaxed = outcome.relaxed;
+  claim.measured = by_name(measure(outcome.result));
+  judged.outcome = std::move(outcome);
+  return judged;
+}
+
+result<certified_mesh> make_certified_mesh(
+    const domain& d, const metric_field& field, const mesh_options& options,
+    const std::function<void(const mesh_progress&)>& progress) {
+  auto made = make_mesh(d, field, options, progress);
+  if (!made) return made.failure();
+  if (progress) progress({.phase = mesh_phase::auditing, .sites = made.value().sites});
+  return judge_outcome(std::move(made).value(), d, options);
+}
+
+}  // namespace asterism
