@@ -3,6 +3,7 @@
 
 #include <concepts>
 
+#include "asterism/kernels/direction_cover.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
@@ -69,6 +70,11 @@ uncertain_bool ask_gaps(const site& v, const site& w, const site& x, const site&
   const uncertain_bool by_v = ask_gap(v, w, x, y);
   return by_v.certain() ? by_v : ask_gap(w, v, x, y);
 }
+// Certain only of a refusal: no direction is left in which both may see a point that is theirs.
+uncertain_bool ask_directions(const site& v, const site& w, const site& x, const site& y) {
+  const bool refused = no_direction_is_left(v, w, x, y) || no_direction_is_left(w, v, x, y);
+  return refused ? uncertain_bool(false) : uncertain_bool();
+}
 
 }  // namespace
 
@@ -121,7 +127,10 @@ bool filtered_kernel::insertion_test(const site& v, const site& w, const site& x
                   &interval_kernel::insertion_test, &exact_kernel::insertion_test>(
         counters_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
   const auto ask = [&](const auto& kernel) { return kernel.insertion_test(v, w, x, y); };
-  return decide_slowly(counters_, predicate::insertion_test, ask, v, w, x, y);
+  const uncertain_bool quick = ask_directions(v, w, x, y);
+  if (!quick.certain()) return decide_slowly(counters_, predicate::insertion_test, ask, v, w, x, y);
+  ++counters_.at(predicate::insertion_test, tier::semi_static);
+  return quick.value();
 }
 
 bool filtered_kernel::edge_test(const site& v, const site& w, const site& x, const site& y) const {
@@ -130,10 +139,11 @@ bool filtered_kernel::edge_test(const site& v, const site& w, const site& x, con
                   &interval_kernel::edge_test, &exact_kernel::edge_test>(
         counters_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
   const auto ask = [&](const auto& kernel) { return kernel.edge_test(v, w, x, y); };
-  const uncertain_bool by_gap = ask_gaps(v, w, x, y);
-  if (!by_gap.certain()) return decide_slowly(counters_, predicate::edge_test, ask, v, w, x, y);
+  uncertain_bool quick = ask_gaps(v, w, x, y);
+  if (!quick.certain()) quick = ask_directions(v, w, x, y);
+  if (!quick.certain()) return decide_slowly(counters_, predicate::edge_test, ask, v, w, x, y);
   ++counters_.at(predicate::edge_test, tier::semi_static);
-  return by_gap.value();
+  return quick.value();
 }
 
 }  // namespace asterism

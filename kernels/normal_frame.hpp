@@ -91,8 +91,10 @@ class normal_frame {
   // In these ranges no product of four lengths and four tensor entries overflows or loses to
   // underflow more than rho allows.
   static bool in_range(const framed_site& f) {
-    return within(f.extent, 0x1p180) && within(f.trace, 0x1p6) && f.metric.m11 >= 0x1p-40;
+    return within(f.extent, most_length) && within(f.trace, most_trace) && f.metric.m11 >= 0x1p-40;
   }
+  // Metrics of neighbours that are stretched by up to 4096 in directions of their own are in range.
+  static constexpr double most_length = 0x1p160, most_trace = 0x1p24;
   static bool within(double x, double most) { return x <= most && x * most >= 1; }
 
   point original(const displacement<double>& u) const {

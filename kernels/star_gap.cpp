@@ -50,7 +50,7 @@ star_gap::star_gap(const site& v, const site& y, const site& x) : frame_(v) {
   if (!has_vertex_) aim_between();
   u_squared_ = dot(u_, u_);
   u_extent_ = extent_of(u_);
-  if (!normal_frame::within(u_extent_, 0x1p180)) return;
+  if (!normal_frame::within(u_extent_, normal_frame::most_length)) return;
   can_accept_ = enclose_meeting(x_) && enclose_meeting(y_);
   if (!can_accept_) return;
   lowest_ = x_.lowest < y_.lowest ? x_.lowest : y_.lowest;
@@ -58,10 +58,6 @@ star_gap::star_gap(const site& v, const site& y, const site& x) : frame_(v) {
   can_refuse_ = lowest_ > 0 &&
                 dot(u_, x_.site.offset) > tolerance_ * (u_extent_ * x_.site.extent) &&
                 dot(u_, y_.site.offset) > tolerance_ * (u_extent_ * y_.site.extent);
-  if (!can_refuse_) return;
-  reach_ = std::sqrt(u_squared_) / lowest_;
-  longest_ =
-      std::sqrt(greater(dot(x_.site.offset, x_.site.offset), dot(y_.site.offset, y_.site.offset)));
 }
 
 // Newton's method for f_v - f_z = u.(I - N)u + 2 u.N d - C at z = x, y, from the centre of the
@@ -94,7 +90,7 @@ bool star_gap::find_vertex() {
       u_ = u;
       return dot(u, x_.site.offset) > 0 && dot(u, y_.site.offset) > 0;
     }
-    if (!(size <= 0x1p180)) return false;
+    if (!(size <= normal_frame::most_length)) return false;
   }
   return false;
 }
@@ -157,6 +153,7 @@ bool star_gap::bound_below(neighbour& z, double discriminant, double inverse_roo
   z.slope = inverse_c * z.dual;
   z.slope_magnitude = 2 * trace * extent * inverse_c;
   if (!convex) {
+    if (!(rho * (trace * trace) <= 2 * ingredient_ * z.site.determinant)) return false;
     const double inverse_square = 1 / dot(d, d);
     z.bend = (1 + tolerance_) * greater(z.site.determinant * inverse_c, inverse_square);
     return true;
@@ -164,6 +161,7 @@ bool star_gap::bound_below(neighbour& z, double discriminant, double inverse_roo
   if (!(discriminant_depth * rho * discriminant_magnitude(extent, trace, u_extent_) <=
         ingredient_ * discriminant))
     return false;
+  z.inverse_root = inverse_root;
   const double bend = z.site.determinant * inverse_c, turned = cross(u_, d);
   z.slope.x += inverse_root * (u_.x - bend * turned * d.y);
   z.slope.y += inverse_root * (u_.y + bend * turned * d.x);
@@ -172,14 +170,28 @@ bool star_gap::bound_below(neighbour& z, double discriminant, double inverse_roo
   return true;
 }
 
-double star_gap::reach_radius() const {
-  if (!can_refuse_) return std::numeric_limits<double>::infinity();
-  return std::sqrt(frame_.scale()) * reach_ * (1 + 0x1p-40);
+// At least |z|/b(z) and |z|/2, b the bound from below: how far the bisector is on the edge to z at
+// most, and half the edge. |z| is known to within 2 rho of itself, C and the discriminant to within
+// an ingredient, u . z to within its tolerance.
+double star_gap::reach_along_edge(const neighbour& z) const {
+  const double length = std::sqrt(dot(z.site.offset, z.site.offset));
+  const double above_one =
+      z.bend > 0
+          ? length / std::sqrt(z.c)
+          : z.inverse_root * (dot(u_, z.site.offset) - tolerance_ * (u_extent_ * z.site.extent));
+  const double share = 1 / (1 + (1 - tolerance_) * above_one);
+  return (1 + tolerance_) * length * greater(share, 0.5);
 }
 
-double star_gap::longest() const {
+// R of the lemma, in the frame. Requires can_refuse_.
+double star_gap::reach_in_frame() const {
+  const double along_edges = greater(reach_along_edge(x_), reach_along_edge(y_));
+  return greater(std::sqrt(u_squared_) / lowest_, along_edges);
+}
+
+double star_gap::reach() const {
   if (!can_refuse_) return std::numeric_limits<double>::infinity();
-  return std::sqrt(frame_.scale()) * longest_ * (1 + 0x1p-20);
+  return std::sqrt(frame_.scale()) * reach_in_frame() * (1 + 0x1p-40);
 }
 
 struct star_gap::candidate {
@@ -287,7 +299,7 @@ bool star_gap::far_away(const framed_site& w) const {
       (half + std::sqrt(greater(half * half - determinant, 0))) / determinant;
   const double sigma = std::sqrt(greater(sigma_squared, 1));
   const double length = (1 - tolerance_) * std::sqrt(dot(w.offset, w.offset));
-  return length > (1 + sigma) * greater(reach_, longest_);
+  return length > (1 + sigma) * ((1 + 0x1p-40) * reach_in_frame());
 }
 
 // Is there no good point in any direction within a right angle of w? `at_lowest` bounds the ray

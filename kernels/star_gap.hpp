@@ -40,11 +40,10 @@ class star_gap {
   point vertex() const { return frame_.original(u_); }
   double vertex_distance_squared() const { return frame_.scale() * u_squared_; }  // f_v there
 
-  // Upper bounds in v's metric, infinite when not known, for lemma 4.3 of docs/math/certificate.md:
-  // with |w|_v above 1 + sigma times the greater of them, sigma^2 the largest eigenvalue of
-  // M_w^-1 M_v or 1 if that is more, no w is accepted.
-  double reach_radius() const;
-  double longest() const;
+  // Returns R of lemma 4.3 of docs/math/certificate.md, in v's metric and infinite when not known:
+  // with |w|_v above (1 + sigma) R, sigma^2 the largest eigenvalue of M_w^-1 M_v or 1 if that is
+  // more, no w is accepted.
+  double reach() const;
 
  private:
   // x or y as seen from v.
@@ -59,6 +58,8 @@ class star_gap {
     // Away from u that bound is at least slope . direction where |u|^2 >= bend (u x d)^2.
     displacement<double> slope;
     double slope_magnitude = 0, bend = 0;
+    // Of the ray equation's discriminant, where the bound is the tangent at u (bend is 0).
+    double inverse_root = 0;
   };
   struct candidate;
   struct upper_bound;
@@ -80,6 +81,8 @@ class star_gap {
   uncertain_bool witness(const candidate& w) const;
   bool allows(const neighbour& z, double turn, const candidate& w, double s, double side) const;
   std::optional<upper_bound> bound_above(const candidate& w) const;
+  double reach_along_edge(const neighbour& z) const;
+  double reach_in_frame() const;
   bool far_away(const star_gap_detail::framed_site& w) const;
   bool refuted(const candidate& w, double at_lowest) const;
   bool closed_towards(const neighbour& z, const candidate& w, const upper_bound& top, double turn,
@@ -94,7 +97,6 @@ class star_gap {
   displacement<double> u_{0, 0};  // of the vertex, from v, in the frame; exact as a direction
   double u_squared_ = 0, u_extent_ = 0;
   double lowest_ = 0, highest_ = 0;  // of both neighbours
-  double reach_ = 0, longest_ = 0;   // as reach_radius() and longest(), in the frame, nearly
   double ingredient_ = 0, tolerance_ = 0, enclosure_ = 0;
   bool has_vertex_ = false;
   bool can_accept_ = false;  // the meetings are enclosed

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The auditor's own two arithmetics: a double that carries a bound of its error, and rationals.
-//
-// `bounded` never changes the rounding mode and trusts none: every bound below holds whichever way
-// the machine rounds, and whether or not it flushes subnormal numbers to zero.
+// The auditor's two arithmetics: a double that carries a bound of its error (kernels/bounded.hpp),
+// and rationals.
 #pragma once
 
 #include <boost/multiprecision/gmp.hpp>
@@ -11,78 +9,12 @@
 #include <limits>
 
 #include "asterism/core/site.hpp"
+#include "asterism/kernels/bounded.hpp"
 
 namespace asterism::internal::audit_detail {
 
 using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
-
-// The exact value lies within `error` of `value`. Results beyond 2^1000 have an infinite error, so
-// that nothing is certain any more: to look for infinities would not do, since an overflow rounded
-// towards zero is the largest double.
-//
-// An operation in any rounding mode is off by at most 2^-52 of its result, or 2^-1022 where that
-// is subnormal. `inflated` charges 2^-51 and 2^-1000, the difference paying for the few roundings
-// made while the bound itself is computed.
-class bounded {
- public:
-  bounded() = default;
-  bounded(double exact) : value_(exact), error_(std::abs(exact) < smallest ? smallest : 0) {}
-  static bounded within(double value, double error) { return {value, error}; }
-
-  double value() const { return value_; }
-  double error() const { return error_; }
-  bool certainly_positive() const { return value_ > error_; }
-  bool certainly_negative() const { return -value_ > error_; }
-  double upper() const { return (value_ + error_) + slack(); }
-  double lower() const { return (value_ - error_) - slack(); }
-
-  friend bounded operator-(bounded a) { return {-a.value_, a.error_}; }
-  friend bounded operator+(bounded a, bounded b) {
-    return inflated(a.value_ + b.value_, a.error_ + b.error_);
-  }
-  friend bounded operator-(bounded a, bounded b) { return a + -b; }
-  friend bounded operator*(bounded a, bounded b) {
-    return inflated(a.value_ * b.value_, std::abs(a.value_) * b.error_ +
-                                             std::abs(b.value_) * a.error_ + a.error_ * b.error_);
-  }
-  friend bounded operator/(bounded a, bounded b) {
-    // |b| shrunk by twice its error: once by definition, once for the roundings of this line.
-    const double divisor = std::abs(b.value_) - 2 * b.error_;
-    const double quotient = a.value_ / b.value_;
-    if (!(divisor > smallest)) return {quotient, std::numeric_limits<double>::infinity()};
-    return inflated(quotient, (a.error_ + std::abs(quotient) * b.error_) / divisor);
-  }
-  // Of max(0, a).
-  friend bounded root(bounded a) {
-    if (a.certainly_positive()) {
-      const double r = std::sqrt(a.value_);
-      return inflated(r, a.error_ / r);
-    }
-    const double top = a.upper();
-    if (!(top <= std::numeric_limits<double>::max()))  // infinite or not a number
-      return {0, std::numeric_limits<double>::infinity()};
-    const double half = std::sqrt(std::fmax(0, top)) / 2;
-    return inflated(half, half);
-  }
-
- private:
-  static constexpr double smallest = 0x1p-1000;
-  static constexpr double largest = 0x1p1000;
-  static constexpr double step = 0x1p-51;
-
-  bounded(double value, double error) : value_(value), error_(error) {}
-  static bounded inflated(double value, double error) {
-    const double bound = (error + std::abs(value) * step) * (1 + 16 * step) + smallest;
-    const bool in_range = std::abs(value) + bound <= largest;
-    return {value, in_range ? bound : std::numeric_limits<double>::infinity()};
-  }
-  double slack() const { return (std::abs(value_) + error_) * step + smallest; }
-
-  double value_ = 0, error_ = 0;
-};
-
-inline bool certainly_less(bounded a, bounded b) { return (b - a).certainly_positive(); }
 
 // The greater of two upper bounds and a lower bound kept only if positive: what is not a number,
 // because something overflowed, bounds nothing.

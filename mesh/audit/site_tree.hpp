@@ -31,8 +31,8 @@ class site_tree {
   const std::vector<std::size_t>& groups() const { return groups_; }
 
   // Calls visit(w) for each site that is not certainly too far from v, in an order that depends on
-  // the sites alone; v itself may be among them. `reach` in the metric of v, at least the distance
-  // to x, to y and to the bisectors in the middle direction of each gap; infinite: all sites.
+  // the sites alone; v itself may be among them. `reach` is R of the lemma, in the metric of v and
+  // no less than each gap's; infinite: all sites.
   template <class Visit>
   void visit_near(const site& v, double reach, const Visit& visit) const;
 

@@ -62,6 +62,12 @@ bounded gap_side::bound(const vector2<bounded>& u, const bounded& length_squared
   return dot(u, covector) + rooted * inverse_length;
 }
 
+double gap_side::reach_along_edge() const {
+  const bounded length = root(v_length_squared);
+  return greatest_bound((length / (bounded(1) + length * inverse_length)).upper(),
+                        (length / bounded(2)).upper());
+}
+
 star_gap_filter::star_gap_filter(const site& v, const site& x, const site& y)
     : v_(v), x_(v, x), y_(v, y) {
   const tensor<bounded> metric = tensor_of_doubles(v.metric);
@@ -81,7 +87,7 @@ double star_gap_filter::reach() const {
   const bounded length = root(middle_length_squared_);
   return greatest_bound(
       greatest_bound((length / middle_bound_x_).upper(), (length / middle_bound_y_).upper()),
-      greatest_bound(root(x_.v_length_squared).upper(), root(y_.v_length_squared).upper()));
+      greatest_bound(x_.reach_along_edge(), y_.reach_along_edge()));
 }
 
 namespace {

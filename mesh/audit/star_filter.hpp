@@ -23,6 +23,8 @@ struct gap_side {
   gap_side(const site& v, const site& z);
 
   bounded bound(const vector2<bounded>& u, const bounded& length_squared) const;
+  // Returns the greater of |d|_v / bound(d), where bound(d) = 1 + |d|_v / |d|_z, and |d|_v / 2.
+  double reach_along_edge() const;
 
   vector2<bounded> offset;      // z - v
   vector2<bounded> covector;    // M_z d / C
@@ -40,7 +42,8 @@ class star_gap_filter {
   // True: edge_test(v, w, x, y) is certainly false, ties included. w lies strictly between the rays
   // from v through x and y.
   bool excludes(const site& w) const;
-  // As site_tree wants it: at least 1 / s in the middle direction, and the length of both edges.
+  // Returns R of lemma 4.3, as site_tree wants it: at least 1 / s in the middle direction, how far
+  // the bisectors of x and y are along their edges, and half of both edges.
   double reach() const;
 
  private:

@@ -221,7 +221,7 @@ class star_check {
 
   double prepare(vertex_index v, fan_gap& gap) const {
     gap.prepared.emplace(at(v), at(gap.x), at(gap.y));
-    const double reach = greatest_bound(gap.prepared->reach_radius(), gap.prepared->longest());
+    const double reach = gap.prepared->reach();
     if (reach < std::numeric_limits<double>::infinity()) return reach;
     return gap.filter.emplace(at(v), at(gap.x), at(gap.y)).reach();
   }

@@ -6,8 +6,8 @@
 // kinds of question can be asked: all sites in a box (exact), and all sites that are not certainly
 // out of a star's reach (conservative, for metrics that differ from site to site):
 // with |w|_v the length of w - v as v measures, sigma^2 the largest eigenvalue of M_w^-1 M_v, or 1
-// if that is more, and R at least the distance to the Voronoi vertex of each gap of the star and
-// the length of each edge at a gap, a site with |w|_v > (1 + sigma) R is accepted in none. Source:
+// if that is more, and R the greatest reach of the star's gaps (the distance to the Voronoi vertex
+// or half an edge, about), a site with |w|_v > (1 + sigma) R is accepted in none. Source:
 // docs/math/certificate.md, section 4.3.
 //
 // Deterministic: sites are visited in an order that depends on the insertions alone.

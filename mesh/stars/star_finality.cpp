@@ -46,9 +46,7 @@ class prepared_sector {
     if (gaps_.empty()) return infinity;
     double reach = 0;
     for (const prepared_gap& gap : gaps_)
-      if (!gap.on_boundary)
-        reach = gap.content ? std::max({reach, gap.content->reach_radius(), gap.content->longest()})
-                            : infinity;
+      if (!gap.on_boundary) reach = gap.content ? std::max(reach, gap.content->reach()) : infinity;
     return reach;
   }
 

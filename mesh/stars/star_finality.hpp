@@ -14,10 +14,10 @@
 
 namespace asterism::internal {
 
-// When the star of v is final, R of the lemma: in v's metric at least the distance to the Voronoi
-// vertex of each gap and the length of each edge at a gap, infinite when not known and for a star
-// at a subsegment of the boundary, which may be split. A site that comes later and is certainly out
-// of that reach cannot change it. None when a site would be accepted. Requires a neighbourhood.
+// Returns R of the lemma, in v's metric, when the star of v is final: the greatest of its gaps'
+// (star_gap::reach), infinite when not known and for a star at a subsegment of the boundary, which
+// may be split. A site that comes later and is certainly out of that reach cannot change the star.
+// None when a site would be accepted. Requires a neighbourhood.
 std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, const star& s);
 
 }  // namespace asterism::internal

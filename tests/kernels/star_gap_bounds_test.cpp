@@ -42,9 +42,10 @@ displacement<counted> offset(double extent) { return {{1, extent}, {1, extent}};
 // u is exact, and its two components together are its extent: the formulas only use sums of them.
 displacement<counted> direction(double extent) { return {{0, extent / 2}, {0, extent / 2}}; }
 
-constexpr sizes all_sizes[] = {{1, 1, 1, 1, 1, 1},       {0.25, 2, 3, 0.5, 2, 2},
-                               {7, 0.1, 0.01, 3, 5, 40}, {1e-9, 2, 1e-5, 1, 3e-4, 2},
-                               {1e7, 30, 2, 0.1, 1, 1},  {3, 2, 1e9, 1e-3, 1e6, 0.3}};
+constexpr sizes all_sizes[] = {{1, 1, 1, 1, 1, 1},        {0.25, 2, 3, 0.5, 2, 2},
+                               {7, 0.1, 0.01, 3, 5, 40},  {1e-9, 2, 1e-5, 1, 3e-4, 2},
+                               {1e7, 30, 2, 0.1, 1, 1},   {3, 2, 1e9, 1e-3, 1e6, 0.3},
+                               {0.5, 1e7, 1, 40, 2, 1e-6}};
 
 }  // namespace
 

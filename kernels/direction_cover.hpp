@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// Refuses a site w beside the neighbours x and y of v, without a Voronoi vertex to start from: the
+// directions in which v and w may see a common point are covered by cones, and in each of them one
+// reason forbids all of them. For neighbours whose metrics are stretched in directions of their
+// own, where star_gap finds no vertex or one that tells too little.
+//
+// Method: in v's frame (kernels/normal_frame.hpp) an upper bound of w's first meeting, 1/s_w, and a
+// lower bound of x's, or of the line through w and x beyond x, are compared at both ends of a cone;
+// where one is convex and the other concave in the direction, that settles all in between. A cone
+// that is not settled is split at the ray of a neighbour or in the middle, a few times at most.
+// Proof: docs/math/star-gap.md, section 4. Plain doubles with running error bounds, in any
+// floating-point environment.
+#pragma once
+
+#include "asterism/core/site.hpp"
+
+namespace asterism::internal {
+
+// True: edge_test(v, w, x, y) and insertion_test(v, w, x, y) are certainly false, and ties have no
+// part in it. False: not known. x and y may be anywhere.
+// Requires four distinct sites with positive definite metrics.
+bool no_direction_is_left(const site& v, const site& w, const site& x, const site& y);
+
+}  // namespace asterism::internal
