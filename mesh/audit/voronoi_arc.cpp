@@ -59,6 +59,26 @@ bool is_certainly_wedged(const std::array<const site*, 3>& sites, const offset& 
   return true;
 }
 
+bounded square_norm(const tensor<bounded>& m, const offset& u) { return dot(u, m * u); }
+
+// c0 + c1 u + c2 u^2 > 0 on [0, end], by Bernstein's coefficients.
+bool certainly_positive_up_to(const bounded& c0, const bounded& c1, const bounded& c2,
+                              const bounded& end) {
+  const bounded middle = c0 + bounded(0.5) * c1 * end, last = c0 + c1 * end + c2 * end * end;
+  if (!c0.certainly_positive() || !last.certainly_positive()) return false;
+  return middle.certainly_positive() || (c0 * last - middle * middle).certainly_positive();
+}
+
+// f_w - f_a along a + u (b - a), u from 0 to `share`: |w-x|_w^2 - u^2 |b-a|_a^2.
+bool certainly_farther(const site& a, const site& b, const site& w, double share) {
+  const offset d = between(a.position, b.position), from_w = between(w.position, a.position);
+  const tensor<bounded> own = tensor_of_doubles(w.metric);
+  const bounded mixed = dot(from_w, own * d);
+  return certainly_positive_up_to(square_norm(own, from_w), mixed + mixed,
+                                  square_norm(own, d) - square_norm(tensor_of_doubles(a.metric), d),
+                                  bounded(share));
+}
+
 bool within(const bounded& x, double centre, double radius) {
   return std::abs(x.value() - centre) + x.error() < radius * (1 - 0x1p-40);
 }
@@ -67,6 +87,18 @@ bool within(const bounded& x, double centre, double radius) {
 
 offset between(const point& from, const point& to) {
   return {bounded(to.x) - bounded(from.x), bounded(to.y) - bounded(from.y)};
+}
+
+bool is_certainly_farther_than_nearer_end(const site& a, const site& b, const site& w) {
+  const offset d = between(a.position, b.position);
+  const double from_a = root(square_norm(tensor_of_doubles(a.metric), d)).value(),
+               from_b = root(square_norm(tensor_of_doubles(b.metric), d)).value();
+  // About where both are as far. Any share will do: there one of them is the nearer.
+  const double share = from_b / (from_a + from_b);
+  if (!(share > 0 && share < 1)) return false;
+  // The second half is measured from b, up to what is certainly no less than the rest.
+  const double rest = std::min(1.0, (1 - share) * (1 + 0x1p-48) + 0x1p-60);
+  return certainly_farther(a, b, w, share) && certainly_farther(b, a, w, rest);
 }
 
 enclosed_arc::difference_of_distances::difference_of_distances(const site& v, const site& z) {
@@ -235,8 +267,9 @@ uncertain_bool enclosed_arc::is_nearer(const site& w, bool tied_from, bool tied_
   return any;
 }
 
-// With e = f_w - f_v at the ends, f_w - f_v >= e0 (1 - t) + e1 t - k t (1 - t), which is nowhere
-// negative if e0, e1 >= 0 and k <= e0 + e1 + 2 sqrt(e0 e1).
+// With e = f_w - f_v at the ends, f_w - f_v >= e0 (1 - t) + e1 t - k t (1 - t). For k <= e0 + e1
+// that is at least e0 (1 - t)^2 + e1 t^2: positive but for a tied end. For e0, e1 > 0 it is
+// positive if k < e0 + e1 + 2 sqrt(e0 e1).
 uncertain_bool enclosed_arc::is_nearer(const difference_of_distances& w, const span& s,
                                        bool tied_from, bool tied_to, int depth) const {
   // A zero without the least error that `bounded` gives to every other.
@@ -244,7 +277,8 @@ uncertain_bool enclosed_arc::is_nearer(const difference_of_distances& w, const s
   const bounded from = tied_from ? zero : -w.at(s.from), to = tied_to ? zero : -w.at(s.to);
   if (from.certainly_negative() || to.certainly_negative()) return true;
   const double from_below = tied_from ? 0 : from.lower(), to_below = tied_to ? 0 : to.lower();
-  if (from_below >= 0 && to_below >= 0) {
+  const bool positive_ends = (tied_from || from_below > 0) && (tied_to || to_below > 0);
+  if (positive_ends && !(tied_from && tied_to)) {
     const offset chord = s.to - s.from, across = exactly(s.across);
     const bounded slope_from = dot(across, w.gradient(s.from)),
                   slope_to = dot(across, w.gradient(s.to));

@@ -32,6 +32,10 @@ std::optional<offset> enclose_voronoi_vertex(const site& a, const site& b, const
 // angle of u, as v sees it: a point of the visible arc. Empty when not found.
 std::optional<offset> enclose_bisector_point(const site& v, const site& u, const offset& direction);
 
+// True if at every point of the segment from a to b, w is certainly farther, as it measures, than
+// the nearer of a and b, as they do.
+bool is_certainly_farther_than_nearer_end(const site& a, const site& b, const site& w);
+
 class enclosed_arc {
  public:
   // The part of the visible arc of v, u from one of its points to another, counter-clockwise around
@@ -43,7 +47,8 @@ class enclosed_arc {
   // No point of the arc is farther from v, as v sees it; infinite when not usable.
   double reach() const { return reach_; }
 
-  // Is w nearer to a point of the arc than v? A tied end is known to be equally near.
+  // Is w nearer to a point of the arc than v? "No" is said only if it is farther from every point,
+  // but for an end that is tied: known to be equally near.
   uncertain_bool is_nearer(const site& w, bool tied_from, bool tied_to) const;
 
  private:

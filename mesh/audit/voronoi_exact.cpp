@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "asterism/kernels/exact_to_interval.hpp"
 #include "asterism/kernels/turn_scale.hpp"
+#include "asterism/predicates/encroachment.hpp"
 #include "asterism/predicates/in_circle.hpp"
 
 namespace asterism::internal::audit_detail {
@@ -40,22 +42,23 @@ exact_voronoi_arc::exact_voronoi_arc(const site& v, const site& u)
       on_(convert<dyadic>(v), convert<dyadic>(u), dyadic(1).scaled(turn_scale_exponent(v.metric))) {
 }
 
-std::optional<exact_voronoi_arc::parameter> exact_voronoi_arc::vertex(const site& third) const {
+bool exact_voronoi_arc::is_wedged_with(const site& third, parameter at) const {
   const exact_site x = convert<dyadic>(third);
-  const auto equidistance = on_.restrict(distance_difference(on_.v, x));
   const auto& origin = on_.v.position;
-  const std::array sides = {
-      on_.restrict(wedge_side(origin, on_.v, x)), on_.restrict(wedge_side(origin, x, on_.v)),
-      on_.restrict(wedge_side(origin, on_.w, x)), on_.restrict(wedge_side(origin, x, on_.w))};
+  for (const auto& side : {wedge_side(origin, on_.v, x), wedge_side(origin, x, on_.v),
+                           wedge_side(origin, on_.w, x), wedge_side(origin, x, on_.w)})
+    if (exact::sign_at(on_, on_.restrict(side), at) != sign::positive) return false;
+  return true;
+}
+
+std::optional<exact_voronoi_arc::parameter> exact_voronoi_arc::vertex(const site& third) const {
+  const auto equidistance = on_.restrict(distance_difference(on_.v, convert<dyadic>(third)));
   exact::root_line line;
   exact::add_zeros(line, on_, equidistance, 0);
   for (exact::cut& c : line.cuts()) {
     if (!exact::is_on_arc(on_, c.root)) continue;
     if (exact::sign_at(on_, equidistance, c.root) != sign::zero) continue;
-    bool wedged = true;
-    for (const auto& side : sides)
-      wedged = wedged && exact::sign_at(on_, side, c.root) == sign::positive;
-    if (wedged) return c.root;
+    if (is_wedged_with(third, c.root)) return c.root;
   }
   return std::nullopt;
 }
@@ -65,19 +68,29 @@ exact_voronoi_arc::parameter exact_voronoi_arc::on_segment() {
   return {itself, dyadic(0), dyadic(0), sign::positive};
 }
 
-bool exact_voronoi_arc::is_nearer(const site& w, parameter from, parameter to) const {
-  const auto difference = on_.restrict(distance_difference(on_.v, convert<dyadic>(w)));
+arc_meeting exact_voronoi_arc::meeting_with(const site& w, parameter from, parameter to) const {
+  const auto excess = on_.restrict(distance_difference(on_.v, convert<dyadic>(w)));  // f_v - f_w
   exact::root_line line;
   line.add(from.defining(), 0);
   line.add(to.defining(), 0);
-  exact::add_zeros(line, on_, difference, 1);
+  exact::add_zeros(line, on_, excess, 1);
   const std::vector<dyadic> samples = line.samples();
-  for (std::size_t k = 1; k < line.cuts().size(); ++k) {
-    const bool between = compare(from, line.cuts()[k - 1].root) != sign::positive &&
-                         compare(to, line.cuts()[k].root) != sign::negative;
-    if (between && exact::sign_at(on_, difference, samples[k]) == sign::positive) return true;
+  arc_meeting meeting;
+  meeting.at_from = exact::sign_at(on_, excess, from) == sign::zero;
+  meeting.at_to = exact::sign_at(on_, excess, to) == sign::zero;
+  for (std::size_t k = 0; k < line.cuts().size(); ++k) {
+    exact::real_root& cut = line.cuts()[k].root;
+    const bool after_from = compare(from, cut) == sign::negative;
+    if (after_from && compare(to, cut) == sign::positive &&
+        exact::sign_at(on_, excess, cut) == sign::zero)
+      meeting.between = true;
+    // The section that ends here.
+    if (!after_from || compare(to, cut) == sign::negative) continue;
+    const sign sample = exact::sign_at(on_, excess, samples[k]);
+    meeting.nearer = meeting.nearer || sample == sign::positive;
+    meeting.between = meeting.between || sample == sign::zero;
   }
-  return false;
+  return meeting;
 }
 
 offset exact_voronoi_arc::enclose(parameter at) const {
@@ -97,6 +110,25 @@ offset exact_voronoi_arc::enclose(parameter at) const {
   }
   const bounded unknown = bounded::within(0, std::numeric_limits<double>::infinity());
   return {unknown, unknown};
+}
+
+// f_w - f_a and f_w - f_b along the segment are positive at a, respectively at b. Where w meets the
+// segment without encroaching, the greater of both is zero.
+segment_meeting meeting_with_segment(const site& a, const site& b, const site& w) {
+  const encroachment_question<dyadic> question(convert<dyadic>(a), convert<dyadic>(b),
+                                               convert<dyadic>(w));
+  segment_meeting meeting = segment_meeting::apart;
+  for (const auto& [one, other] : {std::pair(&question.against_a, &question.against_b),
+                                   std::pair(&question.against_b, &question.against_a)})
+    for (exact::real_root& root : exact::isolate_real_roots(exact::dense_polynomial(*one))) {
+      if (root.sign_of_value(exact::dense_polynomial(std::vector{dyadic(0), dyadic(1)})) !=
+          sign::positive)
+        continue;
+      const sign beside = exact::sign_at(*other, root);
+      if (beside == sign::negative) return segment_meeting::as_near;
+      if (beside == sign::zero) meeting = segment_meeting::at_middle;
+    }
+  return meeting;
 }
 
 sign excess_at_centre(const metric_tensor& metric, const point& a, const point& b, const point& c,

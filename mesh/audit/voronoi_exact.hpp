@@ -14,6 +14,19 @@
 
 namespace asterism::internal::audit_detail {
 
+// Where on a part of an arc a site is as near as the owners or nearer: `nearer` at some point,
+// `between` exactly as near at some point strictly between the ends, exactly as near at an end.
+struct arc_meeting {
+  bool nearer = false, between = false, at_from = false, at_to = false;
+};
+
+// How a site meets the segment between two others, at whose points the nearer of these counts.
+enum class segment_meeting {
+  apart,      // farther at every point
+  at_middle,  // as near where both ends are equally far, and farther elsewhere
+  as_near,    // at another point, or nearer somewhere
+};
+
 class exact_voronoi_arc {
  public:
   using parameter = exact::real_root;
@@ -29,8 +42,10 @@ class exact_voronoi_arc {
   // The sign of a minus b. Parameters grow counter-clockwise around v.
   static sign order(parameter a, parameter b) { return compare(a, b); }
 
-  // Is w nearer than v to some point strictly between? Both parameters on the arc, from < to.
-  bool is_nearer(const site& w, parameter from, parameter to) const;
+  // Of w, against both owners. Both parameters on the arc, from < to.
+  arc_meeting meeting_with(const site& w, parameter from, parameter to) const;
+  // Is the point in the wedges of w and of each owner?
+  bool is_wedged_with(const site& w, parameter at) const;
 
   // The point itself, as seen from v; errors are infinite when its size leaves the doubles.
   offset enclose(parameter at) const;
@@ -39,6 +54,9 @@ class exact_voronoi_arc {
   site v_, u_;
   exact::arc on_;
 };
+
+// Of w and the segment from a to b. Requires that it does not encroach on it.
+segment_meeting meeting_with_segment(const site& a, const site& b, const site& w);
 
 // For equal metrics, where bisectors are lines: the sign of f_d - f_a at the Voronoi vertex of a,
 // b, c, which turn counter-clockwise. Microseconds.

@@ -67,11 +67,13 @@ void add_triangle(const triangle_sites& given, sums& s) {
 
 // The eigenvalues of M_p^-1 M_q are t +- sqrt(t^2 - d), t half the trace, d the determinant. Both
 // tensors are first scaled by one power of two, which changes no ratio, as products of entries
-// beyond 2^+-512 would leave the range of doubles; and a thin p is made round.
+// beyond 2^+-512 would leave the range of doubles; and a thin p is made round. Equal tensors need
+// none of it, which would lose the smaller entry of one like diag(1e200, 1e-200).
 double distortion(const metric_tensor& p, const metric_tensor& q) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double trace = p.m11 + p.m22;
   if (!(trace > 0 && std::isfinite(trace))) return infinity;
+  if (identical(p, q)) return 1;
   const int exponent = -std::ilogb(trace);
   const auto scaled = [exponent](const metric_tensor& m) {
     return metric_tensor{std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent),
@@ -93,6 +95,7 @@ double distortion(const metric_tensor& p, const metric_tensor& q) {
 
 double variation(const site& p, const site& q) {
   const double tau = distortion(p.metric, q.metric);
+  if (tau == 1) return 0;  // also where lengths overflow
   return (1 - 1 / tau) / std::min(length(p, q.position), length(q, p.position));
 }
 

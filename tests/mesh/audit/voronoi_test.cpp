@@ -150,9 +150,11 @@ std::map<finding_kind, std::size_t> judge_slowly(const mesh& m) {
     const sign order = exact_voronoi_arc::order(*to, *from);
     found[finding_kind::voronoi_arc_reversed] += order == sign::negative;
     if (order != sign::positive) continue;
-    for (vertex_number w = 0; w < m.sites.size(); ++w)
-      found[finding_kind::voronoi_site_nearer] +=
-          w != v && w != u && arc.is_nearer(at(w), *from, *to);
+    for (vertex_number w = 0; w < m.sites.size(); ++w) {
+      if (w == v || w == u) continue;
+      const arc_meeting meeting = arc.meeting_with(at(w), *from, *to);
+      found[finding_kind::voronoi_site_nearer] += meeting.nearer || meeting.between;
+    }
   }
   return found;
 }
@@ -275,6 +277,55 @@ TEST_CASE("cocircular sites tie: equal distance is allowed, however the squares 
   }
 }
 
+TEST_CASE("cells that share a whole line are no dual, though no site is nearer to any of it") {
+  // Three columns of sites of which all measure the same along x = 0: the first reaches it over the
+  // second, whose cell is between.
+  std::vector<point> points;
+  for (const double x : {-2.0, -1.0, 1.0})
+    for (int j = 0; j <= 6; ++j) points.push_back({x, static_cast<double>(j)});
+  std::vector<triangle> triangles;
+  for (vertex_number k : {0u, 7u})
+    for (vertex_number j = k; j < k + 6; ++j) {
+      triangles.push_back({j, j + 7, j + 1});
+      triangles.push_back({j + 7, j + 8, j + 1});
+    }
+  mesh m = make_mesh_of(points, triangles);
+  for (vertex_number j = 0; j < 7; ++j) m.sites[j].metric = {0.25, 0, 1};
+  const audit_report report = audit_voronoi(m);
+  INFO(kinds(report));
+  CHECK(report.certified);
+  CHECK(report.voronoi == voronoi_verdict::refused);
+  CHECK_THAT(witnesses(report, finding_kind::voronoi_site_nearer), Contains("is as near to"));
+}
+
+TEST_CASE("a site that touches a Voronoi vertex from elsewhere is refused") {
+  // The middle (3, 3) of a square is exactly as far from the site at (6, 4) as from its corners.
+  mesh m = square_grid(4, false);
+  m.sites[3 + 2 * 5].metric = {0.25, -0.25, 1.25};
+  CHECK(squared_distance(m.sites[3 + 2 * 5], {3, 3}) ==
+        squared_distance(m.sites[2 + 2 * 5], {3, 3}));
+  const audit_report report = audit_voronoi(m);
+  INFO(kinds(report));
+  CHECK(report.voronoi == voronoi_verdict::refused);
+  CHECK_THAT(witnesses(report, finding_kind::voronoi_site_nearer),
+             Contains("vertex 14 (6, 4) is as near to the Voronoi vertex of triangle"));
+  // A little farther, and it is a dual.
+  m.sites[3 + 2 * 5].metric = {0.265625, -0.265625, 1.328125};
+  CHECK(audit_voronoi(m).voronoi == voronoi_verdict::proved);
+}
+
+TEST_CASE("a site may touch a boundary edge in its own Voronoi vertex alone") {
+  // A right angle across from the boundary: the vertex is the middle of the edge.
+  const mesh right = make_mesh_of({{0, 0}, {2, 0}, {1, 1}}, {{0, 1, 2}});
+  const audit_report own = audit_voronoi(right);
+  INFO(kinds(own));
+  CHECK(own.voronoi == voronoi_verdict::proved);
+  // Nearer to the one end: the contact is beside the middle.
+  mesh beside = make_mesh_of({{0, 0}, {4, 0}, {1, 1}, {2, 4}}, {{0, 1, 2}, {1, 3, 2}, {3, 0, 2}});
+  const audit_report touching = audit_voronoi(beside);
+  CHECK(touching.voronoi == voronoi_verdict::refused);
+}
+
 TEST_CASE("ties of sites whose metrics differ are exact ones") {
   // Mirror images in both axes: the centre is equally far from all four.
   mesh one = make_mesh_of({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {{0, 1, 2}, {0, 2, 3}});
@@ -342,11 +393,13 @@ TEST_CASE("enclosed vertices and arcs never contradict exact ones") {
                      : other == 1 ? y
                                   : make_site(0.5 + r * std::cos(a), r * std::sin(a));
       const uncertain_bool quick = arc.is_nearer(w, other == 1, other == 0);
-      const bool slow = exact.is_nearer(w, *from, *to);
+      const arc_meeting meeting = exact.meeting_with(w, *from, *to);
+      const bool slow = meeting.nearer;
       ++asked;
       decided += quick.certain();
       nearer += slow;
       if (quick.certain()) CHECK(quick.value() == slow);
+      if (quick.certainly(false)) CHECK_FALSE(meeting.between);
     }
   }
   CHECK(vertices > 200);

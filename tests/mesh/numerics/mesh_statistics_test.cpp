@@ -96,6 +96,16 @@ TEST_CASE("distortion is the root of the extreme generalized eigenvalue") {
   CHECK(std::isinf(distortion({1, 0, 1}, {NAN, 0, 1})));
 }
 
+TEST_CASE("equal tensors were infinitely different when their entries are 1e400 apart") {
+  const metric_tensor thin{1e200, 0, 1e-200}, aslant{1e300, 1e2, 1e-190};
+  CHECK(distortion(thin, thin) == 1);
+  CHECK(distortion(aslant, aslant) == 1);
+  CHECK(variation({{0, 0}, thin}, {{1, 1}, thin}) == 0);
+  CHECK(variation({{-1e300, 0}, thin}, {{1e300, 1}, thin}) == 0);
+  const metric_tensor none{NAN, 0, 1};
+  CHECK(std::isinf(distortion(none, none)));
+}
+
 TEST_CASE("distortion of tensors whose determinants leave the range of doubles") {
   // It was 1 whatever the tensors, so that a jump of such a metric was none.
   for (const double scale : {0x1p800, 0x1p-800, 0x1p-1000, 0x1p1000})

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/theorem_hypotheses.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "asterism/mesh/audit/number.hpp"
+#include "asterism/mesh/audit/site_tree.hpp"
+#include "asterism/mesh/audit/theorem_measures.hpp"
+#include "asterism/mesh/audit/theorem_table.hpp"
+#include "asterism/mesh/audit/voronoi_arc.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+
+namespace asterism {
+namespace {
+
+using namespace internal;
+
+using audit_detail::greatest_bound;
+using audit_detail::site_tree;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double useless_distortion = 1.272;  // beyond it no arc is sure to be wedged
+constexpr std::size_t chunk = 1024;
+
+// What one chunk of the sites or subsegments has shown; `failure` is the first thing that went
+// wrong.
+struct measured_part {
+  double spacing = infinity, distortion = 1, variation = 0, longest_subsegment = 0;
+  std::array<vertex_index, 2> nearest{};  // the sites that the spacing is of
+  std::string failure;
+};
+
+std::string vertex_name(vertex_index v) { return "vertex " + std::to_string(v + 1); }
+
+double covering_radius(const mesh& m) {
+  const auto parts = collect_chunks<double>(
+      m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<double>& out) {
+        double radius = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+          const triangle& t = m.triangles[i];
+          radius = greatest_bound(radius, theorem::covering_radius_above(
+                                              {m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}));
+        }
+        out.push_back(radius);
+      });
+  double radius = 0;
+  for (const double part : parts) radius = greatest_bound(radius, part);
+  return radius;
+}
+
+// The pairs of v with sites of greater number.
+void measure_near_pairs(const mesh& m, const site_tree& tree, vertex_index v, double radius,
+                        measured_part& part) {
+  const site& centre = m.sites[v];
+  tree.visit_near(centre, radius, [&](vertex_index w) {
+    if (w <= v || !part.failure.empty()) return;
+    const site& other = m.sites[w];
+    if (theorem::certainly_apart(centre, other, radius)) return;
+    const theorem::pair_measures pair = theorem::measure_pair(centre, other);
+    if (pair.larger_distance_below < part.spacing) {
+      part.spacing = pair.larger_distance_below;
+      part.nearest = {v, w};
+    }
+    part.distortion = greatest_bound(part.distortion, pair.distortion_above);
+    part.variation = greatest_bound(part.variation, pair.variation_above);
+    if (!(pair.distortion_above < useless_distortion))
+      part.failure = "the metrics of " + vertex_name(v) + " and " + vertex_name(w) +
+                     ", whose disks of the covering radius meet, differ by a factor of " +
+                     std::to_string(pair.distortion_above);
+  });
+}
+
+void check_subsegment(const mesh& m, const site_tree& tree, const boundary_edge& subsegment,
+                      measured_part& part) {
+  const site &a = m.sites[subsegment.a], &b = m.sites[subsegment.b];
+  const double length =
+      greatest_bound(theorem::distance_above(a, b), theorem::distance_above(b, a));
+  part.longest_subsegment = greatest_bound(part.longest_subsegment, length);
+  tree.visit_near(a, length, [&](vertex_index w) {
+    if (w == subsegment.a || w == subsegment.b || !part.failure.empty()) return;
+    if (!audit_detail::is_certainly_farther_than_nearer_end(a, b, m.sites[w]))
+      part.failure = vertex_name(w) + " may be as near to a point of the boundary edge from " +
+                     vertex_name(subsegment.a) + " to " + vertex_name(subsegment.b) +
+                     " as its ends";
+  });
+}
+
+// Measures `count` items by chunks and puts them together in order.
+template <class Measure>
+measured_part measure_all(std::size_t count, const Measure& measure) {
+  const auto parts = collect_chunks<measured_part>(
+      count, chunk, [&](std::size_t begin, std::size_t end, std::vector<measured_part>& out) {
+        measured_part part;
+        for (std::size_t i = begin; i < end && part.failure.empty(); ++i) measure(i, part);
+        out.push_back(std::move(part));
+      });
+  measured_part all;
+  for (const measured_part& part : parts) {
+    if (part.spacing < all.spacing) {
+      all.spacing = part.spacing;
+      all.nearest = part.nearest;
+    }
+    all.distortion = greatest_bound(all.distortion, part.distortion);
+    all.variation = greatest_bound(all.variation, part.variation);
+    all.longest_subsegment = greatest_bound(all.longest_subsegment, part.longest_subsegment);
+    if (all.failure.empty()) all.failure = part.failure;
+  }
+  return all;
+}
+
+// What is in the way, as a sentence; empty: nothing.
+std::string obstacle(const theorem_hypotheses& h, const std::array<vertex_index, 2>& nearest,
+                     double angle_bound) {
+  const bool wedged = theorem::arcs_are_wedged(h.covering_radius, h.spacing, h.distortion);
+  if (wedged && h.proved_angle >= angle_bound) return {};
+  const std::string spacing = vertex_name(nearest[0]) + " and " + vertex_name(nearest[1]) +
+                              " are " + std::to_string(h.spacing) +
+                              " apart, where the domain is covered within " +
+                              std::to_string(h.covering_radius);
+  if (!wedged)
+    return spacing + ": arcs need not be wedged where metrics differ by a factor of " +
+           std::to_string(h.distortion);
+  return "at sigma eps " + std::to_string(h.sigma_eps) + " no more than " +
+         std::to_string(h.proved_angle) + " degrees are proved (" + spacing + ")";
+}
+
+}  // namespace
+
+theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_bound) {
+  theorem_hypotheses h;
+  h.covering_radius = covering_radius(subject);
+  if (!(h.covering_radius < infinity && !subject.triangles.empty())) {
+    h.reason = "no bound is known of how far points are from sites";
+    return h;
+  }
+  const site_tree tree(subject.sites);
+  const measured_part subsegments =
+      measure_all(subject.boundary.size(), [&](std::size_t i, measured_part& part) {
+        check_subsegment(subject, tree, subject.boundary[i], part);
+      });
+  h.longest_subsegment = subsegments.longest_subsegment;
+  const std::vector<vertex_index>& order = tree.order();
+  const measured_part near = measure_all(order.size(), [&](std::size_t i, measured_part& part) {
+    measure_near_pairs(subject, tree, order[i], h.covering_radius, part);
+  });
+  h.spacing = near.spacing;
+  h.distortion = near.distortion;
+  h.variation = near.variation;
+  h.sigma_eps = theorem::table_variation_above(h.variation, h.covering_radius, h.distortion);
+  h.proved_angle =
+      theorem::proved_angle(h.sigma_eps, theorem::quotient_above(h.covering_radius, h.spacing));
+  h.reason = !near.failure.empty()          ? near.failure
+             : !subsegments.failure.empty() ? subsegments.failure
+                                            : obstacle(h, near.nearest, angle_bound);
+  h.applies = h.reason.empty();
+  if (h.applies) h.reason = "all hypotheses hold";
+  return h;
+}
+
+}  // namespace asterism

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+//
+// The hypotheses of the theorem on nets as measured of a mesh: against all pairs and many points in
+// extended precision, and refused where one of them fails.
+#include "asterism/mesh/audit/theorem_hypotheses.hpp"
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "asterism/mesh/audit/theorem_measures.hpp"
+#include "asterism/mesh/audit/theorem_table.hpp"
+#include "asterism/mesh/audit/voronoi_arc.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/domain/built_in_domains.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/io/load_domain.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
+#include "fixtures/audit_meshes.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::test;
+using Catch::Contains;
+
+namespace {
+
+using real = long double;
+using vertex_number = asterism::vertex_index;
+
+mesh meshed_square(const std::string& metric, double size) {
+  const auto shape = check_domain(load_domain("square").value()).value();
+  const auto field = make_metric_field(metric, shape.box(), size);
+  mesh_options options;
+  options.limit_size = true;
+  return make_mesh(shape, *field.value(), options).value().result;
+}
+
+real distance(const site& s, const point& q) {
+  const real x = real(q.x) - s.position.x, y = real(q.y) - s.position.y;
+  return std::sqrt(s.metric.m11 * x * x + 2 * s.metric.m12 * x * y + s.metric.m22 * y * y);
+}
+
+// With 100 digits: nearly equal eigenvalues lose half of them.
+real distortion(const metric_tensor& p, const metric_tensor& q) {
+  using number = boost::multiprecision::cpp_bin_float_100;
+  const auto determinant = [](const metric_tensor& m) {
+    return number(m.m11) * m.m22 - number(m.m12) * m.m12;
+  };
+  const number mixed = number(p.m22) * q.m11 - 2 * number(p.m12) * q.m12 + number(p.m11) * q.m22;
+  const number half = mixed / determinant(p) / 2, product = determinant(q) / determinant(p);
+  const number square = half * half - product;
+  const number greatest = square > 0 ? number(half + sqrt(square)) : half;
+  const number inverse = greatest / product;
+  return static_cast<real>(sqrt(std::max({number(1), greatest, inverse})));
+}
+
+real nearest_distance(const mesh& m, const point& q) {
+  real nearest = std::numeric_limits<real>::infinity();
+  for (const site& s : m.sites) nearest = std::min(nearest, distance(s, q));
+  return nearest;
+}
+
+}  // namespace
+
+TEST_CASE("the theorem applies to a filled square in a metric that varies slowly") {
+  for (const auto& [metric, size, angle] :
+       {std::tuple{"identity", 0.1, 29.0}, {"sink:3", 0.05, 20.0}, {"swirl:3", 0.05, 15.0}}) {
+    const theorem_hypotheses h = measure_theorem_hypotheses(meshed_square(metric, size), angle);
+    INFO(metric << ": " << h.reason);
+    CHECK(h.applies);
+    CHECK(h.proved_angle >= angle);
+    CHECK(h.covering_radius <= 0.751);
+    CHECK(h.reason == "all hypotheses hold");
+  }
+}
+
+TEST_CASE("what is measured of the hypotheses is no better than it is") {
+  for (const char* metric : {"identity", "swirl:3", "sink:12", "linear"}) {
+    const mesh m = meshed_square(metric, std::string(metric) == "linear" ? 1 : 0.2);
+    const theorem_hypotheses h = measure_theorem_hypotheses(m, 1);
+    INFO(metric << ": " << h.reason);
+    small_generator random(3);
+    for (int k = 0; k < 2000; ++k) {
+      const point q{random.between(-1, 1), random.between(-1, 1)};
+      CHECK(nearest_distance(m, q) <= h.covering_radius);
+    }
+    if (Contains("metrics of").match(h.reason)) continue;  // measured in part
+    const auto radius = static_cast<real>(h.covering_radius);
+    for (std::size_t i = 0; i < m.sites.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const site &p = m.sites[i], &q = m.sites[j];
+        const real from_p = distance(p, q.position), from_q = distance(q, p.position);
+        // The disks certainly meet where one holds the middle of the segment, and so does the
+        // other.
+        if (from_p / 2 > radius || from_q / 2 > radius) continue;
+        const real tau = distortion(p.metric, q.metric);
+        CHECK(tau <= h.distortion);
+        CHECK((1 - 1 / tau) / std::min(from_p, from_q) <= h.variation + 1e-15);
+        CHECK(h.spacing <= std::max(from_p, from_q));
+      }
+    for (const boundary_edge& e : m.boundary)
+      CHECK(distance(m.sites[e.a], m.sites[e.b].position) <= h.longest_subsegment);
+  }
+}
+
+TEST_CASE("the theorem does not apply where sites are too near to each other") {
+  patch p = make_patch(8, 0);
+  CHECK(measure_theorem_hypotheses(p.m, 20).applies);
+  // The triangles stay counter-clockwise.
+  site& inner = p.m.sites[p.at(4, 4)];
+  inner.position.x += 0.6;
+  const theorem_hypotheses h = measure_theorem_hypotheses(p.m, 20);
+  CHECK_FALSE(h.applies);
+  CHECK(h.spacing <= 0.4001);
+  CHECK_THAT(h.reason, Contains("apart, where the domain is covered within"));
+  CHECK_THAT(h.reason, Contains("vertex " + std::to_string(p.at(4, 4) + 1) + " "));
+}
+
+TEST_CASE("the theorem does not apply where the metric jumps") {
+  patch p = make_patch(8, 0);
+  p.m.sites[p.at(4, 4)].metric = {2, 0, 0.5};
+  const theorem_hypotheses h = measure_theorem_hypotheses(p.m, 20);
+  CHECK_FALSE(h.applies);
+  CHECK(h.distortion >= 1.414);
+  CHECK_THAT(h.reason, Contains("differ by a factor of"));
+}
+
+TEST_CASE("the theorem does not apply where a site may encroach on a boundary edge") {
+  // A row of triangles half as high as a boundary edge is long, less a little.
+  const mesh low = make_mesh_of({{0, 0}, {1, 0}, {0.5, 0.49}, {0, 1}, {1, 1}},
+                                {{0, 1, 2}, {0, 2, 3}, {1, 4, 2}, {3, 2, 4}});
+  const theorem_hypotheses h = measure_theorem_hypotheses(low, 1);
+  CHECK_FALSE(h.applies);
+  CHECK_THAT(h.reason, Contains("vertex 3 may be as near to a point of the boundary edge"));
+}
+
+TEST_CASE("the theorem does not apply to a mesh without triangles") {
+  CHECK_FALSE(measure_theorem_hypotheses({}, 20).applies);
+  CHECK_FALSE(measure_theorem_hypotheses({}, 0).applies);
+}
+
+TEST_CASE("a variation or a spacing beyond the table proves no angle") {
+  CHECK(theorem::proved_angle(0, 1) == 29.75);
+  CHECK(theorem::proved_angle(0.052, 1) == 22.5);
+  CHECK(theorem::proved_angle(0.0521, 1) == 21.75);
+  CHECK(theorem::proved_angle(0.11, 1) == 0);
+  CHECK(theorem::proved_angle(0.001, 1.71) == 0);
+  CHECK(theorem::proved_angle(std::nan(""), 1) == 0);
+}
+
+TEST_CASE("the numbers of two sites are rounded to the side that is harder") {
+  small_generator random(11);
+  for (int k = 0; k < 20000; ++k) {
+    const auto metric = [&] {
+      const double a = std::exp(random.between(-6, 6)), b = std::exp(random.between(-6, 6));
+      return metric_tensor{a, random.between(-0.999, 0.999) * std::sqrt(a * b), b};
+    };
+    const site p{{random.between(-1, 1), random.between(-1, 1)}, metric()};
+    site q{{random.between(-1, 1), random.between(-1, 1)}, metric()};
+    if (k % 2 == 0) q.metric = {p.metric.m11, p.metric.m12 * (1 + 1e-12), p.metric.m22};
+    const theorem::pair_measures pair = theorem::measure_pair(p, q);
+    const real from_p = distance(p, q.position), from_q = distance(q, p.position),
+               tau = distortion(p.metric, q.metric);
+    CHECK(pair.larger_distance_below <= std::max(from_p, from_q));
+    CHECK(pair.larger_distance_below >= std::max(from_p, from_q) * (1 - 1e-10));
+    CHECK(pair.distortion_above >= tau * (1 - 1e-18L));  // this one is rounded too
+    CHECK(pair.distortion_above <= tau * (1 + 1e-6));
+    const double radius = random.between(0, 1);
+    const real midway = std::max(from_p, from_q) / 2;
+    if (midway <= radius) CHECK_FALSE(theorem::certainly_apart(p, q, radius));
+  }
+}
+
+TEST_CASE("a site is certainly farther than the nearer end only if it is at every point") {
+  small_generator random(12);
+  int certain = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const auto metric = [&] {
+      return metric_tensor{random.between(0.5, 2), random.between(-0.4, 0.4),
+                           random.between(0.5, 2)};
+    };
+    const site a{{0, 0}, metric()}, b{{1, 0}, metric()},
+        w{{random.between(-1, 2), random.between(-1, 1)}, metric()};
+    const bool farther = audit_detail::is_certainly_farther_than_nearer_end(a, b, w);
+    real margin = std::numeric_limits<real>::infinity();
+    for (int i = 0; i <= 256; ++i) {
+      const point x{i / 256.0, 0};
+      margin = std::min(margin, distance(w, x) - std::min(distance(a, x), distance(b, x)));
+    }
+    if (farther) CHECK(margin > 0);
+    if (!farther) CHECK(margin < 0.02);
+    certain += farther ? 1 : 0;
+  }
+  CHECK(certain > 2000);
+}
