@@ -14,6 +14,7 @@
 
 #include <span>
 
+#include "asterism/core/export.h"
 #include "asterism/kernels/filtered_kernel.hpp"
 
 namespace asterism {
@@ -22,14 +23,23 @@ struct point_columns {
   std::span<const double> x, y;
 };
 
+struct metric_columns {
+  std::span<const double> m11, m12, m22;
+};
+
 struct site_columns {
   std::span<const double> x, y, m11, m12, m22;
 };
 
 enum class [[nodiscard]] batch_status{ok, length_mismatch};
 
-class batch_kernel {
+class ASTERISM_EXPORT batch_kernel {
  public:
+  batch_status orientation(const point_columns& p, const point_columns& q, const point_columns& r,
+                           std::span<signed char> answers) const;
+  batch_status in_circle(const metric_columns& m, const point_columns& a, const point_columns& b,
+                         const point_columns& c, const point_columns& p,
+                         std::span<signed char> answers) const;
   batch_status compare_distance(const site_columns& v, const site_columns& w,
                                 const point_columns& q, std::span<signed char> answers) const;
   batch_status in_wedge(const site_columns& v, const site_columns& w, const point_columns& q,

@@ -89,6 +89,13 @@ bool filtered_kernel::is_positive_definite(const metric_tensor& metric) const {
       counters_, semi_static::is_positive_definite(metric), metric);
 }
 
+sign filtered_kernel::in_circle(const metric_tensor& m, const point& a, const point& b,
+                                const point& c, const point& p) const {
+  return decide<predicate::in_circle, &fixed_width::in_circle, &interval_kernel::in_circle,
+                &exact_kernel::in_circle>(counters_, semi_static::in_circle(m, a, b, c, p), m, a, b,
+                                          c, p);
+}
+
 sign filtered_kernel::compare_distance(const site& v, const site& w, const point& q) const {
   return decide<predicate::compare_distance, &fixed_width::compare_distance,
                 &interval_kernel::compare_distance, &exact_kernel::compare_distance>(

@@ -11,13 +11,14 @@
 // neither trusted nor changed on return (core/floating_point_environment.hpp).
 #pragma once
 
+#include "asterism/core/export.h"
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
 #include "asterism/kernels/tier_counters.hpp"
 
 namespace asterism {
 
-class filtered_kernel {
+class ASTERISM_EXPORT filtered_kernel {
  public:
   // The predicates of predicates/, one header each, where every answer is defined.
   sign orientation(const point& p, const point& q, const point& r) const;
@@ -30,6 +31,12 @@ class filtered_kernel {
   bool encroaches(const site& a, const site& b, const site& w) const;
   bool insertion_test(const site& v, const site& w, const site& x, const site& y) const;
   bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+  sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                 const point& p) const;
+  // In the plane as it is: the usual in-circle test.
+  sign in_circle(const point& a, const point& b, const point& c, const point& p) const {
+    return in_circle({1, 0, 1}, a, b, c, p);
+  }
 
   const tier_counters& counters() const { return counters_; }
   void reset_counters() { counters_ = {}; }

@@ -35,6 +35,7 @@
 #include <string_view>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
@@ -81,7 +82,7 @@ enum class finding_kind : std::size_t {
 };
 inline constexpr std::size_t finding_kind_count = 34;
 // As certificates spell them, in the order of `finding_kind`.
-extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
+ASTERISM_EXPORT extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
 
 // `witness` is one sentence that names vertices, triangles and boundary subsegments counted from 1,
 // as a .mesh file does, with their coordinates.
@@ -117,7 +118,7 @@ enum class voronoi_verdict : std::size_t {
 };
 
 // As certificates spell them, in that order.
-extern const std::array<std::string_view, 4> voronoi_verdict_names;
+ASTERISM_EXPORT extern const std::array<std::string_view, 4> voronoi_verdict_names;
 
 // The least angle of a corner; for information, in floating point.
 struct audited_angle {
@@ -153,9 +154,9 @@ struct audit_report {
   std::size_t voronoi_pairs = 0, voronoi_pairs_exact = 0;
   tier_counters counters;
 
-  std::size_t total_found() const;
+  ASTERISM_EXPORT std::size_t total_found() const;
 };
 
-audit_report audit(const mesh& subject, const audit_options& options);
+ASTERISM_EXPORT audit_report audit(const mesh& subject, const audit_options& options);
 
 }  // namespace asterism

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
 
@@ -61,7 +62,7 @@ struct domain {
   domain_origin origin;
 
   // The smallest box around all vertices; a box of the origin alone when there are none.
-  bounding_box box() const;
+  ASTERISM_EXPORT bounding_box box() const;
 };
 
 }  // namespace asterism

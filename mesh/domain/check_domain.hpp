@@ -39,6 +39,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 
@@ -58,6 +59,6 @@ struct domain_repairs {
 };
 
 // `repairs`, when given, is overwritten.
-result<domain> check_domain(const domain& input, domain_repairs* repairs = nullptr);
+ASTERISM_EXPORT result<domain> check_domain(const domain& input, domain_repairs* repairs = nullptr);
 
 }  // namespace asterism

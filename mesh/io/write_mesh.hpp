@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/draw/picture.hpp"
@@ -23,11 +24,11 @@ namespace asterism {
 enum class mesh_format { medit, vtu, svg, png, pdf };
 
 // By extension, upper or lower case; the error lists the known ones.
-result<mesh_format> mesh_format_of(const std::filesystem::path& path);
+ASTERISM_EXPORT result<mesh_format> mesh_format_of(const std::filesystem::path& path);
 
 // Could a mesh be written there? Refuses unknown extensions, missing or unwritable directories, and
 // places taken by something that is not a regular file; for finding out before a long computation.
-result<mesh_format> check_output(const std::filesystem::path& path);
+ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& path);
 
 struct write_options {
   picture_options picture;  // for .svg, .png and .pdf
@@ -36,8 +37,7 @@ struct write_options {
 };
 
 // The files written, in order.
-result<std::vector<std::filesystem::path>> write_mesh(const std::filesystem::path& path,
-                                                      const mesh& m,
-                                                      const write_options& options = {});
+ASTERISM_EXPORT result<std::vector<std::filesystem::path>> write_mesh(
+    const std::filesystem::path& path, const mesh& m, const write_options& options = {});
 
 }  // namespace asterism

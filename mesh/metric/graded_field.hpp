@@ -31,6 +31,7 @@
 #include <functional>
 #include <memory>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
@@ -62,7 +63,8 @@ struct graded_metric {
 // Takes `field` over, and returns it when no node was changed. `box` is that of the domain. Fails
 // where the field does anywhere in the box, inside the domain or not, for options out of range, and
 // when `enough` ended it.
-result<graded_metric> grade_metric(std::unique_ptr<metric_field> field, const bounding_box& box,
-                                   const gradation_options& options = {});
+ASTERISM_EXPORT result<graded_metric> grade_metric(std::unique_ptr<metric_field> field,
+                                                   const bounding_box& box,
+                                                   const gradation_options& options = {});
 
 }  // namespace asterism

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "asterism/core/export.h"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 
@@ -17,6 +18,6 @@ namespace asterism {
 // inside of is taken, and of equals the first. Keeps its own copy. Requires what adopt_mesh does;
 // triangles that are flat or clockwise are left out, and there must be one that is not. All tensors
 // are divided by size^2, as make_metric_field does.
-std::unique_ptr<metric_field> make_sampled_field(const mesh& m, double size = 1);
+ASTERISM_EXPORT std::unique_ptr<metric_field> make_sampled_field(const mesh& m, double size = 1);
 
 }  // namespace asterism

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/data/domain.hpp"
@@ -29,7 +30,7 @@ struct adopted_mesh {
 // regions where they differ across boundary edges alone, else dropped. Fails, naming the number of
 // the offender, for what no site or triangle can be: no triangle, vertices that do not exist, two
 // at one place, numbers that are not finite, tensors that are not positive definite.
-result<adopted_mesh> adopt_mesh(mesh from_elsewhere);
+ASTERISM_EXPORT result<adopted_mesh> adopt_mesh(mesh from_elsewhere);
 
 struct certify_report {
   audit_report audit;
@@ -52,6 +53,7 @@ struct certify_report {
 // An edge is a unit edge when its length, the mean of what its two ends measure, is in
 // [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With `check_voronoi` the audit has a verdict
 // on point 5, which certified() does not depend on.
-certify_report certify(const adopted_mesh& adopted, double angle_bound, bool check_voronoi = false);
+ASTERISM_EXPORT certify_report certify(const adopted_mesh& adopted, double angle_bound,
+                                       bool check_voronoi = false);
 
 }  // namespace asterism

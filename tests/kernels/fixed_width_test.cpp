@@ -15,6 +15,7 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/predicates/compare_distance.hpp"
 #include "asterism/predicates/domination.hpp"
+#include "asterism/predicates/in_circle.hpp"
 #include "asterism/predicates/insertion_test.hpp"
 #include "asterism/predicates/orientation.hpp"
 #include "asterism/predicates/positive_definite.hpp"
@@ -126,6 +127,8 @@ void check_all(const four_sites& s, tally& count) {
   count.check(fixed_width::is_positive_definite(s[0].metric), is_positive_definite(e0.metric));
   count.check(fixed_width::compare_distance(s[0], s[1], r), compare_distance(e0, e1, e2.position));
   count.check(fixed_width::in_wedge(s[0], s[1], r), in_wedge(e0, e1, e2.position));
+  count.check(fixed_width::in_circle(s[0].metric, p, q, r, s[3].position),
+              in_circle(e0.metric, e0.position, e1.position, e2.position, e3.position));
   if (!distinct(s)) return;
   count.check(fixed_width::dominates(s[0], s[1], r), dominates(e0, e1, e2.position));
   four_sites same = s;

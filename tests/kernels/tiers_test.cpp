@@ -157,6 +157,29 @@ TEST_CASE("in-circle of equal metrics: certain unless cocircular", "[tiers]") {
   CHECK(kernel.edge_test(x, {{0, 1}, round_metric}, v, w).certainly(true));
 }
 
+TEST_CASE("in_circle: which tier decides", "[tiers]") {
+  const filtered_kernel kernel;
+  const auto decided_by = [&](tier t) { return kernel.counters().at(predicate::in_circle, t); };
+  const metric_tensor m{2, 0.5, 1};
+  const point a{0, 0}, b{1, 0}, c{0, 1};
+  CHECK(kernel.in_circle(m, a, b, c, {0.25, 0.25}) == sign::positive);
+  CHECK(kernel.in_circle(m, a, c, b, {0.25, 0.25}) == sign::negative);
+  CHECK(kernel.in_circle(m, a, b, c, {5, 5}) == sign::negative);
+  CHECK(decided_by(tier::semi_static) == 3);
+  // A tie, one unit inside and outside of it: integers of a fixed width.
+  CHECK(kernel.in_circle(a, b, c, {1, 1}) == sign::zero);
+  CHECK(kernel.in_circle(a, b, c, {1, std::nextafter(1, 0)}) == sign::positive);
+  CHECK(kernel.in_circle(a, b, c, {1, std::nextafter(1, 2)}) == sign::negative);
+  CHECK(decided_by(tier::exact) == 3);
+  // Too far apart for a fixed width, and for plain doubles: intervals.
+  CHECK(kernel.in_circle({1, 0, 1}, {0x1p-300, 0}, {0x1p300, 0}, {0, 0x1p300},
+                         {0x1p299, 0x1p299}) == sign::positive);
+  CHECK(decided_by(tier::interval) == 1);
+  // Numbers of any size: a line through the first two points alone, one bit from it.
+  CHECK(kernel.in_circle({1, 0, 1}, {0, 0}, {1, 0}, {0x1p-1070, 1}, {1, 1}) == sign::negative);
+  CHECK(decided_by(tier::exact) == 4);
+}
+
 TEST_CASE("magnitudes beyond the range of intervals fall to exact, not to a wrong sign",
           "[tiers][range]") {
   const exact_kernel exact;

@@ -246,8 +246,13 @@ TEST_CASE("dominates, law 4: what domination means for the two segments", "[laws
 }
 
 sign in_circle_sign(const metric_tensor& m, const std::array<point, 4>& p) {
+  static const filtered_kernel kernel;
   const auto at = [&p](std::size_t i) { return convert<dyadic>(p[i]); };
-  return in_circle(convert<dyadic>(site{{}, m}).metric, at(0), at(1), at(2), at(3)).value();
+  const sign expected =
+      in_circle(convert<dyadic>(site{{}, m}).metric, at(0), at(1), at(2), at(3)).value();
+  CHECK(kernel.in_circle(m, p[0], p[1], p[2], p[3]) == expected);
+  CHECK(exact.in_circle(m, p[0], p[1], p[2], p[3]) == expected);
+  return expected;
 }
 
 template <class Check>
