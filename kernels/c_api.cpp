@@ -58,6 +58,10 @@ const char* asterism_status_message(asterism_status status) {
       return "the library could not finish";
     case ASTERISM_OUT_OF_MEMORY:
       return "there is not enough memory";
+    case ASTERISM_OUT_OF_RANGE:
+      return "an index, count or option is out of range";
+    case ASTERISM_REFUSED:
+      return "the input was refused, for the reason in the message";
   }
   return "not a status of this library";
 }

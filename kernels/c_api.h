@@ -16,7 +16,7 @@
  * Language: C89. Version: core/version.h; asterism_version() is that of the library linked.
  *
  * One function a predicate answers one question; kernels/c_batch.h answers many in a call, and
- * counts which tier decided. The mesher's functions are those of mesh/c/.
+ * counts which tier decided. The mesher's functions are those of mesh/c_interface/.
  */
 #ifndef ASTERISM_KERNELS_C_API_H
 #define ASTERISM_KERNELS_C_API_H
@@ -35,7 +35,9 @@ typedef enum asterism_status { /* NOLINT(modernize-use-using): C */
                                ASTERISM_NOT_POSITIVE_DEFINITE = 3,
                                ASTERISM_EQUAL_SITES = 4,
                                ASTERISM_INTERNAL_FAILURE = 5,
-                               ASTERISM_OUT_OF_MEMORY = 6
+                               ASTERISM_OUT_OF_MEMORY = 6,
+                               ASTERISM_OUT_OF_RANGE = 7, /* an index, count or option */
+                               ASTERISM_REFUSED = 8 /* of a mesh or domain; a message says why */
 } asterism_status;
 
 /* A sentence for a person, never null, also for a number that is no status. Owned by the library.

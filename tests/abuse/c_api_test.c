@@ -222,7 +222,7 @@ int main(void) {
   fill_table();
   test_batches();
   test_refused_batches();
-  for (status = -1; status <= 7; ++status)
+  for (status = -1; status <= 9; ++status)
     expect(strlen(asterism_status_message((asterism_status)status)) > 0, "message");
   expect(asterism_version() == ASTERISM_VERSION, "version");
   expect(strcmp(asterism_version_text(), ASTERISM_VERSION_TEXT) == 0, "version");
