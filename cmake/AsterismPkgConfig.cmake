@@ -15,7 +15,10 @@ function(asterism_pkg_config pc_name library pc_description)
   install(FILES ${PROJECT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
-set(of_predicates -lgmp -lstdc++ -lm)
+set(of_predicates -lstdc++ -lm)
+if(ASTERISM_EXACT STREQUAL "gmp")
+  list(PREPEND of_predicates -lgmp)
+endif()
 asterism_pkg_config(asterism-predicates asterism_predicates
                     "Exact predicates of anisotropic triangulation" ${of_predicates})
 if(TARGET asterism)
