@@ -58,8 +58,7 @@ inline bool is_less(const limb* a, const limb* b, std::size_t n) {
 // From the top, because `to` may lie above a.
 inline limb shift_left(limb* to, const limb* a, std::size_t n, unsigned bits) {
   const limb out = a[n - 1] >> (64 - bits);
-  for (std::size_t k = n; k-- > 0;)
-    to[k] = (a[k] << bits) | (k > 0 ? a[k - 1] >> (64 - bits) : 0);
+  for (std::size_t k = n; k-- > 0;) to[k] = (a[k] << bits) | (k > 0 ? a[k - 1] >> (64 - bits) : 0);
   return out;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/c_interface/arrays.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <mutex>
 #include <string>
@@ -15,8 +18,14 @@
 namespace asterism::internal {
 namespace {
 
-std::string text_of(const point& q) {
-  return "(" + std::to_string(q.x) + ", " + std::to_string(q.y) + ")";
+std::string text_of(std::initializer_list<double> numbers) {
+  std::string text;
+  for (const double x : numbers) {
+    if (!text.empty()) text.append(" ");
+    std::array<char, 32> buffer{};
+    text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr);
+  }
+  return text;
 }
 
 // A metric that the caller computes. One call at a time: the caller may be an interpreter.
@@ -30,14 +39,13 @@ class called_field final : public metric_field {
     {
       const std::lock_guard<std::mutex> alone(lock_);
       if (function_(context_, q.x, q.y, m) != 0)
-        return error{"the metric's function failed at " + text_of(q)};
+        return error{"the metric's function failed at " + text_of({q.x, q.y})};
     }
     const metric_tensor tensor = {m[0] / divisor_, m[1] / divisor_, m[2] / divisor_};
     const bool finite =
         std::isfinite(tensor.m11) && std::isfinite(tensor.m12) && std::isfinite(tensor.m22);
     if (!finite || !filtered_kernel().is_positive_definite(tensor))
-      return error{"the metric at " + text_of(q) + " is " + std::to_string(m[0]) + " " +
-                   std::to_string(m[1]) + " " + std::to_string(m[2]) +
+      return error{"the metric at " + text_of({q.x, q.y}) + " is " + text_of({m[0], m[1], m[2]}) +
                    ", which is not positive definite"};
     return tensor;
   }
