@@ -22,7 +22,7 @@ struct mesh_options {
   // No site is inserted nearer than this to another one, in metric length, both ways. Darts start
   // from it and shrink it. Empty: chosen from the domain (refine/insertion_tolerance.hpp) and
   // reported in the outcome.
-  std::optional<double> tolerance;
+  std::optional<double> tolerance = {};
   // A triangle is too large when its sites are farther than 0.75 metric units from their nearest
   // common Voronoi vertex, a boundary subsegment when it is longer than 1.2: edges then come out
   // around length 1. Checked only when set (the command line sets it when --size is given).
@@ -32,7 +32,7 @@ struct mesh_options {
   // no site is added and no subsegment divided, whatever else could still be improved.
   bool keep_if_complete = false;
   // Asked now and then; a sentence ends refinement, and becomes part of the reason.
-  std::function<std::optional<std::string>()> stop;
+  std::function<std::optional<std::string>()> stop = {};
   int max_rejected = 100;  // darts in a row before the tolerance shrinks
   std::uint64_t seed = 1;  // darts
   // What is complete is improved in so many passes at most (refine/coarsening_pass.hpp); each
