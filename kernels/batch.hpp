@@ -18,16 +18,20 @@
 
 namespace asterism {
 
+// Points, one a row.
 struct point_columns {
   std::span<const double> x, y;
 };
 
+// Sites, one a row.
 struct site_columns {
   std::span<const double> x, y, m11, m12, m22;
 };
 
+// Whether a batch was answered. After length_mismatch nothing was written.
 enum class [[nodiscard]] batch_status{ok, length_mismatch};
 
+// Answers one predicate for many rows. Use one object a thread: it counts what decided.
 class batch_kernel {
  public:
   batch_status compare_distance(const site_columns& v, const site_columns& w,

@@ -10,6 +10,7 @@
 
 namespace asterism {
 
+// The predicates by interval arithmetic: right or undecided, never wrong.
 class interval_kernel {
  public:
   uncertain_sign orientation(const point& p, const point& q, const point& r) const;

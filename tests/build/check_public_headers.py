@@ -18,11 +18,6 @@ import standard_headers
 WARNINGS = ["-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror"]
 
 
-def listed_headers(top):
-    lines = (top / "cmake/public_headers.txt").read_text(encoding="utf-8").splitlines()
-    return [line for line in lines if line and not line.startswith("#")]
-
-
 def install_and_move(build, work):
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
@@ -117,7 +112,7 @@ def main():
     top, (build, work, cxx) = sources.root(), sys.argv[2:5]
     prefix = install_and_move(build, pathlib.Path(work))
     include = prefix / "include"
-    listed = listed_headers(top)
+    listed = sources.public_headers(top)
     compiler = standard_headers.Compiler(cxx)
     allowed = compiler.standard_library(prefix)
     problems = list(list_problems(include, listed)) + list(target_problems(prefix))
