@@ -10,11 +10,17 @@
 
 namespace asterism {
 
-// `message` is one sentence for a person, naming file, line, vertex or number where there is one.
+// Why something failed. `message` is one sentence for a person and names file, line, vertex or
+// number where there is one.
 struct error {
   std::string message;
 };
 
+// Holds a value or an error, never both. Test it before value():
+//
+//   const auto read = read_medit("wing.mesh");
+//   if (!read) return complain(read.failure().message);
+//   use(read.value());
 template <class T>
 class [[nodiscard]] result {
  public:

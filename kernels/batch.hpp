@@ -19,6 +19,7 @@
 
 namespace asterism {
 
+// Points, one a row.
 struct point_columns {
   std::span<const double> x, y;
 };
@@ -27,12 +28,15 @@ struct metric_columns {
   std::span<const double> m11, m12, m22;
 };
 
+// Sites, one a row.
 struct site_columns {
   std::span<const double> x, y, m11, m12, m22;
 };
 
+// Whether a batch was answered. After length_mismatch nothing was written.
 enum class [[nodiscard]] batch_status{ok, length_mismatch};
 
+// Answers one predicate for many rows. Use one object a thread: it counts what decided.
 class ASTERISM_EXPORT batch_kernel {
  public:
   batch_status orientation(const point_columns& p, const point_columns& q, const point_columns& r,

@@ -4,7 +4,7 @@
 // enough, by interval arithmetic when that is, and else by exact arithmetic (docs/math/tiers.md).
 //
 // Input: finite doubles; metric tensors positive definite; the sites of one call distinct. Other
-// input is a caller's error: check with is_positive_definite first (kernels/input_check.hpp).
+// input is a caller's error: check with is_positive_definite first.
 // Output: the exact answer for the doubles given, for any magnitude of the input.
 // State: only the tier counters, so use one kernel object per thread; objects are independent.
 // Floating-point environment: any rounding mode, FTZ and DAZ may be set by the caller; they are
@@ -18,6 +18,10 @@
 
 namespace asterism {
 
+// The predicates, always right and fast. Example:
+//
+//   const filtered_kernel kernel;  // one a thread
+//   const bool keep = kernel.edge_test(v, w, x, y);
 class ASTERISM_EXPORT filtered_kernel {
  public:
   // The predicates of predicates/, one header each, where every answer is defined.

@@ -20,7 +20,7 @@ struct exempt_corner {
   double angle = 0;  // degrees, as its own metric sees it, between its two segments
 };
 
-// What the passes asked for have brought.
+// The effect of the improvement passes that were asked for.
 struct improvement_report {
   std::size_t passes = 0;          // that were accepted
   std::size_t tries = 0;           // refinements done for them
@@ -43,6 +43,7 @@ struct fitting_report {
   std::size_t rounds = 0, moves = 0, flips = 0, collapses = 0, insertions = 0;
 };
 
+// How a run ended, with the mesh it made.
 struct mesh_outcome {
   bool complete = false;
   bool stopped = false;  // by options.stop
@@ -54,11 +55,11 @@ struct mesh_outcome {
   bool jumps = false;             // some disagree where the metric jumps, or all but jumps
   bool crowded = false;           // the fill was given up (fill/fill.hpp): the given vertices alone
   std::size_t inserted = 0, splits = 0, candidates_rejected = 0;
-  // Where the size wanted would have taken more sites than max_sites allows, edges were made this
-  // many times as long, all of them, and about so many sites would have been wanted (0: the run
-  // was stopped before that could be told).
+  // Factor by which every edge was made longer, because the size wanted would have taken more sites
+  // than max_sites allows; and about how many sites it would have taken (0: the run was stopped
+  // before that could be told).
   double length_factor = 1, sites_wanted = 0;
-  // Stars a search of what is near had got wrong, found by looking at all sites, and mended.
+  // Number of stars that the local search had got wrong and the final check of all sites mended.
   std::size_t star_repairs = 0;
   std::vector<exempt_corner> exempt;
   std::vector<triangle> exempt_triangles;  // of result.triangles, below the bound at or across them

@@ -38,13 +38,15 @@
 
 namespace asterism {
 
+// Options of gradation.
 struct gradation_options {
   double beta = 1.1;                  // above 1, finite
   std::size_t max_nodes = 200000;     // of the grid, exceeded by a few
   int max_sweeps = 200;               // over all its nodes
-  std::function<bool()> enough = {};  // asked now and then, true ends it; may be empty
+  std::function<bool()> enough = {};  // polled; true ends it; may be empty
 };
 
+// What gradation did.
 struct gradation_report {
   double beta = 0;
   std::size_t nodes = 0, changed = 0;          // of the grid
@@ -55,6 +57,7 @@ struct gradation_report {
   bool resolved = true;  // the grid was refined wherever it should be
 };
 
+// The graded field and how it came about.
 struct graded_metric {
   std::unique_ptr<metric_field> field;
   gradation_report report;

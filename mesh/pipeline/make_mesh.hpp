@@ -15,8 +15,9 @@
 
 namespace asterism {
 
-// `d` must have been accepted by check_domain. Fails only where the metric field does, or for
-// options out of range. `progress` may be empty; it is called now and then from this thread.
+// Makes the mesh. `d` must have been accepted by check_domain. Fails only where the metric field
+// does, or for options out of range. `progress` may be empty; it is called now and then from this
+// thread.
 ASTERISM_EXPORT result<mesh_outcome> make_mesh(
     const domain& d, const metric_field& field, const mesh_options& options,
     const std::function<void(const mesh_progress&)>& progress = {});

@@ -32,6 +32,12 @@ def includes(path):
     return pattern.findall(path.read_text(encoding="utf-8"))
 
 
+def public_headers(top):
+    """The headers that are installed, by cmake/public_headers.txt."""
+    lines = (top / "cmake/public_headers.txt").read_text(encoding="utf-8").splitlines()
+    return [line for line in lines if line and not line.startswith("#")]
+
+
 def finish(problems, checked):
     """Ends the test: every problem on a line of its own, or how many files were found good."""
     for problem in problems:
