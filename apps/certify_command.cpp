@@ -15,6 +15,7 @@
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/io/medit.hpp"
@@ -24,7 +25,6 @@
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
-#include "asterism/mesh/refine/insertion_tolerance.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -208,7 +208,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   if (reached && is_dual_as_asked(options, judged)) return done;
   return complain({reached ? "not proved to be the dual of the Voronoi diagram: " +
                                  judged.findings.front().witness
-                           : "not reached: " + outcome.reason},
+                           : "not reached: " + claim.reason},
                   not_reached);
 }
 

@@ -26,6 +26,7 @@
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
 #include "asterism/mesh/refine/refinement_loop.hpp"
 
 namespace asterism::bench {
@@ -106,7 +107,7 @@ json judge(const job& j, const mesh_outcome& outcome) {
   for (std::size_t k = 0; k < finding_kind_count; ++k)
     if (report.found[k] > 0) findings[std::string(finding_kind_names[k])] = report.found[k];
   return {{"complete", outcome.complete},
-          {"reason", outcome.reason},
+          {"reason", ending_text(outcome)},
           {"sites", outcome.sites},
           {"triangles", outcome.triangles},
           {"disagreeing", outcome.disagreeing},

@@ -2,6 +2,7 @@
 #include "asterism/core/number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -12,6 +13,14 @@ std::string quoted_token(std::string_view token) {
   std::string text = "'";
   for (const char c : token.substr(0, longest)) text += c >= ' ' && c <= '~' ? c : '?';
   return text + (token.size() > longest ? "...'" : "'");
+}
+
+std::string format_number(double value) {
+  constexpr int digits = 6;
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
+                                     std::chars_format::general, digits);
+  return {text.data(), written.ptr};
 }
 
 namespace {

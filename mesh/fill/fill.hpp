@@ -22,6 +22,7 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/outcome.hpp"
 
 namespace asterism::internal {
 
@@ -35,13 +36,6 @@ struct fill_options {
   bool is_uneven = false;
   // Asked between stars, from any thread, where a round takes long; true ends as `progress` does.
   std::function<bool()> enough;
-};
-
-// Where a fill was given up because sites could not be spread.
-struct crowded_site {
-  point where;
-  std::size_t neighbours = 0;  // in its star
-  std::size_t sites = 0;       // there were when the fill ended
 };
 
 struct filled_domain {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/metric_relaxation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,7 +18,7 @@
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/optimize/optimize_mesh.hpp"
-#include "asterism/mesh/refine/insertion_tolerance.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
 #include "asterism/mesh/refine/refinement_loop.hpp"
 #include "asterism/mesh/refine/site_budget.hpp"
 
@@ -208,20 +206,25 @@ class relaxation {
   bool is_final(const std::optional<mesh_outcome>& tried) const {
     if (stopped_) return true;
     if (!tried) return false;
-    const bool agrees = tried->disagreeing == 0 && tried->stars_missing == 0 && !tried->crowded;
+    const bool agrees = tried->disagreeing == 0 && tried->ended.stars_missing == 0 &&
+                        tried->ended.how != ending::crowded;
     return agrees || tried->stopped;
   }
 
   result<mesh_outcome> conclude() {
     if (stopped_ || tried_->stopped) {
       as_given_.stopped = true;
-      as_given_.reason = (stopped_ ? "stopped: " + *stopped_ : tried_->reason) +
-                         ", in the metric relaxed; before that, in the metric given, " +
-                         as_given_.reason;
+      as_given_.stopped_relaxing.emplace();
+      if (stopped_) {
+        as_given_.stopped_relaxing->how = ending::stopped;
+        as_given_.stopped_relaxing->stopped_because = *stopped_;
+      } else {
+        as_given_.stopped_relaxing = tried_->ended;
+      }
       return std::move(as_given_);
     }
     relaxation_report report;
-    report.why = as_given_.reason;
+    report.why = ending_text(as_given_);
     report.kind = step_.kind;
     report.power = step_.power;
     report.beta = step_.beta;
@@ -232,8 +235,8 @@ class relaxation {
     if (auto fitted = fit_to_given(report)) return *std::move(fitted);
     if (step_.kind == relaxation_kind::without_demands) tried_->complete = false;
     tried_->complete = tried_->complete && report.low_triangles.empty();
-    tried_->reason = reason(report);
     tried_->relaxed = std::move(report);
+    tried_->relaxed_details = {options_.angle_bound, is_same_everywhere_, fitting_stopped_};
     return *std::move(tried_);
   }
 
@@ -269,25 +272,19 @@ class relaxation {
     mesh_outcome o;
     o.complete = true;
     o.result = fitted.triangulation;
-    o.tolerance = tried_->tolerance;
+    o.ended = tried_->ended;
     o.sites = o.result.sites.size();
     o.triangles = o.result.triangles.size();
     o.splits = o.result.boundary.size() - domain_.segments.size();
     o.inserted = o.sites - domain_.vertices.size() - o.splits;
-    o.length_factor = tried_->length_factor;
     for (const vertex_index v : found.exempt_corners)
       o.exempt.push_back({v, angle_at(o.result, v)});
     for (const vertex_index t : found.exempt_triangles)
       o.exempt_triangles.push_back(o.result.triangles[t]);
     if (options_.limit_size) o.too_large = count_large(o.result);
-    o.fitted = fitting_report{as_given_.reason, report.power,     report.low_triangles.size(),
-                              fitted.rounds,    fitted.moves,     fitted.flips,
-                              fitted.collapses, fitted.insertions};
-    o.reason = fmt::format(
-        "all stars agree and every triangle meets the bound, since the mesh of the metric with "
-        "aspects to the power of {} was fitted to the one given; {} triangles are larger than the "
-        "size asks for (before: {})",
-        report.power, o.too_large, as_given_.reason);
+    o.fitted = fitting_report{ending_text(as_given_), report.power,     report.low_triangles.size(),
+                              fitted.rounds,          fitted.moves,     fitted.flips,
+                              fitted.collapses,       fitted.insertions};
     return o;
   }
 
@@ -346,64 +343,6 @@ class relaxation {
       tried_->too_large = count_large(as_given);
   }
 
-  static std::string metric_text(const relaxation_report& report) {
-    switch (report.kind) {
-      case relaxation_kind::softened:
-        return fmt::format("the metric with aspects to the power of {}", report.power);
-      case relaxation_kind::graded:
-        return fmt::format("the metric graded with {} over the length {:.4g}", report.beta,
-                           report.reach);
-      case relaxation_kind::constant:
-        return "one metric for all";
-      case relaxation_kind::without_demands:
-        break;
-    }
-    return "one metric for all, with no demands on angles and sizes";
-  }
-
-  // The metric is not to blame: what is, is a limit, which `why` names, or details of the domain
-  // far smaller than the rest, near which the shortest edge is.
-  std::string reason_without_relaxation(const relaxation_report& report) const {
-    const auto [length, at] = shortest_edge(tried_->result);
-    return fmt::format(
-        "no mesh was found that meets the demands ({}), though the metric is the same everywhere; "
-        "the one delivered is made with no demands on angles and sizes, and its shortest edge, "
-        "{:.4g} "
-        "long, is at ({}, {}): {}; {} triangles are below {} degrees{}",
-        report.why, length, format_number(at.x), format_number(at.y), tried_->reason,
-        report.low_triangles.size(), options_.angle_bound, worst_text(report));
-  }
-
-  // As its first end measures it, and that end.
-  static std::pair<double, point> shortest_edge(const mesh& m) {
-    std::pair<double, point> least{std::numeric_limits<double>::infinity(), {}};
-    for (const triangle& t : m.triangles)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const site &p = m.sites[t[i]], &q = m.sites[t[(i + 1) % 3]];
-        const double length = std::sqrt(squared_distance(p, q.position));
-        if (length < least.first) least = {length, p.position};
-      }
-    return least;
-  }
-
-  // Nothing where no triangle is away from the exempt corners.
-  static std::string worst_text(const relaxation_report& report) {
-    return report.worst_angle < 180 ? fmt::format(", the worst {:.2f}", report.worst_angle) : "";
-  }
-
-  std::string reason(const relaxation_report& report) const {
-    if (is_same_everywhere_) return reason_without_relaxation(report);
-    const std::string stopped =
-        fitting_stopped_ ? "; fitting it to that was stopped: " + *fitting_stopped_ : "";
-    return fmt::format(
-        "stars cannot agree in the metric given ({}); they agree in {}, which differs from it at "
-        "{} of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as "
-        "the metric given measures them {} triangles are below {} degrees{}{}",
-        report.why, metric_text(report), report.changed, report.given.size(), report.most_longer,
-        report.most_shorter, tried_->reason, report.low_triangles.size(), options_.angle_bound,
-        worst_text(report), stopped);
-  }
-
   const star_predicates& kernel_;
   const domain& domain_;
   const metric_field& field_;
@@ -429,7 +368,9 @@ class relaxation {
 
 bool wants_relaxation(const mesh_outcome& made, const mesh_options& options) {
   return options.relax && options.strategy == refinement_strategy::guaranteed && !made.stopped &&
-         !made.complete && (made.disagreeing > 0 || made.stars_missing > 0 || made.crowded);
+         !made.complete &&
+         (made.disagreeing > 0 || made.ended.stars_missing > 0 ||
+          made.ended.how == ending::crowded);
 }
 
 result<mesh_outcome> refine_relaxed(const star_predicates& kernel, const domain& d,

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/metric/unit_frame.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/refine/bad_triangle_queue.hpp"
@@ -60,28 +61,27 @@ class refinement {
     const bool cleared = state_.clear_encroachments(tolerance_.floor);
     survey_.update(state_);
     report_progress();
-    if (state_.field_failure()) return end("the metric field failed");
+    if (state_.field_failure()) return end(ending::stuck);  // run() returns the failure
     if (options_.stop)
       if (const auto why = options_.stop()) {
-        stopped_ = true;
-        return end("stopped: " + *why);
+        ended_because_ = *why;
+        return end(ending::stopped);
       }
-    if (!cleared) return end(spent_message());
+    if (!cleared) return end(spent());
     if (rebuild_disagreeing()) return;
     if (survey_.bad().empty()) {
       if (improve_at_exempt_corners()) return;
       if (rebuild_all_stale() || repair()) return;
-      complete_ = true;
-      return end("all stars agree and every triangle meets the bound");
+      return end(ending::complete);
     }
     if (state_.is_full()) {
       if (rebuild_all_stale()) return;
-      return end("the limit of " + std::to_string(options_.max_sites) + " sites was reached");
+      return end(ending::site_limit);
     }
     if (is_spent()) {
       const bool again = !is_for_relaxation() && !std::exchange(budget_exhausted_, true);
       if (again && rebuild_all_stale()) return;
-      return end(spent_message());
+      return end(spent());
     }
     if (improve()) return;
     if (rebuild_all_stale()) return;
@@ -89,11 +89,11 @@ class refinement {
       confirmed_at_ = 0;  // once more before giving up
       return;
     }
-    end(stuck_message());
+    end(ending::stuck);
   }
 
-  void end(std::string reason) {
-    reason_ = std::move(reason);
+  void end(ending how) {
+    how_ = how;
     ended_ = true;
   }
 
@@ -300,8 +300,10 @@ class refinement {
     return inserted;
   }
 
-  // Names a place, if the metric is too steep at any triangle that is still bad.
-  std::string steep_message() const {
+  ending spent() const { return state_.is_overworked() ? ending::overworked : ending::too_steep; }
+
+  // None where the metric is not too steep at any triangle that is still bad.
+  std::optional<steep_place> steep_place_left() const {
     std::size_t count = 0;
     std::optional<triangle> first;
     for (const bad_triangle& b : survey_.bad()) {
@@ -309,17 +311,14 @@ class refinement {
       ++count;
       if (!first) first = b.where;
     }
-    if (!first) return "";
-    const point at = frame_.outward(state_.sites()[(*first)[0]].position);
-    return "; at " + std::to_string(count) + " of them, one at (" + format_number(at.x) + ", " +
-           format_number(at.y) + "), the metric varies faster than sites " +
-           format_number(frame_.length_outward(tolerance_.finest)) +
-           " apart can resolve (a gradation of it might do)";
+    if (!first) return std::nullopt;
+    return steep_place{count, frame_.outward(state_.sites()[(*first)[0]].position),
+                       frame_.length_outward(tolerance_.finest)};
   }
 
-  // Names the sharpest of the corners that bad triangles are beside: with a site at one, or on a
+  // Returns the sharpest of the corners that bad triangles are beside: with a site at one, or on a
   // segment of one.
-  std::string corner_message() const {
+  std::optional<sharp_corner> sharpest_corner() const {
     const domain_corner* sharpest = nullptr;
     const auto consider = [&](const domain_corner& c) {
       if (c.angle < angle_.degrees() && (sharpest == nullptr || c.angle < sharpest->angle))
@@ -333,32 +332,27 @@ class refinement {
     }
     for (const domain_wedge& w : state_.wedges())
       if (bad.count(w.first_end) != 0 || bad.count(w.last_end) != 0) consider(w.corner);
-    if (sharpest == nullptr) return "";
-    const point at = frame_.outward(state_.sites()[sharpest->vertex].position);
-    return "; the sharpest corner beside them is vertex " + std::to_string(sharpest->vertex + 1) +
-           " at (" + format_number(at.x) + ", " + format_number(at.y) + "), " +
-           format_number(sharpest->angle) + " degrees";
+    if (sharpest == nullptr) return std::nullopt;
+    return sharp_corner{sharpest->vertex, frame_.outward(state_.sites()[sharpest->vertex].position),
+                        sharpest->angle};
   }
 
-  std::string stuck_message() const {
-    const char* tried = options_.strategy == refinement_strategy::poisson_darts
-                            ? "darts"
-                            : "candidates on Voronoi arcs";
-    return "stuck: " + std::to_string(survey_.bad().size()) + " bad triangles are left, and no " +
-           tried + " farther than the tolerance " +
-           format_number(frame_.length_outward(tolerance_now_)) +
-           " from every site can be inserted" + steep_message() + corner_message();
-  }
-
-  std::string spent_message() const {
-    const std::string left =
-        "given up: " + std::to_string(survey_.bad().size()) + " bad triangles are left after ";
-    if (state_.is_overworked())
-      return left + "the most work that is done for so many sites" + steep_message() +
-             corner_message();
-    return left + std::to_string(state_.sites().size() - given_up_at_) +
-           " sites more than there were when the first could not be mended" + steep_message() +
-           corner_message();
+  refinement_ending ended() const {
+    refinement_ending e;
+    e.how = how_;
+    e.strategy = options_.strategy;
+    e.max_sites = options_.max_sites;
+    e.sites = state_.sites().size();
+    e.bad_triangles = survey_.bad().size();
+    e.stars_missing = state_.stars().stars_missing();
+    e.tolerance = frame_.length_outward(tolerance_now_);
+    e.stopped_because = ended_because_;
+    if (how_ == ending::too_steep) e.sites_since = e.sites - given_up_at_;
+    if (how_ == ending::stuck || how_ == ending::too_steep || how_ == ending::overworked) {
+      e.steep = steep_place_left();
+      e.sharpest = sharpest_corner();
+    }
+    return e;
   }
 
   void report_progress() {
@@ -370,21 +364,16 @@ class refinement {
   mesh_outcome outcome() {
     mesh_outcome o;
     consistency_report now = check_consistency(state_.oracle(), state_.stars());
-    o.complete = complete_;
-    o.stopped = stopped_;
+    o.complete = how_ == ending::complete;
+    o.stopped = how_ == ending::stopped;
+    o.ended = ended();
     o.jumps = jump_disagrees_;
-    o.reason = reason_;
-    o.stars_missing = state_.stars().stars_missing();
-    if (o.stars_missing > 0)
-      o.reason += "; the stars of " + std::to_string(o.stars_missing) + " of " +
-                  std::to_string(state_.sites().size()) + " sites were never made";
     o.result.sites = state_.sites();
     o.result.given = given_;
     o.result.triangles = std::move(now.agreeing);
     o.result.boundary = state_.edges().in_order();
     o.result.disagreeing = std::move(now.disagreeing);
     frame_.outward(o.result);
-    o.tolerance = frame_.length_outward(tolerance_now_);
     o.sites = o.result.sites.size();
     o.triangles = o.result.triangles.size();
     o.disagreeing = survey_.count(badness::disagreeing);
@@ -417,8 +406,9 @@ class refinement {
   std::size_t given_up_at_ = 0;  // the number of sites when the first triangle became steep
   bool budget_exhausted_ = false, jump_disagrees_ = false;
   std::size_t rejected_ = 0;
-  bool complete_ = false, ended_ = false, stopped_ = false;
-  std::string reason_;
+  bool ended_ = false;
+  ending how_ = ending::complete;
+  std::string ended_because_;  // what options.stop said
 };
 
 std::optional<error> check_options(const domain& d, const mesh_options& o) {
@@ -496,12 +486,13 @@ result<mesh_outcome> refine_as_given(const unit_frame& frame, const star_predica
   budgeted_filling nothing{{}, frame, 0};
   nothing.proposed.divisions.resize(d.segments.size());
   auto made = refine_filled(nothing, kernel, d, field, options, progress);
-  if (made && made.value().complete) made.value().reason = "nothing to add: " + made.value().reason;
+  if (made && made.value().complete) made.value().ended.nothing_added = true;
   return made;
 }
 
 bool is_final(const result<mesh_outcome>& kept) {
-  return !kept || kept.value().sites_wanted > 0 || kept.value().complete || kept.value().stopped;
+  return !kept || kept.value().ended.sites_wanted > 0 || kept.value().complete ||
+         kept.value().stopped;
 }
 
 }  // namespace

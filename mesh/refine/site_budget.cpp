@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/refine/site_budget.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,7 +10,6 @@
 
 #include "asterism/mesh/metric/feature_size_field.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
-#include "asterism/mesh/refine/insertion_tolerance.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -128,12 +125,9 @@ result<budgeted_filling> fill_within_budget(
 void report_crowded(const budgeted_filling& filled, mesh_outcome& outcome) {
   const auto& crowded = filled.proposed.crowded;
   if (!crowded || outcome.complete) return;
-  outcome.crowded = true;
-  const point at = filled.frame.outward(crowded->where);
-  outcome.reason = fmt::format(
-      "the metric varies too fast for sites to be spread: of {} proposed, the one at ({}, {}) has "
-      "{} neighbours (a gradation of it might do); only the given vertices are meshed",
-      crowded->sites, format_number(at.x), format_number(at.y), crowded->neighbours);
+  outcome.ended.how = ending::crowded;
+  outcome.ended.crowded = *crowded;
+  outcome.ended.crowded->where = filled.frame.outward(crowded->where);
 }
 
 void report_coarser(int halvings, bool fill_stopped, const mesh_options& options,
@@ -146,21 +140,12 @@ void report_coarser(int halvings, bool fill_stopped, const mesh_options& options
         return metric_circumradius({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}) >
                largest_circumradius;
       }));
-  outcome.length_factor = std::exp2(halvings / 2.0);
-  if (fill_stopped) {
-    outcome.reason =
-        fmt::format("the limit of {} sites was reached; with edges {:.3g} times as long, {}",
-                    options.max_sites, outcome.length_factor, outcome.reason);
-    return;
-  }
+  outcome.ended.max_sites = options.max_sites;
+  const double factor = outcome.ended.length_factor = std::exp2(halvings / 2.0);
+  if (fill_stopped) return;
   const double on_segments = sites_on_segments(m);
   const double inside = static_cast<double>(outcome.sites) - on_segments;
-  outcome.sites_wanted =
-      on_segments * outcome.length_factor + inside * outcome.length_factor * outcome.length_factor;
-  outcome.reason = fmt::format(
-      "the limit of {} sites was reached: the size wanted takes about {:.3g}; with edges {:.3g} "
-      "times as long, {}",
-      options.max_sites, outcome.sites_wanted, outcome.length_factor, outcome.reason);
+  outcome.ended.sites_wanted = on_segments * factor + inside * factor * factor;
 }
 
 }  // namespace asterism::internal
