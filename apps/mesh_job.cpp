@@ -81,13 +81,14 @@ result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wan
   auto read = read_medit(path, how);
   if (!read) return read.failure();
   auto adopted = adopt_mesh(std::move(read).value());
-  if (!adopted) return error{path + ": " + adopted.failure().message};
+  if (!adopted) return adopted.failure().at(path);
   audit_options options;
   options.check_stars = false;
   options.angle_bound = 0;
   const audit_report found = audit(adopted.value().subject, options);
   if (!found.certified)
-    return error{path + " is no triangulation: " + found.findings.at(0).witness};
+    return error{path + " is no triangulation: " + found.findings.at(0).witness,
+                 error_code::invalid_mesh};
   return adopted;
 }
 
@@ -128,7 +129,8 @@ result<domain> load_and_check(const mesh_job& job) {
 // What a mesh covers, with its vertices, boundary edges and regions; its metric is not used.
 result<domain> domain_of_mesh(const mesh_job& job) {
   if (job.number_regions)
-    return error{"--regions: " + job.domain + " is a mesh, which has its regions already"};
+    return error{"--regions: " + job.domain + " is a mesh, which has its regions already",
+                 error_code::bad_option};
   auto adopted = read_triangulation(job.domain, false);
   if (!adopted) return adopted.failure();
   return std::move(adopted.value().shape);
@@ -144,7 +146,8 @@ result<prepared_input> prepare(const mesh_job& job) {
   const std::size_t given = populated.value().vertices.size();
   if (given > job.refinement.max_sites)
     return error{"--max-sites " + std::to_string(job.refinement.max_sites) + ": the domain has " +
-                 std::to_string(given) + " vertices already"};
+                     std::to_string(given) + " vertices already",
+                 error_code::bad_option};
   return with_metric(job, std::move(populated).value());
 }
 

@@ -49,7 +49,7 @@ bool is_huge(std::string_view digits, int base) {
 }  // namespace
 
 result<double> parse_number(std::string_view token) {
-  const error no_number{quoted_token(token) + " is not a number"};
+  const error no_number{quoted_token(token) + " is not a number", error_code::bad_number};
   std::string_view digits = token;
   const bool negative = !digits.empty() && digits.front() == '-';
   if (!digits.empty() && (negative || digits.front() == '+')) digits.remove_prefix(1);
@@ -68,7 +68,8 @@ result<double> parse_number(std::string_view token) {
   // from_chars gives no value here and does not tell overflow from underflow.
   if (read.ec == std::errc::result_out_of_range)
     value = is_huge(digits, hexadecimal ? 16 : 10) ? HUGE_VAL : 0;
-  if (!std::isfinite(value)) return error{quoted_token(token) + " is not finite"};
+  if (!std::isfinite(value))
+    return error{quoted_token(token) + " is not finite", error_code::bad_number};
   return negative ? -value : value;
 }
 

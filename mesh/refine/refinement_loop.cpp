@@ -413,7 +413,7 @@ class refinement {
 
 std::optional<error> check_options(const domain& d, const mesh_options& o) {
   const auto refuse = [](const std::string& what, const std::string& got) {
-    return error{what + ", not " + got};
+    return error{what + ", not " + got, error_code::bad_option};
   };
   if (!(o.angle_bound >= 0 && o.angle_bound < 60))
     return refuse("the angle bound must be at least 0 and less than 60 degrees",
