@@ -27,7 +27,7 @@
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
-#include "asterism/mesh/refine/refinement_loop.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
 
 namespace asterism::bench {
 using namespace internal;
@@ -119,7 +119,7 @@ template <class Kernel>
 void run(const job& j, json& into) {
   const Kernel kernel;
   const auto start = std::chrono::steady_clock::now();
-  const auto outcome = mesh_domain(star_predicates_on(kernel), j.shape, *j.field, j.options, {});
+  const auto outcome = mesh_domain({star_predicates_on(kernel), j.shape, *j.field, j.options});
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   into["milliseconds"].push_back(taken.count());
   if (into.contains("outcome")) return;

@@ -42,9 +42,9 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
   return judged;
 }
 
-result<certified_mesh> make_certified_mesh(
-    const domain& d, const metric_field& field, const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress) {
+result<certified_mesh> make_certified_mesh(const domain& d, const metric_field& field,
+                                           const mesh_options& options,
+                                           const progress_listener& progress) {
   auto made = make_mesh(d, field, options, progress);
   if (!made) return made.failure();
   if (progress) progress({.phase = mesh_phase::auditing, .sites = made.value().sites});

@@ -12,14 +12,14 @@
 
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/metric/softened_field.hpp"
-#include "asterism/mesh/metric/unit_frame.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/optimize/optimize_mesh.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
-#include "asterism/mesh/refine/refinement_loop.hpp"
+#include "asterism/mesh/pipeline/unit_image.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/refine/site_budget.hpp"
 
 namespace asterism::internal {
@@ -45,18 +45,15 @@ struct relaxation_step {
 
 class relaxation {
  public:
-  relaxation(const star_predicates& kernel, const domain& d, const metric_field& field,
-             const mesh_options& options, const std::function<void(const mesh_progress&)>& progress,
-             mesh_outcome as_given)
-      : kernel_(kernel),
-        domain_(d),
-        field_(field),
-        options_(options),
-        progress_(progress),
+  relaxation(const meshing_context& job, mesh_outcome as_given)
+      : job_(job),
+        domain_(job.shape),
+        field_(job.field),
+        options_(job.options),
         as_given_(std::move(as_given)),
-        frame_(unit_frame::choose(d, field, !options.limit_size && !options.tolerance)),
-        image_(frame_.inward(d)),
-        framed_(field, frame_) {}
+        unit_(job.shape, job.field, job.options),
+        frame_(unit_.frame()),
+        image_(unit_.shape()) {}
 
   result<mesh_outcome> run() {
     if (auto failure = measure_sites()) return *failure;
@@ -113,8 +110,8 @@ class relaxation {
     const bounding_box box = image_.box();
     for (int i = 0; i < lattice * lattice; ++i) {
       const double u = (i % lattice + 0.5) / lattice, v = (i / lattice + 0.5) / lattice;
-      const auto there =
-          framed_.at({(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y});
+      const auto there = unit_.field().at(
+          {(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y});
       if (there && !(there.value() == one)) return false;
     }
     return true;
@@ -124,23 +121,21 @@ class relaxation {
   std::unique_ptr<metric_field> make_field() const {
     std::unique_ptr<metric_field> made;
     if (step_.kind == relaxation_kind::softened)
-      made = soften(framed_, step_.power);
+      made = soften(unit_.field(), step_.power);
     else if (step_.kind == relaxation_kind::graded)
-      made = grade_over(framed_, image_.box(), step_.beta, step_.reach, mean_,
-                        [this] { return options_.stop && options_.stop(); });
+      made = grade_over(unit_.field(), image_.box(), step_.beta, step_.reach, mean_, options_.stop);
     else
       made = same_everywhere(mean_);
-    return made ? seen_from_outside(std::move(made), frame_) : nullptr;
+    return made ? checked(std::move(made)) : nullptr;
   }
 
   // Whether an edge of length 1 ends, at many places of a lattice over the box, where lengths are
   // measured quite otherwise: a forecast that spares fills in which every site meets all others.
   // Where the metric turns by a radian over an edge this is 2.8, and 1.6 where such a metric is
   // softened enough.
-  bool varies_too_fast(const metric_field& relaxed) const {
+  bool varies_too_fast(const metric_field& field) const {
     constexpr int lattice = 24;
     constexpr double too_much = 3, part = 0.1;
-    const framed_field field(relaxed, frame_);
     const bounding_box box = image_.box();
     int asked = 0, beyond = 0;
     for (int i = 0; i < lattice * lattice; ++i) {
@@ -180,26 +175,32 @@ class relaxation {
         step.kind == relaxation_kind::softened || step.kind == relaxation_kind::graded;
     crowded_ = options.limit_size && may_vary && varies_too_fast(*relaxed);
     if (crowded_) return tried_;
-    const auto filled = fill_within_budget(frame_, domain_, *relaxed, options, progress_);
+    const meshing_context job = job_in_frame(*relaxed, options);
+    const auto filled = fill_within_budget(job);
     if (!filled || (filled.value().proposed.stopped && is_stopped())) return tried_;
     crowded_ = filled.value().proposed.crowded.has_value();
     longer_edges_ = std::exp2(filled.value().halvings / 2.0);
     if (crowded_ || (may_vary && longer_edges_ > step.reach)) return tried_;
-    refine(filled.value(), *relaxed, options);
+    refine(filled.value(), job);
     return tried_;
   }
 
-  void refine(const budgeted_filling& filled, const metric_field& relaxed,
-              const mesh_options& options) {
+  meshing_context job_in_frame(const metric_field& relaxed, const mesh_options& options) const {
+    return {job_.kernel, image_, relaxed, options, job_.progress};
+  }
+
+  void refine(const budgeted_filling& filled, const meshing_context& job) {
     ++tries_;
-    const auto own_kernel = kernel_.fork();  // the work done for one mesh is counted from zero
-    auto made = mesh_from_sites(filled, *own_kernel, domain_, relaxed, options, progress_);
-    kernel_.count(own_kernel->counters());
-    if (made) tried_ = std::move(made).value();
+    const auto own_kernel = job.kernel.fork();  // the work done for one mesh is counted from zero
+    auto made = mesh_from_sites(job.on(*own_kernel), filled);
+    job.kernel.count(own_kernel->counters());
+    if (!made) return;
+    tried_ = std::move(made).value();
+    unit_.outward(*tried_);
   }
 
   bool is_stopped() {
-    if (!stopped_ && options_.stop) stopped_ = options_.stop();
+    if (!stopped_) stopped_ = options_.stop.poll();
     return stopped_.has_value();
   }
 
@@ -250,9 +251,9 @@ class relaxation {
       fitting_options wanted;
       wanted.angle_bound = options_.angle_bound;
       wanted.degrees_above_bound = aim;
-      if (options_.stop) wanted.enough = [this] { return options_.stop().has_value(); };
+      wanted.stop = options_.stop;
       const auto fitted = fit(domain_, field_, tried_->result, wanted);
-      if (fitted && fitted.value().stopped) fitting_stopped_ = options_.stop();
+      if (fitted && fitted.value().stopped) fitting_stopped_ = options_.stop.poll();
       if (!fitted || fitted.value().stopped) return std::nullopt;
       constexpr std::size_t hopeless = 50;
       if (fitted.value().low > hopeless) return std::nullopt;
@@ -343,15 +344,14 @@ class relaxation {
       tried_->too_large = count_large(as_given);
   }
 
-  const star_predicates& kernel_;
+  const meshing_context& job_;
   const domain& domain_;
   const metric_field& field_;
   const mesh_options& options_;
-  const std::function<void(const mesh_progress&)>& progress_;
   mesh_outcome as_given_;
-  unit_frame frame_;
-  domain image_;  // in the frame, as all that follows
-  framed_field framed_;
+  unit_image unit_;
+  const unit_frame& frame_;
+  const domain& image_;  // in the frame, as the mean and the extent
   metric_tensor mean_;
   bool is_same_everywhere_ = false;
   double extent_ = 0;
@@ -373,11 +373,8 @@ bool wants_relaxation(const mesh_outcome& made, const mesh_options& options) {
           made.ended.how == ending::crowded);
 }
 
-result<mesh_outcome> refine_relaxed(const star_predicates& kernel, const domain& d,
-                                    const metric_field& field, const mesh_options& options,
-                                    const std::function<void(const mesh_progress&)>& progress,
-                                    mesh_outcome as_given) {
-  return relaxation(kernel, d, field, options, progress, std::move(as_given)).run();
+result<mesh_outcome> refine_relaxed(const meshing_context& job, mesh_outcome as_given) {
+  return relaxation(job, std::move(as_given)).run();
 }
 
 }  // namespace asterism::internal
