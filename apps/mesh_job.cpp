@@ -81,13 +81,14 @@ result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wan
   auto read = read_medit(path, how);
   if (!read) return read.failure();
   auto adopted = adopt_mesh(std::move(read).value());
-  if (!adopted) return error{path + ": " + adopted.failure().message};
+  if (!adopted) return adopted.failure().at(path);
   audit_options options;
   options.check_stars = false;
   options.angle_bound = 0;
   const audit_report found = audit(adopted.value().subject, options);
   if (!found.certified)
-    return error{path + " is no triangulation: " + found.findings.at(0).witness};
+    return error{path + " is no triangulation: " + found.findings.at(0).witness,
+                 error_code::invalid_mesh};
   return adopted;
 }
 
@@ -128,7 +129,8 @@ result<domain> load_and_check(const mesh_job& job) {
 // What a mesh covers, with its vertices, boundary edges and regions; its metric is not used.
 result<domain> domain_of_mesh(const mesh_job& job) {
   if (job.number_regions)
-    return error{"--regions: " + job.domain + " is a mesh, which has its regions already"};
+    return error{"--regions: " + job.domain + " is a mesh, which has its regions already",
+                 error_code::bad_option};
   auto adopted = read_triangulation(job.domain, false);
   if (!adopted) return adopted.failure();
   return std::move(adopted.value().shape);
@@ -144,7 +146,8 @@ result<prepared_input> prepare(const mesh_job& job) {
   const std::size_t given = populated.value().vertices.size();
   if (given > job.refinement.max_sites)
     return error{"--max-sites " + std::to_string(job.refinement.max_sites) + ": the domain has " +
-                 std::to_string(given) + " vertices already"};
+                     std::to_string(given) + " vertices already",
+                 error_code::bad_option};
   return with_metric(job, std::move(populated).value());
 }
 
@@ -170,7 +173,7 @@ std::string text_of(const gradation_report& done) {
 std::string text_of_size_delivered(const mesh_job& job, const mesh_outcome& outcome) {
   const bool demanded =
       !outcome.relaxed || outcome.relaxed->kind != relaxation_kind::without_demands;
-  return job.size && demanded ? text_of(*job.size * outcome.length_factor) : "none";
+  return job.size && demanded ? text_of(*job.size * outcome.ended.length_factor) : "none";
 }
 
 // What the passes over the finished mesh did, in one line.
@@ -204,7 +207,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
           {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},
           {"tol", asked.tolerance ? text_of(*asked.tolerance) : "chosen"},
-          {"tol-at-end", text_of(outcome.tolerance)},
+          {"tol-at-end", text_of(outcome.ended.tolerance)},
           {"improve", std::to_string(asked.improve_passes)},
           {"improve-done", outcome.improved ? text_of(*outcome.improved, outcome.sites) : "none"},
           {"certify", job.refinement.prove_voronoi ? "voronoi" : "stars"},
@@ -255,7 +258,8 @@ void write_summary(const mesh_outcome& outcome, const audit_report& report, bool
             << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle)
             << " low-angle";
   if (outcome.too_large > 0) std::cout << ", " << outcome.too_large << " too large";
-  if (outcome.stars_missing > 0) std::cout << ", " << outcome.stars_missing << " stars never made";
+  if (outcome.ended.stars_missing > 0)
+    std::cout << ", " << outcome.ended.stars_missing << " stars never made";
   if (!report.exempt_corners.empty())
     std::cout << ", " << report.exempt_triangles.size() << " exempt at "
               << report.exempt_corners.size() << " corners";
@@ -282,12 +286,13 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
   if (!job.quiet && outcome.fitted)
     std::cout << "fitted: " << text_of(*outcome.fitted, outcome.too_large) << '\n';
-  if (!job.quiet && outcome.relaxed && reached) std::cout << "relaxed: " << outcome.reason << '\n';
+  if (!job.quiet && outcome.relaxed && reached)
+    std::cout << "relaxed: " << made.claim.reason << '\n';
   if (!job.quiet) write_summary(outcome, report, reached, unit_edges);
   const bool dual_as_asked =
       !job.refinement.prove_voronoi || report.voronoi == voronoi_verdict::proved;
   if (reached && dual_as_asked) return done;
-  if (!outcome.complete) return complain({"not reached: " + outcome.reason}, not_reached);
+  if (!outcome.complete) return complain({"not reached: " + made.claim.reason}, not_reached);
   const std::string witness = report.findings.empty() ? "" : ": " + report.findings[0].witness;
   return complain({reached ? "not proved to be the dual of the Voronoi diagram" + witness
                            : "the audit refuses the mesh" + witness},

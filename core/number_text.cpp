@@ -2,6 +2,7 @@
 #include "asterism/core/number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -12,6 +13,14 @@ std::string quoted_token(std::string_view token) {
   std::string text = "'";
   for (const char c : token.substr(0, longest)) text += c >= ' ' && c <= '~' ? c : '?';
   return text + (token.size() > longest ? "...'" : "'");
+}
+
+std::string format_number(double value) {
+  constexpr int digits = 6;
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
+                                     std::chars_format::general, digits);
+  return {text.data(), written.ptr};
 }
 
 namespace {
@@ -40,7 +49,7 @@ bool is_huge(std::string_view digits, int base) {
 }  // namespace
 
 result<double> parse_number(std::string_view token) {
-  const error no_number{quoted_token(token) + " is not a number"};
+  const error no_number{quoted_token(token) + " is not a number", error_code::bad_number};
   std::string_view digits = token;
   const bool negative = !digits.empty() && digits.front() == '-';
   if (!digits.empty() && (negative || digits.front() == '+')) digits.remove_prefix(1);
@@ -59,7 +68,8 @@ result<double> parse_number(std::string_view token) {
   // from_chars gives no value here and does not tell overflow from underflow.
   if (read.ec == std::errc::result_out_of_range)
     value = is_huge(digits, hexadecimal ? 16 : 10) ? HUGE_VAL : 0;
-  if (!std::isfinite(value)) return error{quoted_token(token) + " is not finite"};
+  if (!std::isfinite(value))
+    return error{quoted_token(token) + " is not finite", error_code::bad_number};
   return negative ? -value : value;
 }
 

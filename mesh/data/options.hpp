@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
+
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism {
 
@@ -32,8 +33,7 @@ struct mesh_options {
   // The domain's vertices are the sites of a mesh: if no triangle of their stars is left to mend,
   // no site is added and no subsegment divided, whatever else could still be improved.
   bool keep_if_complete = false;
-  // Polled during the run. Returning a message cancels it; the message is appended to `reason`.
-  std::function<std::optional<std::string>()> stop = {};
+  cancellation stop;       // polled during the run; what it says becomes part of the outcome
   int max_rejected = 100;  // darts in a row before the tolerance shrinks
   std::uint64_t seed = 1;  // darts
   // What is complete is improved in so many passes at most (refine/coarsening_pass.hpp); each
@@ -58,5 +58,8 @@ struct mesh_progress {
   std::size_t sites = 0, disagreeing = 0, low_angle = 0, too_large = 0;
   double sites_expected = 0;  // while filling, about; 0 when that cannot be told yet
 };
+
+// Called now and then, from the thread that started the run; may be empty.
+using progress_listener = std::function<void(const mesh_progress&)>;
 
 }  // namespace asterism

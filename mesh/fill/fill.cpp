@@ -66,7 +66,8 @@ class filling {
       distance_ = options_.distance * std::exp2(level);
       divide(level == 0 ? 0 : options_.longest_subsegment * std::exp2(level));
       while (!failure_ && !full_ && rounds_ < most_rounds) {
-        if (progress && !progress(sites_.size(), needed_)) full_ = stopped_ = true;
+        if (progress) progress(sites_.size(), needed_);
+        if (options_.stop.is_requested()) full_ = stopped_ = true;
         if (full_ || !round()) break;
       }
       needed_ = full_ ? std::max(needed_, static_cast<double>(sites_.size()))
@@ -381,7 +382,7 @@ class filling {
 
   bool is_enough(std::size_t i) const {
     constexpr std::size_t at_a_time = 8;
-    return options_.enough && i % at_a_time == 0 && options_.enough();
+    return i % at_a_time == 0 && options_.stop.is_requested();
   }
 
   // The star of w among all sites so near that no farther one could belong to it; `near` is left
@@ -464,7 +465,7 @@ class filling {
   double distance_ = 0;                                 // of the level
   std::size_t rounds_ = 0;
   bool full_ = false;     // a site was wanted and there was no room
-  bool stopped_ = false;  // by `progress`, which makes it full
+  bool stopped_ = false;  // by options_.stop, which makes it full
   bool crowded_ = false;  // is_overworked(), which makes it full as well
   // Of all rounds: stars disturbed by new sites, and sites and subsegments looked at as candidates.
   std::uint64_t disturbed_ = 0;

@@ -71,7 +71,7 @@ gradation_sweep::gradation_sweep(const metric_field& field, gradation_grid& grid
 // A step is a sample or a look around, some microseconds.
 bool gradation_sweep::is_ended() {
   constexpr std::size_t between_questions = 256;
-  if (!ended_ && options_.enough && ++steps_ % between_questions == 0) ended_ = options_.enough();
+  if (!ended_ && ++steps_ % between_questions == 0) ended_ = options_.stop.is_requested();
   return ended_;
 }
 

@@ -17,7 +17,8 @@ constexpr int most_smoothing = 10;
 constexpr double degrees_to_spare = 0.5;
 
 error not_a_triangulation(const std::string& what) {
-  return {"what is to be fitted is no triangulation of the domain: " + what};
+  return {"what is to be fitted is no triangulation of the domain: " + what,
+          error_code::invalid_mesh};
 }
 
 double angle_seen(const fit_site& from, const point& a, const point& b) {

@@ -29,8 +29,8 @@ double random_part(std::uint64_t vertex, std::uint64_t number) {
 
 }  // namespace
 
-bool mover::has_enough() {
-  stopped_ = stopped_ || mesh_->field_failure() || (*enough_ && (*enough_)());
+bool mover::is_cancelled() {
+  stopped_ = stopped_ || mesh_->field_failure() || cancelled_->is_requested();
   return stopped_;
 }
 
@@ -79,7 +79,7 @@ bool mover::sweep(double step) {
   wake({});
   for (vertex_index v = 0; v < mesh_->sites().size(); ++v) {
     if (rests_[v] >= visits_before_rest) continue;
-    if (++visits_ % visits_between_questions == 0 && has_enough()) return false;
+    if (++visits_ % visits_between_questions == 0 && is_cancelled()) return false;
     const double change = visit(v, step, parts_of_sweep);
     ++rests_[v];
     if (change < -least_gain) rests_[v] = 0;
@@ -87,7 +87,7 @@ bool mover::sweep(double step) {
       for (const vertex_index t : mesh_->around(v)) wake(mesh_->triangles()[t].v);
   }
   flip_all();
-  return !has_enough();
+  return !is_cancelled();
 }
 
 std::vector<vertex_index> mover::ring(std::span<const vertex_index> seeds, int depth) {

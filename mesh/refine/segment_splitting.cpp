@@ -258,7 +258,7 @@ bool refine_state::clear_encroachments(double shortest) {
     suspects_.pop_back();
     const auto encroacher = find_encroacher(subsegment);
     if (!encroacher) continue;
-    if (enough_()) return false;
+    if (cancelled_.is_requested()) return false;
     const auto mirrored = mirrored_split_point(edges_.subsegments()[subsegment], *encroacher);
     if (!mirrored || !split_at(subsegment, *mirrored, shortest)) split(subsegment, shortest);
   }
@@ -272,7 +272,7 @@ void refine_state::shorten_subsegments(double longest) {
       return std::max(subsegment_length(subsegment, p.a), subsegment_length(subsegment, p.b)) >
              longest;
     };
-    while (too_long() && !enough_() && !is_overworked() && split(subsegment, 0)) {
+    while (too_long() && !cancelled_.is_requested() && !is_overworked() && split(subsegment, 0)) {
     }
   }
 }

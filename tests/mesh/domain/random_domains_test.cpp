@@ -111,7 +111,7 @@ fate fate_of(const domain& input) {
   const auto made = make_mesh(d, identity_field(), options);
   REQUIRE(made.ok());
   if (!made.value().complete) {
-    CHECK_FALSE(made.value().reason.empty());
+    CHECK_FALSE(ending_text(made.value()).empty());
     return fate::stuck;
   }
   audit_options asked;

@@ -17,7 +17,7 @@ void check_certified(const domain& d, const metric_field& field, const mesh_opti
   const auto made = make_mesh(d, field, asked);
   REQUIRE(made.ok());
   const mesh_outcome& outcome = made.value();
-  INFO(outcome.reason);
+  INFO(ending_text(outcome));
   CHECK(outcome.complete);
   CHECK(outcome.disagreeing == 0);
   audit_options options;

@@ -93,7 +93,7 @@ void check_certified(const domain& d, const metric_field& field, bool limit_size
   const auto tried = make_mesh(d, field, wanted(limit_size));
   REQUIRE(tried.ok());
   const mesh_outcome& made = tried.value();
-  INFO(made.reason);
+  INFO(ending_text(made));
   CHECK(made.complete);
   CHECK(made.sites <= most_sites);
   CHECK_FALSE(made.exempt.empty());
@@ -221,5 +221,5 @@ TEST_CASE("where a wedge keeps triangles below the bound the reason names its co
   const auto made = make_mesh(fan(2, 14), identity_field(), few);
   REQUIRE(made.ok());
   CHECK_FALSE(made.value().complete);
-  CHECK_THAT(made.value().reason, Catch::Contains("vertex 5 at (0, 0), 14 degrees"));
+  CHECK_THAT(ending_text(made.value()), Catch::Contains("vertex 5 at (0, 0), 14 degrees"));
 }
