@@ -15,8 +15,10 @@
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
@@ -24,7 +26,6 @@
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
-#include "asterism/mesh/refine/insertion_tolerance.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -217,13 +218,7 @@ using made_field = result<std::unique_ptr<metric_field>>;
 // The field of --metric, placed in the box of the vertices, and their tensors from it.
 made_field measure_by_formula(const certify_options& options, mesh& m) {
   if (m.sites.empty()) return error{options.mesh.string() + ": there are no vertices"};
-  bounding_box box{m.sites[0].position, m.sites[0].position};
-  for (const site& s : m.sites) {
-    const point& q = s.position;
-    box.low = {std::min(box.low.x, q.x), std::min(box.low.y, q.y)};
-    box.high = {std::max(box.high.x, q.x), std::max(box.high.y, q.y)};
-  }
-  auto field = make_metric_field(*options.metric, box, options.size);
+  auto field = make_metric_field(*options.metric, box_of_sites(m.sites), options.size);
   if (!field) return field;
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     const auto metric = field.value()->at(m.sites[v].position);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/metric/softened_field.hpp"
 #include "asterism/mesh/metric/unit_frame.hpp"
@@ -20,7 +21,6 @@
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/optimize/optimize_mesh.hpp"
-#include "asterism/mesh/refine/insertion_tolerance.hpp"
 #include "asterism/mesh/refine/refinement_loop.hpp"
 #include "asterism/mesh/refine/site_budget.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -66,12 +65,6 @@ tolerance_range choose_tolerance(const refine_state& state, vertex_index vertice
   tolerance_range arcs{arc_fraction * shortest, arc_fraction * shortest / arc_ladder};
   arcs.finest = arcs.start / arc_finest_part;
   return arcs;
-}
-
-std::string format_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
 }
 
 }  // namespace asterism::internal

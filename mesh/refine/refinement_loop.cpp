@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/metric/unit_frame.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/refine/bad_triangle_queue.hpp"
@@ -18,6 +19,7 @@
 #include "asterism/mesh/refine/poisson_darts.hpp"
 #include "asterism/mesh/refine/site_budget.hpp"
 #include "asterism/mesh/refine/voronoi_arc_candidates.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -142,8 +144,7 @@ class refinement {
   }
 
   bool rebuild(std::vector<vertex_index> stale, star_search search) {
-    std::sort(stale.begin(), stale.end());
-    stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
+    sort_unique(stale);
     return !state_.stars().construct(state_.oracle(), stale, search).empty();
   }
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/metric/feature_size_field.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
-#include "asterism/mesh/refine/insertion_tolerance.hpp"
 
 namespace asterism::internal {
 namespace {

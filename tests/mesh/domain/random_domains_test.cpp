@@ -23,19 +23,19 @@ namespace {
 struct random_graph {
   explicit random_graph(std::uint64_t seed) : random(seed) {
     if (seed % 3 != 0) add_ring(d, box_ring(0, 0, grid, grid));
-    const std::size_t rings = random.next() % 3, segments = random.next() % 8;
+    const std::size_t rings = random.bits() % 3, segments = random.bits() % 8;
     for (std::size_t i = 0; i < rings; ++i) add_box();
     for (std::size_t i = 0; i < segments; ++i) add_segment(any_vertex(), any_vertex());
-    for (std::size_t i = random.next() % 3; i > 0; --i) d.vertices.push_back(grid_point());
-    for (std::size_t i = random.next() % 2; i > 0; --i) d.holes.push_back(loose_point());
-    for (std::size_t i = random.next() % 3; i > 0; --i)
-      d.regions.push_back({loose_point(), static_cast<int>(random.next() % 3)});
-    d.number_all_regions = random.next() % 2 == 0;
+    for (std::size_t i = random.bits() % 3; i > 0; --i) d.vertices.push_back(grid_point());
+    for (std::size_t i = random.bits() % 2; i > 0; --i) d.holes.push_back(loose_point());
+    for (std::size_t i = random.bits() % 3; i > 0; --i)
+      d.regions.push_back({loose_point(), static_cast<int>(random.bits() % 3)});
+    d.number_all_regions = random.bits() % 2 == 0;
   }
 
   point grid_point() {
-    return {static_cast<double>(random.next() % (grid + 1)),
-            static_cast<double>(random.next() % (grid + 1))};
+    return {static_cast<double>(random.bits() % (grid + 1)),
+            static_cast<double>(random.bits() % (grid + 1))};
   }
   // On no line through two points of the grid, whose slopes and offsets are small fractions.
   point loose_point() {
@@ -50,7 +50,7 @@ struct random_graph {
     for (const segment& s : d.segments)
       if (properly_cross(kernel, d.vertices[a], d.vertices[b], d.vertices[s.a], d.vertices[s.b]))
         return;
-    d.segments.push_back({a, b, static_cast<int>(random.next() % 3)});
+    d.segments.push_back({a, b, static_cast<int>(random.bits() % 3)});
   }
   void add_box() {
     const point p = grid_point(), q = grid_point();
@@ -61,7 +61,7 @@ struct random_graph {
   }
 
   static constexpr int grid = 5;
-  test::small_generator random;
+  test::splitmix64 random;
   filtered_kernel arithmetic;
   star_predicates_on<filtered_kernel> kernel{arithmetic};
   domain d;
