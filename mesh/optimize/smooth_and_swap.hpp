@@ -20,7 +20,7 @@ namespace asterism::internal::fitting {
 class mover {
  public:
   // `m` must outlive it. `enough` is asked now and then; true ends a sweep.
-  mover(fitted_mesh& m, const std::function<bool()>& enough) : mesh_(&m), enough_(&enough) {}
+  mover(mutable_mesh& m, const std::function<bool()>& enough) : mesh_(&m), enough_(&enough) {}
 
   // All vertices that do not rest once, then flips wherever triangles changed. False when there was
   // enough, or the field failed.
@@ -43,7 +43,7 @@ class mover {
   double flip_changed_edges(vertex_index t);
   void flip_all();
 
-  fitted_mesh* mesh_;
+  mutable_mesh* mesh_;
   const std::function<bool()>* enough_;
   std::vector<std::uint32_t> tries_;  // by vertex, as the next two
   std::vector<char> rests_;
