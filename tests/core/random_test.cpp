@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/core/random.hpp"
 
-#include <catch2/catch_test_macros.hpp>
+#include <catch2/catch.hpp>
 #include <cstdint>
 
 using namespace asterism::internal;

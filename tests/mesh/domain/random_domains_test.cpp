@@ -6,12 +6,12 @@
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/stars/visibility.hpp"
 #include "fixtures/audit_meshes.hpp"
 #include "fixtures/domain_kinds.hpp"
+#include "fixtures/judged_mesh.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -108,20 +108,13 @@ fate fate_of(const domain& input) {
   mesh_options options;
   options.angle_bound = 15;
   options.max_sites = 2000;
-  const auto made = make_mesh(d, identity_field(), options);
-  REQUIRE(made.ok());
-  if (!made.value().complete) {
-    CHECK_FALSE(made.value().reason.empty());
+  const mesh_outcome made = testing::mesh_of(d, identity_field(), options);
+  if (!made.complete) {
+    CHECK_FALSE(made.reason.empty());
     return fate::stuck;
   }
-  audit_options asked;
-  asked.angle_bound = options.angle_bound;
-  asked.original = &d;
-  for (const exempt_corner& c : made.value().exempt) asked.exempt_corners.push_back(c.vertex);
-  const audit_report report = audit(made.value().result, asked);
-  for (const audit_finding& f : report.findings) UNSCOPED_INFO(f.witness);
-  CHECK(report.certified);
-  check_points(input, d, made.value().result);
+  testing::check_audit(d, made, options);
+  check_points(input, d, made.result);
   return fate::certified;
 }
 
