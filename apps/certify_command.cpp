@@ -10,14 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/apps/angle_text.hpp"
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
+#include "asterism/apps/summary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
@@ -60,17 +62,6 @@ Examples:
   asterism certify bamg.mesh bamg.mtr --angle-bound 10
   asterism certify bamg.mesh --metric swirl:24 --size 0.02 --repair -o repaired.mesh)";
 
-constexpr real_range sizes = {1e-150, 1e150, true, true, "positive, from 1e-150 to 1e150"};
-
-constexpr real_range angle_bounds = {
-    0, 60, true, false,
-    "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
-
-int complain(const error& failure, exit_status status) {
-  std::cerr << "asterism: " << failure.message << '\n';
-  return status;
-}
-
 fs::path certificate_path(const fs::path& output) {
   return fs::path(output).replace_extension(".certificate.json");
 }
@@ -89,53 +80,6 @@ std::optional<error> check_files(const certify_options& options) {
   }
   if (auto failure = check_distinct(used)) return failure;
   return check_place(certificate_path(*options.output));
-}
-
-void write_triangles(const certify_report& report, const mesh& m) {
-  constexpr std::size_t most = 20;
-  for (std::size_t i = 0; i < std::min(most, report.not_in_all.size()); ++i) {
-    const triangle& t = m.triangles[report.not_in_all[i]];
-    std::cout << "not of the stars: triangle " << report.not_in_all[i] + 1 << " of vertices "
-              << t[0] + 1 << ", " << t[1] + 1 << ", " << t[2] + 1 << '\n';
-  }
-  if (report.not_in_all.size() > most)
-    std::cout << report.not_in_all.size() - most << " more are not listed\n";
-}
-
-// What the audit found that the other lines do not say already.
-void write_findings(const audit_report& audit) {
-  for (const audit_finding& f : audit.findings)
-    if (f.kind != finding_kind::star_site_missing &&
-        f.kind != finding_kind::star_neighbour_rejected)
-      std::cout << finding_kind_names[static_cast<std::size_t>(f.kind)] << ": " << f.witness
-                << '\n';
-}
-
-void write_report(const certify_report& report, const mesh& m, double angle_bound) {
-  write_findings(report.audit);
-  write_triangles(report, m);
-  std::cout << m.sites.size() << " sites, " << m.triangles.size() << " triangles, "
-            << m.boundary.size() << " boundary edges\n";
-  if (report.compared)
-    std::cout << "triangles in the stars of all three vertices: " << report.in_stars[3]
-              << ", of some: " << report.in_stars[1] + report.in_stars[2]
-              << ", of none: " << report.in_stars[0] << '\n';
-  else
-    std::cout << "stars: not compared, this is no triangulation\n";
-  if (report.unsettled > 0) std::cout << "stars that did not settle: " << report.unsettled << '\n';
-  std::cout << "inverted or flat: " << report.inverted << '\n'
-            << worst_angle_text(report.audit.worst.degrees) << ", triangles below " << angle_bound
-            << ": " << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size()
-            << ")\n"
-            << "edges of metric length 0.71 to 1.41: " << report.unit_edges << " of "
-            << report.edges << std::fixed << std::setprecision(1) << " ("
-            << 100.0 * static_cast<double>(report.unit_edges) / static_cast<double>(report.edges)
-            << "%)\n"
-            << std::defaultfloat;
-  if (report.audit.voronoi != voronoi_verdict::not_asked)
-    std::cout << "dual of the Voronoi diagram: "
-              << voronoi_verdict_names[static_cast<std::size_t>(report.audit.voronoi)] << '\n';
-  std::cout << (report.certified() ? "certified\n" : "NOT certified\n");
 }
 
 std::optional<error> write_result(const certify_options& options, const mesh& m,
@@ -219,13 +163,7 @@ using made_field = result<std::unique_ptr<metric_field>>;
 made_field measure_by_formula(const certify_options& options, mesh& m) {
   if (m.sites.empty())
     return error{options.mesh.string() + ": there are no vertices", error_code::invalid_mesh};
-  bounding_box box{m.sites[0].position, m.sites[0].position};
-  for (const site& s : m.sites) {
-    const point& q = s.position;
-    box.low = {std::min(box.low.x, q.x), std::min(box.low.y, q.y)};
-    box.high = {std::max(box.high.x, q.x), std::max(box.high.y, q.y)};
-  }
-  auto field = make_metric_field(*options.metric, box, options.size);
+  auto field = make_metric_field(*options.metric, box_of_sites(m.sites), options.size);
   if (!field) return field;
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     const auto metric = field.value()->at(m.sites[v].position);
@@ -270,7 +208,7 @@ int run_certify(certify_options options) {
                      std::to_string(sites) + " vertices already"},
                     refused);
   const certify_report report = certify(adopted, options.angle_bound, options.prove_voronoi);
-  write_report(report, adopted.subject, options.angle_bound);
+  write_report(std::cout, report, adopted.subject, options.angle_bound);
   if (report.certified()) return write_as_it_is(options, adopted, report);
   if (!options.repair) return not_reached;
   if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);

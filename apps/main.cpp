@@ -5,6 +5,7 @@
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/core/version.h"
+#include "asterism/apps/complain.hpp"
 
 namespace {
 

@@ -46,7 +46,25 @@ bool is_huge(std::string_view digits, int base) {
   return (negative ? -power : power) + (base == 16 ? 4 : 1) * places > 0;
 }
 
+std::string with_buffer(const auto& write) {
+  // The longest: sign, point, exponent and 17 digits.
+  std::array<char, 32> text{};
+  return {text.data(), write(text.data(), text.data() + text.size()).ptr};
+}
+
 }  // namespace
+
+std::string number_text(double value) {
+  return with_buffer(
+      [value](char* first, char* last) { return std::to_chars(first, last, value); });
+}
+
+std::string format_number(double value) {
+  constexpr int digits = 6;
+  return with_buffer([value](char* first, char* last) {
+    return std::to_chars(first, last, value, std::chars_format::general, digits);
+  });
+}
 
 result<double> parse_number(std::string_view token) {
   const error no_number{quoted_token(token) + " is not a number", error_code::bad_number};

@@ -8,11 +8,14 @@
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 #include "asterism/kernels/number_spread.hpp"
+#include "asterism/kernels/predicate_kernel.hpp"
 #include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/kernels/star_gap.hpp"
 
 namespace asterism {
 using namespace internal;
+
+static_assert(predicate_kernel<filtered_kernel>);
 
 namespace {
 

@@ -16,6 +16,7 @@
 #include <tuple>
 
 #include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -203,8 +204,7 @@ std::vector<vertex_index> corners_to_prove(const audit_context& context) {
     for (const directed_subsegment& side : context.sides)
       // Only an input vertex is a corner; elsewhere the boundary is straight but for rounding.
       if (side.a < context.subject.given) corners.push_back(side.a);
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  sort_unique(corners);
   return corners;
 }
 

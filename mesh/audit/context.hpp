@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/number.hpp"
@@ -128,7 +129,6 @@ vertex_index apex(const audit_context& context, const directed_edge& edge);
 bool same_ray(const point& v, const point& a, const point& b);
 
 // Witness texts: numbers from 1, coordinates that read back to the same double.
-std::string number_text(double value);
 std::string vertex_text(const audit_context& context, vertex_index v);
 std::string triangle_text(const audit_context& context, vertex_index t);
 std::string subsegment_text(const audit_context& context, vertex_index subsegment);

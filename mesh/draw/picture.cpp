@@ -62,8 +62,7 @@ result<page> lay_out(const mesh& m, const picture_options& options) {
   for (const site& s : m.sites) {
     const auto [x, y] = s.position;
     if (!std::isfinite(x) || !std::isfinite(y)) return error{"a site is not finite"};
-    p.box.low = {std::min(p.box.low.x, x), std::min(p.box.low.y, y)};
-    p.box.high = {std::max(p.box.high.x, x), std::max(p.box.high.y, y)};
+    p.box.include(s.position);
   }
   p.width = options.width;
   p.margin = 0.03 * options.width;

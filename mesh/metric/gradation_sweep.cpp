@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "asterism/mesh/support/sort_unique.hpp"
+
 namespace asterism::internal {
 
 namespace {
@@ -168,8 +170,7 @@ void gradation_sweep::connect() {
       }
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   first_neighbour_.assign(nodes_.size() + 1, 0);
   neighbours_.clear();
   for (const auto& e : edges) {

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+
 namespace asterism::internal {
 
 namespace {
@@ -33,13 +35,13 @@ double angle_in_metric(const metric_tensor& m, const point& corner, const point&
 }
 
 double smallest_angle(const mesh& m, const triangle& t) {
+  const triangle_sites round = in_round_coordinates({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]});
   double least = std::numeric_limits<double>::infinity();
-  for (const vertex_index seen_from : t)
+  for (const site& from : round)
     for (std::size_t corner = 0; corner < 3; ++corner)
-      least =
-          std::min(least, angle_in_metric(m.sites[seen_from].metric, m.sites[t[corner]].position,
-                                          m.sites[t[(corner + 1) % 3]].position,
-                                          m.sites[t[(corner + 2) % 3]].position));
+      least = std::min(least, angle_in_metric(from.metric, round[corner].position,
+                                              round[(corner + 1) % 3].position,
+                                              round[(corner + 2) % 3].position));
   return least;
 }
 

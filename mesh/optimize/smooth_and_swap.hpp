@@ -20,7 +20,7 @@ namespace asterism::internal::fitting {
 class mover {
  public:
   // Both must outlive it. `cancelled` is polled now and then; it ends a sweep.
-  mover(fitted_mesh& m, const cancellation& cancelled) : mesh_(&m), cancelled_(&cancelled) {}
+  mover(mutable_mesh& m, const cancellation& cancelled) : mesh_(&m), cancelled_(&cancelled) {}
 
   // All vertices that do not rest once, then flips wherever triangles changed. False when it was
   // cancelled, or the field failed.
@@ -43,7 +43,7 @@ class mover {
   double flip_changed_edges(vertex_index t);
   void flip_all();
 
-  fitted_mesh* mesh_;
+  mutable_mesh* mesh_;
   const cancellation* cancelled_;
   std::vector<std::uint32_t> tries_;  // by vertex, as the next two
   std::vector<char> rests_;

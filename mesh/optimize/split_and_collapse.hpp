@@ -16,6 +16,6 @@ struct surgery_report {
 
 // One round over the triangles there are, the worst first: six attempts at most for each. Ends
 // early when the mover is cancelled.
-surgery_report operate(fitted_mesh& m, mover& moves);
+surgery_report operate(mutable_mesh& m, mover& moves);
 
 }  // namespace asterism::internal::fitting

@@ -42,8 +42,10 @@ struct certify_report {
   std::array<std::size_t, 4> in_stars{};
   std::vector<vertex_index> not_in_all;  // triangles, ascending
   std::size_t unsettled = 0;             // stars that met the bound of their construction
-  bool compared = false;        // false: it is no triangulation, and has no stars to compare
-  std::size_t below_bound = 0;  // triangles, as any vertex measures; exempt ones among them
+  bool compared = false;  // false: it is no triangulation, and has no stars to compare
+  // Triangles below the bound as any of their vertices measures them, exempt ones among them;
+  // those that are inverted or flat have no angles.
+  std::size_t below_bound = 0;
   std::size_t edges = 0, unit_edges = 0;
 
   // True if all triangles are in their stars, nothing is inverted, the bound is met but where

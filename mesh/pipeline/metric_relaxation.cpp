@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/metric/softened_field.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -200,8 +201,7 @@ std::vector<vertex_index> bad_triangle_queue::dependents(refine_state& state) {
     std::iota(all.begin(), all.end(), vertex_index{0});
     return all;
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sort_unique(all);
   const std::size_t touched = all.size();
   for (std::size_t i = 0; i < touched; ++i) {
     for (const sector& s : state.stars()[all[i]].sectors)
@@ -210,8 +210,7 @@ std::vector<vertex_index> bad_triangle_queue::dependents(refine_state& state) {
     if (claimants != claimed_by_.end())
       all.insert(all.end(), claimants->second.begin(), claimants->second.end());
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sort_unique(all);
   return all;
 }
 

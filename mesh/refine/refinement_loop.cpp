@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/refine/arc_insertion.hpp"
 #include "asterism/mesh/refine/bad_triangle_queue.hpp"
 #include "asterism/mesh/refine/insertion_tolerance.hpp"
@@ -14,6 +15,7 @@
 #include "asterism/mesh/refine/refine_state.hpp"
 #include "asterism/mesh/refine/stale_stars.hpp"
 #include "asterism/mesh/refine/steepness.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
 namespace {

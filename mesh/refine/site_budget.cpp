@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/metric/feature_size_field.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/refine/coarser_mesh.hpp"

@@ -13,6 +13,7 @@
 #include "asterism/mesh/stars/star_insertion.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -40,8 +41,7 @@ std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_inde
   });
   for (const sector& part : own.sectors)
     candidates.insert(candidates.end(), part.neighbours.begin(), part.neighbours.end());
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  sort_unique(candidates);
   return candidates;
 }
 
@@ -266,8 +266,7 @@ void star_set::add_many(const site_oracle& oracle, vertex_index first) {
         counts[begin / chunk] = kernel->counters();
       });
   for (const tier_counters& c : counts) oracle.kernel().count(c);
-  std::sort(disturbed.begin(), disturbed.end());
-  disturbed.erase(std::unique(disturbed.begin(), disturbed.end()), disturbed.end());
+  sort_unique(disturbed);
   for (const vertex_index v : disturbed) mark_stale(v);
   construct(oracle, disturbed, star_search::near);
 }

@@ -11,24 +11,14 @@
 #include <limits>
 #include <vector>
 
+#include "asterism/core/random.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 
 using namespace asterism;
 
 namespace {
 
-// The same sequence everywhere (splitmix64).
-struct sequence {
-  std::uint64_t state;
-  std::uint64_t bits() {
-    std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31);
-  }
-  double real() { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1; }  // in [-1, 1)
-  double integer() { return static_cast<double>(bits() % 9) - 4; }           // in [-4, 4]
-};
+using sequence = internal::splitmix64;
 
 struct site_table {
   std::vector<double> x, y, m11, m12, m22;
@@ -49,9 +39,9 @@ enum class kind { smooth, grid, round_grid, round, huge, tiny };
 constexpr std::size_t kinds = 6;
 
 site draw(kind which, sequence& random) {
-  const double x = random.real(), y = random.real();
+  const double x = random.real(-1, 1), y = random.real(-1, 1);
   const metric_tensor smooth{1 + 12 * x * x, 12 * x * y, 1 + 12 * y * y};
-  const point on_grid{random.integer(), random.integer()};
+  const point on_grid{1.0 * random.integer(-4, 4), 1.0 * random.integer(-4, 4)};
   switch (which) {
     case kind::grid:
       return {on_grid, {2 + std::abs(on_grid.x), 1, 2}};

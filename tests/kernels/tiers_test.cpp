@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "asterism/core/random.hpp"
 #include "asterism/kernels/double_kernel.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
@@ -21,16 +22,7 @@ site swirl_site(double x, double y) {
   return {{x, y}, {1 + 12 * x * x, 12 * x * y, 1 + 12 * y * y}};
 }
 
-// The same sequence everywhere (splitmix64).
-struct sequence {
-  std::uint64_t state;
-  double next() {  // in [-1, 1)
-    std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
-  }
-};
+using sequence = internal::splitmix64;
 
 }  // namespace
 
@@ -75,9 +67,10 @@ TEST_CASE("among random smooth metrics few edge tests fall through", "[tiers]") 
   sequence random{20};
   constexpr int asked = 40000;
   for (int k = 0; k < asked; ++k) {
-    const double x = random.next(), y = random.next();
+    const double x = random.real(-1, 1), y = random.real(-1, 1);
     site s[4];
-    for (site& one : s) one = swirl_site(x + 0.05 * random.next(), y + 0.05 * random.next());
+    for (site& one : s)
+      one = swirl_site(x + 0.05 * random.real(-1, 1), y + 0.05 * random.real(-1, 1));
     kernel.edge_test(s[0], s[1], s[2], s[3]);
   }
   CHECK(static_cast<double>(kernel.counters().at(predicate::edge_test, tier::exact)) <
@@ -93,20 +86,20 @@ struct mesh_like {
 };
 
 mesh_like draw_mesh_like(double condition, sequence& random) {
-  const double angle = 3.2 * random.next(), c = std::cos(angle), s = std::sin(angle);
-  const double turn_to_x = 3.2 * random.next(), to_w = 0.9 + 0.4 * random.next(),
-               to_y = 0.9 + 0.4 * random.next();
+  const double angle = 3.2 * random.real(-1, 1), c = std::cos(angle), s = std::sin(angle);
+  const double turn_to_x = 3.2 * random.real(-1, 1), to_w = 0.9 + 0.4 * random.real(-1, 1),
+               to_y = 0.9 + 0.4 * random.real(-1, 1);
   const double long_axis = 1, short_axis = 1 / std::sqrt(condition);
   const auto at = [&](double length, double direction) {
     const double p = length * std::cos(direction) * long_axis,
                  q = length * std::sin(direction) * short_axis;
-    const double e = 1 + 0.05 * random.next(), f = condition * (1 + 0.05 * random.next());
+    const double e = 1 + 0.05 * random.real(-1, 1), f = condition * (1 + 0.05 * random.real(-1, 1));
     return site{{c * p - s * q, s * p + c * q},
                 {c * c * e + s * s * f, c * s * (e - f), s * s * e + c * c * f}};
   };
-  return {at(0, 0), at(1.4 + 0.6 * random.next(), turn_to_x + to_w),
-          at(1 + 0.2 * random.next(), turn_to_x),
-          at(1 + 0.2 * random.next(), turn_to_x + to_w + to_y)};
+  return {at(0, 0), at(1.4 + 0.6 * random.real(-1, 1), turn_to_x + to_w),
+          at(1 + 0.2 * random.real(-1, 1), turn_to_x),
+          at(1 + 0.2 * random.real(-1, 1), turn_to_x + to_w + to_y)};
 }
 
 }  // namespace

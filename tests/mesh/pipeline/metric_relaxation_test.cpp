@@ -14,17 +14,12 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/domain_kinds.hpp"
+#include "fixtures/judged_mesh.hpp"
 
 using namespace asterism;
 using namespace asterism::testing;
 
 namespace {
-
-mesh_outcome mesh_of(const domain& d, const metric_field& field, const mesh_options& options) {
-  auto made = make_mesh(d, field, options);
-  REQUIRE(made.ok());
-  return std::move(made).value();
-}
 
 mesh_options with_size() {
   mesh_options options;

@@ -11,35 +11,16 @@
 #include <numbers>
 #include <random>
 
-#include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/domain_kinds.hpp"
+#include "fixtures/judged_mesh.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
 using namespace asterism::testing;
 
 namespace {
-
-mesh_outcome mesh_of(const domain& d, const metric_field& field, const mesh_options& options) {
-  auto made = make_mesh(d, field, options);
-  REQUIRE(made.ok());
-  return std::move(made).value();
-}
-
-void check_certified(const domain& d, const metric_field& field, const mesh_options& asked) {
-  const mesh_outcome made = mesh_of(d, field, asked);
-  INFO(ending_text(made));
-  CHECK(made.complete);
-  audit_options options;
-  options.angle_bound = asked.angle_bound;
-  options.original = &d;
-  for (const exempt_corner& c : made.exempt) options.exempt_corners.push_back(c.vertex);
-  const audit_report report = audit(made.result, options);
-  for (const audit_finding& f : report.findings) UNSCOPED_INFO(f.witness);
-  CHECK(report.certified);
-}
 
 // The field with unit length `size`.
 formula_field sized(const formula_field& field, double size) {
@@ -90,12 +71,12 @@ TEST_CASE("guaranteed: domains and smooth metrics, with and without a size, are 
                plain = accepted(square());
   for (const domain* d : {&plain, &hole, &slit}) {
     for (const formula_field& f : {identity_field(), swirl_field(3), layer_field()}) {
-      check_certified(*d, f, with_size(false));
-      check_certified(*d, sized(f, 0.25), with_size(true));
+      make_and_check(*d, f, with_size(false));
+      make_and_check(*d, sized(f, 0.25), with_size(true));
     }
     mesh_options modest = with_size(true);
     modest.angle_bound = 15;
-    check_certified(*d, sized(sink_field(3), 0.25), modest);
+    make_and_check(*d, sized(sink_field(3), 0.25), modest);
   }
 }
 
@@ -135,7 +116,7 @@ TEST_CASE(
   for (const double height : {0.9, 0.2, 0.05}) {
     domain d;
     add_ring(d, {{0, 0}, {10, 0}, {10, height}});
-    check_certified(accepted(d), constant_field({4, 0, 4}), with_size(true));
+    make_and_check(accepted(d), constant_field({4, 0, 4}), with_size(true));
   }
 }
 
@@ -145,7 +126,7 @@ TEST_CASE("guaranteed: a steep metric that sites can resolve is not given up") {
     const double h = 0.25 + 0.75 * t * t;
     return metric_tensor{1, 0, 1 / (h * h)};
   });
-  check_certified(accepted(square()), shock, with_size(true));
+  make_and_check(accepted(square()), shock, with_size(true));
 }
 
 // The fraction of the way that belongs to the whole length came out one ulp short of 1.
@@ -360,7 +341,7 @@ TEST_CASE(
 TEST_CASE("guaranteed: far from the origin, sites a millionth apart") {
   domain d;
   add_ring(d, box_ring(1e8, 1e8, 1e8 + 1e-5, 1e8 + 1e-5));
-  check_certified(accepted(d), constant_field({1e12, 0, 1e12}), with_size(true));
+  make_and_check(accepted(d), constant_field({1e12, 0, 1e12}), with_size(true));
 }
 
 TEST_CASE("guaranteed: a symmetric grid of given points, every circle through four of them") {
@@ -368,8 +349,8 @@ TEST_CASE("guaranteed: a symmetric grid of given points, every circle through fo
   for (int i = -3; i <= 3; ++i)
     for (int j = -3; j <= 3; ++j) d.vertices.push_back({i * 0.25, j * 0.25});
   for (const bool limit : {false, true}) {
-    check_certified(accepted(d), constant_field({16, 0, 16}), with_size(limit));
-    check_certified(accepted(d), constant_field({16, 0, 64}), with_size(limit));
+    make_and_check(accepted(d), constant_field({16, 0, 16}), with_size(limit));
+    make_and_check(accepted(d), constant_field({16, 0, 64}), with_size(limit));
   }
 }
 

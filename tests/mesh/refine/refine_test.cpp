@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "fixtures/judged_mesh.hpp"
 #include "fixtures/star_fixture.hpp"
 
 using namespace asterism;
@@ -15,31 +15,12 @@ using namespace asterism::testing;
 
 namespace {
 
-mesh_outcome mesh_of(const domain& d, const metric_field& field, const mesh_options& options) {
-  auto made = make_mesh(d, field, options);
-  REQUIRE(made.ok());
-  return std::move(made).value();
-}
-
-audit_report audited(const domain& d, const mesh_outcome& made, double bound) {
-  audit_options options;
-  options.angle_bound = bound;
-  options.original = &d;
-  for (const exempt_corner& c : made.exempt) options.exempt_corners.push_back(c.vertex);
-  return audit(made.result, options);
-}
-
-void check_certified(const domain& d, const metric_field& field, mesh_options options) {
-  const mesh_outcome made = mesh_of(d, field, options);
-  INFO(ending_text(made));
-  CHECK(made.complete);
+void check_certified(const domain& d, const metric_field& field, const mesh_options& options) {
+  const mesh_outcome made = make_and_check(d, field, options);
   CHECK(made.disagreeing == 0);
   CHECK(made.low_angle == 0);
   CHECK(made.too_large == 0);
   CHECK(made.sites == made.result.given + made.inserted + made.splits);
-  const audit_report report = audited(d, made, options.angle_bound);
-  for (const audit_finding& f : report.findings) UNSCOPED_INFO(f.witness);
-  CHECK(report.certified);
 }
 
 mesh_options with_bound(double degrees) {
@@ -80,7 +61,7 @@ TEST_CASE("swirl:12 at 20 degrees: the corners of 22.6 degrees stay undivided") 
   const domain d = square_with_points(1);
   const mesh_outcome made = mesh_of(d, swirl_field(12), with_bound(20));
   REQUIRE(made.complete);
-  CHECK(audited(d, made, 20).certified);
+  CHECK(audited(d, made, with_bound(20)).certified);
   CHECK(made.exempt.empty());
   CHECK(made.sites < 250);
   for (asterism::vertex_index corner = 0; corner < 4; ++corner) {
@@ -104,7 +85,7 @@ TEST_CASE("a corner below the bound is exempt, named and certified as such") {
   CHECK(made.exempt[0].vertex == 0);
   CHECK(made.exempt[0].angle == Approx(std::atan2(0.2, 0.95) * 180 / 3.14159265358979));
   CHECK_FALSE(made.exempt_triangles.empty());
-  CHECK(audited(d, made, 20).certified);
+  CHECK(audited(d, made, with_bound(20)).certified);
 }
 
 TEST_CASE("a square whose corners are all exempt is refined nevertheless") {
