@@ -87,7 +87,7 @@ TEST_CASE("depths and magnitudes of the gap's bounds are those of the formulas",
   }
 }
 
-// docs/math/star-gap.md, section 3: of what a gap compares at z + step n. Quotients and roots are
+// docs/math/star-gap-errors.md, section 2: of what a gap compares at z + step n. Quotients and roots are
 // ingredients and carry none here.
 TEST_CASE("no side condition carries more roundings than the tolerance has room for",
           "[star_gap]") {
@@ -115,7 +115,7 @@ TEST_CASE("no side condition carries more roundings than the tolerance has room 
   CHECK(3 * ingredient + side_condition_depth + 1 < 8 * ingredient);
 }
 
-// docs/math/star-gap.md, section 2, step by step: relative errors in units of eps sigma, with
+// docs/math/star-gap-errors.md, section 1, step by step: relative errors in units of eps sigma, with
 // sigma >= 1 and 2^-73 sigma^2 <= eps sigma.
 TEST_CASE("the frame's error factor is that of its steps", "[star_gap]") {
   CHECK(0x1p-73 * 0x1p21 <= eps);
