@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/fill/domain_locator.hpp"
 #include "asterism/mesh/fill/scattered_places.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
@@ -58,13 +59,13 @@ class filling {
     int levels = 0;
     const double widest = longest_segment();
     while (!options_.is_uneven && levels < most_levels &&
-           options_.distance * std::exp2(levels) < widest)
+           options_.distance * elementary::exp2(levels) < widest)
       ++levels;
-    distance_ = options_.distance * std::exp2(levels);
+    distance_ = options_.distance * elementary::exp2(levels);
     start();
     for (int level = levels; level >= 0 && !failure_ && !full_; --level) {
-      distance_ = options_.distance * std::exp2(level);
-      divide(level == 0 ? 0 : options_.longest_subsegment * std::exp2(level));
+      distance_ = options_.distance * elementary::exp2(level);
+      divide(level == 0 ? 0 : options_.longest_subsegment * elementary::exp2(level));
       while (!failure_ && !full_ && rounds_ < most_rounds) {
         if (progress && !progress(sites_.size(), needed_)) full_ = stopped_ = true;
         if (full_ || !round()) break;
@@ -95,7 +96,7 @@ class filling {
     const auto on_segments =
         static_cast<double>(std::count(on_segment_.begin(), on_segment_.end(), 1));
     const double inside = static_cast<double>(sites_.size()) - on_segments;
-    return on_segments * std::exp2(level) + inside * std::exp2(2 * level);
+    return on_segments * elementary::exp2(level) + inside * elementary::exp2(2 * level);
   }
 
   // Counted, not timed, so that every fill ends at the same place; by sums that are the same for
@@ -300,7 +301,7 @@ class filling {
   // Farthest first, in bands, so that neighbours in memory stay neighbours.
   void choose(std::vector<proposal>& proposals) {
     const auto band = [&](const proposal& p) {
-      return static_cast<int>(2 * std::log2(p.squared_radius / (distance_ * distance_)));
+      return static_cast<int>(2 * elementary::log2(p.squared_radius / (distance_ * distance_)));
     };
     std::stable_sort(proposals.begin(), proposals.end(),
                      [&](const proposal& a, const proposal& b) { return band(a) > band(b); });

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal::fitting {
 
 std::optional<fit_site> fitted_mesh::site_at(const point& q, double log_area) {
@@ -90,7 +92,7 @@ std::optional<fitted_mesh::target_place> fitted_mesh::displaced(vertex_index v, 
                                                                 const point& in_disc) const {
   const fit_site& s = sites_[v];
   // Edges of triangles of the area wanted, were they equilateral.
-  const double edge = 2 * std::exp(s.log_area / 2) / std::sqrt(std::numbers::sqrt3);
+  const double edge = 2 * elementary::exp(s.log_area / 2) / std::sqrt(std::numbers::sqrt3);
   const double u = length * edge * in_disc.x, w = length * edge * in_disc.y;
   if (kinds_[v] == vertex_kind::given) return std::nullopt;
   if (kinds_[v] == vertex_kind::free) {
@@ -100,7 +102,7 @@ std::optional<fitted_mesh::target_place> fitted_mesh::displaced(vertex_index v, 
   const segment& on = domain_->segments[places_[v].segment];
   const point &a = domain_->vertices[on.a], &b = domain_->vertices[on.b];
   const point seen = s.seen(b.x - a.x, b.y - a.y);
-  const double along = places_[v].along + u / std::hypot(seen.x, seen.y);
+  const double along = places_[v].along + u / elementary::hypot(seen.x, seen.y);
   if (!(along > 0 && along < 1)) return std::nullopt;
   return target_place{{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)}, along};
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/optimize/mutable_mesh.hpp"
 
 namespace asterism::internal::fitting {
@@ -23,7 +24,7 @@ error not_a_triangulation(const std::string& what) {
 double angle_seen(const fit_site& from, const point& a, const point& b) {
   const point u = from.seen(a.x - from.position.x, a.y - from.position.y);
   const point w = from.seen(b.x - from.position.x, b.y - from.position.y);
-  return std::atan2(u.x * w.y - u.y * w.x, u.x * w.x + u.y * w.y) * 180 / std::numbers::pi;
+  return elementary::atan2(u.x * w.y - u.y * w.x, u.x * w.x + u.y * w.y) * 180 / std::numbers::pi;
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ result<fitted_mesh> fitted_mesh::build(const domain& d, const metric_field& fiel
                                        const mesh& start, double angle_bound, double target_angle) {
   fitted_mesh made(d, field);
   const auto cotangent = [](double degrees) {
-    return 1 / std::tan(degrees * std::numbers::pi / 180);
+    return 1 / elementary::tan(degrees * std::numbers::pi / 180);
   };
   made.wanted_ = {cotangent(target_angle),
                   cotangent(std::min(target_angle, angle_bound + degrees_to_spare))};
@@ -209,7 +210,7 @@ void fitted_mesh::choose_areas() {
   for (vertex_index v = 0; v < sites_.size(); ++v) {
     double sum = 0;
     for (const vertex_index t : around_[v]) sum += areas[t];
-    logs[v] = std::log(sum / static_cast<double>(around_[v].size()));
+    logs[v] = elementary::log(sum / static_cast<double>(around_[v].size()));
   }
   for (int step = 0; step < most_smoothing; ++step) {
     const std::vector<double> before = logs;
@@ -223,10 +224,10 @@ void fitted_mesh::choose_areas() {
   double wanted = 0;
   for (vertex_index t = 0; t < triangles_.size(); ++t) {
     const auto& [a, b, c] = triangles_[t].v;
-    wanted += areas[t] / std::exp((logs[a] + logs[b] + logs[c]) / 3);
+    wanted += areas[t] / elementary::exp((logs[a] + logs[b] + logs[c]) / 3);
   }
   const double larger =
-      std::log(wanted / (part_of_triangles * static_cast<double>(triangles_.size())));
+      elementary::log(wanted / (part_of_triangles * static_cast<double>(triangles_.size())));
   for (vertex_index v = 0; v < sites_.size(); ++v) sites_[v].log_area = logs[v] + larger;
 }
 

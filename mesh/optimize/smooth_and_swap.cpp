@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal::fitting {
 namespace {
 
@@ -43,7 +45,8 @@ double mover::visit(vertex_index v, double step, std::span<const double> parts) 
     const std::uint32_t number = tries_[v]++;
     const double turn = 2 * std::numbers::pi * random_part(v, 2 * std::uint64_t{number});
     const double far = std::sqrt(random_part(v, 2 * std::uint64_t{number} + 1));
-    const auto to = mesh_->displaced(v, part * step, {far * std::cos(turn), far * std::sin(turn)});
+    const auto to = mesh_->displaced(v, part * step,
+                                     {far * elementary::cos(turn), far * elementary::sin(turn)});
     if (!to) continue;
     if (const auto now = mesh_->move(v, *to, energy - move_margin)) {
       energy = *now;

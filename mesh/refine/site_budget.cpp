@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/metric/feature_size_field.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/refine/insertion_tolerance.hpp"
@@ -25,7 +26,7 @@ constexpr int most_attempts = 2000;
 // How many more times the number of sites is to be halved.
 int halvings_for(double needed, std::size_t most_sites) {
   const double room = part_for_filling * static_cast<double>(most_sites);
-  return std::max(1, static_cast<int>(std::ceil(std::log2(needed / room))));
+  return std::max(1, static_cast<int>(std::ceil(elementary::log2(needed / room))));
 }
 
 double sites_on_segments(const mesh& m) {
@@ -146,7 +147,7 @@ void report_coarser(int halvings, bool fill_stopped, const mesh_options& options
         return metric_circumradius({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}) >
                largest_circumradius;
       }));
-  outcome.length_factor = std::exp2(halvings / 2.0);
+  outcome.length_factor = elementary::exp2(halvings / 2.0);
   if (fill_stopped) {
     outcome.reason =
         fmt::format("the limit of {} sites was reached; with edges {:.3g} times as long, {}",
