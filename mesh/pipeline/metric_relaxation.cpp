@@ -64,9 +64,9 @@ class relaxation {
 
   result<mesh_outcome> run() {
     if (auto failure = measure_sites()) return *failure;
-    // Without demands stars agree in most metrics that are the same everywhere. In one so thin that
-    // they do not, thinness is what is in the way, and the metric is relaxed as any other: its
-    // mean, computed in doubles, is a less thin one, and how much it differs is told.
+    // Stars agree in every metric that is the same everywhere (docs/math/refinement.md). Where they
+    // are not found to, a limit on sites or on work is in the way, which a less thin metric, as the
+    // mean computed in doubles may be, can keep within; how much it differs is told.
     if (is_same_everywhere_) {
       if (is_final(attempt({relaxation_kind::without_demands, 1, 1, extent_}))) return conclude();
       is_same_everywhere_ = false;
