@@ -92,7 +92,7 @@ void plain_star_store::renew_disturbed(const std::vector<disturbed>& pairs) {
 
 bool plain_star_store::is_enough(std::size_t i) const {
   constexpr std::size_t at_a_time = 8;
-  return options_->enough && i % at_a_time == 0 && options_->enough();
+  return i % at_a_time == 0 && options_->stop.is_requested();
 }
 
 // Finds the sites within `reach` of w, as w measures; if that is about all the box, all of them.

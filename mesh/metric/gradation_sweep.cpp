@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
@@ -64,7 +65,7 @@ error ended_early() { return {"gradation was ended before it was done"}; }
 
 gradation_sweep::gradation_sweep(const metric_field& field, gradation_grid& grid,
                                  const gradation_options& options)
-    : field_(field), grid_(grid), options_(options), sigma_(std::log(options.beta)) {
+    : field_(field), grid_(grid), options_(options), sigma_(elementary::log(options.beta)) {
   box_.low = grid.position(grid.cells().front().corners[0]);
   box_.high = grid.position(grid.cells().back().corners[2]);
   report_.beta = options.beta;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/optimize/mesh_energies.hpp"
 
+#include "asterism/core/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,7 +14,7 @@ namespace {
 // Below the bound and this much more the energy is steeper (docs/design/fitting.md).
 constexpr double degrees_to_spare = 0.5;
 
-double cotangent(double degrees) { return 1 / std::tan(degrees * std::numbers::pi / 180); }
+double cotangent(double degrees) { return 1 / elementary::tan(degrees * std::numbers::pi / 180); }
 
 }  // namespace
 

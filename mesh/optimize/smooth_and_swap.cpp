@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/random.hpp"
 
 namespace asterism::internal::fitting {
@@ -37,7 +38,8 @@ double mover::visit(vertex_index v, double step, std::span<const double> parts) 
     const std::uint32_t number = tries_[v]++;
     const double turn = 2 * std::numbers::pi * fraction_of(v, 2 * std::uint64_t{number});
     const double far = std::sqrt(fraction_of(v, 2 * std::uint64_t{number} + 1));
-    const auto to = mesh_->displaced(v, part * step, {far * std::cos(turn), far * std::sin(turn)});
+    const auto to = mesh_->displaced(v, part * step,
+                                     {far * elementary::cos(turn), far * elementary::sin(turn)});
     if (!to) continue;
     if (const auto now = mesh_->move(v, *to, energy - move_margin)) {
       energy = *now;

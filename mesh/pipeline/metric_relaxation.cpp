@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/metric/softened_field.hpp"
@@ -22,18 +23,19 @@
 #include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/refine/site_budget.hpp"
+#include "asterism/mesh/support/wide_range.hpp"
 
 namespace asterism::internal {
 namespace {
 
-// The ratios of lengths as b and a measure them: the greatest, and the greatest the other way. In
-// long doubles since squares of tensors may leave the range of doubles.
+// The ratios of lengths as b and a measure them: the greatest, and the greatest the other way.
 std::pair<double, double> longer_and_shorter(const metric_tensor& b, const metric_tensor& a) {
-  const long double a11 = a.m11, a12 = a.m12, a22 = a.m22, b11 = b.m11, b12 = b.m12, b22 = b.m22;
-  const long double determinant = a11 * a22 - a12 * a12;
-  const long double half = (b11 * a22 - 2 * b12 * a12 + b22 * a11) / (2 * determinant);
-  const long double product = (b11 * b22 - b12 * b12) / determinant;
-  const long double greatest = half + std::sqrt(std::max(half * half - product, 0.0L));
+  using number = wide_range;  // squares of tensors may leave the range of doubles
+  const number a11 = a.m11, a12 = a.m12, a22 = a.m22, b11 = b.m11, b12 = b.m12, b22 = b.m22;
+  const number determinant = a11 * a22 - a12 * a12;
+  const number half = (b11 * a22 - number(2) * b12 * a12 + b22 * a11) / (number(2) * determinant);
+  const number product = (b11 * b22 - b12 * b12) / determinant;
+  const number greatest = half + root(half * half - product);
   const double longer = std::sqrt(static_cast<double>(greatest));
   return {longer, longer / std::sqrt(static_cast<double>(product))};
 }
@@ -58,9 +60,9 @@ class relaxation {
 
   result<mesh_outcome> run() {
     if (auto failure = measure_sites()) return *failure;
-    // Without demands stars agree in most metrics that are the same everywhere. In one so thin that
-    // they do not, thinness is what is in the way, and the metric is relaxed as any other: its
-    // mean, computed in doubles, is a less thin one, and how much it differs is told.
+    // Stars agree in every metric that is the same everywhere (docs/math/refinement.md). Where they
+    // are not found to, a limit on sites or on work is in the way, which a less thin metric, as the
+    // mean computed in doubles may be, can keep within; how much it differs is told.
     if (is_same_everywhere_) {
       if (is_final(attempt({relaxation_kind::without_demands, 1, 1, extent_}))) return conclude();
       is_same_everywhere_ = false;
@@ -180,7 +182,7 @@ class relaxation {
     const auto filled = fill_within_budget(job);
     if (!filled || (filled.value().proposed.stopped && is_stopped())) return tried_;
     crowded_ = filled.value().proposed.crowded.has_value();
-    longer_edges_ = std::exp2(filled.value().halvings / 2.0);
+    longer_edges_ = elementary::exp2(filled.value().halvings / 2.0);
     if (crowded_ || (may_vary && longer_edges_ > step.reach)) return tried_;
     refine(filled.value(), job);
     return tried_;

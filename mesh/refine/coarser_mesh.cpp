@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 
 namespace asterism::internal {
@@ -61,7 +62,7 @@ void report_coarser(int halvings, bool fill_stopped, const mesh_options& options
       }));
   refinement_ending& ended = outcome.ended;
   ended.max_sites = options.max_sites;
-  ended.length_factor = std::exp2(halvings / 2.0);
+  ended.length_factor = elementary::exp2(halvings / 2.0);
   if (fill_stopped) return;
   const double on_segments = sites_on_segments(m);
   const double inside = static_cast<double>(outcome.sites) - on_segments;

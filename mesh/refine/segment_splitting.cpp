@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
@@ -27,7 +28,9 @@ double rounding_of_distance(const metric_tensor& m, const point& a, const point&
 }
 
 // The power of two nearest to half the length, as a ratio: within a factor sqrt(2) of it.
-double shell_radius(double length) { return std::exp2(std::round(std::log2(length / 2))); }
+double shell_radius(double length) {
+  return elementary::exp2(std::round(elementary::log2(length / 2)));
+}
 
 // An upper bound on |d|_M^2, in doubles. With eps = 2^-52 and sum = m11 dx^2 + m22 dy^2 the
 // absolute monomials add up to at most 2 sum (2 |m12 dx dy| <= sum), each carries at most 8 rounded

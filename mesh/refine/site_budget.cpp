@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/metric/feature_size_field.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
@@ -28,7 +29,7 @@ constexpr std::size_t many_vertices = 120, fewest_for_one_inside = 5;
 // Returns how many more times the number of sites is to be halved.
 int halvings_for(double needed, std::size_t most_sites) {
   const double room = part_for_filling * static_cast<double>(most_sites);
-  return std::max(1, static_cast<int>(std::ceil(std::log2(needed / room))));
+  return std::max(1, static_cast<int>(std::ceil(elementary::log2(needed / room))));
 }
 
 fill_options fill_options_for(const mesh_options& options) {
