@@ -9,7 +9,7 @@
 // Errors: batch_status::length_mismatch when two columns, or the answers, differ in length; nothing
 // is written then. No row is a valid batch. The columns of one call may overlap each other, but not
 // the answers.
-// Input, floating-point environment, state: as for filtered_kernel; use one object a thread.
+// Input, floating-point environment, state: as for filtered_kernel.
 #pragma once
 
 #include <span>
@@ -30,6 +30,10 @@ enum class [[nodiscard]] batch_status{ok, length_mismatch};
 
 class batch_kernel {
  public:
+  batch_kernel() = default;
+  // Counts in `decided`, which must outlive the kernel and its copies. For one thread.
+  explicit batch_kernel(tier_counters& decided) : decided_(&decided) {}
+
   batch_status compare_distance(const site_columns& v, const site_columns& w,
                                 const point_columns& q, std::span<signed char> answers) const;
   batch_status in_wedge(const site_columns& v, const site_columns& w, const point_columns& q,
@@ -40,12 +44,8 @@ class batch_kernel {
   batch_status edge_test(const site_columns& v, const site_columns& w, const site_columns& x,
                          const site_columns& y, std::span<signed char> answers) const;
 
-  tier_counters counters() const;
-  void reset_counters();
-
  private:
-  filtered_kernel row_by_row_;
-  mutable tier_counters first_pass_;
+  tier_counters* decided_ = nullptr;
 };
 
 }  // namespace asterism

@@ -6,9 +6,10 @@
 // Input: finite doubles; metric tensors positive definite; the sites of one call distinct. Other
 // input is a caller's error: check with is_positive_definite first (kernels/input_check.hpp).
 // Output: the exact answer for the doubles given, for any magnitude of the input.
-// State: only the tier counters, so use one kernel object per thread; objects are independent.
-// Floating-point environment: any rounding mode, FTZ and DAZ may be set by the caller; they are
-// neither trusted nor changed on return (core/floating_point_environment.hpp).
+// State: none; a kernel may be shared by any number of threads. One that is told where to count
+// which tier decided writes there: give each thread its own, and add them up. Floating-point
+// environment: any rounding mode, FTZ and DAZ may be set by the caller; they are neither trusted
+// nor changed on return (core/floating_point_environment.hpp).
 #pragma once
 
 #include "asterism/core/sign.hpp"
@@ -19,6 +20,10 @@ namespace asterism {
 
 class filtered_kernel {
  public:
+  filtered_kernel() = default;
+  // Counts in `decided`, which must outlive the kernel and its copies. For one thread.
+  explicit filtered_kernel(tier_counters& decided) : decided_(&decided) {}
+
   // The predicates of predicates/, one header each, where every answer is defined.
   sign orientation(const point& p, const point& q, const point& r) const;
   bool is_positive_definite(const metric_tensor& metric) const;
@@ -31,11 +36,8 @@ class filtered_kernel {
   bool insertion_test(const site& v, const site& w, const site& x, const site& y) const;
   bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
 
-  const tier_counters& counters() const { return counters_; }
-  void reset_counters() { counters_ = {}; }
-
  private:
-  mutable tier_counters counters_;
+  tier_counters* decided_ = nullptr;
 };
 
 }  // namespace asterism

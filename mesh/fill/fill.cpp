@@ -127,6 +127,8 @@ class filling {
       if (!s) return;
       add_site(*s, true);
     }
+    is_isolated_.assign(sites_.size(), 1);
+    for (const segment& one : domain_.segments) is_isolated_[one.a] = is_isolated_[one.b] = 0;
     at_division_.resize(divisions_.size());
     for (std::size_t s = 0; s < divisions_.size(); ++s) {
       at_division_[s].assign(divisions_[s].points.size(), no_site);
@@ -389,7 +391,9 @@ class filling {
   void build_with_neighbourhood(vertex_index w, std::vector<vertex_index>& near,
                                 std::uint64_t& looked_at) {
     const site& s = sites_[w];
-    double reach = 2.2 * distance_;
+    const double ordinary = 2.2 * distance_;
+    const double dense = first_reach_among_dense(s);
+    double reach = dense < ordinary ? dense : ordinary;
     for (int attempt = 0; attempt < 64; ++attempt, reach *= 2) {
       near.clear();
       const bounding_box box = box_around(s, reach);
@@ -409,11 +413,22 @@ class filling {
       // At the boundary there may be no neighbour on the outer side, however far one looks; nor
       // behind sites for which lengths count much more.
       constexpr int enough_attempts = 2;
-      const bool is_hopeless =
+      const bool is_open =
           on_segment_[w] != 0 || (options_.is_uneven && attempt >= enough_attempts);
+      const bool is_hopeless =
+          is_open && (reach >= ordinary || (attempt >= enough_attempts && !is_isolated(w)));
       if (2.1 * std::sqrt(widest) <= reach || is_hopeless) return;
     }
   }
+
+  // Where given sites lie much closer than the distance: their spacing, to begin with, so that no
+  // star is made from a large part of them all. Infinite elsewhere.
+  double first_reach_among_dense(const site& s) const {
+    constexpr double much_closer = 0.25, spacings = 2.2;
+    const double spacing = sites_index_.spacing_near(s);
+    return spacing > 0 && spacing < much_closer * distance_ ? spacings * spacing : infinity;
+  }
+  bool is_isolated(vertex_index w) const { return w < is_isolated_.size() && is_isolated_[w] != 0; }
 
   // The site whose star has most neighbours; of several, the first.
   std::optional<crowded_site> most_crowded() const {
@@ -451,7 +466,8 @@ class filling {
   bounding_box box_;
   domain_locator locator_;
   std::vector<site> sites_;
-  std::vector<char> on_segment_;  // by site; the given vertices count
+  std::vector<char> on_segment_;   // by site; the given vertices count
+  std::vector<char> is_isolated_;  // by given vertex: on no segment
   site_index sites_index_;
   // Many and large: a vector would hold them twice while it grows.
   using star_blocks = boost::container::deque_options_t<boost::container::block_size<1024>>;

@@ -14,8 +14,7 @@ using namespace internal;
 result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
                                const mesh_options& options,
                                const std::function<void(const mesh_progress&)>& progress) {
-  const filtered_kernel kernel;
-  const star_predicates_on<filtered_kernel> stars_on(kernel);
+  const star_predicates_on<filtered_kernel> stars_on;
   auto outcome = mesh_domain(stars_on, d, field, options, progress);
   if (!outcome) return outcome;
   if (wants_relaxation(outcome.value(), options))
