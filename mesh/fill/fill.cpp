@@ -411,12 +411,14 @@ class filling {
       double widest = 0;
       for (const plain_gap& gap : stars_[w]) widest = std::max(widest, gap.squared_radius);
       // At the boundary there may be no neighbour on the outer side, however far one looks; nor
-      // behind sites for which lengths count much more.
+      // behind sites for which lengths count much more. At the rim of many given sites the way to
+      // the next ones is long, and what is looked at on it is bounded.
       constexpr int enough_attempts = 2;
+      constexpr std::size_t many = 512;
       const bool is_open =
           on_segment_[w] != 0 || (options_.is_uneven && attempt >= enough_attempts);
-      const bool is_hopeless =
-          is_open && (reach >= ordinary || (attempt >= enough_attempts && !is_isolated(w)));
+      const bool is_tried = attempt >= enough_attempts && (!is_isolated(w) || near.size() > many);
+      const bool is_hopeless = is_open && (reach >= ordinary || is_tried);
       if (2.1 * std::sqrt(widest) <= reach || is_hopeless) return;
     }
   }
