@@ -84,7 +84,6 @@ class ASTERISM_EXPORT batch_evaluator {
   uncertain_int filtered_answer(const batch_record& record, settled_by& how);
 
   kernel_choice choice_;
-  filtered_kernel filtered_;
   batch_statistics statistics_;
 };
 

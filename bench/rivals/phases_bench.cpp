@@ -72,8 +72,7 @@ struct job {
 
 template <class Kernel>
 mesh_outcome refined(const job& j) {
-  const Kernel kernel;
-  auto outcome = mesh_domain({star_predicates_on(kernel), j.shape, *j.field, j.options});
+  auto outcome = mesh_domain({star_predicates_on<Kernel>(), j.shape, *j.field, j.options});
   return outcome ? std::move(outcome).value() : mesh_outcome{};
 }
 

@@ -386,10 +386,10 @@ class angle_check {
     const triangle& c = context_.subject.triangles[t];
     if (!std::all_of(c.begin(), c.end(), [&](vertex_index v) { return context_.measured[v] != 0; }))
       return;
-    if (tally_.kernel.orientation(context_.at(c[0]), context_.at(c[1]), context_.at(c[2])) !=
+    if (tally_.kernel().orientation(context_.at(c[0]), context_.at(c[1]), context_.at(c[2])) !=
         sign::positive)
       return;
-    const bool may_fail = exempt(context_, tally_.kernel, c, wanted_.sectors) ||
+    const bool may_fail = exempt(context_, tally_.kernel(), c, wanted_.sectors) ||
                           crosses_narrow_wedge(context_, tally_, c, wanted_);
     const plain_triangle plain(context_, c);
     bool failed = false;

@@ -59,7 +59,7 @@ void audit_context::take(audit_tally&& tally) {
   report.star_pairs_tested += tally.part.star_pairs_tested;
   report.voronoi_pairs += tally.part.voronoi_pairs;
   report.voronoi_pairs_exact += tally.part.voronoi_pairs_exact;
-  report.counters += tally.kernel.counters();
+  report.counters += tally.part.counters;
 }
 
 std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index b) {

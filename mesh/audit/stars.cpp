@@ -131,7 +131,7 @@ class star_check {
       : context_(context),
         tally_(tally),
         around_(around),
-        sight_(context, around.subsegments, tally.kernel) {}
+        sight_(context, around.subsegments, tally.kernel()) {}
 
   // Of vertices near each other: the sites around are looked for once for all of them.
   void run(const vertex_index* begin, const vertex_index* end) {
@@ -161,7 +161,7 @@ class star_check {
  private:
   const site& at(vertex_index v) const { return around_.at[v]; }
   sign turn(vertex_index a, vertex_index b, vertex_index c) const {
-    return tally_.kernel.orientation(context_.at(a), context_.at(b), context_.at(c));
+    return tally_.kernel().orientation(context_.at(a), context_.at(b), context_.at(c));
   }
 
   static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
@@ -179,7 +179,7 @@ class star_check {
       const vertex_index w = fan.link[i], x = fan.link[(i + n - 1) % n], y = fan.link[(i + 1) % n];
       if (w < v) continue;
       const bool by_v = is_asked(v, w, x, y), by_w = is_asked(w, v, y, x);
-      if ((!by_v && !by_w) || tally_.kernel.edge_test(at(v), at(w), at(x), at(y))) continue;
+      if ((!by_v && !by_w) || tally_.kernel().edge_test(at(v), at(w), at(x), at(y))) continue;
       if (by_v) report_rejected(v, w, x, y);
       if (by_w) report_rejected(w, v, y, x);
     }
@@ -277,7 +277,7 @@ class star_check {
     if ((gap.filter ? *gap.filter : star_gap_filter(at(v), at(gap.x), at(gap.y))).excludes(at(w)))
       return false;
     ++tally_.part.star_pairs_tested;
-    return tally_.kernel.edge_test(at(v), at(w), at(gap.x), at(gap.y));
+    return tally_.kernel().edge_test(at(v), at(w), at(gap.x), at(gap.y));
   }
 
   const audit_context& context_;

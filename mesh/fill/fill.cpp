@@ -77,6 +77,7 @@ class filling {
       if (!s) return;
       sites_.place(*s, true);
     }
+    sites_.mark_isolated(domain_);
   }
 
   void begin_unevenly() {

@@ -14,8 +14,7 @@ using namespace internal;
 
 result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
                                const mesh_options& options, const progress_listener& progress) {
-  const filtered_kernel kernel;
-  const star_predicates_on<filtered_kernel> stars_on(kernel);
+  const star_predicates_on<filtered_kernel> stars_on;
   const unit_image image(d, field, options);
   auto outcome = mesh_domain({stars_on, image.shape(), image.field(), options, progress});
   if (!outcome) return outcome;

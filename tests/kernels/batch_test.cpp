@@ -84,7 +84,8 @@ struct questions {
 };
 
 void check_against_rows(const questions& all, std::size_t n) {
-  const batch_kernel batch;
+  tier_counters decided;
+  const batch_kernel batch(decided);
   const exact_kernel exact;
   const auto v = all.sites(0, n), w = all.sites(1, n), x = all.sites(2, n), y = all.sites(3, n);
   std::array<std::vector<signed char>, 6> answers;
@@ -112,7 +113,7 @@ void check_against_rows(const questions& all, std::size_t n) {
   for (const predicate p : {predicate::compare_distance, predicate::in_wedge, predicate::dominates,
                             predicate::edge_test, predicate::orientation, predicate::in_circle})
     for (const tier t : {tier::semi_static, tier::interval, tier::exact})
-      counted += batch.counters().at(p, t);
+      counted += decided.at(p, t);
   CHECK(counted == 6 * n);
 }
 
@@ -138,16 +139,17 @@ TEST_CASE("clear rows are decided by the first pass alone", "[batch][tiers]") {
   const std::vector<double> zero(9, 0.0), one(9, 1.0), two(9, 2.0), quarter(9, 0.25);
   const site_columns v{zero, zero, one, zero, one}, w{one, zero, two, zero, two};
   std::vector<signed char> answers(9, 77);
-  const batch_kernel kernel;
+  tier_counters decided;
+  const batch_kernel kernel(decided);
   REQUIRE(kernel.compare_distance(v, w, {quarter, quarter}, answers) == batch_status::ok);
   CHECK(answers == std::vector<signed char>(9, -1));
   REQUIRE(kernel.dominates(v, w, {quarter, quarter}, answers) == batch_status::ok);
   CHECK(answers == std::vector<signed char>(9, 1));
   REQUIRE(kernel.in_wedge(v, w, {quarter, quarter}, answers) == batch_status::ok);
   CHECK(answers == std::vector<signed char>(9, 1));
-  CHECK(kernel.counters().at(predicate::compare_distance, tier::semi_static) == 9);
-  CHECK(kernel.counters().at(predicate::dominates, tier::semi_static) == 9);
-  CHECK(kernel.counters().at(predicate::in_wedge, tier::semi_static) == 9);
+  CHECK(decided.at(predicate::compare_distance, tier::semi_static) == 9);
+  CHECK(decided.at(predicate::dominates, tier::semi_static) == 9);
+  CHECK(decided.at(predicate::in_wedge, tier::semi_static) == 9);
 }
 
 TEST_CASE("columns of different lengths are refused and nothing is written", "[batch]") {

@@ -62,8 +62,7 @@ struct random_graph {
 
   static constexpr int grid = 5;
   test::splitmix64 random;
-  filtered_kernel arithmetic;
-  star_predicates_on<filtered_kernel> kernel{arithmetic};
+  star_predicates_on<filtered_kernel> kernel;
   domain d;
 };
 
