@@ -44,7 +44,7 @@ struct audit_tally {
   audit_report part;
   filtered_kernel kernel;
 
-  void found(finding_kind kind, std::string witness);
+  void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
 };
 
 struct audit_context {
@@ -76,7 +76,7 @@ struct audit_context {
   sign orientation(vertex_index a, vertex_index b, vertex_index c) const {
     return kernel.orientation(at(a), at(b), at(c));
   }
-  void found(finding_kind kind, std::string witness);
+  void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
   // Adds what a part of a check found.
   void take(audit_tally&& tally);
 };

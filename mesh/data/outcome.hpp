@@ -4,15 +4,19 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "asterism/kernels/tier_counters.hpp"
+#include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/relaxation_report.hpp"
 
 namespace asterism {
+
+struct audit_report;  // audit/audit.hpp
 
 // Corner of the domain whose angle in its own metric is below the bound: it cannot be met there.
 struct exempt_corner {
@@ -68,6 +72,11 @@ struct mesh_outcome {
   // given as well.
   std::optional<relaxation_report> relaxed;
   std::optional<fitting_report> fitted;  // then it is not relaxed
+  // Where the mesh was made by local changes, in the metric that is delivered.
+  std::optional<delivered_report> delivered;
+  // The auditor's report, where the mesher asked for it already: with the angle bound and the
+  // domain of the run, no corner exempt, and nothing asked of the Voronoi diagram.
+  std::shared_ptr<const audit_report> audited;
 };
 
 }  // namespace asterism
