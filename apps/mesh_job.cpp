@@ -3,8 +3,11 @@
 
 #include <tbb/global_control.h>
 
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -182,6 +185,16 @@ std::string text_of(const improvement_report& done, std::size_t sites) {
          text_of(done.mean_quality_after) + (done.stopped ? "; stopped" : "");
 }
 
+// How far the metric of the mesh is from the one wanted, in one line.
+std::string text_of(const delivered_report& d) {
+  return fmt::format(
+      "{:.1f} % of the sites have lengths changed by more than 10 %, median {:.1f} %, 90 % below "
+      "{:.1f} %, greatest {:.3g} times; complexity {:.6g} of {:.6g} wanted; {} triangles are below "
+      "the bound in the metric wanted",
+      100 * d.beyond_tenth, 100 * std::expm1(d.median), 100 * std::expm1(d.ninetieth),
+      std::exp(d.greatest), d.complexity_delivered, d.complexity_wanted, d.low_wanted.size());
+}
+
 // What fitting did, in one line.
 std::string text_of(const fitting_report& done, std::size_t too_large) {
   return "from aspects to the power of " + text_of(done.power) + ", " +
@@ -211,6 +224,9 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"max-sites", std::to_string(asked.max_sites)},
           {"regions", job.number_regions ? "numbered" : "as given"},
           {"random-points", std::to_string(job.random_points)},
+          {"metric-fingerprint", input.field->background() != nullptr
+                                     ? std::to_string(mesh_fingerprint(*input.field->background()))
+                                     : "none"},
           {"fit-done", outcome.fitted ? text_of(*outcome.fitted, outcome.too_large) : "none"},
           {"relax", asked.relax ? "where needed" : "no"},
           {"seed", std::to_string(asked.seed)}};
@@ -280,6 +296,8 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
   if (job.size) unit_edges = made.claim.measured.at("unit_edges");
   if (!job.quiet && outcome.improved)
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
+  if (!job.quiet && outcome.delivered)
+    std::cout << "delivered: " << text_of(*outcome.delivered) << '\n';
   if (!job.quiet && outcome.fitted)
     std::cout << "fitted: " << text_of(*outcome.fitted, outcome.too_large) << '\n';
   if (!job.quiet && outcome.relaxed && reached) std::cout << "relaxed: " << outcome.reason << '\n';
