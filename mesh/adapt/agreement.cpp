@@ -206,7 +206,52 @@ void agreement::check_angles(vertex_index t) {
   else
     for (const vertex_index v : at) move_away(v);
   constexpr std::size_t patience = 6;
-  if (report_.rounds >= patience && m_.faces()[t].v == at) follow_shape(t);
+  if (report_.rounds < patience || m_.faces()[t].v != at) return;
+  if (report_.rounds % 3 == 0 && merge_away(t)) return;
+  follow_shape(t);
+}
+
+double agreement::excess(const node& a, const node& b, const node& c) const {
+  if (!turns_left(a.position, b.position, c.position)) return infinity;
+  double sum = 0;
+  for (const node* n : {&a, &b, &c}) {
+    const double beyond = std::max(0.0, greatest_cotangent(n->metric, a, b, c) - aim_);
+    sum += beyond * beyond;
+  }
+  return sum;
+}
+
+// A node of a low triangle goes into its neighbour, where that leaves least trouble, if it leaves
+// much less.
+bool agreement::merge_away(vertex_index t) {
+  constexpr double enough = 0.5;
+  double best = 0;
+  vertex_index from = none, into = none;
+  face_list at, ring;
+  for (const vertex_index v : m_.faces()[t].v) {
+    const double now = trouble_around(v, at);
+    m_.neighbours(v, ring);
+    for (const vertex_index w : ring) {
+      if (!m_.can_merge(v, w)) continue;
+      double then = 0;
+      for (const vertex_index s : at) {
+        const face& f = m_.faces()[s];
+        const std::size_t i = f.corner_of(v);
+        const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+        if (a != w && b != w) then += excess(m_.at(w), m_.at(a), m_.at(b));
+      }
+      if (!(then < enough * now && now - then > best)) continue;
+      best = now - then;
+      from = v;
+      into = w;
+    }
+  }
+  if (from == none) return false;
+  m_.neighbours(from, ring);
+  m_.merge(from, into);
+  ++report_.merges;
+  for (const vertex_index u : ring) next_[u] = 1;
+  return true;
 }
 
 // The tensors of a low triangle's nodes towards the one in which it is equilateral, until that
@@ -243,12 +288,7 @@ double agreement::trouble_around(vertex_index v, face_list& at) const {
   m_.around(v, at);
   for (const vertex_index t : at) {
     const face& f = m_.faces()[t];
-    const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
-    if (!turns_left(a.position, b.position, c.position)) return infinity;
-    for (const node* n : {&a, &b, &c}) {
-      const double beyond = std::max(0.0, greatest_cotangent(n->metric, a, b, c) - aim_);
-      sum += beyond * beyond;
-    }
+    sum += excess(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]));
   }
   return sum;
 }

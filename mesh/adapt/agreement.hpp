@@ -32,7 +32,7 @@ struct agreement_options {
 };
 
 struct agreement_report {
-  std::size_t rounds = 0, flips = 0, alike = 0, moves = 0;  // alike: pairs made so
+  std::size_t rounds = 0, flips = 0, alike = 0, moves = 0, merges = 0;  // alike: pairs
   std::size_t disagreeing = 0, low = 0;                     // edges and triangles left
 };
 
@@ -62,6 +62,8 @@ class agreement {
   void check_angles(vertex_index t);
   bool is_low(vertex_index t) const;
   bool is_exempt(vertex_index t) const;
+  double excess(const node& a, const node& b, const node& c) const;
+  bool merge_away(vertex_index t);
   void follow_shape(vertex_index t);
   double trouble_around(vertex_index v, face_list& at) const;
   void move_away(vertex_index v);
