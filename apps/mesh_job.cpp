@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/mesh_job.hpp"
 
-#include <tbb/global_control.h>
-
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <array>
 #include <charconv>

@@ -17,8 +17,8 @@
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
-#include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
@@ -141,7 +141,8 @@ void check_delivered(const mesh& subject, const certificate& claim, verify_repor
   if (!claim.delivered || claim.fingerprint != mesh_fingerprint(subject)) return;
   const auto wanted = field_asked_for(claim);
   if (!wanted) {
-    std::cout << "note: the metric wanted was graded, or is in a file that has changed or gone; how far the one delivered "
+    std::cout << "note: the metric wanted was graded, or is in a file that has changed or gone; "
+                 "how far the one delivered "
                  "is from it is not checked\n";
     return;
   }

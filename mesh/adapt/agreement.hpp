@@ -23,8 +23,8 @@ namespace asterism::internal::adapting {
 
 struct agreement_options {
   double angle_bound = 20;
-  double unit = 1;             // the length wanted of an edge
-  double distortion = 2;       // over an edge of that length, to begin with
+  double unit = 1;        // the length wanted of an edge
+  double distortion = 2;  // over an edge of that length, to begin with
   std::size_t most_rounds = 60;
   // The metric wanted, of a node that has moved.
   std::function<std::optional<metric_tensor>(const point&)> wanted;
@@ -33,7 +33,7 @@ struct agreement_options {
 
 struct agreement_report {
   std::size_t rounds = 0, flips = 0, alike = 0, moves = 0, merges = 0;  // alike: pairs
-  std::size_t disagreeing = 0, low = 0;                     // edges and triangles left
+  std::size_t disagreeing = 0, low = 0;                                 // edges and triangles left
 };
 
 class agreement {

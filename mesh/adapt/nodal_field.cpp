@@ -54,7 +54,8 @@ void nodal_field::set_tensors(std::vector<metric_tensor> tensors) {
 }
 
 void nodal_field::link() {
-  std::vector<std::tuple<vertex_index, vertex_index, vertex_index, vertex_index>> sides;  // low, high, cell, edge
+  std::vector<std::tuple<vertex_index, vertex_index, vertex_index, vertex_index>>
+      sides;  // low, high, cell, edge
   for (vertex_index t = 0; t < cells_.size(); ++t)
     for (vertex_index i = 0; i < 3; ++i) {
       const vertex_index a = cells_[t].v[after(i)], b = cells_[t].v[before(i)];
@@ -140,8 +141,7 @@ std::vector<graph_edge> nodal_field::edges() const {
   std::vector<graph_edge> found;
   for (vertex_index t = 0; t < cells_.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
-      if (cells_[t].next[i] >= t)
-        found.push_back({cells_[t].v[after(i)], cells_[t].v[before(i)]});
+      if (cells_[t].next[i] >= t) found.push_back({cells_[t].v[after(i)], cells_[t].v[before(i)]});
   return found;
 }
 

@@ -9,9 +9,9 @@
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
-#include "asterism/mesh/search/box_index.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/search/box_index.hpp"
 
 namespace asterism::internal::adapting {
 

@@ -43,7 +43,8 @@ std::vector<long_edge> edges_where(const working_mesh& m, Wanted&& wanted) {
 }
 
 // The face with the edge from a to b on its border, and which of its edges that is.
-std::pair<vertex_index, std::size_t> find_edge(const working_mesh& m, vertex_index a, vertex_index b) {
+std::pair<vertex_index, std::size_t> find_edge(const working_mesh& m, vertex_index a,
+                                               vertex_index b) {
   face_list at;
   m.around(a, at);
   for (const vertex_index t : at) {
@@ -79,8 +80,7 @@ double shape_energy(const node& a, const node& b, const node& c, double unit) {
   double shape = 0;
   for (const node* n : {&a, &b, &c}) {
     const metric_tensor& m = n->metric;
-    const double q =
-        (m.m11 * xx + 2 * m.m12 * xy + m.m22 * yy) / (2 * root3 * twice * n->root);
+    const double q = (m.m11 * xx + 2 * m.m12 * xy + m.m22 * yy) / (2 * root3 * twice * n->root);
     const double beyond = std::max(0.0, q - poor);
     shape += q + weight_of_low * beyond * beyond;
   }

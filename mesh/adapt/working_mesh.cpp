@@ -51,7 +51,8 @@ vertex_index working_mesh::new_node(const point& where, node_kind kind) {
   return static_cast<vertex_index>(nodes_.size() - 1);
 }
 
-void working_mesh::set(vertex_index t, const std::array<vertex_index, 3>& v, const std::array<vertex_index, 3>& next,
+void working_mesh::set(vertex_index t, const std::array<vertex_index, 3>& v,
+                       const std::array<vertex_index, 3>& next,
                        const std::array<vertex_index, 3>& segment) {
   faces_[t] = {v, next, segment};
   for (const vertex_index u : v) nodes_[u].face = t;
@@ -66,7 +67,8 @@ void working_mesh::replace_neighbour(vertex_index t, vertex_index old, vertex_in
     }
 }
 
-std::optional<vertex_index> working_mesh::split(vertex_index t, std::size_t edge, const point& where) {
+std::optional<vertex_index> working_mesh::split(vertex_index t, std::size_t edge,
+                                                const point& where) {
   const face f = faces_[t];
   const vertex_index c = f.v[edge], a = f.v[after(edge)], b = f.v[before(edge)], s = f.next[edge];
   const auto fits = [&](vertex_index x, vertex_index y, vertex_index z) {
@@ -252,7 +254,7 @@ mesh working_mesh::triangulation(std::vector<vertex_index>& renumbered) const {
       const double x = b.x - a.x, y = b.y - a.y;
       if ((q.x - p.x) * x + (q.y - p.y) * y < 0) continue;  // its twin will do
       subsegments.push_back({(p.x - a.x) * x + (p.y - a.y) * y,
-                        {renumbered[u], renumbered[w], f.segment[i], s.marker, s.internal}});
+                             {renumbered[u], renumbered[w], f.segment[i], s.marker, s.internal}});
     }
   }
   std::sort(subsegments.begin(), subsegments.end(), [](const auto& a, const auto& b) {

@@ -30,10 +30,10 @@ enum class node_kind : unsigned char { given, sliding, free, gone };
 struct node {
   point position;
   metric_tensor metric;
-  double root = 0;     // of the determinant of the metric
-  vertex_index face = none;   // one of those at it
+  double root = 0;              // of the determinant of the metric
+  vertex_index face = none;     // one of those at it
   vertex_index segment = none;  // that a sliding node divides
-  vertex_index hint = none;   // where the field was looked up last (nodal_field.hpp)
+  vertex_index hint = none;     // where the field was looked up last (nodal_field.hpp)
   node_kind kind = node_kind::free;
 };
 
@@ -100,13 +100,13 @@ class working_mesh {
     return (s + t) / 6 + 2.0 / 3 * std::sqrt(s * t);
   }
 
-  // A new node on edge i of t, which becomes a sliding one on a subsegment. Refused where a face would
-  // not turn left. Its metric is the caller's affair.
+  // A new node on edge i of t, which becomes a sliding one on a subsegment. Refused where a face
+  // would not turn left. Its metric is the caller's affair.
   std::optional<vertex_index> split(vertex_index t, std::size_t edge, const point& where);
   // A new node inside t.
   std::optional<vertex_index> insert(vertex_index t, const point& where);
-  // Whether the edge has faces on both sides, is no subsegment, and the other diagonal gives faces that
-  // turn left.
+  // Whether the edge has faces on both sides, is no subsegment, and the other diagonal gives faces
+  // that turn left.
   bool can_flip(vertex_index t, std::size_t edge) const;
   // Requires can_flip.
   void flip(vertex_index t, std::size_t edge);
@@ -120,8 +120,8 @@ class working_mesh {
   // A place on the segment of a sliding node: the one nearest to `where`.
   point on_segment(vertex_index v, const point& where) const;
 
-  // The nodes in the order of the domain's vertices, then by number; faces as triangles; subsegments in
-  // the order of their segments. `renumbered` maps nodes to sites.
+  // The nodes in the order of the domain's vertices, then by number; faces as triangles;
+  // subsegments in the order of their segments. `renumbered` maps nodes to sites.
   mesh triangulation(std::vector<vertex_index>& renumbered) const;
 
  private:
@@ -129,8 +129,8 @@ class working_mesh {
   std::optional<error> add(const mesh& start);
   vertex_index new_face();
   vertex_index new_node(const point& where, node_kind kind);
-  void set(vertex_index t, const std::array<vertex_index, 3>& v, const std::array<vertex_index, 3>& next,
-           const std::array<vertex_index, 3>& segment);
+  void set(vertex_index t, const std::array<vertex_index, 3>& v,
+           const std::array<vertex_index, 3>& next, const std::array<vertex_index, 3>& segment);
   void replace_neighbour(vertex_index t, vertex_index old, vertex_index now);
   bool merge_is_allowed(vertex_index v, vertex_index w) const;
 

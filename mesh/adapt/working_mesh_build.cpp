@@ -51,7 +51,8 @@ std::optional<error> working_mesh::add(const mesh& start) {
   }
   std::sort(edges.begin(), edges.end());
   for (const half_edge& e : edges)
-    if (const half_edge* const twin = find(edges, e.b, e.a)) faces_[e.face].next[e.edge] = twin->face;
+    if (const half_edge* const twin = find(edges, e.b, e.a))
+      faces_[e.face].next[e.edge] = twin->face;
   for (const boundary_edge& p : start.boundary) {
     const half_edge *const left = find(edges, p.a, p.b), *const right = find(edges, p.b, p.a);
     if (left == nullptr || (p.internal && right == nullptr))

@@ -110,8 +110,8 @@ class visibility_test {
 // One gap of a fan, from x counter-clockwise to y.
 struct fan_gap {
   vertex_index x = 0, y = 0;
-  bool on_boundary = false;               // x -> y is a subsegment: nothing beyond it is seen
-  std::optional<star_gap> prepared;       // unless on the boundary
+  bool on_boundary = false;          // x -> y is a subsegment: nothing beyond it is seen
+  std::optional<star_gap> prepared;  // unless on the boundary
   mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
 };
 
@@ -260,10 +260,10 @@ class star_check {
     if (gap == nullptr || gap->on_boundary) return;
     ++tally_.part.star_pairs;
     if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
-    tally_.found(finding_kind::star_site_missing, "the star of " + vertex_text(context_, p.v) +
-                                                      " would accept " + vertex_text(context_, w) +
-                                                      " between " + vertex_text(context_, gap->x) +
-                                                      " and " + vertex_text(context_, gap->y),
+    tally_.found(finding_kind::star_site_missing,
+                 "the star of " + vertex_text(context_, p.v) + " would accept " +
+                     vertex_text(context_, w) + " between " + vertex_text(context_, gap->x) +
+                     " and " + vertex_text(context_, gap->y),
                  {p.v, w, gap->x, gap->y});
   }
 

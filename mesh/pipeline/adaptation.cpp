@@ -31,7 +31,7 @@ using namespace adapting;
 struct strictness {
   double background, mesh;
 };
-constexpr std::array<strictness, 4> ladder = {{{3, 2}, {2.2, 1.7}, {1.6, 1.4}, {1.25, 1.15}}};
+constexpr std::array<strictness, 4> ladder = {{{5, 2}, {3, 1.7}, {1.8, 1.4}, {1.25, 1.15}}};
 // Audits of one mesh, each after what the one before had found was mended.
 constexpr int most_audits = 12;
 // Of the limit on sites: beyond, the way by way of a fill tells what is not possible.
@@ -75,6 +75,7 @@ class adaptation {
       if (!attempt(*start, how)) return std::nullopt;
       if (outcome_.audited->certified || stop_reason()) break;
     }
+    if (outcome_.audited->certified) meet_count(*start);
     if (const auto why = stop_reason(); why && !outcome_.audited->certified) return stopped(*why);
     if (!outcome_.audited->certified) return std::nullopt;
     return conclude();
@@ -83,6 +84,27 @@ class adaptation {
  private:
   std::optional<std::string> stop_reason() const {
     return options_.stop ? options_.stop() : std::nullopt;
+  }
+
+  static double off_count(std::size_t sites, std::size_t wanted) {
+    return std::abs(std::log(static_cast<double>(sites) / static_cast<double>(wanted)));
+  }
+
+  // Where mending has cost many sites the mesh is made once more with as many more to begin with;
+  // it stays if it is nearer to the number wanted.
+  void meet_count(const mesh& start) {
+    constexpr double tolerable = 0.03;
+    const std::size_t wanted = count_, got = outcome_.result.sites.size();
+    if (off_count(got, wanted) <= tolerable || stop_reason()) return;
+    mesh_outcome before = outcome_;
+    const double length_factor = length_factor_;
+    count_ = wanted * wanted / got;
+    const bool made = attempt(start, ladder[0]);
+    if (made && outcome_.audited->certified &&
+        off_count(outcome_.result.sites.size(), wanted) < off_count(got, wanted))
+      return;
+    outcome_ = std::move(before);
+    length_factor_ = length_factor;
   }
 
   // The places of the background along a space-filling curve.

@@ -26,8 +26,8 @@ audit_options questions_for(const mesh_outcome& outcome, const domain& d,
 certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_options& options) {
   const audit_options asked = questions_for(outcome, d, options);
   certified_mesh judged;
-  const bool is_known = outcome.audited && asked.check_stars && !asked.check_voronoi &&
-                        asked.exempt_corners.empty();
+  const bool is_known =
+      outcome.audited && asked.check_stars && !asked.check_voronoi && asked.exempt_corners.empty();
   judged.report = is_known ? *outcome.audited : audit(outcome.result, asked);
   if (options.prove_voronoi && outcome.stopped)
     judged.report.voronoi = voronoi_verdict::not_reached;

@@ -80,9 +80,10 @@ std::vector<std::string> contradictions_in_delivered(const mesh& subject, const 
   if (!found) return {"the metric wanted fails: " + found.failure().message};
   const delivered_report &claimed = *claim.delivered, &measured = found.value();
   if (claimed.changed != measured.changed)
-    said.push_back(fmt::format("{} sites have another tensor than the one wanted, and the "
-                               "certificate says {}",
-                               measured.changed, claimed.changed));
+    said.push_back(
+        fmt::format("{} sites have another tensor than the one wanted, and the "
+                    "certificate says {}",
+                    measured.changed, claimed.changed));
   const std::array<std::pair<const char*, double delivered_report::*>, 7> numbers = {
       {{"beyond_tenth", &delivered_report::beyond_tenth},
        {"median", &delivered_report::median},
@@ -96,9 +97,10 @@ std::vector<std::string> contradictions_in_delivered(const mesh& subject, const 
       said.push_back(fmt::format("of the metric delivered, {} is {}, and the certificate says {}",
                                  name, measured.*member, claimed.*member));
   if (claimed.low_wanted != measured.low_wanted)
-    said.push_back(fmt::format("as the metric wanted measures them {} triangles are below the "
-                               "bound, and the certificate lists {}, or others",
-                               measured.low_wanted.size(), claimed.low_wanted.size()));
+    said.push_back(
+        fmt::format("as the metric wanted measures them {} triangles are below the "
+                    "bound, and the certificate lists {}, or others",
+                    measured.low_wanted.size(), claimed.low_wanted.size()));
   return said;
 }
 
