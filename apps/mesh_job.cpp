@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/mesh_job.hpp"
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <array>
@@ -79,6 +80,9 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"max-sites", std::to_string(asked.max_sites)},
           {"regions", job.number_regions ? "numbered" : "as given"},
           {"random-points", std::to_string(job.random_points)},
+          {"metric-fingerprint", input.field->background() != nullptr
+                                     ? std::to_string(mesh_fingerprint(*input.field->background()))
+                                     : "none"},
           {"fit-done", outcome.fitted ? text_of(*outcome.fitted, outcome.too_large) : "none"},
           {"relax", asked.relax ? "where needed" : "no"},
           {"seed", std::to_string(asked.seed)}};
@@ -123,6 +127,8 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
   if (job.size) unit_edges = made.claim.measured.at("unit_edges");
   if (!job.quiet && outcome.improved)
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
+  if (!job.quiet && outcome.delivered)
+    std::cout << "delivered: " << text_of(*outcome.delivered) << '\n';
   if (!job.quiet && outcome.fitted)
     std::cout << "fitted: " << text_of(*outcome.fitted, outcome.too_large) << '\n';
   if (!job.quiet && outcome.relaxed && reached)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 
@@ -65,6 +66,16 @@ std::string text_of(const fitting_report& done, std::size_t too_large) {
          std::to_string(done.flips) + " flips, " + std::to_string(done.collapses) + " merged, " +
          std::to_string(done.insertions) + " split, " + std::to_string(too_large) +
          " larger than the size asks for";
+}
+
+std::string text_of(const delivered_report& done) {
+  return fmt::format(
+      "{:.1f} % of the sites have lengths changed by more than 10 %, median {:.1f} %, 90 % below "
+      "{:.1f} %, greatest {:.3g} times; complexity {:.6g} of {:.6g} wanted; {} triangles are below "
+      "the bound in the metric wanted",
+      100 * done.beyond_tenth, 100 * std::expm1(done.median), 100 * std::expm1(done.ninetieth),
+      std::exp(done.greatest), done.complexity_delivered, done.complexity_wanted,
+      done.low_wanted.size());
 }
 
 void write_summary(std::ostream& out, const certified_mesh& made,

@@ -91,6 +91,9 @@ ASTERISM_EXPORT extern const std::array<std::string_view, finding_kind_count> fi
 struct audit_finding {
   finding_kind kind{};
   std::string witness;
+  // Of a finding about a star: its centre, the neighbour or the site that is missing, and the
+  // neighbours before and after it. Indices from 0; else empty.
+  std::vector<vertex_index> vertices = {};
 };
 
 // What the audit is asked for.

@@ -19,6 +19,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
@@ -43,6 +44,8 @@ struct certificate {
   std::size_t star_repairs = 0;  // stars a local search had got wrong, mended before the end
   // Where the mesh is of another metric than the one asked for; without the tensors given.
   std::optional<relaxation_report> relaxed;
+  // Where the mesh was made by local changes: its metric against the one wanted.
+  std::optional<delivered_report> delivered;
   // What numerics/mesh_statistics.hpp measures, by the names there; those that are finite.
   std::map<std::string, double> measured;
   std::optional<double> angle_bound;  // degrees

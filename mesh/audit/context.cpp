@@ -31,12 +31,14 @@ std::size_t find_directed(const std::vector<Item>& list, const std::vector<std::
 
 }  // namespace
 
-void audit_tally::found(finding_kind kind, std::string witness) {
-  keep(part, findings_kept, {kind, std::move(witness)});
+void audit_tally::found(finding_kind kind, std::string witness,
+                        std::vector<vertex_index> vertices) {
+  keep(part, findings_kept, {kind, std::move(witness), std::move(vertices)});
 }
 
-void audit_context::found(finding_kind kind, std::string witness) {
-  keep(report, options.findings_kept, {kind, std::move(witness)});
+void audit_context::found(finding_kind kind, std::string witness,
+                          std::vector<vertex_index> vertices) {
+  keep(report, options.findings_kept, {kind, std::move(witness), std::move(vertices)});
 }
 
 void audit_context::take(audit_tally&& tally) {

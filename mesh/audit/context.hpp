@@ -47,7 +47,7 @@ struct audit_tally {
   // Counts in `part`.
   filtered_kernel kernel() { return filtered_kernel(part.counters); }
 
-  void found(finding_kind kind, std::string witness);
+  void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
 };
 
 struct audit_context {
@@ -81,7 +81,7 @@ struct audit_context {
   sign orientation(vertex_index a, vertex_index b, vertex_index c) const {
     return kernel().orientation(at(a), at(b), at(c));
   }
-  void found(finding_kind kind, std::string witness);
+  void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
   // Adds what a part of a check found.
   void take(audit_tally&& tally);
 };

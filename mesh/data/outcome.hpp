@@ -4,17 +4,21 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "asterism/core/site.hpp"
 #include "asterism/kernels/tier_counters.hpp"
+#include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/relaxation_report.hpp"
 
 namespace asterism {
+
+struct audit_report;  // audit/audit.hpp
 
 // Corner of the domain whose angle in its own metric is below the bound: it cannot be met there.
 struct exempt_corner {
@@ -131,6 +135,11 @@ struct mesh_outcome {
   // How the refinement in a relaxed metric ended that was stopped; the mesh is then of the metric
   // given, and `ended` is how refinement had ended there.
   std::optional<refinement_ending> stopped_relaxing;
+  // Where the mesh was made by local changes, in the metric that is delivered.
+  std::optional<delivered_report> delivered;
+  // The auditor's report, where the mesher asked for it already: with the angle bound and the
+  // domain of the run, no corner exempt, and nothing asked of the Voronoi diagram.
+  std::shared_ptr<const audit_report> audited;
 
   // Returns how the run as a whole ended, whatever became of the refinement that made its mesh.
   ending how() const {

@@ -27,7 +27,9 @@ audit_options questions_for(const mesh_outcome& outcome, const domain& d,
 certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_options& options) {
   const audit_options asked = questions_for(outcome, d, options);
   certified_mesh judged;
-  judged.report = audit(outcome.result, asked);
+  const bool is_known =
+      outcome.audited && asked.check_stars && !asked.check_voronoi && asked.exempt_corners.empty();
+  judged.report = is_known ? *outcome.audited : audit(outcome.result, asked);
   if (options.prove_voronoi && outcome.stopped)
     judged.report.voronoi = voronoi_verdict::not_reached;
   certificate& claim = judged.claim;
@@ -37,6 +39,7 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
   claim.mesher_counters = outcome.counters;
   claim.star_repairs = outcome.star_repairs;
   claim.relaxed = outcome.relaxed;
+  claim.delivered = outcome.delivered;
   claim.measured = by_name(measure(outcome.result));
   judged.outcome = std::move(outcome);
   return judged;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/pipeline/adaptation.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "asterism/mesh/pipeline/metric_relaxation.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
@@ -14,6 +15,8 @@ using namespace internal;
 
 result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
                                const mesh_options& options, const progress_listener& progress) {
+  if (wants_adaptation(field, options))
+    if (auto adapted = adapt_mesh(d, field, options)) return *std::move(adapted);
   const star_predicates_on<filtered_kernel> stars_on;
   const unit_image image(d, field, options);
   auto outcome = mesh_domain({stars_on, image.shape(), image.field(), options, progress});
