@@ -4,8 +4,8 @@
 #include <iostream>
 
 #include "asterism/apps/commands.hpp"
-#include "asterism/core/version.h"
 #include "asterism/apps/complain.hpp"
+#include "asterism/core/version.h"
 
 namespace {
 

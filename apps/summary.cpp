@@ -87,7 +87,8 @@ void write_summary(std::ostream& out, const certified_mesh& made,
       << outcome.disagreeing << " disagreeing, "
       << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle) << " low-angle";
   if (outcome.too_large > 0) out << ", " << outcome.too_large << " too large";
-  if (outcome.stars_missing > 0) out << ", " << outcome.stars_missing << " stars never made";
+  if (outcome.ended.stars_missing > 0)
+    out << ", " << outcome.ended.stars_missing << " stars never made";
   if (!report.exempt_corners.empty())
     out << ", " << report.exempt_triangles.size() << " exempt at " << report.exempt_corners.size()
         << " corners";

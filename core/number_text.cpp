@@ -59,13 +59,6 @@ std::string number_text(double value) {
       [value](char* first, char* last) { return std::to_chars(first, last, value); });
 }
 
-std::string format_number(double value) {
-  constexpr int digits = 6;
-  return with_buffer([value](char* first, char* last) {
-    return std::to_chars(first, last, value, std::chars_format::general, digits);
-  });
-}
-
 result<double> parse_number(std::string_view token) {
   const error no_number{quoted_token(token) + " is not a number", error_code::bad_number};
   std::string_view digits = token;

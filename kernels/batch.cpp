@@ -57,10 +57,10 @@ batch_status batch_kernel::orientation(const point_columns& p, const point_colum
   if (!same_length(rows, p) || !same_length(rows, q) || !same_length(rows, r))
     return batch_status::length_mismatch;
   run(
-      answers, first_pass_.at(predicate::orientation, tier::semi_static),
+      answers, predicate::orientation, decided_,
       [&](signed char* first) { batch::orientation(p, q, r, rows, first); },
-      [&](std::size_t k) {
-        return to_int(row_by_row_.orientation(row(p, k), row(q, k), row(r, k)));
+      [&](const filtered_kernel& kernel, std::size_t k) {
+        return to_int(kernel.orientation(row(p, k), row(q, k), row(r, k)));
       });
   return batch_status::ok;
 }
@@ -73,10 +73,10 @@ batch_status batch_kernel::in_circle(const metric_columns& m, const point_column
       !same_length(rows, c) || !same_length(rows, p))
     return batch_status::length_mismatch;
   run(
-      answers, first_pass_.at(predicate::in_circle, tier::semi_static),
+      answers, predicate::in_circle, decided_,
       [&](signed char* first) { batch::in_circle(m, a, b, c, p, rows, first); },
-      [&](std::size_t k) {
-        return to_int(row_by_row_.in_circle(row(m, k), row(a, k), row(b, k), row(c, k), row(p, k)));
+      [&](const filtered_kernel& kernel, std::size_t k) {
+        return to_int(kernel.in_circle(row(m, k), row(a, k), row(b, k), row(c, k), row(p, k)));
       });
   return batch_status::ok;
 }

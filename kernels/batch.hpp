@@ -36,7 +36,7 @@ struct site_columns {
 // Whether a batch was answered. After length_mismatch nothing was written.
 enum class [[nodiscard]] batch_status{ok, length_mismatch};
 
-// Answers one predicate for many rows. Use one object a thread: it counts what decided.
+// Answers one predicate for many rows. Without counters it may be shared by threads.
 class ASTERISM_EXPORT batch_kernel {
  public:
   batch_kernel() = default;

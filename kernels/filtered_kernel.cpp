@@ -99,7 +99,7 @@ bool filtered_kernel::is_positive_definite(const metric_tensor& metric) const {
 sign filtered_kernel::in_circle(const metric_tensor& m, const point& a, const point& b,
                                 const point& c, const point& p) const {
   return decide<predicate::in_circle, &fixed_width::in_circle, &interval_kernel::in_circle,
-                &exact_kernel::in_circle>(counters_, semi_static::in_circle(m, a, b, c, p), m, a, b,
+                &exact_kernel::in_circle>(decided_, semi_static::in_circle(m, a, b, c, p), m, a, b,
                                           c, p);
 }
 

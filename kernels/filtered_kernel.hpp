@@ -21,7 +21,7 @@ namespace asterism {
 
 // The predicates, always right and fast. Example:
 //
-//   const filtered_kernel kernel;  // one a thread
+//   const filtered_kernel kernel;
 //   const bool keep = kernel.edge_test(v, w, x, y);
 class ASTERISM_EXPORT filtered_kernel {
  public:

@@ -78,11 +78,12 @@ ASTERISM_EXPORT certificate make_certificate(const mesh& subject, const audit_op
 // Returns the text of the file.
 ASTERISM_EXPORT std::string certificate_text(const certificate& c);
 // Reads the text of a file. `name` is the file's, for messages.
-ASTERISM_EXPORT result<certificate> parse_certificate(const std::string& text, const std::string& name);
+ASTERISM_EXPORT result<certificate> parse_certificate(const std::string& text,
+                                                      const std::string& name);
 
 // Writes the file. Errors name it. Nothing is left behind by a failed write.
 ASTERISM_EXPORT result<std::filesystem::path> write_certificate(const std::filesystem::path& path,
-                                                const certificate& c);
+                                                                const certificate& c);
 // Reads a file. Errors name it.
 ASTERISM_EXPORT result<certificate> read_certificate(const std::filesystem::path& path);
 

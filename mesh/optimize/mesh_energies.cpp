@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/optimize/mesh_energies.hpp"
 
-#include "asterism/core/elementary.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "asterism/core/elementary.hpp"
 
 namespace asterism::internal::fitting {
 namespace {

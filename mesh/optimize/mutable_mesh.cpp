@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/optimize/mutable_mesh_build.hpp"
 
 namespace asterism::internal::fitting {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal::fitting {
 namespace {
 

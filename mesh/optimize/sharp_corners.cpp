@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/optimize/sharp_corners.hpp"
 
-#include "asterism/core/elementary.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+
+#include "asterism/core/elementary.hpp"
 
 namespace asterism::internal::fitting {
 namespace {

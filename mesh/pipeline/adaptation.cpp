@@ -17,7 +17,7 @@
 #include "asterism/mesh/metric/unit_frame.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
-#include "asterism/mesh/refine/refinement_loop.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism::internal {
@@ -49,9 +49,9 @@ std::optional<mesh> coarse_mesh(const domain& d, const mesh_options& options) {
   coarse.strategy = refinement_strategy::voronoi_arcs;
   coarse.max_sites = options.max_sites;
   coarse.stop = options.stop;
-  const filtered_kernel kernel;
-  const star_predicates_on<filtered_kernel> stars_on(kernel);
-  auto made = mesh_domain(stars_on, d, euclidean_field(), coarse, {});
+  const star_predicates_on<filtered_kernel> stars_on;
+  const euclidean_field round;
+  auto made = mesh_domain({stars_on, d, round, coarse});
   if (!made || !made.value().complete) return std::nullopt;
   return std::move(made.value().result);
 }
@@ -82,9 +82,7 @@ class adaptation {
   }
 
  private:
-  std::optional<std::string> stop_reason() const {
-    return options_.stop ? options_.stop() : std::nullopt;
-  }
+  std::optional<std::string> stop_reason() const { return options_.stop.poll(); }
 
   static double off_count(std::size_t sites, std::size_t wanted) {
     return std::abs(std::log(static_cast<double>(sites) / static_cast<double>(wanted)));
