@@ -104,7 +104,7 @@ class visibility_test {
 
   const audit_context& context_;
   const subsegment_tree& subsegments_;
-  const filtered_kernel& kernel_;
+  filtered_kernel kernel_;
 };
 
 // One gap of a fan, from x counter-clockwise to y.
