@@ -392,7 +392,7 @@ class filling {
                                 std::uint64_t& looked_at) {
     const site& s = sites_[w];
     const double ordinary = 2.2 * distance_;
-    const double dense = first_reach_among_dense(s);
+    const double dense = w < is_isolated_.size() ? first_reach_among_dense(s) : infinity;
     double reach = dense < ordinary ? dense : ordinary;
     for (int attempt = 0; attempt < 64; ++attempt, reach *= 2) {
       near.clear();
