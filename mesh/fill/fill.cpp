@@ -392,7 +392,7 @@ class filling {
                                 std::uint64_t& looked_at) {
     const site& s = sites_[w];
     const double ordinary = 2.2 * distance_;
-    const double dense = w < is_isolated_.size() ? first_reach_among_dense(s) : infinity;
+    const double dense = is_isolated(w) ? first_reach_among_dense(s) : infinity;
     double reach = dense < ordinary ? dense : ordinary;
     for (int attempt = 0; attempt < 64; ++attempt, reach *= 2) {
       near.clear();
@@ -417,7 +417,7 @@ class filling {
       constexpr std::size_t many = 512;
       const bool is_open =
           on_segment_[w] != 0 || (options_.is_uneven && attempt >= enough_attempts);
-      const bool is_tried = attempt >= enough_attempts && (!is_isolated(w) || near.size() > many);
+      const bool is_tried = attempt >= enough_attempts && near.size() > many;
       const bool is_hopeless = is_open && (reach >= ordinary || is_tried);
       if (2.1 * std::sqrt(widest) <= reach || is_hopeless) return;
     }
