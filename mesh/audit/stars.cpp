@@ -73,7 +73,7 @@ struct star_surroundings {
 class visibility_test {
  public:
   visibility_test(const audit_context& context, const subsegment_tree& subsegments,
-                  const filtered_kernel& kernel)
+                  filtered_kernel kernel)
       : context_(context), subsegments_(subsegments), kernel_(kernel) {}
 
   bool clear(vertex_index v, vertex_index w) const {
