@@ -33,7 +33,7 @@ struct mesh_options {
   // The domain's vertices are the sites of a mesh: if no triangle of their stars is left to mend,
   // no site is added and no subsegment divided, whatever else could still be improved.
   bool keep_if_complete = false;
-  cancellation stop;       // polled during the run; what it says becomes part of the outcome
+  cancellation stop = {};  // polled during the run; what it says becomes part of the outcome
   int max_rejected = 100;  // darts in a row before the tolerance shrinks
   std::uint64_t seed = 1;  // darts
   // What is complete is improved in so many passes at most (refine/coarsening_pass.hpp); each

@@ -112,6 +112,7 @@ struct relaxation_details {
   std::optional<std::string> fitting_stopped;  // what mesh_options::stop said during fitting
 };
 
+// Mesh that a run made, how the run ended, and what it took.
 struct mesh_outcome {
   // True if the mesh meets the demands, as the mesher believes; the auditor decides.
   bool complete = false;
