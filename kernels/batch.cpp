@@ -21,6 +21,12 @@ bool same_length(std::size_t rows, const site_columns& s) {
          s.m12.size() == rows && s.m22.size() == rows;
 }
 
+bool same_length(std::size_t rows, const metric_columns& m) {
+  return m.m11.size() == rows && m.m12.size() == rows && m.m22.size() == rows;
+}
+
+metric_tensor row(const metric_columns& m, std::size_t k) { return {m.m11[k], m.m12[k], m.m22[k]}; }
+
 site row(const site_columns& s, std::size_t k) {
   return {{s.x[k], s.y[k]}, {s.m11[k], s.m12[k], s.m22[k]}};
 }
@@ -43,6 +49,37 @@ void run(std::span<signed char> answers, predicate which, tier_counters* decided
 }
 
 }  // namespace
+
+batch_status batch_kernel::orientation(const point_columns& p, const point_columns& q,
+                                       const point_columns& r,
+                                       std::span<signed char> answers) const {
+  const std::size_t rows = answers.size();
+  if (!same_length(rows, p) || !same_length(rows, q) || !same_length(rows, r))
+    return batch_status::length_mismatch;
+  run(
+      answers, predicate::orientation, decided_,
+      [&](signed char* first) { batch::orientation(p, q, r, rows, first); },
+      [&](const filtered_kernel& kernel, std::size_t k) {
+        return to_int(kernel.orientation(row(p, k), row(q, k), row(r, k)));
+      });
+  return batch_status::ok;
+}
+
+batch_status batch_kernel::in_circle(const metric_columns& m, const point_columns& a,
+                                     const point_columns& b, const point_columns& c,
+                                     const point_columns& p, std::span<signed char> answers) const {
+  const std::size_t rows = answers.size();
+  if (!same_length(rows, m) || !same_length(rows, a) || !same_length(rows, b) ||
+      !same_length(rows, c) || !same_length(rows, p))
+    return batch_status::length_mismatch;
+  run(
+      answers, predicate::in_circle, decided_,
+      [&](signed char* first) { batch::in_circle(m, a, b, c, p, rows, first); },
+      [&](const filtered_kernel& kernel, std::size_t k) {
+        return to_int(kernel.in_circle(row(m, k), row(a, k), row(b, k), row(c, k), row(p, k)));
+      });
+  return batch_status::ok;
+}
 
 batch_status batch_kernel::compare_distance(const site_columns& v, const site_columns& w,
                                             const point_columns& q,

@@ -14,26 +14,40 @@
 
 #include <span>
 
+#include "asterism/core/export.h"
 #include "asterism/kernels/filtered_kernel.hpp"
 
 namespace asterism {
 
+// Points, one a row.
 struct point_columns {
   std::span<const double> x, y;
 };
 
+struct metric_columns {
+  std::span<const double> m11, m12, m22;
+};
+
+// Sites, one a row.
 struct site_columns {
   std::span<const double> x, y, m11, m12, m22;
 };
 
+// Whether a batch was answered. After length_mismatch nothing was written.
 enum class [[nodiscard]] batch_status{ok, length_mismatch};
 
-class batch_kernel {
+// Answers one predicate for many rows. Without counters it may be shared by threads.
+class ASTERISM_EXPORT batch_kernel {
  public:
   batch_kernel() = default;
   // Counts in `decided`, which must outlive the kernel and its copies. For one thread.
   explicit batch_kernel(tier_counters& decided) : decided_(&decided) {}
 
+  batch_status orientation(const point_columns& p, const point_columns& q, const point_columns& r,
+                           std::span<signed char> answers) const;
+  batch_status in_circle(const metric_columns& m, const point_columns& a, const point_columns& b,
+                         const point_columns& c, const point_columns& p,
+                         std::span<signed char> answers) const;
   batch_status compare_distance(const site_columns& v, const site_columns& w,
                                 const point_columns& q, std::span<signed char> answers) const;
   batch_status in_wedge(const site_columns& v, const site_columns& w, const point_columns& q,

@@ -37,6 +37,8 @@ result<predicate> parse_name(std::string_view name) {
 std::optional<error> check_sites(const batch_record& record) {
   const std::size_t sites = shape_of(record.question).sites;
   const filtered_kernel kernel;
+  if (record.question == predicate::in_circle && !kernel.is_positive_definite(metric_at(record, 0)))
+    return error{"fields 2-4: the metric is not positive definite"};
   for (std::size_t i = 0; i < sites; ++i) {
     if (!kernel.is_positive_definite(site_at(record, i).metric))
       return error{"fields " + std::to_string(5 * i + 4) + "-" + std::to_string(5 * i + 6) +

@@ -8,11 +8,14 @@
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 #include "asterism/kernels/number_spread.hpp"
+#include "asterism/kernels/predicate_kernel.hpp"
 #include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/kernels/star_gap.hpp"
 
 namespace asterism {
 using namespace internal;
+
+static_assert(predicate_kernel<filtered_kernel>);
 
 namespace {
 
@@ -91,6 +94,13 @@ bool filtered_kernel::is_positive_definite(const metric_tensor& metric) const {
   return decide<predicate::is_positive_definite, &fixed_width::is_positive_definite,
                 &interval_kernel::is_positive_definite, &exact_kernel::is_positive_definite>(
       decided_, semi_static::is_positive_definite(metric), metric);
+}
+
+sign filtered_kernel::in_circle(const metric_tensor& m, const point& a, const point& b,
+                                const point& c, const point& p) const {
+  return decide<predicate::in_circle, &fixed_width::in_circle, &interval_kernel::in_circle,
+                &exact_kernel::in_circle>(decided_, semi_static::in_circle(m, a, b, c, p), m, a, b,
+                                          c, p);
 }
 
 sign filtered_kernel::compare_distance(const site& v, const site& w, const point& q) const {

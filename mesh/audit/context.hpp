@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/number.hpp"
@@ -46,7 +47,7 @@ struct audit_tally {
   // Counts in `part`.
   filtered_kernel kernel() { return filtered_kernel(part.counters); }
 
-  void found(finding_kind kind, std::string witness);
+  void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
 };
 
 struct audit_context {
@@ -80,7 +81,7 @@ struct audit_context {
   sign orientation(vertex_index a, vertex_index b, vertex_index c) const {
     return kernel().orientation(at(a), at(b), at(c));
   }
-  void found(finding_kind kind, std::string witness);
+  void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
   // Adds what a part of a check found.
   void take(audit_tally&& tally);
 };
@@ -132,7 +133,6 @@ vertex_index apex(const audit_context& context, const directed_edge& edge);
 bool same_ray(const point& v, const point& a, const point& b);
 
 // Witness texts: numbers from 1, coordinates that read back to the same double.
-std::string number_text(double value);
 std::string vertex_text(const audit_context& context, vertex_index v);
 std::string triangle_text(const audit_context& context, vertex_index t);
 std::string subsegment_text(const audit_context& context, vertex_index subsegment);

@@ -32,6 +32,7 @@ TEST_CASE("tier counters add up to the number of calls", "[property]") {
     (void)kernel.encroaches(v, w, x);
     (void)kernel.insertion_test(v, w, x, y);
     (void)kernel.edge_test(v, w, x, y);
+    (void)kernel.in_circle(v.metric, v.position, w.position, x.position, p);
     for (std::uint64_t& count : expected) ++count;
   });
   for (std::size_t i = 0; i < predicate_count; ++i) {
