@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
 #include "asterism/core/version.h"
 
 namespace {

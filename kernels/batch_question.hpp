@@ -15,7 +15,7 @@
 
 namespace asterism {
 
-inline constexpr std::size_t longest_record = 20;  // four sites
+inline constexpr std::size_t longest_record = 20;  // numbers: four sites
 
 // A question and its numbers: metrics first, then sites, then points. Those beyond the predicate's
 // own are 0.
@@ -28,6 +28,7 @@ struct batch_record {
 struct record_shape {
   std::size_t metrics, sites, points;
 };
+// The shapes, in the order of `predicate`.
 inline constexpr std::array<record_shape, predicate_count> record_shapes = {{
     {0, 0, 3},  // orientation
     {1, 0, 0},  // is_spd
@@ -41,9 +42,11 @@ inline constexpr std::array<record_shape, predicate_count> record_shapes = {{
     {0, 4, 0},  // edge_test
     {1, 0, 4},  // in_circle
 }};
+// Returns how many sites and points the predicate takes.
 constexpr record_shape shape_of(predicate question) {
   return record_shapes[static_cast<std::size_t>(question)];
 }
+// Returns how many numbers the predicate takes.
 constexpr std::size_t numbers_of(predicate question) {
   const record_shape shape = shape_of(question);
   return 3 * shape.metrics + 5 * shape.sites + 2 * shape.points;
@@ -54,22 +57,29 @@ constexpr std::size_t numbers_of(predicate question) {
 constexpr point point_at(const batch_record& record, std::size_t first) {
   return {record.numbers[first], record.numbers[first + 1]};
 }
+// Returns the tensor whose first number has the index `first`.
 constexpr metric_tensor metric_at(const batch_record& record, std::size_t first) {
   return {record.numbers[first], record.numbers[first + 1], record.numbers[first + 2]};
 }
+// Returns the site number `which`, from 0.
 constexpr site site_at(const batch_record& record, std::size_t which) {
   return {point_at(record, 5 * which), metric_at(record, 5 * which + 2)};
 }
 
+// Returns the answer as an integer of the batch protocol; undecided stays so.
 constexpr uncertain_int as_integer(sign s) { return to_int(s); }
+// As above.
 constexpr uncertain_int as_integer(bool yes) { return yes ? 1 : 0; }
+// As above.
 constexpr uncertain_int as_integer(int count) { return count; }
+// As above.
 template <class T>
 constexpr uncertain_int as_integer(uncertain<T> answer) {
   return answer.certain() ? as_integer(answer.value()) : uncertain_int();
 }
 
-// Requires a record that the kernel accepts: finite, positive definite, sites distinct.
+// Puts the record to the kernel. Requires a record that the kernel accepts: finite, positive
+// definite, sites distinct.
 template <class Kernel>
 uncertain_int ask(const Kernel& kernel, const batch_record& r) {
   const auto s = [&r](std::size_t which) { return site_at(r, which); };

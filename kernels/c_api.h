@@ -28,6 +28,7 @@
 extern "C" {
 #endif
 
+/* What became of a question. */
 typedef enum asterism_status { /* NOLINT(modernize-use-using): C */
                                ASTERISM_OK = 0,
                                ASTERISM_NULL_POINTER = 1,

@@ -97,8 +97,8 @@ class column_block {
 
 void answer_checked(predicate question, const question_table& table, std::size_t count,
                     signed char* answers, tier_counters& counters) {
-  const batch_kernel columns;
-  const filtered_kernel rows;
+  const batch_kernel columns(counters);
+  const filtered_kernel rows(counters);
   column_block block;
   for (std::size_t first = 0; first < count; first += column_block::capacity) {
     const std::size_t size = std::min(column_block::capacity, count - first);
@@ -107,8 +107,6 @@ void answer_checked(predicate question, const question_table& table, std::size_t
     for (std::size_t k = first; k < first + size; ++k)
       answers[k] = static_cast<signed char>(ask(rows, table.row(k)).value());
   }
-  counters = columns.counters();
-  counters += rows.counters();
 }
 
 asterism_status answer_rows(predicate question, std::span<const asterism_rows> arguments,

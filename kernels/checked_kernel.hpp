@@ -34,16 +34,21 @@ struct kernel_difference {
   }
 };
 
+// Is told of each difference.
 using difference_report = std::function<void(const kernel_difference&)>;
 
-// Reports by writing the test case. `kernel_type` is the C++ name of the first kernel's class;
-// `out` must outlive the report.
+// Returns a report that writes the test case. `kernel_type` is the C++ name of the first kernel's
+// class; `out` must outlive the report.
 inline difference_report tests_written_to(std::ostream& out, std::string kernel_type) {
   return [&out, type = std::move(kernel_type)](const kernel_difference& difference) {
     out << difference.test(type) << '\n';
   };
 }
 
+// Asks First and Second, answers as First does, and reports where Second differs. Example:
+//
+//   checked_kernel<my_kernel, exact_kernel> kernel(tests_written_to(std::cerr, "my_kernel"));
+//   const bool keep = kernel.edge_test(v, w, x, y);
 template <class First, class Second>
 class checked_kernel {
  public:

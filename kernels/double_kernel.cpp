@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "asterism/kernels/double_arithmetic.hpp"
+#include "asterism/kernels/predicate_kernel.hpp"
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/predicates/arc_intersections.hpp"
 #include "asterism/predicates/compare_distance.hpp"
@@ -15,6 +16,8 @@
 
 namespace asterism {
 using namespace internal;
+
+static_assert(predicate_kernel<double_kernel>);
 
 namespace {
 

@@ -11,6 +11,7 @@
 
 namespace asterism {
 
+// The predicates in plain doubles, sometimes wrong: for measuring against.
 class ASTERISM_EXPORT double_kernel {
  public:
   sign orientation(const point& p, const point& q, const point& r) const;

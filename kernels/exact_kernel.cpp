@@ -11,6 +11,7 @@
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_arc_point.hpp"
 #include "asterism/kernels/magnitude.hpp"
+#include "asterism/kernels/predicate_kernel.hpp"
 #include "asterism/kernels/root_line.hpp"
 #include "asterism/kernels/staged_search.hpp"
 #include "asterism/kernels/turn_scale.hpp"
@@ -28,6 +29,8 @@
 
 namespace asterism {
 using namespace internal;
+
+static_assert(predicate_kernel<exact_kernel>);
 
 namespace {
 

@@ -11,6 +11,7 @@
 
 namespace asterism {
 
+// The predicates by exact arithmetic alone: always right, and slow.
 class ASTERISM_EXPORT exact_kernel {
  public:
   sign orientation(const point& p, const point& q, const point& r) const;

@@ -7,6 +7,7 @@
 #include "asterism/kernels/interval_arc_point.hpp"
 #include "asterism/kernels/interval_arithmetic.hpp"
 #include "asterism/kernels/magnitude.hpp"
+#include "asterism/kernels/predicate_kernel.hpp"
 #include "asterism/kernels/staged_search.hpp"
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/predicates/arc_intersections.hpp"
@@ -21,6 +22,8 @@
 
 namespace asterism {
 using namespace internal;
+
+static_assert(predicate_kernel<interval_kernel>);
 
 namespace {
 

@@ -11,6 +11,7 @@
 
 namespace asterism {
 
+// The predicates by interval arithmetic: right or undecided, never wrong.
 class ASTERISM_EXPORT interval_kernel {
  public:
   uncertain_sign orientation(const point& p, const point& q, const point& r) const;

@@ -9,8 +9,8 @@ packages=(
   g++ cmake ninja-build pkg-config
   libcgal-dev libgmp-dev libmpfr-dev libboost-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libcairo2-dev libtbb-dev
-  catch2 python3 python3-meshio freefem++
-  pybind11-dev python3-dev python3-numpy python3-pytest python3-skbuild python3-setuptools mypy
+  catch2 doxygen python3 python3-meshio python3-numpy freefem++
+  pybind11-dev python3-dev python3-pytest python3-skbuild python3-setuptools mypy
   python3-matplotlib python3-shapely
 )
 

@@ -160,7 +160,7 @@ void asterism_mesh_free(asterism_mesh* mesh) { delete mesh; }
 
 int asterism_mesh_is_complete(const asterism_mesh* mesh) { return mesh->made.outcome.complete; }
 const char* asterism_mesh_reason(const asterism_mesh* mesh) {
-  return mesh->made.outcome.reason.c_str();
+  return mesh->made.claim.reason.c_str();
 }
 int asterism_mesh_is_certified(const asterism_mesh* mesh) { return mesh->made.certified(); }
 double asterism_mesh_worst_angle(const asterism_mesh* mesh) {

@@ -17,6 +17,7 @@
 
 namespace asterism {
 
+// The number of a vertex, site or triangle, from 0.
 using vertex_index = std::uint32_t;
 
 // Vertices of `domain::vertices`; `marker` is carried to the mesh's boundary edges. The rest is

@@ -6,6 +6,7 @@
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/core/site.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
 
@@ -15,6 +16,9 @@ class ASTERISM_EXPORT metric_field {
  public:
   virtual ~metric_field() = default;
   virtual result<metric_tensor> at(const point& q) const = 0;
+  // The mesh at whose vertices the field is given, with these tensors, where it is given so; else
+  // none. It lives as long as the field.
+  virtual const mesh* background() const { return nullptr; }
 };
 
 }  // namespace asterism

@@ -45,6 +45,7 @@
 
 namespace asterism {
 
+// Counts of what was put in order.
 struct domain_repairs {
   std::size_t merged_vertices = 0;
   std::size_t segments_without_length = 0;

@@ -16,8 +16,10 @@
 
 namespace asterism {
 
+// The formats of pictures.
 enum class picture_format { svg, pdf, png };
 
+// Options of a picture.
 struct picture_options {
   int width = 1000;  // pixels (PNG), points (PDF, SVG); 16 to 20000; the height follows the mesh
   bool sites = true;

@@ -27,6 +27,7 @@
 
 namespace asterism {
 
+// Where the metric is read from.
 struct medit_read_options {
   // Without it a missing .sol is an error; with it every vertex gets the identity.
   bool identity_without_solution = false;
@@ -44,11 +45,12 @@ struct medit_read_options {
 ASTERISM_EXPORT result<mesh> read_medit(const std::filesystem::path& path,
                                         const medit_read_options& options = {});
 
-// The contents of the two files; mesh/io/write_mesh.hpp writes them.
+// Returns the contents of the .mesh file; mesh/io/write_mesh.hpp writes both files.
 ASTERISM_EXPORT std::string medit_mesh_text(const mesh& m);
+// Returns the contents of the .sol file.
 ASTERISM_EXPORT std::string medit_solution_text(const mesh& m);
 
-// NAME.sol for NAME.mesh.
+// Returns NAME.sol for NAME.mesh.
 ASTERISM_EXPORT std::filesystem::path solution_path(const std::filesystem::path& mesh_path);
 
 }  // namespace asterism

@@ -11,6 +11,7 @@
 
 namespace asterism {
 
+// Returns the field that interpolates the metrics of a mesh.
 // Between the vertices of a triangle logarithms are interpolated linearly ("log-Euclidean",
 // numerics/metric_algebra.hpp); at a vertex the tensor is the vertex's own, bit for bit. A point
 // outside all triangles, as rounding puts some, gets what the nearest point of the nearest triangle
