@@ -8,23 +8,24 @@
 #include <cmath>
 #include <limits>
 
+#include "asterism/core/random.hpp"
 #include "fixtures/audit_meshes.hpp"
 
 using namespace asterism::internal;
-using asterism::test::small_generator;
+using asterism::internal::splitmix64;
 using number = boost::multiprecision::cpp_bin_float_100;
 
 namespace {
 
-double any_size(small_generator& random) {
-  const double mantissa = random.between(-2, 2);
-  return std::ldexp(mantissa, static_cast<int>(random.between(-1000, 1000)));
+double any_size(splitmix64& random) {
+  const double mantissa = random.real(-2, 2);
+  return std::ldexp(mantissa, static_cast<int>(random.real(-1000, 1000)));
 }
 
 }  // namespace
 
 TEST_CASE("a determinant whose products leave the range of doubles, to the last place") {
-  small_generator random(5);
+  splitmix64 random(5);
   for (int k = 0; k < 20000; ++k) {
     const double a = any_size(random), b = any_size(random), c = any_size(random),
                  scale = any_size(random);
@@ -39,7 +40,7 @@ TEST_CASE("a determinant whose products leave the range of doubles, to the last 
 }
 
 TEST_CASE("roots and pairs of numbers of any range") {
-  small_generator random(6);
+  splitmix64 random(6);
   for (int k = 0; k < 20000; ++k) {
     const double a = std::abs(any_size(random)), b = std::abs(any_size(random));
     const auto ratio = static_cast<double>(root(wide_range(a) * wide_range(b)) / wide_range(b));
