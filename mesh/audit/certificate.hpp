@@ -91,8 +91,8 @@ struct verify_report {
 
 // Audits again, from the mesh and the certificate alone. From the certificate come the domain, the
 // exempt corners and the angle bound where `options` has none of its own, and what it says is the
-// dual of the Voronoi diagram is checked to be; without a certificate
-// exempt corners are looked for, and nothing is known of the domain.
+// dual of the Voronoi diagram is checked to be; without a certificate exempt corners are looked
+// for, and nothing is known of the domain.
 verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
                      audit_options options);
 

@@ -8,8 +8,9 @@
 
 namespace asterism {
 
-// `at` is deterministic and safe to call from several threads at once. It fails, naming the point
-// and the three numbers, where the tensor is not finite or not (exactly tested) positive definite.
+// A function from points to metric tensors. Derive from it for a field of your own; `at` must be
+// deterministic and safe to call from several threads at once. It fails, naming the point and the
+// three numbers, where the tensor is not finite or not (exactly tested) positive definite.
 class metric_field {
  public:
   virtual ~metric_field() = default;

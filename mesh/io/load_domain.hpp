@@ -10,8 +10,8 @@
 
 namespace asterism {
 
-// `square`, `airfoil` (or `naca0012`), or the path of a .poly file (mesh/io/poly.hpp). The domain
-// is as written there: check_domain has yet to accept it.
+// Loads a domain. `what` is `square`, `airfoil` (or `naca0012`), or the path of a .poly file
+// (mesh/io/poly.hpp). The domain is as written there: check_domain has yet to accept it.
 result<domain> load_domain(std::string_view what);
 
 }  // namespace asterism

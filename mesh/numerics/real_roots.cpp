@@ -24,7 +24,7 @@ std::vector<double> derivative(const std::vector<double>& p) {
   return d;
 }
 
-// Whether p at its critical point is small against the terms it is summed from.
+// True if p at its critical point is small against the terms it is summed from.
 bool nearly_zero(const std::vector<double>& p, double at) {
   double magnitude = 0, power = 1;
   for (const double c : p) {

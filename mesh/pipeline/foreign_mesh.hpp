@@ -25,12 +25,12 @@ struct adopted_mesh {
   domain shape;  // of the subject; as check_domain would have it if the audit finds a triangulation
 };
 
-// Puts a mesh in order.
-// The mesh's boundary edges are kept, turned where the only triangle is on their right; if it lists
-// none, the edges with one triangle are taken, with marker 0. References of triangles are kept as
-// regions where they differ across boundary edges alone, else dropped. Fails, naming the number of
-// the offender, for what no site or triangle can be: no triangle, vertices that do not exist, two
-// at one place, numbers that are not finite, tensors that are not positive definite.
+// Puts a mesh in order. The mesh's boundary edges are kept, turned where the only triangle is on
+// their right; if it lists none, the edges with one triangle are taken, with marker 0. References
+// of triangles are kept as regions where they differ across boundary edges alone, else dropped.
+// Fails, naming the number of the offender, for what no site or triangle can be: no triangle,
+// vertices that do not exist, two at one place, numbers that are not finite, tensors that are not
+// positive definite.
 result<adopted_mesh> adopt_mesh(mesh from_elsewhere);
 
 // The judgement of a mesh from elsewhere.
