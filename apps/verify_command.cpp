@@ -9,17 +9,22 @@
 #include <system_error>
 #include <utility>
 
-#include "asterism/apps/angle_text.hpp"
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
 #include "asterism/apps/option_values.hpp"
+#include "asterism/apps/summary.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/delivered_metric.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
 
 namespace asterism::apps {
@@ -47,15 +52,6 @@ Examples:
   asterism verify swirl.mesh
   asterism verify part.mesh --certificate part.json
   asterism verify other.mesh --angle-bound 15 --domain part.poly)";
-
-constexpr real_range angle_bounds = {
-    0, 60, true, false,
-    "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
-
-int refuse(const error& failure) {
-  std::cerr << "asterism: " << failure.message << '\n';
-  return refused;
-}
 
 // The certificate that was named, or the one beside the mesh, or none.
 result<std::optional<certificate>> find_certificate(const verify_options& options) {
@@ -87,8 +83,8 @@ result<std::optional<domain>> find_domain(const verify_options& options, const m
   return std::optional<domain>(std::move(checked).value());
 }
 
-// The metric a certificate says was asked for, where it is a formula and was not graded: another is
-// not made again from what the certificate holds.
+// The metric a certificate says was asked for, where it is a formula or a file that is still there,
+// and was not graded: another is not made again from what the certificate holds.
 std::unique_ptr<metric_field> field_asked_for(const certificate& claim) {
   const auto option = [&claim](const char* name) {
     const auto found = claim.options.find(name);
@@ -100,6 +96,16 @@ std::unique_ptr<metric_field> field_asked_for(const certificate& claim) {
   if (text != "none") {
     const auto end = std::from_chars(text.data(), text.data() + text.size(), size);
     if (end.ec != std::errc() || end.ptr != text.data() + text.size()) return nullptr;
+  }
+  if (has_ending(claim.metric, ".mesh")) {
+    auto background = read_medit(claim.metric);
+    if (!background) return nullptr;
+    const auto adopted = adopt_mesh(std::move(background).value());
+    if (!adopted) return nullptr;
+    auto field = make_sampled_field(adopted.value().subject, size);
+    const bool is_same =
+        option("metric-fingerprint") == std::to_string(mesh_fingerprint(*field->background()));
+    return is_same ? std::move(field) : nullptr;
   }
   auto made = make_metric_field(claim.metric, claim.original->box(), size);
   return made ? std::move(made).value() : nullptr;
@@ -120,6 +126,22 @@ void check_relaxed(const mesh& subject, const certificate& claim, verify_report&
   if (!said) return;
   verdict.contradictions.push_back(*said);
   verdict.verified = false;
+}
+
+// How far the metric delivered is from the one wanted is measured again, where that can be had.
+void check_delivered(const mesh& subject, const certificate& claim, verify_report& verdict) {
+  if (!claim.delivered || claim.fingerprint != mesh_fingerprint(subject)) return;
+  const auto wanted = field_asked_for(claim);
+  if (!wanted) {
+    std::cout << "note: the metric wanted was graded, or is in a file that has changed or gone; "
+                 "how far the one delivered "
+                 "is from it is not checked\n";
+    return;
+  }
+  for (std::string& said : contradictions_in_delivered(subject, claim, *wanted)) {
+    verdict.contradictions.push_back(std::move(said));
+    verdict.verified = false;
+  }
 }
 
 void check_measured(const mesh& subject, const certificate& claim, verify_report& verdict) {
@@ -154,11 +176,11 @@ void write_verdict(const verify_report& verdict) {
 
 int run_verify(const verify_options& options) {
   const auto subject = read_medit(options.mesh);
-  if (!subject) return refuse(subject.failure());
+  if (!subject) return complain(subject.failure(), refused);
   const auto claim = find_certificate(options);
-  if (!claim) return refuse(claim.failure());
+  if (!claim) return complain(claim.failure(), refused);
   const auto original = find_domain(options, subject.value());
-  if (!original) return refuse(original.failure());
+  if (!original) return complain(original.failure(), refused);
 
   audit_options asked;
   asked.angle_bound = options.angle_bound;
@@ -167,6 +189,7 @@ int run_verify(const verify_options& options) {
   verify_report verdict = verify(subject.value(), claim.value(), asked);
   if (claim.value()) {
     check_relaxed(subject.value(), *claim.value(), verdict);
+    check_delivered(subject.value(), *claim.value(), verdict);
     check_measured(subject.value(), *claim.value(), verdict);
   }
   write_verdict(verdict);

@@ -95,6 +95,11 @@ class checked_kernel {
     const auto put = [&](const auto& k) { return k.edge_test(v, w, x, y); };
     return compared(predicate::edge_test, put, v, w, x, y);
   }
+  auto in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                 const point& p) const {
+    const auto put = [&](const auto& k) { return k.in_circle(m, a, b, c, p); };
+    return compared(predicate::in_circle, put, m, a, b, c, p);
+  }
 
   const First& first() const { return first_; }
   const Second& second() const { return second_; }

@@ -22,9 +22,10 @@ enum class predicate : std::size_t {
   encroaches,
   insertion_test,
   edge_test,
+  in_circle,
 };
 // Number of predicates.
-inline constexpr std::size_t predicate_count = 10;
+inline constexpr std::size_t predicate_count = 11;
 // The names of the batch protocol, in the order of `predicate`.
 inline constexpr std::array<std::string_view, predicate_count> predicate_names = {
     "orientation",
@@ -36,7 +37,8 @@ inline constexpr std::array<std::string_view, predicate_count> predicate_names =
     "arc_intersection_count",
     "encroaches",
     "insertion_test",
-    "edge_test"};
+    "edge_test",
+    "in_circle"};
 
 // The tiers in the order they are tried (docs/math/tiers.md).
 enum class tier : std::size_t { semi_static, interval, exact };

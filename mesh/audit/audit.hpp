@@ -35,6 +35,7 @@
 #include <string_view>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
@@ -83,13 +84,16 @@ enum class finding_kind : std::size_t {
 // Number of kinds.
 inline constexpr std::size_t finding_kind_count = 34;
 // The kinds as certificates spell them, in the order of `finding_kind`.
-extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
+ASTERISM_EXPORT extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
 
 // One finding. `witness` is one sentence that names vertices, triangles and boundary subsegments
 // counted from 1, as a .mesh file does, with their coordinates.
 struct audit_finding {
   finding_kind kind{};
   std::string witness;
+  // Of a finding about a star: its centre, the neighbour or the site that is missing, and the
+  // neighbours before and after it. Indices from 0; else empty.
+  std::vector<vertex_index> vertices = {};
 };
 
 // What the audit is asked for.
@@ -121,7 +125,7 @@ enum class voronoi_verdict : std::size_t {
 };
 
 // The verdicts as certificates spell them, in that order.
-extern const std::array<std::string_view, 4> voronoi_verdict_names;
+ASTERISM_EXPORT extern const std::array<std::string_view, 4> voronoi_verdict_names;
 
 // The least angle of a corner; for information, in floating point.
 struct audited_angle {
@@ -158,10 +162,10 @@ struct audit_report {
   std::size_t voronoi_pairs = 0, voronoi_pairs_exact = 0;
   tier_counters counters;
 
-  std::size_t total_found() const;
+  ASTERISM_EXPORT std::size_t total_found() const;
 };
 
 // Audits a mesh, however damaged it is.
-audit_report audit(const mesh& subject, const audit_options& options);
+ASTERISM_EXPORT audit_report audit(const mesh& subject, const audit_options& options);
 
 }  // namespace asterism

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
 
@@ -62,8 +63,8 @@ struct domain {
   bool number_all_regions = false;
   domain_origin origin;
 
-  // Returns the smallest box around all vertices; a box of the origin alone when there are none.
-  bounding_box box() const;
+  // The smallest box around all vertices; a box of the origin alone when there are none.
+  ASTERISM_EXPORT bounding_box box() const;
 };
 
 }  // namespace asterism

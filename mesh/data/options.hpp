@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
+
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism {
 
@@ -32,8 +33,7 @@ struct mesh_options {
   // Keeps the domain's vertices as the only sites, and its segments whole, if no triangle of their
   // stars has to be mended. For a domain that is a mesh already.
   bool keep_if_complete = false;
-  // Polled during the run. Returning a message cancels it; the message is appended to `reason`.
-  std::function<std::optional<std::string>()> stop = {};
+  cancellation stop;       // polled during the run; what it says becomes part of the outcome
   int max_rejected = 100;  // darts in a row before the tolerance shrinks
   std::uint64_t seed = 1;  // darts
   // Largest number of passes that improve a complete mesh (refine/coarsening_pass.hpp). Each pass
@@ -58,5 +58,8 @@ struct mesh_progress {
   std::size_t sites = 0, disagreeing = 0, low_angle = 0, too_large = 0;
   double sites_expected = 0;  // while filling, about; 0 when that cannot be told yet
 };
+
+// Called now and then, from the thread that started the run; may be empty.
+using progress_listener = std::function<void(const mesh_progress&)>;
 
 }  // namespace asterism

@@ -6,13 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 
 namespace asterism {
 
-// Returns [-1,1]^2, counter-clockwise from (-1,-1); segments marked 1 (bottom) to 4 (left).
-domain square();
+// [-1,1]^2, counter-clockwise from (-1,-1); segments marked 1 (bottom) to 4 (left).
+ASTERISM_EXPORT domain square();
 
 // Shape and resolution of the airfoil and its box.
 struct airfoil_options {
@@ -26,13 +27,13 @@ struct airfoil_options {
 // Points are denser towards both edges. Segments of the box are marked 1, those of the airfoil 2.
 // Fails for fewer than 2 or more than 1,000,000 intervals, or a box that does not contain
 // [0,1] x [-0.06,0.06] strictly.
-result<domain> airfoil(const airfoil_options& options = {});
+ASTERISM_EXPORT result<domain> airfoil(const airfoil_options& options = {});
 
 // Adds `count` vertices to `d`: drawn uniformly, from a generator that gives the same points
 // everywhere, in the bounding box shrunk to nine tenths about its centre, kept when strictly inside
 // the domain and on no earlier vertex. `d` must have been accepted by check_domain, which accepts
 // the outcome too. Fails when the domain fills so little of its box that 1000 draws a point are not
 // enough.
-result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed);
+ASTERISM_EXPORT result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed);
 
 }  // namespace asterism

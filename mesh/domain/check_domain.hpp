@@ -39,6 +39,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 
@@ -58,7 +59,7 @@ struct domain_repairs {
   bool any() const { return !messages.empty(); }
 };
 
-// Checks a domain, as said above. `repairs`, when given, is overwritten.
-result<domain> check_domain(const domain& input, domain_repairs* repairs = nullptr);
+// `repairs`, when given, is overwritten.
+ASTERISM_EXPORT result<domain> check_domain(const domain& input, domain_repairs* repairs = nullptr);
 
 }  // namespace asterism

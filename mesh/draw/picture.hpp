@@ -10,6 +10,7 @@
 
 #include <string>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 
@@ -26,9 +27,9 @@ struct picture_options {
   double angle_bound = 0;  // degrees; tints triangles below it as seen from one of their vertices
 };
 
-// Returns the bytes of the file. Fails for a width out of range, a mesh without extent or with
-// numbers that are not finite, a height beyond 20000, and when cairo does.
-result<std::string> draw_picture(const mesh& m, picture_format format,
-                                 const picture_options& options = {});
+// The bytes of the file. Fails for a width out of range, a mesh without extent or with numbers that
+// are not finite, a height beyond 20000, and when cairo does.
+ASTERISM_EXPORT result<std::string> draw_picture(const mesh& m, picture_format format,
+                                                 const picture_options& options = {});
 
 }  // namespace asterism

@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <string>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 
@@ -36,19 +37,20 @@ struct medit_read_options {
   std::filesystem::path solution = {};
 };
 
-// Reads `NAME.mesh`, and `NAME.sol` beside it. An edge is internal when there are triangles on both
-// its sides. References of triangles that are all 1 say nothing of regions. `given` is the number
-// of required vertices if these are the first ones, else 0. Subsegments without `#segments`
-// comments are numbered each as its own segment. Nothing is assumed or checked about the geometry,
-// nor that the tensors are positive definite: that is the auditor's.
-result<mesh> read_medit(const std::filesystem::path& path, const medit_read_options& options = {});
+// `NAME.mesh`, and `NAME.sol` beside it. An edge is internal when there are triangles on both its
+// sides. References of triangles that are all 1 say nothing of regions. `given` is the number of
+// required vertices if these are the first ones, else 0. Subsegments without `#segments` comments
+// are numbered each as its own segment. Nothing is assumed or checked about the geometry, nor that
+// the tensors are positive definite: that is the auditor's.
+ASTERISM_EXPORT result<mesh> read_medit(const std::filesystem::path& path,
+                                        const medit_read_options& options = {});
 
 // Returns the contents of the .mesh file; mesh/io/write_mesh.hpp writes both files.
-std::string medit_mesh_text(const mesh& m);
+ASTERISM_EXPORT std::string medit_mesh_text(const mesh& m);
 // Returns the contents of the .sol file.
-std::string medit_solution_text(const mesh& m);
+ASTERISM_EXPORT std::string medit_solution_text(const mesh& m);
 
 // Returns NAME.sol for NAME.mesh.
-std::filesystem::path solution_path(const std::filesystem::path& mesh_path);
+ASTERISM_EXPORT std::filesystem::path solution_path(const std::filesystem::path& mesh_path);
 
 }  // namespace asterism

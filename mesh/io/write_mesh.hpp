@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/draw/picture.hpp"
@@ -25,12 +26,12 @@ enum class mesh_format { medit, vtu, svg, png, pdf };
 
 // Returns the format that the extension names, in upper or lower case; the error lists the known
 // ones.
-result<mesh_format> mesh_format_of(const std::filesystem::path& path);
+ASTERISM_EXPORT result<mesh_format> mesh_format_of(const std::filesystem::path& path);
 
 // Checks that a mesh could be written there. Refuses unknown extensions, missing or unwritable
 // directories, and places taken by something that is not a regular file; for finding out before a
 // long computation.
-result<mesh_format> check_output(const std::filesystem::path& path);
+ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& path);
 
 // Options of writing.
 struct write_options {
@@ -40,8 +41,7 @@ struct write_options {
 };
 
 // Writes the mesh. Returns the files written, in order.
-result<std::vector<std::filesystem::path>> write_mesh(const std::filesystem::path& path,
-                                                      const mesh& m,
-                                                      const write_options& options = {});
+ASTERISM_EXPORT result<std::vector<std::filesystem::path>> write_mesh(
+    const std::filesystem::path& path, const mesh& m, const write_options& options = {});
 
 }  // namespace asterism

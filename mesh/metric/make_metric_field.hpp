@@ -6,6 +6,7 @@
 #include <memory>
 #include <string_view>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
@@ -18,7 +19,7 @@ namespace asterism {
 // last are placed in it and scaled to it. `size` divides the metric by size^2, so that an edge of
 // length `size` measured in the field as given gets metric length 1; it must be positive and
 // finite.
-result<std::unique_ptr<metric_field>> make_metric_field(std::string_view specification,
-                                                        const bounding_box& box, double size = 1);
+ASTERISM_EXPORT result<std::unique_ptr<metric_field>> make_metric_field(
+    std::string_view specification, const bounding_box& box, double size = 1);
 
 }  // namespace asterism

@@ -8,21 +8,22 @@
 #include <map>
 #include <string>
 
+#include "asterism/core/export.h"
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
 
 // Returns max(||F_p F_q^-1||, ||F_q F_p^-1||), F^T F = M: the factor by which two metrics differ at
 // most, in length. At least 1; infinite when it cannot be computed.
-double distortion(const metric_tensor& p, const metric_tensor& q);
+ASTERISM_EXPORT double distortion(const metric_tensor& p, const metric_tensor& q);
 
 // Returns the least sigma for which the two sites obey tau <= 1 / (1 - sigma d) for both their
 // distances d, hence for the smaller one: how fast the metric varies per unit of its own length.
 // Source: docs/math/refinement.md, hypothesis H1.
-double variation(const site& p, const site& q);
+ASTERISM_EXPORT double variation(const site& p, const site& q);
 
 // Returns length over width of the metric's unit circle: the root of its condition number.
-double aspect(const metric_tensor& m);
+ASTERISM_EXPORT double aspect(const metric_tensor& m);
 
 // Area and quality of one triangle in the mean metric of its three sites. The area is negative when
 // it turns clockwise; the quality is 4 sqrt 3 area / sum of squared lengths, 1 for an equilateral
@@ -31,7 +32,7 @@ struct triangle_shape {
   double area = 0, quality = 0;
 };
 // Returns area and quality of one triangle.
-triangle_shape shape_of(const triangle_sites& t);
+ASTERISM_EXPORT triangle_shape shape_of(const triangle_sites& t);
 
 // Statistics of a mesh, as its metric sees it.
 struct mesh_statistics {
@@ -54,9 +55,9 @@ struct mesh_statistics {
 };
 
 // Measures a mesh.
-mesh_statistics measure(const mesh& m);
+ASTERISM_EXPORT mesh_statistics measure(const mesh& m);
 
 // Returns all of it by name, as certificates hold it.
-std::map<std::string, double> by_name(const mesh_statistics& s);
+ASTERISM_EXPORT std::map<std::string, double> by_name(const mesh_statistics& s);
 
 }  // namespace asterism

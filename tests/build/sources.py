@@ -7,7 +7,7 @@ import sys
 # Folders from bottom to top: each may include itself and those before it.
 LAYERS = ["core", "predicates", "kernels", "mesh/support", "mesh/data", "mesh/search",
           "mesh/numerics", "mesh/domain", "mesh/metric", "mesh/stars", "mesh/fill", "mesh/refine",
-          "mesh/optimize", "mesh/audit", "mesh/draw", "mesh/io", "mesh/pipeline", "mesh", "apps"]
+          "mesh/optimize", "mesh/adapt", "mesh/audit", "mesh/draw", "mesh/io", "mesh/pipeline", "mesh/c_interface", "mesh", "apps"]
 FOLDERS = ["core", "predicates", "kernels", "mesh", "apps"]  # with all that is below them
 CODE = {".hpp", ".cpp", ".h", ".c"}
 
