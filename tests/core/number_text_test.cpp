@@ -108,8 +108,6 @@ TEST_CASE("what is no finite number is refused and quoted", "[parse_number]") {
   CHECK(quoted_token("a\nb\x01") == "'a?b?'");
 }
 
-}  // namespace asterism
-
 TEST_CASE("the shortest decimal of a double is read back as it") {
   CHECK(number_text(0.1) == "0.1");
   CHECK(number_text(20) == "20");
@@ -136,3 +134,5 @@ TEST_CASE("numbers in messages have six significant digits, as printf writes the
   CHECK(format_number(0.75) == "0.75");
   CHECK(format_number(1e150) == "1e+150");
 }
+
+}  // namespace asterism
