@@ -67,7 +67,8 @@ fs::path certificate_path(const fs::path& output) {
 }
 
 std::optional<error> check_files(const certify_options& options) {
-  if (options.repair && !options.output) return error{"--repair: name the file to write with -o"};
+  if (options.repair && !options.output)
+    return error{"--repair: name the file to write with -o", error_code::bad_option};
   if (!options.output) return std::nullopt;
   const auto format = check_output(*options.output);
   if (!format) return format.failure();
@@ -152,7 +153,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   if (reached && is_dual_as_asked(options, judged)) return done;
   return complain({reached ? "not proved to be the dual of the Voronoi diagram: " +
                                  judged.findings.front().witness
-                           : "not reached: " + outcome.reason},
+                           : "not reached: " + claim.reason},
                   not_reached);
 }
 
@@ -160,14 +161,14 @@ using made_field = result<std::unique_ptr<metric_field>>;
 
 // The field of --metric, placed in the box of the vertices, and their tensors from it.
 made_field measure_by_formula(const certify_options& options, mesh& m) {
-  if (m.sites.empty()) return error{options.mesh.string() + ": there are no vertices"};
+  if (m.sites.empty())
+    return error{options.mesh.string() + ": there are no vertices", error_code::invalid_mesh};
   auto field = make_metric_field(*options.metric, box_of_sites(m.sites), options.size);
   if (!field) return field;
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     const auto metric = field.value()->at(m.sites[v].position);
     if (!metric)
-      return error{options.mesh.string() + ": vertex " + std::to_string(v + 1) + ": " +
-                   metric.failure().message};
+      return metric.failure().at(options.mesh.string() + ": vertex " + std::to_string(v + 1));
     m.sites[v].metric = metric.value();
   }
   return field;
@@ -191,7 +192,7 @@ result<measured_mesh> read_measured(const certify_options& options) {
     formula = std::move(made).value();
   }
   auto adopted = adopt_mesh(std::move(read).value());
-  if (!adopted) return error{options.mesh.string() + ": " + adopted.failure().message};
+  if (!adopted) return adopted.failure().at(options.mesh.string());
   return measured_mesh{std::move(adopted).value(), std::move(formula)};
 }
 

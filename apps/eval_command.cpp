@@ -33,7 +33,7 @@ A point is x y, a site is x y m11 m12 m22; '#' starts a comment line.
   orientation p q r            is_spd m11 m12 m22         compare_distance v w q
   in_wedge v w q               dominates v w p            voronoi_vertex_count u v w
   arc_intersection_count v w x encroaches a b w           insertion_test v w x y
-  edge_test v w x y
+  edge_test v w x y            in_circle m11 m12 m22  a b c p
 One integer a line comes back; a record that cannot be answered gets 'error: ...', and the exit
 status is then 1 although every other record is answered.
 

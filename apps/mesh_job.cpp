@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/mesh_job.hpp"
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <array>
@@ -57,7 +58,7 @@ std::optional<error> check_files(const mesh_job& job, const fs::path& certificat
 std::string text_of_size_delivered(const mesh_job& job, const mesh_outcome& outcome) {
   const bool demanded =
       !outcome.relaxed || outcome.relaxed->kind != relaxation_kind::without_demands;
-  return job.size && demanded ? number_text(*job.size * outcome.length_factor) : "none";
+  return job.size && demanded ? number_text(*job.size * outcome.ended.length_factor) : "none";
 }
 
 std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
@@ -72,13 +73,16 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
           {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
           {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},
           {"tol", asked.tolerance ? number_text(*asked.tolerance) : "chosen"},
-          {"tol-at-end", number_text(outcome.tolerance)},
+          {"tol-at-end", number_text(outcome.ended.tolerance)},
           {"improve", std::to_string(asked.improve_passes)},
           {"improve-done", outcome.improved ? text_of(*outcome.improved, outcome.sites) : "none"},
           {"certify", job.refinement.prove_voronoi ? "voronoi" : "stars"},
           {"max-sites", std::to_string(asked.max_sites)},
           {"regions", job.number_regions ? "numbered" : "as given"},
           {"random-points", std::to_string(job.random_points)},
+          {"metric-fingerprint", input.field->background() != nullptr
+                                     ? std::to_string(mesh_fingerprint(*input.field->background()))
+                                     : "none"},
           {"fit-done", outcome.fitted ? text_of(*outcome.fitted, outcome.too_large) : "none"},
           {"relax", asked.relax ? "where needed" : "no"},
           {"seed", std::to_string(asked.seed)}};
@@ -123,14 +127,17 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
   if (job.size) unit_edges = made.claim.measured.at("unit_edges");
   if (!job.quiet && outcome.improved)
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
+  if (!job.quiet && outcome.delivered)
+    std::cout << "delivered: " << text_of(*outcome.delivered) << '\n';
   if (!job.quiet && outcome.fitted)
     std::cout << "fitted: " << text_of(*outcome.fitted, outcome.too_large) << '\n';
-  if (!job.quiet && outcome.relaxed && reached) std::cout << "relaxed: " << outcome.reason << '\n';
+  if (!job.quiet && outcome.relaxed && reached)
+    std::cout << "relaxed: " << made.claim.reason << '\n';
   if (!job.quiet) write_summary(std::cout, made, unit_edges);
   const bool dual_as_asked =
       !job.refinement.prove_voronoi || report.voronoi == voronoi_verdict::proved;
   if (reached && dual_as_asked) return done;
-  if (!outcome.complete) return complain({"not reached: " + outcome.reason}, not_reached);
+  if (!outcome.complete) return complain({"not reached: " + made.claim.reason}, not_reached);
   const std::string witness = report.findings.empty() ? "" : ": " + report.findings[0].witness;
   return complain({reached ? "not proved to be the dual of the Voronoi diagram" + witness
                            : "the audit refuses the mesh" + witness},

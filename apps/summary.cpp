@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 
@@ -67,6 +68,16 @@ std::string text_of(const fitting_report& done, std::size_t too_large) {
          " larger than the size asks for";
 }
 
+std::string text_of(const delivered_report& done) {
+  return fmt::format(
+      "{:.1f} % of the sites have lengths changed by more than 10 %, median {:.1f} %, 90 % below "
+      "{:.1f} %, greatest {:.3g} times; complexity {:.6g} of {:.6g} wanted; {} triangles are below "
+      "the bound in the metric wanted",
+      100 * done.beyond_tenth, 100 * std::expm1(done.median), 100 * std::expm1(done.ninetieth),
+      std::exp(done.greatest), done.complexity_delivered, done.complexity_wanted,
+      done.low_wanted.size());
+}
+
 void write_summary(std::ostream& out, const certified_mesh& made,
                    std::optional<double> unit_edges) {
   const mesh_outcome& outcome = made.outcome;
@@ -76,7 +87,8 @@ void write_summary(std::ostream& out, const certified_mesh& made,
       << outcome.disagreeing << " disagreeing, "
       << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle) << " low-angle";
   if (outcome.too_large > 0) out << ", " << outcome.too_large << " too large";
-  if (outcome.stars_missing > 0) out << ", " << outcome.stars_missing << " stars never made";
+  if (outcome.ended.stars_missing > 0)
+    out << ", " << outcome.ended.stars_missing << " stars never made";
   if (!report.exempt_corners.empty())
     out << ", " << report.exempt_triangles.size() << " exempt at " << report.exempt_corners.size()
         << " corners";

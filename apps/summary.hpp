@@ -28,6 +28,9 @@ std::string text_of(const improvement_report& done, std::size_t sites);
 // Tells what optimisation did, in one line; `too_large` triangles are larger than asked for.
 std::string text_of(const fitting_report& done, std::size_t too_large);
 
+// Tells how far the metric of the mesh is from the one wanted, in one line.
+std::string text_of(const delivered_report& done);
+
 // Writes the one line that a mesh job ends with. `unit_edges` is their part of all, if it is asked
 // about.
 void write_summary(std::ostream& out, const certified_mesh& made, std::optional<double> unit_edges);

@@ -18,9 +18,13 @@
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/delivered_metric.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
 
 namespace asterism::apps {
@@ -79,8 +83,8 @@ result<std::optional<domain>> find_domain(const verify_options& options, const m
   return std::optional<domain>(std::move(checked).value());
 }
 
-// The metric a certificate says was asked for, where it is a formula and was not graded: another is
-// not made again from what the certificate holds.
+// The metric a certificate says was asked for, where it is a formula or a file that is still there,
+// and was not graded: another is not made again from what the certificate holds.
 std::unique_ptr<metric_field> field_asked_for(const certificate& claim) {
   const auto option = [&claim](const char* name) {
     const auto found = claim.options.find(name);
@@ -92,6 +96,16 @@ std::unique_ptr<metric_field> field_asked_for(const certificate& claim) {
   if (text != "none") {
     const auto end = std::from_chars(text.data(), text.data() + text.size(), size);
     if (end.ec != std::errc() || end.ptr != text.data() + text.size()) return nullptr;
+  }
+  if (has_ending(claim.metric, ".mesh")) {
+    auto background = read_medit(claim.metric);
+    if (!background) return nullptr;
+    const auto adopted = adopt_mesh(std::move(background).value());
+    if (!adopted) return nullptr;
+    auto field = make_sampled_field(adopted.value().subject, size);
+    const bool is_same =
+        option("metric-fingerprint") == std::to_string(mesh_fingerprint(*field->background()));
+    return is_same ? std::move(field) : nullptr;
   }
   auto made = make_metric_field(claim.metric, claim.original->box(), size);
   return made ? std::move(made).value() : nullptr;
@@ -112,6 +126,22 @@ void check_relaxed(const mesh& subject, const certificate& claim, verify_report&
   if (!said) return;
   verdict.contradictions.push_back(*said);
   verdict.verified = false;
+}
+
+// How far the metric delivered is from the one wanted is measured again, where that can be had.
+void check_delivered(const mesh& subject, const certificate& claim, verify_report& verdict) {
+  if (!claim.delivered || claim.fingerprint != mesh_fingerprint(subject)) return;
+  const auto wanted = field_asked_for(claim);
+  if (!wanted) {
+    std::cout << "note: the metric wanted was graded, or is in a file that has changed or gone; "
+                 "how far the one delivered "
+                 "is from it is not checked\n";
+    return;
+  }
+  for (std::string& said : contradictions_in_delivered(subject, claim, *wanted)) {
+    verdict.contradictions.push_back(std::move(said));
+    verdict.verified = false;
+  }
 }
 
 void check_measured(const mesh& subject, const certificate& claim, verify_report& verdict) {
@@ -159,6 +189,7 @@ int run_verify(const verify_options& options) {
   verify_report verdict = verify(subject.value(), claim.value(), asked);
   if (claim.value()) {
     check_relaxed(subject.value(), *claim.value(), verdict);
+    check_delivered(subject.value(), *claim.value(), verdict);
     check_measured(subject.value(), *claim.value(), verdict);
   }
   write_verdict(verdict);

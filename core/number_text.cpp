@@ -15,6 +15,14 @@ std::string quoted_token(std::string_view token) {
   return text + (token.size() > longest ? "...'" : "'");
 }
 
+std::string format_number(double value) {
+  constexpr int digits = 6;
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
+                                     std::chars_format::general, digits);
+  return {text.data(), written.ptr};
+}
+
 namespace {
 
 // Is a number that no double holds (so: of exponent far from 0) large rather than small? `digits`
@@ -51,15 +59,8 @@ std::string number_text(double value) {
       [value](char* first, char* last) { return std::to_chars(first, last, value); });
 }
 
-std::string format_number(double value) {
-  constexpr int digits = 6;
-  return with_buffer([value](char* first, char* last) {
-    return std::to_chars(first, last, value, std::chars_format::general, digits);
-  });
-}
-
 result<double> parse_number(std::string_view token) {
-  const error no_number{quoted_token(token) + " is not a number"};
+  const error no_number{quoted_token(token) + " is not a number", error_code::bad_number};
   std::string_view digits = token;
   const bool negative = !digits.empty() && digits.front() == '-';
   if (!digits.empty() && (negative || digits.front() == '+')) digits.remove_prefix(1);
@@ -78,7 +79,8 @@ result<double> parse_number(std::string_view token) {
   // from_chars gives no value here and does not tell overflow from underflow.
   if (read.ec == std::errc::result_out_of_range)
     value = is_huge(digits, hexadecimal ? 16 : 10) ? HUGE_VAL : 0;
-  if (!std::isfinite(value)) return error{quoted_token(token) + " is not finite"};
+  if (!std::isfinite(value))
+    return error{quoted_token(token) + " is not finite", error_code::bad_number};
   return negative ? -value : value;
 }
 

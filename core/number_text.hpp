@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers as text: to and from doubles, correctly rounded and locale independent.
+// Numbers as text: to and from doubles, correctly rounded, and back; locale independent.
 #pragma once
 
 #include <string>

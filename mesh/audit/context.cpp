@@ -31,12 +31,14 @@ std::size_t find_directed(const std::vector<Item>& list, const std::vector<std::
 
 }  // namespace
 
-void audit_tally::found(finding_kind kind, std::string witness) {
-  keep(part, findings_kept, {kind, std::move(witness)});
+void audit_tally::found(finding_kind kind, std::string witness,
+                        std::vector<vertex_index> vertices) {
+  keep(part, findings_kept, {kind, std::move(witness), std::move(vertices)});
 }
 
-void audit_context::found(finding_kind kind, std::string witness) {
-  keep(report, options.findings_kept, {kind, std::move(witness)});
+void audit_context::found(finding_kind kind, std::string witness,
+                          std::vector<vertex_index> vertices) {
+  keep(report, options.findings_kept, {kind, std::move(witness), std::move(vertices)});
 }
 
 void audit_context::take(audit_tally&& tally) {
@@ -59,7 +61,7 @@ void audit_context::take(audit_tally&& tally) {
   report.star_pairs_tested += tally.part.star_pairs_tested;
   report.voronoi_pairs += tally.part.voronoi_pairs;
   report.voronoi_pairs_exact += tally.part.voronoi_pairs_exact;
-  report.counters += tally.kernel.counters();
+  report.counters += tally.part.counters;
 }
 
 std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index b) {

@@ -9,6 +9,7 @@
 
 namespace asterism {
 
+// The points between `low` and `high`, both included, coordinate by coordinate.
 struct bounding_box {
   point low, high;
 

@@ -49,11 +49,13 @@ result<domain> airfoil(const airfoil_options& options) {
   const std::size_t n = options.points_per_side;
   const bounding_box& box = options.box;
   if (n < 2 || n > 1000000)
-    return error{"airfoil: " + std::to_string(n) + " intervals a side; 2 to 1000000 are possible"};
+    return error{"airfoil: " + std::to_string(n) + " intervals a side; 2 to 1000000 are possible",
+                 error_code::bad_option};
   const bool surrounds = box.low.x < 0 && box.low.y < -0.06 && box.high.x > 1 && box.high.y > 0.06;
   if (!surrounds || !std::isfinite(box.low.x) || !std::isfinite(box.low.y) ||
       !std::isfinite(box.high.x) || !std::isfinite(box.high.y))
-    return error{"airfoil: the box must contain [0,1] x [-0.06,0.06] and be finite"};
+    return error{"airfoil: the box must contain [0,1] x [-0.06,0.06] and be finite",
+                 error_code::bad_option};
 
   domain d;
   d.name = "airfoil";
@@ -88,8 +90,9 @@ result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed
     for (bool accepted = false; !accepted; ++draws) {
       if (draws == draws_per_point)
         return error{"random points: " + std::to_string(added) + " of " + std::to_string(count) +
-                     " found; " + std::to_string(draws) + " draws in a row missed the inside of " +
-                     d.name};
+                         " found; " + std::to_string(draws) +
+                         " draws in a row missed the inside of " + d.name,
+                     error_code::bad_option};
       const double u = random.real(), v = random.real();
       const point q{(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y};
       accepted = contains(d, q) && taken.insert(q).second;

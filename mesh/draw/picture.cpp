@@ -54,7 +54,8 @@ struct page {
 
 result<page> lay_out(const mesh& m, const picture_options& options) {
   if (options.width < 16 || options.width > largest_extent)
-    return error{"a picture is 16 to 20000 wide, not " + std::to_string(options.width)};
+    return error{"a picture is 16 to 20000 wide, not " + std::to_string(options.width),
+                 error_code::bad_option};
   if (m.sites.empty()) return error{"there is nothing to draw: the mesh has no sites"};
   page p;
   p.box = {m.sites[0].position, m.sites[0].position};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/fill/placed_sites.hpp"
 #include "asterism/mesh/fill/plain_star_store.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
@@ -58,7 +59,7 @@ class filling {
   }
 
   // The wanted distance doubles with each level above the last, 0.
-  double distance_at(int level) const { return options_.distance * std::exp2(level); }
+  double distance_at(int level) const { return options_.distance * elementary::exp2(level); }
 
   // The first level on which no segment is longer than the distance.
   int coarsest_level() const {
@@ -76,6 +77,7 @@ class filling {
       if (!s) return;
       sites_.place(*s, true);
     }
+    sites_.mark_isolated(domain_);
   }
 
   void begin_unevenly() {
@@ -89,14 +91,15 @@ class filling {
   }
 
   void divide_segments_at(int level) {
-    const double longest = level == 0 ? 0 : options_.longest_subsegment * std::exp2(level);
+    const double longest = level == 0 ? 0 : options_.longest_subsegment * elementary::exp2(level);
     segments_.halve(longest, sites_, sampler_);
     renew_stars(distance_at(level));
     stars_.mark_all_changed();  // the distance is new as well
   }
 
   bool goes_on(const fill_progress& progress) {
-    stopped_ = progress && !progress(sites_.size(), needed_);
+    if (progress) progress(sites_.size(), needed_);
+    stopped_ = options_.stop.is_requested();
     return !stopped_;
   }
 
@@ -119,7 +122,7 @@ class filling {
   double sites_at_last_level(int level) const {
     const auto on_segments = static_cast<double>(sites_.count_on_segments());
     const double inside = static_cast<double>(sites_.size()) - on_segments;
-    return on_segments * std::exp2(level) + inside * std::exp2(2 * level);
+    return on_segments * elementary::exp2(level) + inside * elementary::exp2(2 * level);
   }
 
   filled_domain outcome() const {
@@ -146,7 +149,7 @@ class filling {
   segment_intervals segments_;
   site_proposals proposals_;
   std::size_t rounds_ = 0;
-  bool stopped_ = false;  // by `progress`
+  bool stopped_ = false;  // by options_.stop
   bool crowded_ = false;  // there was too much work for so many sites
   double needed_ = 0;
   std::optional<error> failure_;  // of the field, where a site was proposed

@@ -29,6 +29,14 @@ class placed_sites {
     return static_cast<std::size_t>(std::count(on_segment_.begin(), on_segment_.end(), 1));
   }
 
+  // Notes which of the domain's vertices are on no segment. To be called when they are all placed.
+  void mark_isolated(const domain& d) {
+    isolated_.assign(d.vertices.size(), 1);
+    for (const segment& one : d.segments) isolated_[one.a] = isolated_[one.b] = 0;
+  }
+  // True for vertices of the domain that are on no segment.
+  bool is_isolated(vertex_index v) const { return v < isolated_.size() && isolated_[v] != 0; }
+
   // To be asked before a site is placed: true if there is room for another one. Remembers if not.
   bool admits_another() {
     exhausted_ = exhausted_ || sites_.size() >= most_;
@@ -48,6 +56,7 @@ class placed_sites {
  private:
   std::vector<site> sites_;
   std::vector<char> on_segment_;
+  std::vector<char> isolated_;  // by vertex of the domain
   site_index index_;
   std::size_t most_;
   bool exhausted_ = false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "asterism/mesh/numerics/constructions.hpp"
@@ -92,7 +93,7 @@ void plain_star_store::renew_disturbed(const std::vector<disturbed>& pairs) {
 
 bool plain_star_store::is_enough(std::size_t i) const {
   constexpr std::size_t at_a_time = 8;
-  return options_->enough && i % at_a_time == 0 && options_->enough();
+  return i % at_a_time == 0 && options_->stop.is_requested();
 }
 
 // Finds the sites within `reach` of w, as w measures; if that is about all the box, all of them.
@@ -128,21 +129,39 @@ void plain_star_store::make_star(vertex_index w, double distance, std::vector<ve
   constexpr std::size_t least_neighbours = 3;
   // Reaches double, so that they leave the range of doubles, or the box, long before.
   constexpr int most_attempts = 64;
-  // At the boundary there may be no neighbour on the outer side, however far one looks; nor, where
-  // lengths differ by large factors, behind sites for which they count much more.
-  constexpr int attempts_where_uneven = 3;
-  const int attempts = sites_->is_on_segment(w) ? 1
-                       : options_->is_uneven    ? attempts_where_uneven
-                                                : most_attempts;
-  double reach = first_reach * distance;
+  const double ordinary = first_reach * distance;
+  double reach = std::min(ordinary, first_reach_among_dense(w, distance));
   for (int attempt = 1; attempt <= most_attempts; ++attempt, reach *= 2) {
     const bool all = find_near(w, reach, near, looked_at);
     if (near.size() < least_neighbours && !all) continue;
     stars_[w] = build_plain_star(sites_->all(), w, near);
     double widest = 0;
     for (const plain_gap& gap : stars_[w]) widest = std::max(widest, gap.squared_radius);
-    if (all || attempt >= attempts || diameters * std::sqrt(widest) <= reach) return;
+    const bool is_wide_enough = diameters * std::sqrt(widest) <= reach;
+    if (all || is_wide_enough || is_hopeless(w, attempt, reach >= ordinary, near.size())) return;
   }
+}
+
+// True if looking farther around w is given up. At the boundary there may be no neighbour on the
+// outer side, however far one looks; nor, where lengths differ by large factors, behind sites for
+// which they count much more. At the rim of many given sites the way to the next ones is long, and
+// the number of sites looked at on it is bounded.
+bool plain_star_store::is_hopeless(vertex_index w, int attempt, bool is_ordinary,
+                                   std::size_t looked_at) const {
+  constexpr int enough_attempts = 3;
+  constexpr std::size_t many = 512;
+  const bool is_late = attempt >= enough_attempts;
+  if (!sites_->is_on_segment(w) && !(options_->is_uneven && is_late)) return false;
+  return is_ordinary || (is_late && (!sites_->is_isolated(w) || looked_at > many));
+}
+
+// Returns the spacing of the sites around w, where it is much less than the distance, so that no
+// star is made from a large part of them all; infinite elsewhere.
+double plain_star_store::first_reach_among_dense(vertex_index w, double distance) const {
+  constexpr double much_closer = 0.25, spacings = 2.2;
+  const double spacing = sites_->index().spacing_near((*sites_)[w]);
+  const bool is_dense = spacing > 0 && spacing < much_closer * distance;
+  return is_dense ? spacings * spacing : std::numeric_limits<double>::infinity();
 }
 
 std::optional<crowded_site> plain_star_store::most_crowded() const {

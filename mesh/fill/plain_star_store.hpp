@@ -53,6 +53,8 @@ class plain_star_store {
   bool find_near(vertex_index w, double reach, std::vector<vertex_index>& near,
                  std::uint64_t& looked_at) const;
   bool is_enough(std::size_t i) const;
+  bool is_hopeless(vertex_index w, int attempt, bool is_ordinary, std::size_t looked_at) const;
+  double first_reach_among_dense(vertex_index w, double distance) const;
 
   const placed_sites* sites_;
   bounding_box box_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/fill/scattered_places.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
@@ -139,7 +140,7 @@ bool site_proposals::has_room(const site_index& among, const site& s, double dis
 void site_proposals::place(std::vector<site_proposal> proposals, double distance) {
   constexpr double bands_in_doubled_square = 2;
   const auto band = [squared = distance * distance](const site_proposal& p) {
-    return static_cast<int>(bands_in_doubled_square * std::log2(p.squared_radius / squared));
+    return static_cast<int>(bands_in_doubled_square * elementary::log2(p.squared_radius / squared));
   };
   std::stable_sort(
       proposals.begin(), proposals.end(),

@@ -40,7 +40,14 @@ class sampled_field final : public sized_field {
       around.include(c);
       boxes_.insert(t, around);
     }
+    given_.sites = sites_;
+    given_.triangles = triangles_;
+    const double squared = size_squared();
+    for (site& s : given_.sites)
+      s.metric = {s.metric.m11 / squared, s.metric.m12 / squared, s.metric.m22 / squared};
   }
+
+  const mesh* background() const override { return &given_; }
 
  private:
   result<metric_tensor> unsized(const point& q) const override {
@@ -106,6 +113,7 @@ class sampled_field final : public sized_field {
     return exponential(l);
   }
 
+  mesh given_;
   std::vector<site> sites_;
   std::vector<triangle> triangles_;
   std::vector<tensor_logarithm> logarithms_;

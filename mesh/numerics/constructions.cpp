@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 #include "asterism/mesh/numerics/real_roots.hpp"
 
@@ -100,7 +101,7 @@ std::optional<point> polish(const std::array<site, 3>& s, point q) {
     const point move{(g1 * h2.y - g2 * h1.y) / jacobian, (g2 * h1.x - g1 * h2.x) / jacobian};
     if (!finite(move)) break;
     q = q - move;
-    if (std::hypot(move.x, move.y) <= no_step * std::hypot(q.x, q.y)) break;
+    if (elementary::hypot(move.x, move.y) <= no_step * elementary::hypot(q.x, q.y)) break;
   }
   const double f0 = squared_distance(s[0], q);
   const double miss =
@@ -116,7 +117,7 @@ void add_once(std::vector<point>& points, const std::optional<point>& q) {
   if (!q) return;
   for (const point& p : points) {
     const point d = p - *q;
-    if (std::hypot(d.x, d.y) <= same * (1 + std::hypot(q->x, q->y))) return;
+    if (elementary::hypot(d.x, d.y) <= same * (1 + elementary::hypot(q->x, q->y))) return;
   }
   points.push_back(*q);
 }

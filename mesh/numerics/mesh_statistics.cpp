@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
@@ -151,7 +152,7 @@ double variation(const site& p, const site& q) {
 
 // The root of the ratio of the eigenvalues t +- r, as (t + r) / root of the determinant.
 double aspect(const metric_tensor& m) {
-  const double r = std::hypot(m.m11 / 2 - m.m22 / 2, m.m12);
+  const double r = elementary::hypot(m.m11 / 2 - m.m22 / 2, m.m12);
   return (m.m11 / 2 + m.m22 / 2 + r) / root_of_determinant(m);
 }
 

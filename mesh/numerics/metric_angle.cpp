@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 
 namespace asterism::internal {
@@ -31,7 +32,7 @@ double angle_in_metric(const metric_tensor& m, const point& corner, const point&
   const double inner = a.x * (n.m11 * b.x + n.m12 * b.y) + a.y * (n.m12 * b.x + n.m22 * b.y);
   const double determinant = std::max(0.0, n.m11 * n.m22 - n.m12 * n.m12);
   const double area = std::sqrt(determinant) * std::abs(a.x * b.y - a.y * b.x);
-  return std::atan2(area, inner) * (180 / std::numbers::pi);
+  return elementary::atan2(area, inner) * (180 / std::numbers::pi);
 }
 
 double smallest_angle(const mesh& m, const triangle& t) {

@@ -6,13 +6,15 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal::fitting {
 namespace {
 
 // Below the bound and this much more the energy is steeper (docs/design/fitting.md).
 constexpr double degrees_to_spare = 0.5;
 
-double cotangent(double degrees) { return 1 / std::tan(degrees * std::numbers::pi / 180); }
+double cotangent(double degrees) { return 1 / elementary::tan(degrees * std::numbers::pi / 180); }
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/optimize/mutable_mesh_build.hpp"
 
 namespace asterism::internal::fitting {
@@ -53,7 +54,7 @@ std::optional<mutable_mesh::target_place> mutable_mesh::displaced(vertex_index v
   if (kind(v) == vertex_kind::given) return std::nullopt;
   const fit_site& s = sites()[v];
   // Edges of triangles of the area wanted, were they equilateral.
-  const double edge = 2 * std::exp(s.log_area / 2) / std::sqrt(std::numbers::sqrt3);
+  const double edge = 2 * elementary::exp(s.log_area / 2) / std::sqrt(std::numbers::sqrt3);
   const double u = length * edge * in_disc.x, w = length * edge * in_disc.y;
   if (kind(v) == vertex_kind::free) {
     const double y = w / s.f22, x = (u - s.f12 * y) / s.f11;
@@ -63,7 +64,7 @@ std::optional<mutable_mesh::target_place> mutable_mesh::displaced(vertex_index v
   const segment& on = shape.segments[place(v).segment];
   const point &a = shape.vertices[on.a], &b = shape.vertices[on.b];
   const point seen = s.seen(b.x - a.x, b.y - a.y);
-  const double along = place(v).along + u / std::hypot(seen.x, seen.y);
+  const double along = place(v).along + u / elementary::hypot(seen.x, seen.y);
   if (!(along > 0 && along < 1)) return std::nullopt;
   return target_place{part_of_way(a, b, along), along};
 }

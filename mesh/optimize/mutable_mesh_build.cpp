@@ -10,11 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal::fitting {
 namespace {
 
 error not_a_triangulation(const std::string& what) {
-  return {"what is to be fitted is no triangulation of the domain: " + what};
+  return {"what is to be fitted is no triangulation of the domain: " + what,
+          error_code::invalid_mesh};
 }
 
 class builder {
@@ -166,16 +169,16 @@ void choose_areas(mutable_triangulation& net) {
   for (vertex_index v = 0; v < logs.size(); ++v) {
     double sum = 0;
     for (const vertex_index t : net.around(v)) sum += areas[t];
-    logs[v] = std::log(sum / static_cast<double>(net.around(v).size()));
+    logs[v] = elementary::log(sum / static_cast<double>(net.around(v).size()));
   }
   for (int round = 0; round < rounds_of_smoothing; ++round) logs = smoothed(net, logs);
   double wanted = 0;
   for (vertex_index t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t].v;
-    wanted += areas[t] / std::exp((logs[a] + logs[b] + logs[c]) / 3);
+    wanted += areas[t] / elementary::exp((logs[a] + logs[b] + logs[c]) / 3);
   }
   const double larger =
-      std::log(wanted / (part_of_triangles * static_cast<double>(triangles.size())));
+      elementary::log(wanted / (part_of_triangles * static_cast<double>(triangles.size())));
   for (vertex_index v = 0; v < logs.size(); ++v) net.set_log_area(v, logs[v] + larger);
 }
 

@@ -26,7 +26,7 @@ constexpr int first_sweeps = 60, sweeps_after_surgery = 20, rounds_of_surgery = 
 class fitter {
  public:
   fitter(mutable_mesh& m, const domain& d, const fitting_options& options)
-      : mesh_(m), domain_(d), options_(options), moves_(m, options.enough) {}
+      : mesh_(m), domain_(d), options_(options), moves_(m, options.stop) {}
 
   void run() {
     for (const bool stars : {false, true}) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal::fitting {
 namespace {
 
@@ -15,7 +17,7 @@ double cross(const point& a, const point& b) { return a.x * b.y - a.y * b.x; }
 double angle_seen(const fit_site& from, const point& a, const point& b) {
   const point u = from.seen(a.x - from.position.x, a.y - from.position.y);
   const point w = from.seen(b.x - from.position.x, b.y - from.position.y);
-  return std::atan2(cross(u, w), u.x * w.x + u.y * w.y) * 180 / std::numbers::pi;
+  return elementary::atan2(cross(u, w), u.x * w.x + u.y * w.y) * 180 / std::numbers::pi;
 }
 
 }  // namespace

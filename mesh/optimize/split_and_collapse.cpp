@@ -25,7 +25,7 @@ class surgeon {
       if (needs_help(t)) patients.push_back({-mesh_.energy(t), t});
     std::sort(patients.begin(), patients.end());
     for (const auto& [energy, t] : patients) {
-      if (moves_.has_enough()) break;
+      if (moves_.is_cancelled()) break;
       if (needs_help(t)) help(t);
     }
     return report_;

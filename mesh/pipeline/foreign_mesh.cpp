@@ -129,7 +129,7 @@ result<adopted_mesh> adopt_mesh(mesh from_elsewhere) {
   const audit_report first = audit(from_elsewhere, options);
   for (const finding_kind kind : unusable)
     for (const audit_finding& f : first.findings)
-      if (f.kind == kind) return error{f.witness};
+      if (f.kind == kind) return error{f.witness, error_code::invalid_mesh};
   adopted_mesh adopted{std::move(from_elsewhere), {}};
   mesh& m = adopted.subject;
   const triangle_sides sides(m);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/stars/nearest_distances.hpp"
 
@@ -47,8 +48,8 @@ double smallest_feature(const refine_state& state, vertex_index vertices, double
   for (const domain_corner& c : state.corners())
     if (c.angle < 60)
       for (const std::size_t subsegment : state.subsegments_at(c))
-        least = std::min(
-            least, state.subsegment_length(subsegment, c.vertex) * std::sin(c.angle * degree));
+        least = std::min(least, state.subsegment_length(subsegment, c.vertex) *
+                                    elementary::sin(c.angle * degree));
   return least;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 
@@ -33,8 +34,8 @@ point throw_dart(const refine_state& state, const triangle& t, splitmix64& rando
   // With M = L L^T, the points c + L^-T u, |u| = r, are those at distance r from c.
   const double l11 = std::sqrt(mean.metric.m11), l21 = mean.metric.m12 / l11;
   const double l22 = std::sqrt(least_across(mean.metric.m22, mean.metric.m12, mean.metric.m11));
-  const double y = radius * std::sin(turn) / l22;
-  const double x = (radius * std::cos(turn) - l21 * y) / l11;
+  const double y = radius * elementary::sin(turn) / l22;
+  const double x = (radius * elementary::cos(turn) - l21 * y) / l11;
   return {mean.position.x + x, mean.position.y + y};
 }
 

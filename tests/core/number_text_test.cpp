@@ -104,6 +104,7 @@ TEST_CASE("what is no finite number is refused and quoted", "[parse_number]") {
     CHECK_FALSE(parse_number(text).ok());
   CHECK(parse_number("1,5").failure().message == "'1,5' is not a number");
   CHECK(parse_number("-nan").failure().message == "'-nan' is not finite");
+  CHECK(parse_number("1,5").failure().code == error_code::bad_number);
   CHECK(quoted_token(std::string(1000, 'x')).size() < 60);
   CHECK(quoted_token("a\nb\x01") == "'a?b?'");
 }

@@ -159,7 +159,8 @@ TEST_CASE("numbers out of range are not refused, nor is one's own mirror image",
 TEST_CASE("among neighbours stretched in directions of their own doubles decide most",
           "[star_gap]") {
   sequence random{45};
-  const filtered_kernel kernel;
+  tier_counters decided;
+  const filtered_kernel kernel(decided);
   int refused = 0, by_cover = 0;
   const family turned{"turned", 400, 1e-3, 1, 0, false, false, false, false, true};
   for (int k = 0; k < 4000; ++k) {
@@ -172,6 +173,6 @@ TEST_CASE("among neighbours stretched in directions of their own doubles decide 
   CAPTURE(refused, by_cover);
   CHECK(refused > 1200);
   CHECK(by_cover > refused * 78 / 100);
-  CHECK(kernel.counters().at(predicate::edge_test, tier::semi_static) >
+  CHECK(decided.at(predicate::edge_test, tier::semi_static) >
         static_cast<std::uint64_t>(refused) * 78 / 100);
 }

@@ -232,8 +232,8 @@ TEST_CASE("no accepted site is refused by a bound of a wrong sign, side or toler
   }
 }
 
-// docs/math/star-gap.md, section 3: where both conditions of (C) are not met with their tolerance,
-// nothing is claimed, right as the claim would be.
+// docs/math/star-gap-errors.md, section 2: where both conditions of (C) are not met with their
+// tolerance, nothing is claimed, right as the claim would be.
 TEST_CASE("what stands behind a neighbour is not refused within the tolerance", "[star_gap]") {
   for (const question& q : beyond_what_is_proven) {
     CHECK_FALSE(exact_kernel().edge_test(q.v, q.w, q.x, q.y));

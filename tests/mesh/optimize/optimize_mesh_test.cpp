@@ -215,7 +215,10 @@ TEST_CASE("fitting: ends when it is told, with what there is") {
   for (const int most : {0, 1, 10, 100}) {
     int asked = 0;
     fitting_options options;
-    options.enough = [&] { return ++asked > most; };
+    options.stop = [&]() -> std::optional<std::string> {
+      if (++asked > most) return "enough";
+      return std::nullopt;
+    };
     const fitted_domain f = fitted(d, field, start.result, options);
     CHECK(f.stopped);
     CHECK(asked == most + 1);

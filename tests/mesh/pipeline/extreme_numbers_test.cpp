@@ -67,7 +67,7 @@ TEST_CASE("scaled by powers of two, nothing changes but the scale, with a size a
     const mesh_outcome made = mesh_of(d, swirl_in(scale), true);
     check_certified(d, made, {});
     CHECK(made.result.triangles == plain.result.triangles);
-    CHECK(made.tolerance == plain.tolerance);
+    CHECK(made.ended.tolerance == plain.ended.tolerance);
     CHECK(std::equal(made.result.sites.begin(), made.result.sites.end(), plain.result.sites.begin(),
                      plain.result.sites.end(), [scale](const site& s, const site& p) {
                        return s.position.x == scale * p.position.x &&
@@ -79,7 +79,7 @@ TEST_CASE("scaled by powers of two, nothing changes but the scale, with a size a
 TEST_CASE("without a size the metric need not be scaled back") {
   // Squares of lengths overflowed, the tolerance was infinite and nothing could be inserted.
   const mesh_outcome plain = mesh_of(accepted(square()), swirl_in(1), false);
-  const double ordinary = plain.tolerance;
+  const double ordinary = plain.ended.tolerance;
   for (const double scale : {0x1p-1000, 0x1p-300, 0x1p600, 0x1p1000}) {
     INFO("scale " << scale);
     const domain d = accepted(scaled(square(), scale));
@@ -90,7 +90,7 @@ TEST_CASE("without a size the metric need not be scaled back") {
     const mesh_outcome made = mesh_of(d, field, false);
     check_certified(d, made, {});
     CHECK(made.result.triangles == plain.result.triangles);
-    CHECK(made.tolerance == scale * ordinary / 4);
+    CHECK(made.ended.tolerance == scale * ordinary / 4);
   }
 }
 

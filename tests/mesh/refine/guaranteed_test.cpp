@@ -90,7 +90,7 @@ TEST_CASE("guaranteed: the same mesh with one thread and with two") {
   const mesh_outcome one = made_by(1), two = made_by(2);
   CHECK(one.sites > 1000);
   CHECK(same(one.result, two.result));
-  CHECK(one.reason == two.reason);
+  CHECK(ending_text(one) == ending_text(two));
 }
 
 // Vertices on opposite walls are level up to 1e-10 of their distance, so each four of them are
@@ -104,7 +104,7 @@ TEST_CASE("guaranteed: a ladder between slanted walls needs no site to be agreed
     domain d;
     add_ring(d, {{-lean, -0.8}, {0.1, -0.8}, {0.1 + lean, 0.8}, {0, 0.8}});
     const mesh_outcome made = mesh_of(accepted(d), linear, with_size(true));
-    INFO(lean << ": " << made.reason);
+    INFO(lean << ": " << ending_text(made));
     CHECK(made.complete);
     CHECK(made.sites < 120);
   }
@@ -170,11 +170,10 @@ TEST_CASE("guaranteed: jumps of the metric end quickly, with the place named") {
     mesh_options options = as_given(with_size(true));
     options.max_sites = 4000;
     const mesh_outcome made = mesh_of(accepted(square()), jump, options);
-    INFO(made.reason);
+    INFO(ending_text(made));
     CHECK_FALSE(made.complete);
     CHECK(made.sites <= options.max_sites);
-    const bool named = made.reason.find("the metric varies faster") != std::string::npos ||
-                       made.reason.find("the limit of") != std::string::npos;
+    const bool named = made.ended.steep || made.how() == ending::site_limit;
     CHECK(named);
   }
 }
@@ -185,41 +184,42 @@ TEST_CASE("guaranteed: a jump by 1e4 in size ends with the reason") {
     return metric_tensor{s, 0, s};
   });
   const mesh_outcome made = mesh_of(accepted(square()), jump, as_given(with_size(true)));
-  INFO(made.reason);
+  INFO(ending_text(made));
   CHECK_FALSE(made.complete);
   CHECK(made.sites < 12000);
-  CHECK(made.reason.find("bad triangles are left") != std::string::npos);
+  CHECK(ending_text(made).find("bad triangles are left") != std::string::npos);
 }
 
 // The fill went on for minutes, in which every site was a neighbour of a part of all others.
 TEST_CASE("guaranteed: a metric too wild for sites to be spread ends by count, with the place") {
   const formula_field wild = sized(swirl_field(1e8), 10);
   const mesh_outcome one = mesh_of(accepted(square()), wild, as_given(with_size(true)));
-  INFO(one.reason);
+  INFO(ending_text(one));
   CHECK_FALSE(one.complete);
   CHECK(one.sites == 4);
-  CHECK(one.reason.find("the metric varies too fast for sites to be spread: of ") == 0);
-  CHECK(one.stars_missing == 0);
+  CHECK(one.how() == ending::crowded);
+  CHECK(ending_text(one).find("the metric varies too fast for sites to be spread: of ") == 0);
+  CHECK(one.ended.stars_missing == 0);
 }
 
 // 200 units long and 0.0002 high: every site is in the influence of most subsegments.
 TEST_CASE("guaranteed: a domain far thinner than its units are apart ends by count") {
   const mesh_outcome made =
       mesh_of(accepted(square()), sized(constant_field({1e8, 0, 1e-4}), 100), with_size(true));
-  INFO(made.reason);
+  INFO(ending_text(made));
   CHECK_FALSE(made.complete);
   CHECK(made.sites < 20000);
-  CHECK(made.reason.find("the most work that is done for so many sites") != std::string::npos);
+  CHECK(made.how() == ending::overworked);
 }
 
 TEST_CASE("guaranteed: stars that were never made are counted where a run is stopped") {
   mesh_options options = with_size(true);
   options.stop = [] { return std::optional<std::string>("at once"); };
   const mesh_outcome made = mesh_of(accepted(square()), sized(identity_field(), 0.1), options);
-  INFO(made.reason);
+  INFO(ending_text(made));
   CHECK(made.stopped);
-  CHECK(made.stars_missing == made.sites);
-  CHECK(made.reason.find("were never made") != std::string::npos);
+  CHECK(made.ended.stars_missing == made.sites);
+  CHECK(ending_text(made).find("were never made") != std::string::npos);
 }
 
 TEST_CASE("guaranteed: polygons of many short segments, with a size and without") {
@@ -239,7 +239,7 @@ TEST_CASE("guaranteed: polygons of many short segments, with a size and without"
     options.max_sites = 100000;
     const formula_field coarse([](const point&) { return metric_tensor{400, 0, 400}; });
     const mesh_outcome made = mesh_of(d, coarse, options);
-    INFO(made.reason);
+    INFO(ending_text(made));
     CHECK(made.complete);
     CHECK(made.sites < most_sites);
     const auto asked =
@@ -268,7 +268,7 @@ TEST_CASE(
                             100 * (s * s * thin + c * c)};
       const formula_field undone([&m](const point&) { return m; });
       const mesh_outcome made = mesh_of(accepted(stretched), undone, with_size(true));
-      INFO(aspect << ", turned by " << turn << ": " << made.reason);
+      INFO(aspect << ", turned by " << turn << ": " << ending_text(made));
       CHECK(made.complete);
       CHECK(made.sites < 700);
     }
@@ -282,19 +282,19 @@ TEST_CASE("guaranteed: the limit on sites is kept and named") {
   for (const std::size_t most : {4, 5, 100, 500, 1000}) {
     options.max_sites = most;
     const mesh_outcome made = mesh_of(d, fine, options);
-    INFO(made.reason);
+    INFO(ending_text(made));
     CHECK_FALSE(made.complete);
     CHECK(made.sites <= most);
-    CHECK(made.reason.find("limit of " + std::to_string(most)) != std::string::npos);
+    CHECK(ending_text(made).find("limit of " + std::to_string(most)) != std::string::npos);
     if (most < 100) continue;
     // It was a failure where the segments alone needed more, and elsewhere fine in one part of the
     // domain and coarse in the rest. Now edges are longer everywhere, and all else is as asked.
     CHECK(made.disagreeing == 0);
     CHECK(made.low_angle == 0);
     CHECK(made.too_large > 0);
-    CHECK(made.length_factor > 1);
+    CHECK(made.ended.length_factor > 1);
     CHECK(made.sites > most / 4);
-    CHECK(made.sites_wanted == Approx(needed).epsilon(0.2));
+    CHECK(made.ended.sites_wanted == Approx(needed).epsilon(0.2));
     CHECK(made.result.sites[0].metric == fine.at(made.result.sites[0].position).value());
   }
 }
@@ -304,12 +304,12 @@ TEST_CASE("guaranteed: a size that takes 4e14 triangles ends soon, and says so")
   options.max_sites = 5000;
   for (const double size : {1e-7, 1e-30, 1e-100}) {
     const mesh_outcome made = mesh_of(accepted(square()), sized(identity_field(), size), options);
-    INFO(made.reason);
+    INFO(ending_text(made));
     CHECK_FALSE(made.complete);
     CHECK(made.sites <= options.max_sites);
     CHECK(made.sites > options.max_sites / 4);
     CHECK(made.disagreeing == 0);
-    CHECK(made.sites_wanted * size * size == Approx(4.6).epsilon(0.2));
+    CHECK(made.ended.sites_wanted * size * size == Approx(4.6).epsilon(0.2));
   }
 }
 
@@ -327,13 +327,13 @@ TEST_CASE(
   for (most = 0; most < 12; ++most) {
     asked = 0;
     const mesh_outcome made = mesh_of(accepted(square()), fine, options);
-    INFO(most << ": " << made.reason);
+    INFO(most << ": " << ending_text(made));
     CHECK(made.stopped);
-    if (made.length_factor == 1) continue;
+    if (made.ended.length_factor == 1) continue;
     ++length_factor;
-    CHECK((made.sites_wanted == 0 || made.sites_wanted > 2000));
-    CHECK((made.reason.find("the size wanted takes") == std::string::npos) ==
-          (made.sites_wanted == 0));
+    CHECK((made.ended.sites_wanted == 0 || made.ended.sites_wanted > 2000));
+    CHECK((ending_text(made).find("the size wanted takes") == std::string::npos) ==
+          (made.ended.sites_wanted == 0));
   }
   CHECK(length_factor > 0);
 }
@@ -363,8 +363,8 @@ TEST_CASE(
   d.vertices.push_back({0.30000000000000004, 0.3000000000000001});
   d.vertices.push_back({0.20000000000000004, 0.2});
   const mesh_outcome made = mesh_of(accepted(d), sized(identity_field(), 0.1), with_size(true));
-  INFO(made.reason);
-  CHECK(made.tolerance > 0x1p-70);
+  INFO(ending_text(made));
+  CHECK(made.ended.tolerance > 0x1p-70);
   CHECK(made.disagreeing == 0);
   CHECK(made.low_angle <= 1);
 }

@@ -77,8 +77,7 @@ struct setting {
   site_oracle oracle() const { return {sites, edges, kernel, nullptr, &near}; }
   site_oracle of_all() const { return {sites, edges, kernel}; }
 
-  filtered_kernel arithmetic;
-  star_predicates_on<filtered_kernel> kernel{arithmetic};
+  star_predicates_on<filtered_kernel> kernel;
   std::vector<site> sites;
   boundary edges;
   neighbourhood near;
