@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <ostream>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 
 namespace asterism::apps {
@@ -73,9 +74,9 @@ std::string text_of(const delivered_report& done) {
       "{:.1f} % of the sites have lengths changed by more than 10 %, median {:.1f} %, 90 % below "
       "{:.1f} %, greatest {:.3g} times; complexity {:.6g} of {:.6g} wanted; {} triangles are below "
       "the bound in the metric wanted",
-      100 * done.beyond_tenth, 100 * std::expm1(done.median), 100 * std::expm1(done.ninetieth),
-      std::exp(done.greatest), done.complexity_delivered, done.complexity_wanted,
-      done.low_wanted.size());
+      100 * done.beyond_tenth, 100 * (elementary::exp(done.median) - 1),
+      100 * (elementary::exp(done.ninetieth) - 1), elementary::exp(done.greatest),
+      done.complexity_delivered, done.complexity_wanted, done.low_wanted.size());
 }
 
 void write_summary(std::ostream& out, const certified_mesh& made,

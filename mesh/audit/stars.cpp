@@ -73,7 +73,7 @@ struct star_surroundings {
 class visibility_test {
  public:
   visibility_test(const audit_context& context, const subsegment_tree& subsegments,
-                  const filtered_kernel& kernel)
+                  filtered_kernel kernel)
       : context_(context), subsegments_(subsegments), kernel_(kernel) {}
 
   bool clear(vertex_index v, vertex_index w) const {
@@ -104,7 +104,7 @@ class visibility_test {
 
   const audit_context& context_;
   const subsegment_tree& subsegments_;
-  const filtered_kernel& kernel_;
+  filtered_kernel kernel_;
 };
 
 // One gap of a fan, from x counter-clockwise to y.

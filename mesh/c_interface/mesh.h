@@ -47,7 +47,8 @@ typedef int (*asterism_metric_function)(void* context, double x, double y, doubl
 
 /* The metric wanted: exactly one of a text, a function and a mesh with tensors. */
 typedef struct asterism_metric {
-  const char* specification; /* as `asterism mesh --metric` takes it: "swirl:12", "1+x*x,0,1" */
+  const char*
+      specification; /* as `asterism mesh --metric` takes it: "swirl:12", "expr:1+x*x;0;1" */
   asterism_metric_function function;
   void* context;
   /* A triangulation and a tensor at each of its vertices; between them the logarithms are

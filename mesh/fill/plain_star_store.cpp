@@ -152,12 +152,14 @@ bool plain_star_store::is_hopeless(vertex_index w, int attempt, bool is_ordinary
   constexpr std::size_t many = 512;
   const bool is_late = attempt >= enough_attempts;
   if (!sites_->is_on_segment(w) && !(options_->is_uneven && is_late)) return false;
-  return is_ordinary || (is_late && (!sites_->is_isolated(w) || looked_at > many));
+  return is_ordinary || (is_late && looked_at > many);
 }
 
-// Returns the spacing of the sites around w, where it is much less than the distance, so that no
-// star is made from a large part of them all; infinite elsewhere.
+// Returns some spacings of the sites around an isolated vertex w of the domain, where they are much
+// closer than the distance, so that no star is made from a large part of them all; infinite
+// elsewhere.
 double plain_star_store::first_reach_among_dense(vertex_index w, double distance) const {
+  if (!sites_->is_isolated(w)) return std::numeric_limits<double>::infinity();
   constexpr double much_closer = 0.25, spacings = 2.2;
   const double spacing = sites_->index().spacing_near((*sites_)[w]);
   const bool is_dense = spacing > 0 && spacing < much_closer * distance;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/adapt/agreement.hpp"
 #include "asterism/mesh/adapt/nodal_field.hpp"
@@ -85,7 +86,7 @@ class adaptation {
   std::optional<std::string> stop_reason() const { return options_.stop.poll(); }
 
   static double off_count(std::size_t sites, std::size_t wanted) {
-    return std::abs(std::log(static_cast<double>(sites) / static_cast<double>(wanted)));
+    return std::abs(elementary::log(static_cast<double>(sites) / static_cast<double>(wanted)));
   }
 
   // Where mending has cost many sites the mesh is made once more with as many more to begin with;

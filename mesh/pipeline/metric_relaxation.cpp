@@ -112,7 +112,8 @@ class relaxation {
     constexpr int lattice = 24;
     const bounding_box box = image_.box();
     for (int i = 0; i < lattice * lattice; ++i) {
-      const double u = (i % lattice + 0.5) / lattice, v = (i / lattice + 0.5) / lattice;
+      const int column = i % lattice, row = i / lattice;
+      const double u = (column + 0.5) / lattice, v = (row + 0.5) / lattice;
       const auto there = unit_.field().at(
           {(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y});
       if (there && !(there.value() == one)) return false;

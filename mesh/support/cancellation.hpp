@@ -15,9 +15,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "asterism/core/export.h"
+
 namespace asterism {
 
-class cancellation {
+class ASTERISM_EXPORT cancellation {
  public:
   // Never asks for an end.
   cancellation() = default;

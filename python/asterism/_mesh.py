@@ -134,14 +134,14 @@ class Mesh:
         return f"<Mesh: {len(self.points)} points, {len(self.triangles)} triangles, {state}>"
 
 
-def mesh(domain: _Domain, metric: Metric = "1,0,1", size: Optional[float] = None,
+def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = None,
          angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: int = 100000,
          gradation: Optional[float] = None, relax: bool = True, prove_voronoi: bool = False,
          improve: int = 0, progress: Optional[Callable[[Dict[str, Any]], Any]] = None) -> Mesh:
     """Makes a mesh whose angles are at least angle_bound degrees, each measured by the metric of all
     three vertices of its triangle, and audits it.
 
-    metric: a text as the command takes it ("swirl:12", "1+x*x,0,1"); a callable from (n, 2) points
+    metric: a text as the command takes it ("swirl:12", "expr:1+x*x;0;1"); a callable from (n, 2) points
     to (n, 3) tensors; a pair (mesh, tensors (n, 3)), or the tensors alone with on=mesh.
     size: edges are to have this length in the metric; None: no longer than angles need.
     progress: called now and then with a dict of counts. Ctrl-C ends the run.
@@ -149,7 +149,7 @@ def mesh(domain: _Domain, metric: Metric = "1,0,1", size: Optional[float] = None
     if on is not None:
         metric = (on, metric)  # type: ignore[assignment]
     if isinstance(metric, tuple) and len(metric) == 2 and isinstance(metric[0], Mesh):
-        metric = (metric[0]._made, metric[1])  # type: ignore[assignment]
+        metric = (metric[0]._made, metric[1])
     made = Mesh._of(_asterism._mesh(domain, metric, size, angle_bound, max_sites, gradation, relax,
                                     prove_voronoi, improve, progress))
     if not made.complete:

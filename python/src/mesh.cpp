@@ -60,7 +60,8 @@ std::string svg_of(const py_mesh& m, int width, bool ellipses) {
   return value_or_raise(draw_picture(m.content, picture_format::svg, options));
 }
 
-std::vector<std::string> save(const py_mesh& m, const std::filesystem::path& path) {
+std::vector<std::string> save(const py_mesh& m, const std::string& name) {
+  const std::filesystem::path path = name;
   const py::gil_scoped_release unlocked;
   write_options options;
   options.picture.angle_bound = m.angle_bound;
@@ -109,7 +110,8 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles,
   return made;
 }
 
-py_mesh read(const std::filesystem::path& path) {
+py_mesh read(const std::string& name) {
+  const std::filesystem::path path = name;
   const py::gil_scoped_release unlocked;
   medit_read_options options;
   options.identity_without_solution = !std::filesystem::exists(solution_path(path));

@@ -155,8 +155,9 @@ TEST_CASE("in-circle of equal metrics: certain unless cocircular", "[tiers]") {
 }
 
 TEST_CASE("in_circle: which tier decides", "[tiers]") {
-  const filtered_kernel kernel;
-  const auto decided_by = [&](tier t) { return kernel.counters().at(predicate::in_circle, t); };
+  tier_counters decided;
+  const filtered_kernel kernel(decided);
+  const auto decided_by = [&](tier t) { return decided.at(predicate::in_circle, t); };
   const metric_tensor m{2, 0.5, 1};
   const point a{0, 0}, b{1, 0}, c{0, 1};
   CHECK(kernel.in_circle(m, a, b, c, {0.25, 0.25}) == sign::positive);
