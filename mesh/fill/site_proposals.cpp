@@ -118,8 +118,8 @@ bool site_proposals::is_allowed(const filtered_kernel& kernel, const site& s, do
 
 // True if no site of the index is within `distance` of s as that site measures, or within a part of
 // it as s measures. Asking the whole of both leaves holes where the metric varies: the square in
-// swirl:12 with size 0.1 is filled with 1485 sites then, with 1504 at 0.8, and with 1519 at 0.6 as
-// at 0.4; other metrics tried do not care.
+// swirl:12 with size 0.1 gets a mesh of 1485 sites then, of 1504 with 0.8, and of 1519 with 0.6 as
+// with 0.4. Of four more metrics two get up to 2 % more or fewer, two the same.
 bool site_proposals::has_room(const site_index& among, const site& s, double distance,
                               std::uint64_t& looked_at) const {
   constexpr double own_part = 0.6;
