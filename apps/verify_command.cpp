@@ -9,9 +9,10 @@
 #include <system_error>
 #include <utility>
 
-#include "asterism/apps/angle_text.hpp"
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
 #include "asterism/apps/option_values.hpp"
+#include "asterism/apps/summary.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
@@ -51,15 +52,6 @@ Examples:
   asterism verify swirl.mesh
   asterism verify part.mesh --certificate part.json
   asterism verify other.mesh --angle-bound 15 --domain part.poly)";
-
-constexpr real_range angle_bounds = {
-    0, 60, true, false,
-    "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
-
-int refuse(const error& failure) {
-  std::cerr << "asterism: " << failure.message << '\n';
-  return refused;
-}
 
 // The certificate that was named, or the one beside the mesh, or none.
 result<std::optional<certificate>> find_certificate(const verify_options& options) {
@@ -184,11 +176,11 @@ void write_verdict(const verify_report& verdict) {
 
 int run_verify(const verify_options& options) {
   const auto subject = read_medit(options.mesh);
-  if (!subject) return refuse(subject.failure());
+  if (!subject) return complain(subject.failure(), refused);
   const auto claim = find_certificate(options);
-  if (!claim) return refuse(claim.failure());
+  if (!claim) return complain(claim.failure(), refused);
   const auto original = find_domain(options, subject.value());
-  if (!original) return refuse(original.failure());
+  if (!original) return complain(original.failure(), refused);
 
   audit_options asked;
   asked.angle_bound = options.angle_bound;

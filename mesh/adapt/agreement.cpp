@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/kernels/vertex_hints.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
@@ -48,7 +49,7 @@ double greatest_cotangent(const metric_tensor& m, const node& a, const node& b, 
 }
 
 double cotangent_of(double degrees) {
-  return 1 / std::tan(std::max(1e-3, degrees) * std::numbers::pi / 180);
+  return 1 / elementary::tan(std::max(1e-3, degrees) * std::numbers::pi / 180);
 }
 
 }  // namespace
@@ -307,7 +308,7 @@ void agreement::move_away(vertex_index v) {
   for (const double step : {0.3, 0.12, 0.04})
     for (int k = 0; k < directions; ++k) {
       const double angle = 2 * std::numbers::pi * k / directions, length = options_.unit * step;
-      const double x = length * std::cos(angle), y = length * std::sin(angle);
+      const double x = length * elementary::cos(angle), y = length * elementary::sin(angle);
       point to{here.position.x + x * unit.first.x + y * unit.second.x,
                here.position.y + x * unit.first.y + y * unit.second.y};
       m_.at(v) = here;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal::adapting {
 namespace {
 
@@ -22,13 +24,13 @@ reduction reduce(const metric_tensor& a, const metric_tensor& b) {
   const double g11 = 1 / r.f11, g12 = -r.f12 / (r.f11 * r.f22), g22 = 1 / r.f22;
   const double c11 = g11 * g11 * b.m11, c12 = g11 * (g12 * b.m11 + g22 * b.m12),
                c22 = g12 * g12 * b.m11 + 2 * g12 * g22 * b.m12 + g22 * g22 * b.m22;
-  const double half = (c11 - c22) / 2, radius = std::hypot(half, c12);
+  const double half = (c11 - c22) / 2, radius = elementary::hypot(half, c12);
   r.high = (c11 + c22) / 2 + radius;
   const double determinant = std::max(std::fma(b.m11, b.m22, -b.m12 * b.m12), 0.0) /
                              std::max(std::fma(a.m11, a.m22, -a.m12 * a.m12), 0.0);
   r.low = determinant / r.high;
   double x = half >= 0 ? half + radius : c12, y = half >= 0 ? c12 : radius - half;
-  const double length = std::hypot(x, y);
+  const double length = elementary::hypot(x, y);
   r.c = length > 0 ? x / length : 1;
   r.s = length > 0 ? y / length : 0;
   return r;
@@ -54,19 +56,19 @@ double length(const metric_tensor& m, const point& d) {
 // Of an edge in a metric that changes geometrically along it.
 double logarithmic_mean(double a, double b) {
   const double ratio = a / b;
-  return std::abs(ratio - 1) > 1e-3 ? (a - b) / std::log(ratio) : (a + b) / 2;
+  return std::abs(ratio - 1) > 1e-3 ? (a - b) / elementary::log(ratio) : (a + b) / 2;
 }
 
 }  // namespace
 
 double log_distortion(const metric_tensor& a, const metric_tensor& b) {
   const reduction r = reduce(a, b);
-  return std::max(std::abs(std::log(r.high)), std::abs(std::log(r.low))) / 2;
+  return std::max(std::abs(elementary::log(r.high)), std::abs(elementary::log(r.low))) / 2;
 }
 
 bool make_alike(metric_tensor& a, metric_tensor& b, double most) {
   const reduction r = reduce(a, b);
-  const double high = std::log(r.high), low = std::log(r.low);
+  const double high = elementary::log(r.high), low = elementary::log(r.low);
   if (!(std::max(std::abs(high), std::abs(low)) > 2 * most)) return false;
   constexpr double aim = 0.98;  // of the limit, so that rounds do not creep up to it
   const auto share = [&](double logarithm) {
@@ -74,8 +76,8 @@ bool make_alike(metric_tensor& a, metric_tensor& b, double most) {
     return size > 2 * most ? (1 - aim * 2 * most / size) / 2 * logarithm : 0;
   };
   const double x = share(high), y = share(low);
-  const metric_tensor at_a = restore(r, std::exp(x), std::exp(y)),
-                      at_b = restore(r, std::exp(high - x), std::exp(low - y));
+  const metric_tensor at_a = restore(r, elementary::exp(x), elementary::exp(y)),
+                      at_b = restore(r, elementary::exp(high - x), elementary::exp(low - y));
   if (!is_metric(at_a) || !is_metric(at_b)) return false;
   a = at_a;
   b = at_b;
@@ -84,7 +86,7 @@ bool make_alike(metric_tensor& a, metric_tensor& b, double most) {
 
 std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge>& edges,
                   const gradation_limit& limit, std::vector<metric_tensor>& tensors) {
-  const double at_unit = std::log(limit.distortion);
+  const double at_unit = elementary::log(limit.distortion);
   // Edges with an end that changed since they were looked at.
   std::vector<std::size_t> changed_in(places.size(), 1);
   for (std::size_t round = 1; round <= limit.most_rounds; ++round) {

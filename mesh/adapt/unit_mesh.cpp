@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal::adapting {
 namespace {
 
@@ -62,7 +64,7 @@ point middle(const node& a, const node& b) {
   const double ratio = std::sqrt(squared(b.metric, x, y) / squared(a.metric, x, y));
   double t = 0.5;
   if (std::isfinite(ratio) && ratio > 0 && std::abs(ratio - 1) > 1e-3)
-    t = std::clamp(std::log((1 + ratio) / 2) / std::log(ratio), 0.25, 0.75);
+    t = std::clamp(elementary::log((1 + ratio) / 2) / elementary::log(ratio), 0.25, 0.75);
   return {a.position.x + t * x, a.position.y + t * y};
 }
 
@@ -333,7 +335,7 @@ void unit_mesher::meet_count() {
   for (int round = 0; round < most && !is_stopped(); ++round) {
     const double ratio = static_cast<double>(m_.count()) / wanted;
     if (std::abs(ratio - 1) <= slack) return;
-    unit_ *= std::pow(ratio, 0.5);
+    unit_ *= std::sqrt(ratio);
     if (ratio > 1)
       merge_short(0.75 * unit_);
     else

@@ -15,7 +15,10 @@
 #include <numbers>
 #include <tuple>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
+#include "asterism/mesh/support/wide_range.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -107,14 +110,14 @@ bool proven_narrow(const audit_context& context, audit_tally& tally, const corne
   return exact.left > 0 && exact.left * exact.left > bound.high * exact.right;
 }
 
-// Degrees, for information: long double, whose range holds products of four doubles.
+// Degrees, for information.
 double angle_in_degrees(const audit_context& context, const corner& c, vertex_index perspective) {
-  const auto a = difference<long double>(context.at(c.ahead), context.at(c.at));
-  const auto b = difference<long double>(context.at(c.behind), context.at(c.at));
-  const auto m = tensor_of<long double>(context.subject.sites[perspective].metric);
-  const long double height = std::sqrt(std::fmax(0.0L, m.determinant())) * cross(a, b);
-  return static_cast<double>(std::atan2(height, dot(a, m * b)) * 180 /
-                             std::numbers::pi_v<long double>);
+  const auto a = difference<wide_range>(context.at(c.ahead), context.at(c.at));
+  const auto b = difference<wide_range>(context.at(c.behind), context.at(c.at));
+  const auto m = tensor_of<wide_range>(context.subject.sites[perspective].metric);
+  const wide_range height = root(m.determinant()) * cross(a, b);
+  const auto [up, along] = scaled(height, dot(a, m * b));
+  return elementary::atan2(up, along) * 180 / std::numbers::pi;
 }
 
 // A sector of the domain at a corner, proven to be narrower than the bound.
@@ -203,8 +206,7 @@ std::vector<vertex_index> corners_to_prove(const audit_context& context) {
     for (const directed_subsegment& side : context.sides)
       // Only an input vertex is a corner; elsewhere the boundary is straight but for rounding.
       if (side.a < context.subject.given) corners.push_back(side.a);
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  sort_unique(corners);
   return corners;
 }
 
@@ -384,10 +386,10 @@ class angle_check {
     const triangle& c = context_.subject.triangles[t];
     if (!std::all_of(c.begin(), c.end(), [&](vertex_index v) { return context_.measured[v] != 0; }))
       return;
-    if (tally_.kernel.orientation(context_.at(c[0]), context_.at(c[1]), context_.at(c[2])) !=
+    if (tally_.kernel().orientation(context_.at(c[0]), context_.at(c[1]), context_.at(c[2])) !=
         sign::positive)
       return;
-    const bool may_fail = exempt(context_, tally_.kernel, c, wanted_.sectors) ||
+    const bool may_fail = exempt(context_, tally_.kernel(), c, wanted_.sectors) ||
                           crosses_narrow_wedge(context_, tally_, c, wanted_);
     const plain_triangle plain(context_, c);
     bool failed = false;
@@ -412,7 +414,7 @@ class angle_check {
     const double angle = angle_in_degrees(context_, c, perspective);
     if (!(angle < least.degrees)) return;
     least = {angle, t, c.at, perspective};
-    const double cotangent = 1 / std::tan(angle * std::numbers::pi / 180);
+    const double cotangent = 1 / elementary::tan(angle * std::numbers::pi / 180);
     greatest = cotangent - 1e-9 * (1 + std::abs(cotangent));
   }
 

@@ -73,7 +73,7 @@ struct star_surroundings {
 class visibility_test {
  public:
   visibility_test(const audit_context& context, const subsegment_tree& subsegments,
-                  const filtered_kernel& kernel)
+                  filtered_kernel kernel)
       : context_(context), subsegments_(subsegments), kernel_(kernel) {}
 
   bool clear(vertex_index v, vertex_index w) const {
@@ -104,7 +104,7 @@ class visibility_test {
 
   const audit_context& context_;
   const subsegment_tree& subsegments_;
-  const filtered_kernel& kernel_;
+  filtered_kernel kernel_;
 };
 
 // One gap of a fan, from x counter-clockwise to y.
@@ -131,7 +131,7 @@ class star_check {
       : context_(context),
         tally_(tally),
         around_(around),
-        sight_(context, around.subsegments, tally.kernel) {}
+        sight_(context, around.subsegments, tally.kernel()) {}
 
   // Of vertices near each other: the sites around are looked for once for all of them.
   void run(const vertex_index* begin, const vertex_index* end) {
@@ -161,7 +161,7 @@ class star_check {
  private:
   const site& at(vertex_index v) const { return around_.at[v]; }
   sign turn(vertex_index a, vertex_index b, vertex_index c) const {
-    return tally_.kernel.orientation(context_.at(a), context_.at(b), context_.at(c));
+    return tally_.kernel().orientation(context_.at(a), context_.at(b), context_.at(c));
   }
 
   static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
@@ -179,7 +179,7 @@ class star_check {
       const vertex_index w = fan.link[i], x = fan.link[(i + n - 1) % n], y = fan.link[(i + 1) % n];
       if (w < v) continue;
       const bool by_v = is_asked(v, w, x, y), by_w = is_asked(w, v, y, x);
-      if ((!by_v && !by_w) || tally_.kernel.edge_test(at(v), at(w), at(x), at(y))) continue;
+      if ((!by_v && !by_w) || tally_.kernel().edge_test(at(v), at(w), at(x), at(y))) continue;
       if (by_v) report_rejected(v, w, x, y);
       if (by_w) report_rejected(w, v, y, x);
     }
@@ -280,7 +280,7 @@ class star_check {
     // intervals.
     if (star_gap_filter(at(w), at(gap.y), at(gap.x)).excludes(at(v))) return false;
     ++tally_.part.star_pairs_tested;
-    return tally_.kernel.edge_test(at(v), at(w), at(gap.x), at(gap.y));
+    return tally_.kernel().edge_test(at(v), at(w), at(gap.x), at(gap.y));
   }
 
   const audit_context& context_;

@@ -386,9 +386,9 @@ result<certificate> parse_certificate(const std::string& text, const std::string
   try {
     return certificate_of(json::parse(text));
   } catch (const malformed& e) {
-    return error{name + ": " + e.what()};
+    return error{name + ": " + e.what(), error_code::malformed_file};
   } catch (const json::exception& e) {
-    return error{name + ": " + e.what()};
+    return error{name + ": " + e.what(), error_code::malformed_file};
   }
 }
 
@@ -401,10 +401,10 @@ result<std::filesystem::path> write_certificate(const std::filesystem::path& pat
 
 result<certificate> read_certificate(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in) return error{path.string() + ": cannot be opened"};
+  if (!in) return error{path.string() + ": cannot be opened", error_code::unreadable_file};
   std::ostringstream text;
   text << in.rdbuf();
-  if (in.bad()) return error{path.string() + ": cannot be read"};
+  if (in.bad()) return error{path.string() + ": cannot be read", error_code::unreadable_file};
   return parse_certificate(text.str(), path.string());
 }
 

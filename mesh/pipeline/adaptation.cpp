@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/adapt/agreement.hpp"
 #include "asterism/mesh/adapt/nodal_field.hpp"
@@ -17,7 +18,7 @@
 #include "asterism/mesh/metric/unit_frame.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
-#include "asterism/mesh/refine/refinement_loop.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism::internal {
@@ -49,9 +50,9 @@ std::optional<mesh> coarse_mesh(const domain& d, const mesh_options& options) {
   coarse.strategy = refinement_strategy::voronoi_arcs;
   coarse.max_sites = options.max_sites;
   coarse.stop = options.stop;
-  const filtered_kernel kernel;
-  const star_predicates_on<filtered_kernel> stars_on(kernel);
-  auto made = mesh_domain(stars_on, d, euclidean_field(), coarse, {});
+  const star_predicates_on<filtered_kernel> stars_on;
+  const euclidean_field round;
+  auto made = mesh_domain({stars_on, d, round, coarse});
   if (!made || !made.value().complete) return std::nullopt;
   return std::move(made.value().result);
 }
@@ -82,12 +83,10 @@ class adaptation {
   }
 
  private:
-  std::optional<std::string> stop_reason() const {
-    return options_.stop ? options_.stop() : std::nullopt;
-  }
+  std::optional<std::string> stop_reason() const { return options_.stop.poll(); }
 
   static double off_count(std::size_t sites, std::size_t wanted) {
-    return std::abs(std::log(static_cast<double>(sites) / static_cast<double>(wanted)));
+    return std::abs(elementary::log(static_cast<double>(sites) / static_cast<double>(wanted)));
   }
 
   // Where mending has cost many sites the mesh is made once more with as many more to begin with;
@@ -212,7 +211,8 @@ class adaptation {
   mesh_outcome stopped(const std::string& why) {
     outcome_.stopped = true;
     outcome_.audited.reset();
-    outcome_.reason = "stopped: " + why;
+    outcome_.ended.how = ending::stopped;
+    outcome_.ended.stopped_because = why;
     count_up();
     return std::move(outcome_);
   }
@@ -224,8 +224,8 @@ class adaptation {
     compared.value().length_factor = length_factor_;
     outcome_.delivered = std::move(compared).value();
     outcome_.complete = true;
-    outcome_.reason = "all stars agree and every triangle meets the bound";
-    if (outcome_.delivered->changed > 0) outcome_.reason += ", in the metric delivered";
+    outcome_.ended.how = ending::complete;
+    outcome_.ended.sites = outcome_.sites;
     const audit_report& found = *outcome_.audited;
     for (const vertex_index v : found.exempt_corners)
       outcome_.exempt.push_back({v, options_.angle_bound});

@@ -5,6 +5,7 @@
 
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/make_mesh.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
 
 namespace asterism {
 namespace {
@@ -34,7 +35,7 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
   certificate& claim = judged.claim;
   claim = make_certificate(outcome.result, asked, judged.report);
   claim.complete = outcome.complete;
-  claim.reason = outcome.reason;
+  claim.reason = ending_text(outcome);
   claim.mesher_counters = outcome.counters;
   claim.star_repairs = outcome.star_repairs;
   claim.relaxed = outcome.relaxed;
@@ -44,9 +45,9 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
   return judged;
 }
 
-result<certified_mesh> make_certified_mesh(
-    const domain& d, const metric_field& field, const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress) {
+result<certified_mesh> make_certified_mesh(const domain& d, const metric_field& field,
+                                           const mesh_options& options,
+                                           const progress_listener& progress) {
   auto made = make_mesh(d, field, options, progress);
   if (!made) return made.failure();
   if (progress) progress({.phase = mesh_phase::auditing, .sites = made.value().sites});

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/audit/audit.hpp"
@@ -29,7 +30,7 @@ double area_in_metric(const mesh& m) {
 }
 
 void note_distances(const mesh& delivered, const mesh& wanted, delivered_report& report) {
-  const double tenth = std::log(1.1);
+  const double tenth = elementary::log(1.1);
   std::vector<double> distances;
   std::size_t beyond = 0;
   for (std::size_t v = 0; v < wanted.sites.size(); ++v) {
