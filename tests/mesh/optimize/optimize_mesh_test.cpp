@@ -275,7 +275,7 @@ TEST_CASE("fitting: a metric that turns by a radian over an edge is met as it wa
   auto made = make_mesh(d, field, options);
   REQUIRE(made.ok());
   const mesh_outcome& o = made.value();
-  INFO(o.reason);
+  INFO(ending_text(o));
   CHECK(o.complete);
   CHECK_FALSE(o.relaxed.has_value());
   CHECK(low_in(o.result, field) == 0);
