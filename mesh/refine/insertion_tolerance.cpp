@@ -45,10 +45,10 @@ double smallest_feature(const refine_state& state, vertex_index vertices, double
   double least =
       shortest_distance(state.sites(), vertices, state.edges(), *state.oracle().near(), most);
   // Beyond the first two subsegments at a sharp corner the domain is about so wide.
-  for (const domain_corner& c : state.corners())
-    if (c.angle < 60)
-      for (const std::size_t subsegment : state.subsegments_at(c))
-        least = std::min(least, state.subsegment_length(subsegment, c.vertex) *
+  for (const domain_corner& c : state.segments().corners())
+    if (c.is_sharp())
+      for (const std::size_t subsegment : state.segments().subsegments_at(c))
+        least = std::min(least, state.segments().subsegment_length(subsegment, c.vertex) *
                                     elementary::sin(c.angle * degree));
   return least;
 }
