@@ -71,7 +71,7 @@ TEST_CASE(
     INFO("pass " << pass);
     const auto field = make_sampled_field(given, 1);
     const certified_mesh made = adapted(*field);
-    INFO(made.ending_text(outcome));
+    INFO(ending_text(made.outcome));
     REQUIRE(made.certified());
     CHECK(made.report.worst.degrees >= 20);
     REQUIRE(made.outcome.delivered.has_value());
