@@ -123,7 +123,7 @@ void write_report(const certify_report& report, const mesh& m, double angle_boun
     std::cout << "stars: not compared, this is no triangulation\n";
   if (report.unsettled > 0) std::cout << "stars that did not settle: " << report.unsettled << '\n';
   std::cout << "inverted or flat: " << report.inverted << '\n'
-            << worst_angle_text(report.audit.worst.degrees) << ", triangles below " << angle_bound
+            << worst_angle_text(report.audit.worst().degrees) << ", triangles below " << angle_bound
             << ": " << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size()
             << ")\n"
             << "edges of metric length 0.71 to 1.41: " << report.unit_edges << " of "
@@ -203,7 +203,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   const bool reached = made.value().certified();
   std::cout << "repaired: " << outcome.sites << " sites, "
             << outcome.sites - adopted.subject.sites.size() << " of them new, " << outcome.triangles
-            << " triangles, " << worst_angle_text(judged.worst.degrees) << ": "
+            << " triangles, " << worst_angle_text(judged.worst().degrees) << ": "
             << (reached ? "certified\n" : "NOT certified\n");
   if (reached && is_dual_as_asked(options, judged)) return done;
   return complain({reached ? "not proved to be the dual of the Voronoi diagram: " +

@@ -250,8 +250,8 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
 void write_summary(const mesh_outcome& outcome, const audit_report& report, bool reached,
                    std::optional<double> unit_edges) {
   std::cout << report.sites << " sites, " << report.triangles << " triangles, "
-            << worst_angle_text(report.worst.degrees) << ", " << std::fixed << std::setprecision(2)
-            << outcome.disagreeing << " disagreeing, "
+            << worst_angle_text(report.worst().degrees) << ", " << std::fixed
+            << std::setprecision(2) << outcome.disagreeing << " disagreeing, "
             << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle)
             << " low-angle";
   if (outcome.too_large > 0) std::cout << ", " << outcome.too_large << " too large";

@@ -139,7 +139,7 @@ void write_verdict(const verify_report& verdict) {
   if (audit.total_found() > audit.findings.size())
     std::cout << audit.total_found() << " findings in all\n";
   std::cout << (verdict.verified ? "certified: " : "REFUSED: ") << audit.sites << " sites, "
-            << audit.triangles << " triangles, " << worst_angle_text(audit.worst.degrees);
+            << audit.triangles << " triangles, " << worst_angle_text(audit.worst().degrees);
   if (!audit.exempt_corners.empty())
     std::cout << ", " << audit.exempt_triangles.size() << " exempt at "
               << audit.exempt_corners.size() << " corners";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/audit/audit.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "asterism/mesh/audit/context.hpp"
@@ -36,6 +38,7 @@ const std::array<std::string_view, finding_kind_count> finding_kind_names = {
     "boundary_deviation",
     "wrong_region",
     "angle_below_bound",
+    "collateral_angle_below_bound",
     "exemption_not_proven",
     "star_neighbour_rejected",
     "star_site_missing",
@@ -50,6 +53,13 @@ const std::array<std::string_view, 4> voronoi_verdict_names = {"not asked", "not
 
 std::size_t audit_report::total_found() const {
   return std::accumulate(found.begin(), found.end(), std::size_t{0});
+}
+
+std::vector<vertex_index> audit_report::refused_triangles() const {
+  std::vector<vertex_index> all;
+  std::set_union(low_triangles.begin(), low_triangles.end(), collateral_triangles.begin(),
+                 collateral_triangles.end(), std::back_inserter(all));
+  return all;
 }
 
 audit_report audit(const mesh& subject, const audit_options& options) {

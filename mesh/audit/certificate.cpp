@@ -60,9 +60,12 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.given = report.given;
   c.fingerprint = mesh_fingerprint(subject);
   c.angle_bound = options.angle_bound;
-  c.worst_angle = report.worst.degrees;
+  c.worst_angle = report.worst().degrees;
+  c.worst_collateral = report.worst_collateral.degrees;
+  c.worst_exempt = report.worst_exempt.degrees;
   c.exempt_corners = report.exempt_corners;
   c.exempt_triangles = report.exempt_triangles;
+  c.collateral_triangles = report.collateral_triangles;
   c.low_triangles = report.low_triangles;
   c.largest_deviation = report.largest_deviation;
   c.domain_checked = report.domain_checked;

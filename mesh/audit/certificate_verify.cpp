@@ -53,7 +53,10 @@ void compare_audit(contradictions& all, const certificate& claim, const certific
   all.compare("audit.angles_checked", claim.angles_checked, found.angles_checked);
   all.compare("audit.worst_angle", claim.worst_angle, found.worst_angle);
   all.compare("audit.exempt_corners", claim.exempt_corners, found.exempt_corners);
+  all.compare("audit.worst_collateral_angle", claim.worst_collateral, found.worst_collateral);
+  all.compare("audit.worst_exempt_angle", claim.worst_exempt, found.worst_exempt);
   all.compare("audit.exempt_triangles", claim.exempt_triangles, found.exempt_triangles);
+  all.compare("audit.collateral_triangles", claim.collateral_triangles, found.collateral_triangles);
   all.compare("audit.low_triangles", claim.low_triangles, found.low_triangles);
   all.compare("audit.largest_boundary_deviation", claim.largest_deviation, found.largest_deviation);
   if (claim.voronoi == voronoi_verdict::proved)
@@ -146,7 +149,7 @@ std::optional<std::string> contradiction_in_low_triangles(const mesh& subject,
   options.angle_bound = claim.angle_bound;
   options.find_exempt_corners = true;
   options.check_stars = false;
-  const std::vector<vertex_index> low = audit(as_asked, options).low_triangles;
+  const std::vector<vertex_index> low = audit(as_asked, options).refused_triangles();
   if (low == claim.relaxed->low_triangles) return std::nullopt;
   std::vector<vertex_index> in_one;
   std::set_symmetric_difference(low.begin(), low.end(), claim.relaxed->low_triangles.begin(),

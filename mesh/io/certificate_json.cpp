@@ -128,8 +128,11 @@ json audit_json(const certificate& c) {
           {"stars_checked", c.stars_checked},
           {"voronoi", voronoi_verdict_names[static_cast<std::size_t>(c.voronoi)]},
           {"worst_angle", worst_angle_json(c.worst_angle)},
+          {"worst_collateral_angle", worst_angle_json(c.worst_collateral)},
+          {"worst_exempt_angle", worst_angle_json(c.worst_exempt)},
           {"exempt_corners", from_one(c.exempt_corners)},
           {"exempt_triangles", from_one(c.exempt_triangles)},
+          {"collateral_triangles", from_one(c.collateral_triangles)},
           {"low_triangles", from_one(c.low_triangles)},
           {"largest_boundary_deviation",
            std::isfinite(c.largest_deviation) ? json(c.largest_deviation) : json(nullptr)},
@@ -288,9 +291,12 @@ void read_audit(const json& object, certificate& c) {
   c.stars_checked = read<bool>(object, "stars_checked");
   c.voronoi = voronoi_of(object);
   c.worst_angle = worst_angle_of(object, "worst_angle");
+  c.worst_collateral = worst_angle_of(object, "worst_collateral_angle");
+  c.worst_exempt = worst_angle_of(object, "worst_exempt_angle");
   c.exempt_corners = indices_of(object, "exempt_corners");
   c.exempt_triangles = indices_of(object, "exempt_triangles");
-  if (object.contains("low_triangles")) c.low_triangles = indices_of(object, "low_triangles");
+  c.collateral_triangles = indices_of(object, "collateral_triangles");
+  c.low_triangles = indices_of(object, "low_triangles");
   const json& deviation = member(object, "largest_boundary_deviation");
   c.largest_deviation = deviation.is_null() ? std::numeric_limits<double>::infinity()
                                             : read<double>(object, "largest_boundary_deviation");

@@ -338,9 +338,9 @@ class relaxation {
     options.angle_bound = options_.angle_bound;
     options.find_exempt_corners = true;
     options.check_stars = false;
-    audit_report found = audit(as_given, options);
-    report.worst_angle = found.worst.degrees;
-    report.low_triangles = std::move(found.low_triangles);
+    const audit_report found = audit(as_given, options);
+    report.worst_angle = found.worst().degrees;
+    report.low_triangles = found.refused_triangles();
     // Without demands nobody has looked at sizes yet.
     if (options_.limit_size && step_.kind == relaxation_kind::without_demands)
       tried_->too_large = count_large(as_given);
