@@ -4,7 +4,8 @@
 //
 // Written: MeshVersionFormatted 2 (doubles), Dimension 2, Vertices (reference: marker of the
 // boundary there, 0 inside), Triangles (reference: the region), Edges (the boundary subsegments,
-// domain on the left, and those of internal segments; reference: the marker), Corners (given
+// domain on the left, and those of internal segments; reference: the marker), RequiredEdges (those of
+// internal segments, by number), Corners (given
 // vertices where the boundary turns), RequiredVertices (the given vertices); SolAtVertices, one
 // symmetric tensor a vertex as `m11 m12 m22`. All numbers have 17 significant digits, so that the
 // same doubles are read back. Medit has no place for the input segment a boundary subsegment
@@ -31,12 +32,15 @@ struct medit_read_options {
   bool identity_without_solution = false;
   // No .sol is looked for: every vertex gets the identity.
   bool without_solution = false;
+  // Every edge listed is a segment, marked or not (mesh/io/medit_edges.hpp).
+  bool all_edges = false;
   // Where the metric is; empty: beside the mesh.
   std::filesystem::path solution = {};
 };
 
-// `NAME.mesh`, and `NAME.sol` beside it. An edge is internal when there are triangles on both its
-// sides. References of triangles that are all 1 say nothing of regions. `given` is the number of
+// `NAME.mesh`, and `NAME.sol` beside it. Edges are a set, turned so that a triangle is on their
+// left; those with triangles on both sides are internal where the file marks them as segments
+// (mesh/io/medit_edges.hpp), and left out elsewhere. References of triangles that are all 1 say nothing of regions. `given` is the number of
 // required vertices if these are the first ones, else 0. Subsegments without `#segments` comments
 // are numbered each as its own segment. Nothing is assumed or checked about the geometry, nor that
 // the tensors are positive definite: that is the auditor's.

@@ -47,10 +47,10 @@ std::vector<vertex_index> corners(const mesh& m) {
   return found;
 }
 
-void write_list(text out, const char* keyword, const std::vector<vertex_index>& vertices) {
-  if (vertices.empty()) return;
-  fmt::format_to(out, "\n{}\n{}\n", keyword, vertices.size());
-  for (const vertex_index v : vertices) fmt::format_to(out, "{}\n", v + 1);
+void write_list(text out, const char* keyword, const std::vector<vertex_index>& numbers) {
+  if (numbers.empty()) return;
+  fmt::format_to(out, "\n{}\n{}\n", keyword, numbers.size());
+  for (const vertex_index v : numbers) fmt::format_to(out, "{}\n", v + 1);
 }
 
 // Comments of at most 80 characters: some readers take lines in subsegments of a fixed length.
@@ -73,6 +73,10 @@ void write_boundary(text out, const mesh& m) {
   for (const boundary_edge& e : m.boundary)
     fmt::format_to(out, "{} {} {}\n", e.a + 1, e.b + 1, e.marker);
   write_segments(out, m);
+  std::vector<vertex_index> internal;
+  for (vertex_index i = 0; i < m.boundary.size(); ++i)
+    if (m.boundary[i].internal) internal.push_back(i);
+  write_list(out, "RequiredEdges", internal);
 }
 
 }  // namespace
