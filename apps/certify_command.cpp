@@ -12,16 +12,20 @@
 
 #include "asterism/apps/angle_text.hpp"
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
+#include "asterism/apps/run_limits.hpp"
+#include "asterism/apps/verdict_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/io/medit.hpp"
-#include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/refine/insertion_tolerance.hpp"
@@ -40,15 +44,19 @@ struct certify_options {
   bool repair = false;
   bool prove_voronoi = false;
   std::optional<std::size_t> max_sites;
+  std::optional<double> max_seconds;  // of the judgement, not of the repair
+  bool all_findings = false, all_edges = false;
 };
 
 constexpr const char* examples =
     R"(MESH is a Medit file with triangles, from any program; SOL holds its metric, a symmetric tensor
 m11 m12 m22 at each vertex (default: NAME.sol beside NAME.mesh), or is BAMG's NAME.mtr; --metric and
 --size give it by a formula instead, as for 'asterism mesh'. The domain is what the file's Edges
-enclose, or, when it lists none, the edges with one triangle. Certified means: every triangle is in
+enclose, or, when it lists none, the edges with one triangle. An edge listed with triangles on both
+sides is a segment if the file requires it (RequiredEdges), or gives it a reference other than 0 in
+a list that leaves inner edges out. Certified means: every triangle is in
 the stars of its three vertices, none is inverted, none is below the bound as any of the three
-measures it, but at corners that are sharper themselves.
+measures it, but the domain's own angle at corners that are sharper themselves.
 
 With --repair sites are added, in the metric of the formula or interpolated from the vertices, until
 that holds. Whatever is certified is written to OUT, with a certificate; anything else only after
@@ -90,29 +98,21 @@ std::optional<error> check_files(const certify_options& options) {
   return check_place(certificate_path(*options.output));
 }
 
-void write_triangles(const certify_report& report, const mesh& m) {
-  constexpr std::size_t most = 20;
-  for (std::size_t i = 0; i < std::min(most, report.not_in_all.size()); ++i) {
+void write_triangles(const certify_report& report, const mesh& m, bool all) {
+  const std::size_t most = std::min(findings_kept(all), report.not_in_all.size());
+  for (std::size_t i = 0; i < most; ++i) {
     const triangle& t = m.triangles[report.not_in_all[i]];
     std::cout << "not of the stars: triangle " << report.not_in_all[i] + 1 << " of vertices "
               << t[0] + 1 << ", " << t[1] + 1 << ", " << t[2] + 1 << '\n';
   }
   if (report.not_in_all.size() > most)
-    std::cout << report.not_in_all.size() - most << " more are not listed\n";
+    std::cout << "not of the stars: " << report.not_in_all.size() - most
+              << " more (--all-findings lists them)\n";
 }
 
-// What the audit found that the other lines do not say already.
-void write_findings(const audit_report& audit) {
-  for (const audit_finding& f : audit.findings)
-    if (f.kind != finding_kind::star_site_missing &&
-        f.kind != finding_kind::star_neighbour_rejected)
-      std::cout << finding_kind_names[static_cast<std::size_t>(f.kind)] << ": " << f.witness
-                << '\n';
-}
-
-void write_report(const certify_report& report, const mesh& m, double angle_bound) {
-  write_findings(report.audit);
-  write_triangles(report, m);
+void write_report(const certify_report& report, const mesh& m, const certify_options& options) {
+  write_findings(std::cout, report.audit);
+  write_triangles(report, m, options.all_findings);
   std::cout << m.sites.size() << " sites, " << m.triangles.size() << " triangles, "
             << m.boundary.size() << " boundary edges\n";
   if (report.compared)
@@ -120,12 +120,15 @@ void write_report(const certify_report& report, const mesh& m, double angle_boun
               << ", of some: " << report.in_stars[1] + report.in_stars[2]
               << ", of none: " << report.in_stars[0] << '\n';
   else
-    std::cout << "stars: not compared, this is no triangulation\n";
+    std::cout << "stars: not compared, "
+              << (!report.is_triangulation()   ? "this is no triangulation\n"
+                  : report.audit.stars_checked ? "for this they are too far from agreeing\n"
+                                               : "there was no time\n");
   if (report.unsettled > 0) std::cout << "stars that did not settle: " << report.unsettled << '\n';
   std::cout << "inverted or flat: " << report.inverted << '\n'
-            << worst_angle_text(report.audit.worst().degrees) << ", triangles below " << angle_bound
-            << ": " << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size()
-            << ")\n"
+            << angles_text(report.audit) << ", triangles below " << options.angle_bound << ": "
+            << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size()
+            << ", collateral: " << report.audit.collateral_triangles.size() << ")\n"
             << "edges of metric length 0.71 to 1.41: " << report.unit_edges << " of "
             << report.edges << std::fixed << std::setprecision(1) << " ("
             << 100.0 * static_cast<double>(report.unit_edges) / static_cast<double>(report.edges)
@@ -142,18 +145,22 @@ std::optional<error> write_result(const certify_options& options, const mesh& m,
   write_options how;
   how.picture.angle_bound = options.angle_bound;
   if (!claim.complete || !claim.certified) how.note = "Incomplete, not certified: " + claim.reason;
-  const auto written = write_mesh(*options.output, m, how);
+  auto files = render_mesh(*options.output, m, how);
+  if (!files) return files.failure();
+  files.value().push_back({certificate_path(*options.output), certificate_text(claim)});
+  const held_signals held;
+  const auto written = write_files(files.value());
   if (!written) return written.failure();
-  const auto certified = write_certificate(certificate_path(*options.output), claim);
-  if (!certified) return certified.failure();
   return std::nullopt;
 }
 
 // Adds to the certificate what only the command knows: how the job was worded.
 void describe(certificate& claim, const certify_options& options) {
   claim.metric = options.metric.value_or("of " + options.solution.string());
-  claim.options = {{"mesh", options.mesh.string()}, {"repair", options.repair ? "yes" : "no"}};
-  if (options.metric) claim.options["size"] = format_number(options.size);
+  claim.options = {{"mesh", options.mesh.string()},
+                   {"repair", options.repair ? "yes" : "no"},
+                   {"angle-bound", format_number(options.angle_bound)},
+                   {"size", options.metric ? format_number(options.size) : "none"}};
 }
 
 bool is_dual_as_asked(const certify_options& options, const audit_report& report) {
@@ -164,10 +171,10 @@ int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
                    const certify_report& report) {
   const exit_status status = is_dual_as_asked(options, report.audit) ? done : not_reached;
   if (!options.output) return status;
-  audit_options asked;
+  audit_options asked = questions_for(adopted);
   asked.angle_bound = options.angle_bound;
-  asked.original = &adopted.shape;
   certificate claim = make_certificate(adopted.subject, asked, report.audit);
+  claim.measured = by_name(measure(adopted.subject));
   describe(claim, options);
   claim.complete = true;
   claim.reason = "the mesh as it came is certified";
@@ -178,7 +185,7 @@ int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
 
 int repair(const certify_options& options, const adopted_mesh& adopted, const metric_field& field,
            const certify_report& before) {
-  if (!before.compared)
+  if (!before.is_triangulation())
     return complain({"--repair: " + options.mesh.string() +
                      " is no triangulation, so that it has no domain to go on from"},
                     not_reached);
@@ -244,6 +251,7 @@ result<measured_mesh> read_measured(const certify_options& options) {
   medit_read_options how;
   how.solution = options.solution;
   how.without_solution = options.metric.has_value();
+  how.all_edges = options.all_edges;
   auto read = read_medit(options.mesh, how);
   if (!read) return read.failure();
   std::unique_ptr<metric_field> formula;
@@ -268,8 +276,15 @@ int run_certify(certify_options options) {
     return complain({"--max-sites " + std::to_string(*options.max_sites) + ": the mesh has " +
                      std::to_string(sites) + " vertices already"},
                     refused);
-  const certify_report report = certify(adopted, options.angle_bound, options.prove_voronoi);
-  write_report(report, adopted.subject, options.angle_bound);
+  const certify_report report = [&] {
+    const run_limits limits(options.max_seconds, std::nullopt);
+    progress_line line(true);
+    line.show({.phase = mesh_phase::auditing, .sites = sites});
+    return certify(adopted, options.angle_bound, options.prove_voronoi,
+                   findings_kept(options.all_findings),
+                   [&limits] { return limits.reason().has_value(); });
+  }();
+  write_report(report, adopted.subject, options);
   if (report.certified()) return write_as_it_is(options, adopted, report);
   if (!options.repair) return not_reached;
   if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);
@@ -306,6 +321,14 @@ void add_certify_command(CLI::App& program, command& chosen) {
       [options](std::uint64_t n) { options->max_sites = static_cast<std::size_t>(n); },
       "Repair ends at this many (default: ten times as many as there are, at least 100000)")
       ->type_name("N");
+  add_real(
+      *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
+      "Judging ends after this time: NOT certified, unless it was done; repair is not counted")
+      ->type_name("S");
+  app->add_flag("--all-findings", options->all_findings,
+                "List every finding, not the first ten of each kind");
+  app->add_flag("--all-edges", options->all_edges,
+                "Every edge the mesh lists is a segment of its domain, marked or not");
   app->footer(examples);
   app->callback([options, &chosen] { chosen = [options] { return run_certify(*options); }; });
 }

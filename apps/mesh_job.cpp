@@ -7,16 +7,18 @@
 #include <charconv>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <system_error>
 #include <utility>
 
-#include "asterism/apps/angle_text.hpp"
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
+#include "asterism/apps/verdict_text.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
@@ -25,6 +27,7 @@
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
@@ -195,7 +198,7 @@ std::string text_of(const fitting_report& done, std::size_t too_large) {
 std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
                                               const mesh_outcome& outcome) {
   const mesh_options& asked = job.refinement;
-  const std::array<const char*, 3> strategies = {"voronoi", "darts", "guaranteed"};
+  const std::array<const char*, 3> strategies = {"voronoi", "darts", "fill"};
   return {{"domain", job.domain},
           {"angle-bound", text_of(asked.angle_bound)},
           {"size", job.size ? text_of(*job.size) : "none"},
@@ -227,7 +230,8 @@ std::string text_of_low(const relaxation_report& relaxed, double angle_bound) {
          text_of(angle_bound) + " degrees as the metric given measures them";
 }
 
-// The certificate comes last: where it is, everything else is too.
+// All files are written before the first gets its name, the certificate last: where it is,
+// everything else is too.
 std::optional<error> write_files(const mesh_job& job, const fs::path& certificate_path,
                                  const mesh& made, const certificate& claim) {
   write_options options;
@@ -238,11 +242,15 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
                        ? "Incomplete, certified in a relaxed metric: " +
                              text_of_low(*claim.relaxed, job.refinement.angle_bound)
                        : "Incomplete, not certified: " + claim.reason;
+  std::vector<output_file> files;
   for (const fs::path& output : job.outputs) {
-    const auto written = write_mesh(output, made, options);
-    if (!written) return written.failure();
+    auto rendered = render_mesh(output, made, options);
+    if (!rendered) return rendered.failure();
+    std::move(rendered.value().begin(), rendered.value().end(), std::back_inserter(files));
   }
-  const auto written = write_certificate(certificate_path, claim);
+  files.push_back({certificate_path, certificate_text(claim)});
+  const held_signals held;
+  const auto written = asterism::internal::write_files(files);
   if (!written) return written.failure();
   return std::nullopt;
 }
@@ -250,15 +258,12 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
 void write_summary(const mesh_outcome& outcome, const audit_report& report, bool reached,
                    std::optional<double> unit_edges) {
   std::cout << report.sites << " sites, " << report.triangles << " triangles, "
-            << worst_angle_text(report.worst().degrees) << ", " << std::fixed
-            << std::setprecision(2) << outcome.disagreeing << " disagreeing, "
+            << angles_text(report) << ", " << std::fixed << std::setprecision(2)
+            << outcome.disagreeing << " disagreeing, "
             << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle)
             << " low-angle";
   if (outcome.too_large > 0) std::cout << ", " << outcome.too_large << " too large";
   if (outcome.stars_missing > 0) std::cout << ", " << outcome.stars_missing << " stars never made";
-  if (!report.exempt_corners.empty())
-    std::cout << ", " << report.exempt_triangles.size() << " exempt at "
-              << report.exempt_corners.size() << " corners";
   if (unit_edges) std::cout << ", " << *unit_edges * 100 << "% unit edges";
   if (report.voronoi != voronoi_verdict::not_asked)
     std::cout << ", dual of the Voronoi diagram: "

@@ -206,4 +206,19 @@ void check_angles(audit_context& context) {
   check_in_parallel(context, context.triangles.size(), check);
 }
 
+void check_something_judged(audit_context& context) {
+  if (context.report.exempt_triangles.empty()) return;
+  std::size_t internal = 0;
+  for (const vertex_index e : context.subsegments)
+    internal += context.subject.boundary[e].internal ? 1 : 0;
+  const std::size_t inner = (context.edges.size() - (context.subsegments.size() - internal)) / 2;
+  if (inner == 0 || internal < inner) return;
+  context.found(finding_kind::nothing_judged,
+                "all " + std::to_string(inner) +
+                    " inner edges are listed as segments of the domain, and " +
+                    std::to_string(context.report.exempt_triangles.size()) +
+                    " triangles are at corners between them that are below the bound: nothing of "
+                    "the mesh is judged");
+}
+
 }  // namespace asterism::internal::audit_detail

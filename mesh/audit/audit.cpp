@@ -40,8 +40,10 @@ const std::array<std::string_view, finding_kind_count> finding_kind_names = {
     "angle_below_bound",
     "collateral_angle_below_bound",
     "exemption_not_proven",
+    "nothing_judged",
     "star_neighbour_rejected",
     "star_site_missing",
+    "stopped",
     "voronoi_vertex_missing",
     "voronoi_arc_reversed",
     "voronoi_site_nearer",
@@ -85,6 +87,7 @@ audit_report audit(const mesh& subject, const audit_options& options) {
   if (options.original != nullptr) check_domain_kept(context);
   check_regions(context);
   check_angles(context);
+  if (options.domain_is_the_mesh) check_something_judged(context);
   if (options.check_stars && triangulation) check_stars(context);
 
   report.certified = report.total_found() == 0;

@@ -30,6 +30,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -73,15 +74,17 @@ enum class finding_kind : std::size_t {
   collateral_angle_below_bound,  // of a triangle at a sharp corner or across a narrow wedge, and
                                  // not the corner's own
   exemption_not_proven,          // the corner's own angle is not below the bound
+  nothing_judged,                // every edge is a segment, and corners are exempt
   star_neighbour_rejected,       // a neighbour the star would not accept again
   star_site_missing,             // a visible site the star would accept
+  stopped,                       // the stars were not all looked at
   // The last four refuse point 5 alone.
   voronoi_vertex_missing,       // a triangle without a Voronoi vertex that its corners all see
   voronoi_arc_reversed,         // Voronoi vertices in the wrong order around an edge
   voronoi_site_nearer,          // a third site nearer to a point of an arc
   voronoi_boundary_encroached,  // a third site nearer to a point of a boundary edge
 };
-inline constexpr std::size_t finding_kind_count = 35;
+inline constexpr std::size_t finding_kind_count = 37;
 // As certificates spell them, in the order of `finding_kind`.
 extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
 
@@ -102,13 +105,18 @@ struct audit_options {
   bool find_exempt_corners = false;
   // The domain as it was meshed (after check_domain); not owned, may be null.
   const domain* original = nullptr;
-  // How far a split point may be from its segment, as a multiple of the largest coordinate of the
-  // segment's ends. Rounding is about 2^-53 a split; it decides no topology.
-  double deviation_limit = 0x1p-40;
+  // The domain is what the mesh itself says: then a mesh of which every inner edge is a segment is
+  // refused where an angle is exempt. Nothing of it would be judged.
+  bool domain_is_the_mesh = false;
   bool check_stars = true;
+  // Stars are checked with the auditor's own filter and edge_test alone. Otherwise the kernel's
+  // prepared gaps are asked first, which the mesher asks too, and which are faster.
+  bool own_filter_alone = false;
   bool check_voronoi = false;
+  // Asked now and then while stars are checked: true ends that, and the stars count as not checked.
+  std::function<bool()> enough = {};
   // Findings kept of each kind; all are counted.
-  std::size_t findings_kept = 20;
+  std::size_t findings_kept = 10;
 };
 
 enum class voronoi_verdict : std::size_t {
@@ -138,6 +146,8 @@ struct audit_report {
   bool domain_checked = false;  // false: no domain was given
   bool angles_checked = false;  // false: no bound was given
   bool stars_checked = false;   // false: not asked for, or the mesh is no triangulation
+  // The first certain reasons against its stars were found, and the rest was not looked for.
+  bool stars_cut_short = false;
 
   // Every angle in each of three metrics is of one kind. Exempt are those at a sharp corner in a
   // metric that measures the domain's own angle there below the bound, as the corner's does;
@@ -153,8 +163,9 @@ struct audit_report {
   std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
   // Those of the last two lists, ascending, each once.
   std::vector<vertex_index> refused_triangles() const;
-  // Upper bound of the distance of a split point from its segment, in units of the domain.
-  double largest_deviation = 0;
+  // Upper bound of the distance of a split point from its segment, in units of the domain, and in
+  // units in the last place of the largest coordinate of the segment's ends.
+  double largest_deviation = 0, largest_deviation_ulps = 0;
 
   // Decisions of the auditor's own arithmetic, and those of them that needed rationals; the
   // kernel's are in `counters`.

@@ -44,7 +44,9 @@ std::uint64_t mesh_fingerprint(const mesh& subject) {
     hash.add(std::uint64_t{e.a});
     hash.add(std::uint64_t{e.b});
     hash.add(static_cast<std::uint64_t>(e.marker));
+    hash.add(std::uint64_t{e.internal});
   }
+  for (const int reference : subject.references) hash.add(static_cast<std::uint64_t>(reference));
   if (has_regions(subject))
     for (const int region : subject.regions) hash.add(static_cast<std::uint64_t>(region));
   return hash.value();
@@ -75,9 +77,13 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.voronoi = report.voronoi;
   for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
     if (report.found[kind] != 0) c.found.emplace(finding_kind_names[kind], report.found[kind]);
-  for (const audit_finding& f : report.findings)
-    c.witnesses.push_back(std::string(finding_kind_names[static_cast<std::size_t>(f.kind)]) + ": " +
-                          f.witness);
+  // As many as an audit keeps, however many this one did.
+  std::array<std::size_t, finding_kind_count> kept{};
+  for (const audit_finding& f : report.findings) {
+    const auto kind = static_cast<std::size_t>(f.kind);
+    if (kept[kind]++ < audit_options{}.findings_kept)
+      c.witnesses.push_back(std::string(finding_kind_names[kind]) + ": " + f.witness);
+  }
   c.audit_counters = report.counters;
   if (options.original != nullptr) c.original = *options.original;
   return c;

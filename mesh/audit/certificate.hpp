@@ -85,10 +85,10 @@ struct verify_report {
   std::vector<std::string> contradictions;  // one sentence each, claim against mesh
 };
 
-// Audits again, from the mesh and the certificate alone. From the certificate come the domain, the
-// exempt corners and the angle bound where `options` has none of its own, and what it says is the
-// dual of the Voronoi diagram is checked to be; without a certificate
-// exempt corners are looked for, and nothing is known of the domain.
+// Audits again, from the mesh and the certificate alone. From the certificate come the domain and
+// the angle bound where `options` has none of its own, and what it says of the Voronoi diagram is
+// checked. Sharp corners are looked for. Without an angle bound from either nothing is certified,
+// and `verified` is false.
 verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
                      audit_options options);
 

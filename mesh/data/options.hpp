@@ -11,14 +11,14 @@
 
 namespace asterism {
 
-// The thesis's two heuristics, and `guaranteed`: with a size limit the domain is filled first
+// The thesis's two heuristics, and `fill`: with a size limit the domain is filled first
 // (fill/fill.hpp), then defects are mended at the points the arcs offer, and in the end every star
 // is held against all sites.
-enum class refinement_strategy { voronoi_arcs, poisson_darts, guaranteed };
+enum class refinement_strategy { voronoi_arcs, poisson_darts, fill };
 
 struct mesh_options {
   double angle_bound = 20;  // degrees, 0 <= bound < 60; measured from all three vertices
-  refinement_strategy strategy = refinement_strategy::guaranteed;
+  refinement_strategy strategy = refinement_strategy::fill;
   // No site is inserted nearer than this to another one, in metric length, both ways. Darts start
   // from it and shrink it. Empty: chosen from the domain (refine/insertion_tolerance.hpp) and
   // reported in the outcome.
@@ -39,7 +39,7 @@ struct mesh_options {
   // refines anew.
   std::size_t improve_passes = 0;
   // Where the stars cannot agree in the metric as given, it is made to vary more slowly until they
-  // do (pipeline/metric_relaxation.hpp), and the outcome says so; `guaranteed` alone. Without this
+  // do (pipeline/metric_relaxation.hpp), and the outcome says so; `fill` alone. Without this
   // a run ends with disagreeing triangles there.
   bool relax = true;
   // make_certified_mesh has the mesh proved, or refused, as the dual of the anisotropic Voronoi

@@ -4,12 +4,12 @@
 //
 // Written: MeshVersionFormatted 2 (doubles), Dimension 2, Vertices (reference: marker of the
 // boundary there, 0 inside), Triangles (reference: the region), Edges (the boundary subsegments,
-// domain on the left, and those of internal segments; reference: the marker), RequiredEdges (those of
-// internal segments, by number), Corners (given
-// vertices where the boundary turns), RequiredVertices (the given vertices); SolAtVertices, one
-// symmetric tensor a vertex as `m11 m12 m22`. All numbers have 17 significant digits, so that the
-// same doubles are read back. Medit has no place for the input segment a boundary subsegment
-// belongs to: it is kept in comments (`#segments`, numbers from 1), which other programs skip.
+// domain on the left, and those of internal segments; reference: the marker), RequiredEdges (those
+// of internal segments, by number), Corners (given vertices where the boundary turns),
+// RequiredVertices (the given vertices); SolAtVertices, one symmetric tensor a vertex as `m11 m12
+// m22`. All numbers have 17 significant digits, so that the same doubles are read back. Medit has
+// no place for the input segment a boundary subsegment belongs to: it is kept in comments
+// (`#segments`, numbers from 1), which other programs skip.
 //
 // Read: versions 1 to 3, keywords in any order and any number to a line; comments; sections of
 // known shape that mean nothing here, BAMG's among them, are skipped by their counts. Refused:
@@ -40,10 +40,11 @@ struct medit_read_options {
 
 // `NAME.mesh`, and `NAME.sol` beside it. Edges are a set, turned so that a triangle is on their
 // left; those with triangles on both sides are internal where the file marks them as segments
-// (mesh/io/medit_edges.hpp), and left out elsewhere. References of triangles that are all 1 say nothing of regions. `given` is the number of
-// required vertices if these are the first ones, else 0. Subsegments without `#segments` comments
-// are numbered each as its own segment. Nothing is assumed or checked about the geometry, nor that
-// the tensors are positive definite: that is the auditor's.
+// (mesh/io/medit_edges.hpp), and left out elsewhere. References of triangles that are all 1 say
+// nothing of regions. `given` is the number of required vertices if these are the first ones, else
+// 0. Subsegments without `#segments` comments are numbered each as its own segment. Nothing is
+// assumed or checked about the geometry, nor that the tensors are positive definite: that is the
+// auditor's.
 result<mesh> read_medit(const std::filesystem::path& path, const medit_read_options& options = {});
 
 // The contents of the two files; mesh/io/write_mesh.hpp writes them.

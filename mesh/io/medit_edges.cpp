@@ -36,6 +36,14 @@ bool leaves_one_out(const mesh& m, const std::vector<ends>& sides) {
 
 }  // namespace
 
+std::vector<int> vertex_references(const mesh& m) {
+  std::vector<int> references(m.sites.size(), 0);
+  for (const boundary_edge& e : m.boundary)
+    for (const vertex_index v : {e.a, e.b})
+      if (v < references.size() && references[v] == 0) references[v] = e.marker;
+  return references;
+}
+
 void keep_segments(mesh& m, const edge_marks& marks) {
   const std::vector<ends> sides = sides_of(m);
   const auto has = [&](vertex_index a, vertex_index b) {

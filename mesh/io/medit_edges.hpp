@@ -23,4 +23,8 @@ struct edge_marks {
 // internal, and leaves out inner edges that are no segments.
 void keep_segments(mesh& m, const edge_marks& marks);
 
+// The marker of a boundary subsegment at each vertex, 0 for vertices on none: what is written as
+// their references.
+std::vector<int> vertex_references(const mesh& m);
+
 }  // namespace asterism::internal

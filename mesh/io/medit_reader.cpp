@@ -128,6 +128,7 @@ failure medit_reader::read_mesh() {
   if (auto failed = check_vertices()) return failed;
   if (auto failed = check_required_edges()) return failed;
   find_segments(take_segment_numbers());
+  if (m_.references == vertex_references(m_)) m_.references.clear();
   if (std::all_of(m_.regions.begin(), m_.regions.end(), [](int region) { return region == 1; }))
     m_.regions.clear();
   // Ours are the first ones, in order; what other programs require are no vertices of a domain
@@ -207,6 +208,7 @@ failure medit_reader::read_vertices() {
     const auto reference = read_reference("reference of a vertex");
     if (!reference.ok()) return reference.failure();
     m_.sites.push_back({{x.value(), y.value()}, {}});
+    m_.references.push_back(reference.value());
   }
   return {};
 }
@@ -274,7 +276,8 @@ failure medit_reader::read_required_edges() {
     const auto number = to_integer(source_, w, "required edge");
     if (!number.ok()) return number.failure();
     if (number.value() < 1)
-      return source_.failure(w.line, "required edge: edge " + quoted_token(w.text) + " does not exist");
+      return source_.failure(w.line,
+                             "required edge: edge " + quoted_token(w.text) + " does not exist");
     required_edges_.push_back({static_cast<std::size_t>(number.value() - 1), w.line});
   }
   return {};
@@ -356,7 +359,8 @@ result<mesh> read_medit(const std::filesystem::path& path, const medit_read_opti
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
   mesh m;
-  if (auto failed = medit_reader(source, m, options.all_edges).read_mesh()) return std::move(*failed);
+  if (auto failed = medit_reader(source, m, options.all_edges).read_mesh())
+    return std::move(*failed);
   const std::filesystem::path beside = solution_path(path);
   const auto& solution = options.solution.empty() ? beside : options.solution;
   if (auto failed = read_medit_solution(solution, m, options)) return std::move(*failed);

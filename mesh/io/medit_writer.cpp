@@ -8,6 +8,7 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 
 namespace asterism {
@@ -16,15 +17,6 @@ using namespace internal;
 namespace {
 
 using text = std::back_insert_iterator<std::string>;
-
-// The marker of a boundary subsegment at each vertex, 0 for vertices on none.
-std::vector<int> vertex_references(const mesh& m) {
-  std::vector<int> references(m.sites.size(), 0);
-  for (const boundary_edge& e : m.boundary)
-    for (const vertex_index v : {e.a, e.b})
-      if (v < references.size() && references[v] == 0) references[v] = e.marker;
-  return references;
-}
 
 // The given vertices at which the boundary is not one straight line.
 std::vector<vertex_index> corners(const mesh& m) {
@@ -85,7 +77,8 @@ std::string medit_mesh_text(const mesh& m) {
   std::string contents = "MeshVersionFormatted 2\n\nDimension 2\n";
   const text out(contents);
   fmt::format_to(out, "\nVertices\n{}\n", m.sites.size());
-  const std::vector<int> references = vertex_references(m);
+  const bool has_own = m.references.size() == m.sites.size();
+  const std::vector<int> references = has_own ? m.references : vertex_references(m);
   append_lines(contents, m.sites.size(), [&](std::size_t v, std::string& line) {
     append_number(line, m.sites[v].position.x);
     append_number(line += ' ', m.sites[v].position.y);

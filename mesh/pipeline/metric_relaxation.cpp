@@ -428,7 +428,7 @@ class relaxation {
 }  // namespace
 
 bool wants_relaxation(const mesh_outcome& made, const mesh_options& options) {
-  return options.relax && options.strategy == refinement_strategy::guaranteed && !made.stopped &&
+  return options.relax && options.strategy == refinement_strategy::fill && !made.stopped &&
          !made.complete && (made.disagreeing > 0 || made.stars_missing > 0 || made.crowded);
 }
 

@@ -163,8 +163,7 @@ class refinement {
 
   bool improve() {
     if (options_.strategy == refinement_strategy::poisson_darts) return improve_by_darts();
-    if (options_.strategy == refinement_strategy::guaranteed && options_.limit_size &&
-        improve_in_bulk())
+    if (options_.strategy == refinement_strategy::fill && options_.limit_size && improve_in_bulk())
       return true;
     while (true) {
       for (const bad_triangle& b : survey_.bad()) {
@@ -224,7 +223,7 @@ class refinement {
   // Whether the triangle, or one that shares a site with it, lies across a place where the metric
   // is too steep; then it is put aside for good.
   bool is_at_jump(const bad_triangle& b) {
-    if (options_.strategy != refinement_strategy::guaranteed) return false;
+    if (options_.strategy != refinement_strategy::fill) return false;
     // Without a size triangles may be so large that the metric is another at every corner.
     if (!options_.limit_size && b.why != badness::disagreeing) return false;
     const bool beside = b.why != badness::too_large &&

@@ -78,7 +78,7 @@ result<budgeted_filling> fill_within_budget(
     const mesh_options& options, const std::function<void(const mesh_progress&)>& progress) {
   budgeted_filling filled{{}, frame, 0};
   const bool is_large = d.vertices.size() >= many_vertices;
-  if (options.strategy != refinement_strategy::guaranteed || !(options.limit_size || is_large)) {
+  if (options.strategy != refinement_strategy::fill || !(options.limit_size || is_large)) {
     filled.proposed.divisions.resize(d.segments.size());
     return filled;
   }
