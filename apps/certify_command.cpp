@@ -10,16 +10,19 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/apps/angle_text.hpp"
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
+#include "asterism/apps/summary.hpp"
 #include "asterism/apps/verdict_text.hpp"
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
@@ -28,7 +31,6 @@
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
-#include "asterism/mesh/refine/insertion_tolerance.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -68,23 +70,13 @@ Examples:
   asterism certify bamg.mesh bamg.mtr --angle-bound 10
   asterism certify bamg.mesh --metric swirl:24 --size 0.02 --repair -o repaired.mesh)";
 
-constexpr real_range sizes = {1e-150, 1e150, true, true, "positive, from 1e-150 to 1e150"};
-
-constexpr real_range angle_bounds = {
-    0, 60, true, false,
-    "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
-
-int complain(const error& failure, exit_status status) {
-  std::cerr << "asterism: " << failure.message << '\n';
-  return status;
-}
-
 fs::path certificate_path(const fs::path& output) {
   return fs::path(output).replace_extension(".certificate.json");
 }
 
 std::optional<error> check_files(const certify_options& options) {
-  if (options.repair && !options.output) return error{"--repair: name the file to write with -o"};
+  if (options.repair && !options.output)
+    return error{"--repair: name the file to write with -o", error_code::bad_option};
   if (!options.output) return std::nullopt;
   const auto format = check_output(*options.output);
   if (!format) return format.failure();
@@ -96,48 +88,6 @@ std::optional<error> check_files(const certify_options& options) {
   }
   if (auto failure = check_distinct(used)) return failure;
   return check_place(certificate_path(*options.output));
-}
-
-void write_triangles(const certify_report& report, const mesh& m, bool all) {
-  const std::size_t most = std::min(findings_kept(all), report.not_in_all.size());
-  for (std::size_t i = 0; i < most; ++i) {
-    const triangle& t = m.triangles[report.not_in_all[i]];
-    std::cout << "not of the stars: triangle " << report.not_in_all[i] + 1 << " of vertices "
-              << t[0] + 1 << ", " << t[1] + 1 << ", " << t[2] + 1 << '\n';
-  }
-  if (report.not_in_all.size() > most)
-    std::cout << "not of the stars: " << report.not_in_all.size() - most
-              << " more (--all-findings lists them)\n";
-}
-
-void write_report(const certify_report& report, const mesh& m, const certify_options& options) {
-  write_findings(std::cout, report.audit);
-  write_triangles(report, m, options.all_findings);
-  std::cout << m.sites.size() << " sites, " << m.triangles.size() << " triangles, "
-            << m.boundary.size() << " boundary edges\n";
-  if (report.compared)
-    std::cout << "triangles in the stars of all three vertices: " << report.in_stars[3]
-              << ", of some: " << report.in_stars[1] + report.in_stars[2]
-              << ", of none: " << report.in_stars[0] << '\n';
-  else
-    std::cout << "stars: not compared, "
-              << (!report.is_triangulation()   ? "this is no triangulation\n"
-                  : report.audit.stars_checked ? "for this they are too far from agreeing\n"
-                                               : "there was no time\n");
-  if (report.unsettled > 0) std::cout << "stars that did not settle: " << report.unsettled << '\n';
-  std::cout << "inverted or flat: " << report.inverted << '\n'
-            << angles_text(report.audit) << ", triangles below " << options.angle_bound << ": "
-            << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size()
-            << ", collateral: " << report.audit.collateral_triangles.size() << ")\n"
-            << "edges of metric length 0.71 to 1.41: " << report.unit_edges << " of "
-            << report.edges << std::fixed << std::setprecision(1) << " ("
-            << 100.0 * static_cast<double>(report.unit_edges) / static_cast<double>(report.edges)
-            << "%)\n"
-            << std::defaultfloat;
-  if (report.audit.voronoi != voronoi_verdict::not_asked)
-    std::cout << "dual of the Voronoi diagram: "
-              << voronoi_verdict_names[static_cast<std::size_t>(report.audit.voronoi)] << '\n';
-  std::cout << (report.certified() ? "certified\n" : "NOT certified\n");
 }
 
 std::optional<error> write_result(const certify_options& options, const mesh& m,
@@ -215,7 +165,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   if (reached && is_dual_as_asked(options, judged)) return done;
   return complain({reached ? "not proved to be the dual of the Voronoi diagram: " +
                                  judged.findings.front().witness
-                           : "not reached: " + outcome.reason},
+                           : "not reached: " + claim.reason},
                   not_reached);
 }
 
@@ -223,20 +173,14 @@ using made_field = result<std::unique_ptr<metric_field>>;
 
 // The field of --metric, placed in the box of the vertices, and their tensors from it.
 made_field measure_by_formula(const certify_options& options, mesh& m) {
-  if (m.sites.empty()) return error{options.mesh.string() + ": there are no vertices"};
-  bounding_box box{m.sites[0].position, m.sites[0].position};
-  for (const site& s : m.sites) {
-    const point& q = s.position;
-    box.low = {std::min(box.low.x, q.x), std::min(box.low.y, q.y)};
-    box.high = {std::max(box.high.x, q.x), std::max(box.high.y, q.y)};
-  }
-  auto field = make_metric_field(*options.metric, box, options.size);
+  if (m.sites.empty())
+    return error{options.mesh.string() + ": there are no vertices", error_code::invalid_mesh};
+  auto field = make_metric_field(*options.metric, box_of_sites(m.sites), options.size);
   if (!field) return field;
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     const auto metric = field.value()->at(m.sites[v].position);
     if (!metric)
-      return error{options.mesh.string() + ": vertex " + std::to_string(v + 1) + ": " +
-                   metric.failure().message};
+      return metric.failure().at(options.mesh.string() + ": vertex " + std::to_string(v + 1));
     m.sites[v].metric = metric.value();
   }
   return field;
@@ -261,7 +205,7 @@ result<measured_mesh> read_measured(const certify_options& options) {
     formula = std::move(made).value();
   }
   auto adopted = adopt_mesh(std::move(read).value());
-  if (!adopted) return error{options.mesh.string() + ": " + adopted.failure().message};
+  if (!adopted) return adopted.failure().at(options.mesh.string());
   return measured_mesh{std::move(adopted).value(), std::move(formula)};
 }
 
@@ -284,7 +228,7 @@ int run_certify(certify_options options) {
                    findings_kept(options.all_findings),
                    [&limits] { return limits.reason().has_value(); });
   }();
-  write_report(report, adopted.subject, options);
+  write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
   if (report.certified()) return write_as_it_is(options, adopted, report);
   if (!options.repair) return not_reached;
   if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);

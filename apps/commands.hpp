@@ -9,9 +9,6 @@
 
 namespace asterism::apps {
 
-// 0: done. 1: not reached; what is certain was written. 2: bad usage or input; nothing was written.
-enum exit_status : int { done = 0, not_reached = 1, refused = 2 };
-
 using command = std::function<int()>;
 
 void add_eval_command(CLI::App& program, command& chosen);

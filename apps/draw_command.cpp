@@ -5,6 +5,7 @@
 #include <string>
 
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
@@ -25,21 +26,17 @@ Examples:
   asterism draw swirl.mesh -o swirl.png --width 2000
   asterism draw swirl.mesh -o swirl.pdf --ellipses --no-sites)";
 
-int refuse(const error& failure) {
-  std::cerr << "asterism: " << failure.message << '\n';
-  return refused;
-}
-
 int run_draw(const draw_options& options) {
   const auto format = check_output(options.picture);
-  if (!format) return refuse(format.failure());
+  if (!format) return complain(format.failure(), refused);
   if (format.value() == mesh_format::medit || format.value() == mesh_format::vtu)
-    return refuse({options.picture.string() + ": not a picture; use .svg, .png or .pdf"});
+    return complain({options.picture.string() + ": not a picture; use .svg, .png or .pdf"},
+                    refused);
   const auto drawn =
       read_medit(options.mesh, {.identity_without_solution = !options.style.ellipses});
-  if (!drawn) return refuse(drawn.failure());
+  if (!drawn) return complain(drawn.failure(), refused);
   const auto written = write_mesh(options.picture, drawn.value(), {.picture = options.style});
-  return written ? done : refuse(written.failure());
+  return written ? done : complain(written.failure(), refused);
 }
 
 }  // namespace

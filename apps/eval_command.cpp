@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
 #include "asterism/kernels/batch_protocol.hpp"
 
 namespace asterism::apps {
@@ -32,18 +33,13 @@ A point is x y, a site is x y m11 m12 m22; '#' starts a comment line.
   orientation p q r            is_spd m11 m12 m22         compare_distance v w q
   in_wedge v w q               dominates v w p            voronoi_vertex_count u v w
   arc_intersection_count v w x encroaches a b w           insertion_test v w x y
-  edge_test v w x y
+  edge_test v w x y            in_circle m11 m12 m22  a b c p
 One integer a line comes back; a record that cannot be answered gets 'error: ...', and the exit
 status is then 1 although every other record is answered.
 
 Examples:
   echo 'orientation 0 0  1 0  0x1p-3 1' | asterism eval
   asterism eval --kernel exact --stats records.txt)";
-
-int refuse(const std::string& message) {
-  std::cerr << "asterism: " << message << '\n';
-  return refused;
-}
 
 // Every file is opened before anything is answered, so that a wrong name spoils no output.
 int run_eval(const eval_options& options) {
@@ -55,9 +51,9 @@ int run_eval(const eval_options& options) {
     }
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
-      return refuse(file + ": is a directory, not a file of records");
+      return complain({file + ": is a directory, not a file of records"}, refused);
     streams.emplace_back(file, std::ios::binary);
-    if (!streams.back()) return refuse(file + ": cannot be opened for reading");
+    if (!streams.back()) return complain({file + ": cannot be opened for reading"}, refused);
   }
 
   std::ios::sync_with_stdio(false);
@@ -66,8 +62,8 @@ int run_eval(const eval_options& options) {
   for (std::size_t i = 0; i < options.files.size(); ++i) {
     std::istream& in = options.files[i] == "-" ? std::cin : streams[i];
     evaluator.answer_all(in, std::cout);
-    if (in.bad()) return refuse(options.files[i] + ": reading failed");
-    if (!std::cout) return refuse("standard output: writing failed");
+    if (in.bad()) return complain({options.files[i] + ": reading failed"}, refused);
+    if (!std::cout) return complain({"standard output: writing failed"}, refused);
   }
   if (options.statistics) write_statistics(std::cerr, evaluator.statistics());
   return evaluator.statistics().errors == 0 ? done : not_reached;

@@ -5,6 +5,8 @@
 #include <iostream>
 
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
+#include "asterism/core/version.h"
 
 namespace {
 
@@ -12,7 +14,7 @@ int run(int argc, char** argv) {
   using namespace asterism::apps;
   CLI::App program("Anisotropic triangular meshes by star stitching, on exact predicates.");
   program.name("asterism");
-  program.set_version_flag("--version", "asterism " ASTERISM_VERSION);
+  program.set_version_flag("--version", "asterism " ASTERISM_VERSION_TEXT);
   program.require_subcommand(0, 1);  // none is told below: an unknown one is told by its name
   program.footer(
       "Exit status: 0 done; 1 not reached (what is certain is written, and says so);\n"

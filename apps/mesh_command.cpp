@@ -35,14 +35,7 @@ const std::map<std::string, refinement_strategy> strategies = {
     {"voronoi", refinement_strategy::voronoi_arcs},
     {"darts", refinement_strategy::poisson_darts}};
 
-constexpr real_range angle_bounds = {
-    0, 60, true, false,
-    "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
-
 constexpr real_range gradations = {1, 1e100, false, true, "above 1, at most 1e100"};
-
-// Beyond these the square of the size leaves the range of doubles, or nearly so.
-constexpr real_range sizes = {1e-150, 1e150, true, true, "positive, from 1e-150 to 1e150"};
 
 void add_domain_options(CLI::App& app, mesh_job& job) {
   app.add_option("DOMAIN", job.domain, "What to mesh")->required();

@@ -18,6 +18,13 @@ struct real_range {
 
 inline constexpr real_range positive_reals = {0, 1.7976931348623157e308, false, true, "positive"};
 
+inline constexpr real_range angle_bounds = {
+    0, 60, true, false,
+    "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
+
+// Of --size. Beyond these the square of the size leaves the range of doubles, or nearly so.
+inline constexpr real_range sizes = {1e-150, 1e150, true, true, "positive, from 1e-150 to 1e150"};
+
 // `assign` gets the value once it is accepted.
 CLI::Option* add_real(CLI::App& app, const std::string& name, const real_range& range,
                       const std::function<void(double)>& assign, const std::string& description);

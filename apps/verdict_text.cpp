@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "asterism/apps/angle_text.hpp"
+#include "asterism/apps/summary.hpp"
 
 namespace asterism::apps {
 

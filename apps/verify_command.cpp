@@ -11,14 +11,17 @@
 #include <utility>
 
 #include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
+#include "asterism/apps/summary.hpp"
 #include "asterism/apps/verdict_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/pipeline/field_claims.hpp"
@@ -53,15 +56,6 @@ Examples:
   asterism verify swirl.mesh
   asterism verify part.mesh --certificate part.json
   asterism verify other.mesh --angle-bound 15 --domain part.poly)";
-
-constexpr real_range angle_bounds = {
-    0, 60, true, false,
-    "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
-
-int refuse(const error& failure) {
-  std::cerr << "asterism: " << failure.message << '\n';
-  return refused;
-}
 
 // The certificate that was named, or the one beside the mesh, or none.
 result<std::optional<certificate>> find_certificate(const verify_options& options) {
@@ -100,11 +94,13 @@ std::string check_metric(const mesh& subject, const certificate& claim, verify_r
     verdict.contradictions.push_back(said);
     verdict.verified = false;
   }
-  const std::string name = claim.relaxed ? "another than asked for, " + claim.metric : claim.metric;
+  const bool is_another = claim.relaxed || claim.delivered;
+  const std::string name = is_another ? "another than asked for, " + claim.metric : claim.metric;
   if (!check.made) return name + ": field not checked, " + check.why_not;
   if (!check.contradictions.empty()) return name + ": REFUSED";
-  return name + (claim.relaxed ? ", in which the angles were measured again"
-                               : ", held against it at every vertex");
+  return name + (claim.delivered ? ", whose distance was measured again"
+                 : claim.relaxed ? ", in which the angles were measured again"
+                                 : ", held against it at every vertex");
 }
 
 void check_measured(const mesh& subject, const certificate& claim, verify_report& verdict) {
@@ -187,7 +183,7 @@ int judge(const verify_options& options, mesh subject, const std::optional<certi
   std::string metric = "the file's, field not checked";
   if (!claim && !original) {
     auto adopted = adopt_mesh(std::move(subject));
-    if (!adopted) return refuse({options.mesh.string() + ": " + adopted.failure().message});
+    if (!adopted) return complain(adopted.failure().at(options.mesh.string()), refused);
     verdict = verify_alone(adopted.value(), asked);
   } else {
     verdict = verify(subject, claim, asked);
@@ -205,11 +201,11 @@ int run_verify(const verify_options& options) {
   medit_read_options how;
   how.all_edges = options.all_edges;
   auto subject = read_medit(options.mesh, how);
-  if (!subject) return refuse(subject.failure());
+  if (!subject) return complain(subject.failure(), refused);
   const auto claim = find_certificate(options);
-  if (!claim) return refuse(claim.failure());
+  if (!claim) return complain(claim.failure(), refused);
   const auto original = find_domain(options, subject.value());
-  if (!original) return refuse(original.failure());
+  if (!original) return complain(original.failure(), refused);
   return judge(options, std::move(subject).value(), claim.value(), original.value());
 }
 

@@ -28,7 +28,8 @@ template <class Question, class Ask>
 json count(predicate which, const std::vector<Question>& questions, Ask ask) {
   const double_kernel plain;
   const exact_kernel exact;
-  const filtered_kernel filtered;
+  tier_counters decided;
+  const filtered_kernel filtered(decided);
   std::size_t wrong = 0, filtered_wrong = 0;
   for (const Question& q : questions) {
     const auto truth = ask(exact, q);
@@ -38,8 +39,7 @@ json count(predicate which, const std::vector<Question>& questions, Ask ask) {
   json result = {
       {"questions", questions.size()}, {"double wrong", wrong}, {"filtered wrong", filtered_wrong}};
   for (std::size_t t = 0; t < tier_count; ++t)
-    result["tiers"][std::string(tier_names[t])] =
-        filtered.counters().at(which, static_cast<tier>(t));
+    result["tiers"][std::string(tier_names[t])] = decided.at(which, static_cast<tier>(t));
   return result;
 }
 

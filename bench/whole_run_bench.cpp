@@ -26,7 +26,8 @@
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
-#include "asterism/mesh/refine/refinement_loop.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
 
 namespace asterism::bench {
 using namespace internal;
@@ -106,7 +107,7 @@ json judge(const job& j, const mesh_outcome& outcome) {
   for (std::size_t k = 0; k < finding_kind_count; ++k)
     if (report.found[k] > 0) findings[std::string(finding_kind_names[k])] = report.found[k];
   return {{"complete", outcome.complete},
-          {"reason", outcome.reason},
+          {"reason", ending_text(outcome)},
           {"sites", outcome.sites},
           {"triangles", outcome.triangles},
           {"disagreeing", outcome.disagreeing},
@@ -116,9 +117,8 @@ json judge(const job& j, const mesh_outcome& outcome) {
 
 template <class Kernel>
 void run(const job& j, json& into) {
-  const Kernel kernel;
   const auto start = std::chrono::steady_clock::now();
-  const auto outcome = mesh_domain(star_predicates_on(kernel), j.shape, *j.field, j.options, {});
+  const auto outcome = mesh_domain({star_predicates_on<Kernel>(), j.shape, *j.field, j.options});
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   into["milliseconds"].push_back(taken.count());
   if (into.contains("outcome")) return;

@@ -4,10 +4,16 @@ include(CMakePackageConfigHelpers)
 
 set(asterism_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Asterism)
 
-install(TARGETS asterism_predicates EXPORT AsterismPredicates)
+set(predicates_libraries asterism_predicates)
+set(mesher_libraries asterism)
+if(BUILD_SHARED_LIBS)
+  list(APPEND predicates_libraries asterism_predicates_shared)
+  list(APPEND mesher_libraries asterism_shared)
+endif()
+install(TARGETS ${predicates_libraries} EXPORT AsterismPredicates)
 install(EXPORT AsterismPredicates NAMESPACE Asterism:: DESTINATION ${asterism_cmake_dir})
 if(TARGET asterism)
-  install(TARGETS asterism EXPORT AsterismMesher)
+  install(TARGETS ${mesher_libraries} EXPORT AsterismMesher)
   install(EXPORT AsterismMesher NAMESPACE Asterism:: DESTINATION ${asterism_cmake_dir})
 endif()
 

@@ -14,3 +14,11 @@ function(asterism_configure target)
     target_link_options(${target} PUBLIC -fsanitize=${ASTERISM_SANITIZE})
   endif()
 endfunction()
+
+# asterism_hide(TARGET): objects that can go into a shared library, which shows what ASTERISM_EXPORT
+# marks and nothing else. Nobody replaces our functions at load time, so they may be inlined.
+function(asterism_hide target)
+  set_target_properties(${target} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+endfunction()

@@ -3,15 +3,13 @@
 
 #include <cassert>
 
+#ifdef ASTERISM_EXACT_CPP_INT
+#include "asterism/core/limbs_cpp_int.hpp"
+#else
+#include "asterism/core/limbs_gmp.hpp"
+#endif
+
 namespace asterism::internal {
-
-namespace {
-
-mp_size_t signed_size(std::size_t limbs) { return static_cast<mp_size_t>(limbs); }
-// mpn functions take unsigned long, which std::uint64_t is here.
-static_assert(std::is_same_v<mp_limb_t, integer::limb>);
-
-}  // namespace
 
 integer::limb* integer::room_on_heap(std::size_t limbs) {
   if (heap_ != nullptr && limbs <= capacity_) return heap_;
@@ -32,9 +30,7 @@ void integer::set_long_product(const integer& a, const integer& b) {
     return;
   }
   limb* to = room_for(n + m);
-  const limb top = m == 1
-                       ? to[n] = mpn_mul_1(to, longer.data(), signed_size(n), shorter.data()[0])
-                       : mpn_mul(to, longer.data(), signed_size(n), shorter.data(), signed_size(m));
+  const limb top = limbs::multiply(to, longer.data(), n, shorter.data(), m);
   size_ = n + m - (top == 0);
 }
 
@@ -49,7 +45,7 @@ void integer::set_long_sum(const integer& a, unsigned long shift, const integer&
   if (part == 0 || a.size_ == 0) {
     std::copy(a.data(), a.data() + a.size_, to + whole);
   } else {
-    to[n] = mpn_lshift(to + whole, a.data(), signed_size(a.size_), part);
+    to[n] = limbs::shift_left(to + whole, a.data(), a.size_, part);
     n += to[n] != 0;
   }
   // |a| 2^shift stands in n limbs of `to`.
@@ -67,17 +63,16 @@ void integer::set_long_sum(const integer& a, unsigned long shift, const integer&
   const limb* other = b.data();
   if (a.negative_ == negate_b) {
     const std::size_t most = std::max(n, m);
-    to[most] = n >= m ? mpn_add(to, to, signed_size(n), other, signed_size(m))
-                      : mpn_add(to, other, signed_size(m), to, signed_size(n));
+    to[most] = n >= m ? limbs::add(to, to, n, other, m) : limbs::add(to, other, m, to, n);
     negative_ = negate_b;
     size_ = most + (to[most] != 0);
     return;
   }
-  const bool left_is_less = n != m ? n < m : mpn_cmp(to, other, signed_size(n)) < 0;
+  const bool left_is_less = n != m ? n < m : limbs::is_less(to, other, n);
   if (left_is_less)
-    mpn_sub(to, other, signed_size(m), to, signed_size(n));
+    limbs::subtract(to, other, m, to, n);
   else
-    mpn_sub(to, to, signed_size(n), other, signed_size(m));
+    limbs::subtract(to, to, n, other, m);
   negative_ = left_is_less ? negate_b : a.negative_;
   trim(std::max(n, m));
 }
@@ -97,7 +92,7 @@ void integer::shift_down(unsigned long shift) {
   const std::size_t left = whole < size_ ? size_ - whole : 0;
   limb* at = data();
   if (left > 0 && part != 0)
-    mpn_rshift(at, at + whole, signed_size(left), part);
+    limbs::shift_right(at, at + whole, left, part);
   else
     std::copy(at + whole, at + whole + left, at);
   trim(left);
@@ -114,7 +109,7 @@ integer exact_quotient(const integer& a, const integer& b) {
   const std::size_t n = a.size_, m = b.size_;
   integer rest;
   integer::limb* to = quotient.room_for(n - m + 1);
-  mpn_tdiv_qr(to, rest.room_for(m), 0, a.data(), signed_size(n), b.data(), signed_size(m));
+  limbs::divide(to, rest.room_for(m), a.data(), n, b.data(), m);
   quotient.trim(n - m + 1);
   quotient.negative_ = a.negative_ != b.negative_;
   return quotient;
@@ -127,8 +122,8 @@ integer greatest_common_divisor_of_odd(const integer& a, const integer& b) {
           shorter = a.bit_length() >= b.bit_length() ? b : a;
   integer divisor;
   integer::limb* to = divisor.room_for(shorter.size_);
-  divisor.size_ = static_cast<std::size_t>(mpn_gcd(to, longer.data(), signed_size(longer.size_),
-                                                   shorter.data(), signed_size(shorter.size_)));
+  divisor.size_ = limbs::greatest_common_divisor(to, longer.data(), longer.size_, shorter.data(),
+                                                 shorter.size_);
   return divisor;
 }
 
@@ -136,7 +131,7 @@ integer square_root(const integer& a, bool& exact) {
   integer root, rest;
   const std::size_t n = a.size_;
   integer::limb* to = root.room_for((n + 1) / 2);
-  exact = mpn_sqrtrem(to, rest.room_for(n), a.data(), signed_size(n)) == 0;
+  exact = limbs::square_root(to, rest.room_for(n), a.data(), n);
   root.trim((n + 1) / 2);
   return root;
 }

@@ -2,13 +2,12 @@
 //
 // Integers of any size, as a sign and a magnitude of 64-bit limbs. Up to `inline_limbs` limbs live
 // inside the object, so that arithmetic of numbers of this size asks nobody for memory; longer ones
-// own an array. Short operands are treated in place, long ones by GMP's mpn functions.
+// own an array. Short operands are treated in place, long ones by the functions of
+// core/limbs_gmp.hpp or core/limbs_cpp_int.hpp.
 //
 // Ranges: limited by memory alone. Needs integers only: the floating-point environment is neither
 // used nor changed. Errors: std::bad_alloc.
 #pragma once
-
-#include <gmp.h>
 
 #include <algorithm>
 #include <bit>
@@ -24,7 +23,6 @@ namespace asterism::internal {
 class integer {
  public:
   using limb = std::uint64_t;
-  static_assert(GMP_NUMB_BITS == 64 && sizeof(mp_limb_t) == sizeof(limb));
   static constexpr unsigned limb_bits = 64;
   // The norms of an edge test in smooth metrics have up to 23; with 20, one in six asked for
   // memory.

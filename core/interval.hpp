@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Rigorous enclosures by doubles: CGAL's Interval_nt without protection of its own, so every use
-// stands in a floating_point_scope(rounding::upward).
+// Names the interval type of the kernels, rigorous enclosures by doubles. Every use stands in a
+// floating_point_scope(rounding::upward).
 //
-// In the self-check build (ASTERISM_SELF_CHECK) every interval carries its exact shadow instead
-// (core/shadowed_interval.hpp).
+// The type is rounded_interval. In the self-check build (ASTERISM_SELF_CHECK) it is
+// shadowed_interval, which carries its exact shadow.
 //
 // An overflow gives an infinite or meaningless bound; no comparison with those is ever certain.
 #pragma once
@@ -15,11 +15,9 @@
 #ifdef ASTERISM_SELF_CHECK
 #include "asterism/core/shadowed_interval.hpp"
 #else
-#include <CGAL/Interval_nt.h>
+#include "asterism/core/rounded_interval.hpp"
 #endif
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "asterism/core/sign.hpp"
@@ -31,12 +29,7 @@ using asterism::sign_of;  // of a double, beside those below
 #ifdef ASTERISM_SELF_CHECK
 using interval = shadowed_interval;
 #else
-using interval = CGAL::Interval_nt<false>;
-
-inline interval squared(const interval& x) { return CGAL::square(x); }
-inline interval root_of_non_negative(const interval& x) {
-  return CGAL::sqrt(interval(std::max(0.0, x.inf()), x.sup()));
-}
+using interval = rounded_interval;
 #endif
 
 inline uncertain_sign sign_of(const interval& x) {

@@ -2,6 +2,7 @@
 #include "asterism/core/number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -12,6 +13,14 @@ std::string quoted_token(std::string_view token) {
   std::string text = "'";
   for (const char c : token.substr(0, longest)) text += c >= ' ' && c <= '~' ? c : '?';
   return text + (token.size() > longest ? "...'" : "'");
+}
+
+std::string format_number(double value) {
+  constexpr int digits = 6;
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
+                                     std::chars_format::general, digits);
+  return {text.data(), written.ptr};
 }
 
 namespace {
@@ -37,10 +46,21 @@ bool is_huge(std::string_view digits, int base) {
   return (negative ? -power : power) + (base == 16 ? 4 : 1) * places > 0;
 }
 
+std::string with_buffer(const auto& write) {
+  // The longest: sign, point, exponent and 17 digits.
+  std::array<char, 32> text{};
+  return {text.data(), write(text.data(), text.data() + text.size()).ptr};
+}
+
 }  // namespace
 
+std::string number_text(double value) {
+  return with_buffer(
+      [value](char* first, char* last) { return std::to_chars(first, last, value); });
+}
+
 result<double> parse_number(std::string_view token) {
-  const error no_number{quoted_token(token) + " is not a number"};
+  const error no_number{quoted_token(token) + " is not a number", error_code::bad_number};
   std::string_view digits = token;
   const bool negative = !digits.empty() && digits.front() == '-';
   if (!digits.empty() && (negative || digits.front() == '+')) digits.remove_prefix(1);
@@ -59,7 +79,8 @@ result<double> parse_number(std::string_view token) {
   // from_chars gives no value here and does not tell overflow from underflow.
   if (read.ec == std::errc::result_out_of_range)
     value = is_huge(digits, hexadecimal ? 16 : 10) ? HUGE_VAL : 0;
-  if (!std::isfinite(value)) return error{quoted_token(token) + " is not finite"};
+  if (!std::isfinite(value))
+    return error{quoted_token(token) + " is not finite", error_code::bad_number};
   return negative ? -value : value;
 }
 

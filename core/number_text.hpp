@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Text to double, correctly rounded and locale independent.
+// Numbers as text: to and from doubles, correctly rounded, and back; locale independent.
 #pragma once
 
 #include <string>
@@ -18,5 +18,11 @@ result<double> parse_number(std::string_view token);
 // The token in quotes, fit for one line of a message whatever it holds: cut when long, anything but
 // printable ASCII shown as '?'.
 std::string quoted_token(std::string_view token);
+
+// Returns the shortest decimal that parse_number reads back as the same double.
+std::string number_text(double value);
+
+// Returns the number with six significant digits, as printf's %.6g in the C locale: for messages.
+std::string format_number(double value);
 
 }  // namespace asterism::internal

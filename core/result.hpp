@@ -10,11 +10,35 @@
 
 namespace asterism {
 
-// `message` is one sentence for a person, naming file, line, vertex or number where there is one.
-struct error {
-  std::string message;
+// What kind of input was refused, for programs; the message says which and where.
+enum class error_code {
+  invalid_input,    // none of the following, or not known more precisely
+  bad_option,       // an option, or a name given for one, out of range
+  bad_number,       // text that is no number, or one that is not finite
+  unreadable_file,  // missing, not a regular file, or reading it failed
+  unwritable_file,  // its directory is missing, or creating or writing it failed
+  malformed_file,   // readable, and not what its format wants
+  invalid_domain,   // segments, vertices, holes or regions that bound no domain
+  invalid_metric,   // a specification of none, or no positive definite finite tensor at a point
+  invalid_mesh      // indices out of range, or not a triangulation
 };
 
+// Failure because of input. It can be made of a sentence alone.
+struct error {
+  std::string message;  // for a person; names file, line, vertex or number where there is one
+  error_code code = error_code::invalid_input;
+
+  // Returns the same failure, its message after "place: ".
+  error at(const std::string& place) const { return {place + ": " + message, code}; }
+  // Returns the same failure with another code.
+  error as(error_code other) const { return {message, other}; }
+};
+
+// Holds a value or an error, never both. Test it before value():
+//
+//   const auto read = read_medit("wing.mesh");
+//   if (!read) return complain(read.failure().message);
+//   use(read.value());
 template <class T>
 class [[nodiscard]] result {
  public:

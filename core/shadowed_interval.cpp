@@ -142,7 +142,7 @@ shadowed_interval squared(const shadowed_interval& a) {
     shadow = {straddles ? exactly(dyadic(0)) : least(first, second), greatest(first, second),
               p.point};
   }
-  return {"square", CGAL::square(a.box_), std::move(shadow)};
+  return {"square", squared(a.box_), std::move(shadow)};
 }
 
 shadowed_interval root_of_non_negative(const shadowed_interval& a) {
@@ -152,8 +152,7 @@ shadowed_interval root_of_non_negative(const shadowed_interval& a) {
     const dyadic_range low = root_of_non_negative(p.least), high = root_of_non_negative(p.greatest);
     shadow = {low, high, p.point && low.exact};
   }
-  const shadowed_interval::enclosure part(std::max(0.0, a.inf()), a.sup());
-  return {"square root", CGAL::sqrt(part), std::move(shadow)};
+  return {"square root", root_of_non_negative(a.box_), std::move(shadow)};
 }
 
 }  // namespace asterism::internal

@@ -17,11 +17,10 @@
 // and so is that of everything computed from it.
 #pragma once
 
-#include <CGAL/Interval_nt.h>
-
 #include <optional>
 
 #include "asterism/core/dyadic.hpp"
+#include "asterism/core/rounded_interval.hpp"
 
 namespace asterism::internal {
 
@@ -33,9 +32,8 @@ struct dyadic_range {
 
 class shadowed_interval {
  public:
-  using enclosure = CGAL::Interval_nt<false>;
+  using enclosure = rounded_interval;
 
-  // Like CGAL's, but always a number: a default interval is the point 0.
   shadowed_interval() : shadowed_interval(0.0) {}
   shadowed_interval(int value) : shadowed_interval(static_cast<double>(value)) {}
   shadowed_interval(double value) : shadowed_interval(value, value) {}

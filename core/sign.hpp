@@ -10,13 +10,18 @@
 
 namespace asterism {
 
+// The sign of a real number.
 enum class sign : int { negative = -1, zero = 0, positive = 1 };
 
+// Returns the sign of -x for x of sign s.
 constexpr sign operator-(sign s) { return static_cast<sign>(-static_cast<int>(s)); }
+// Returns the sign of a product.
 constexpr sign operator*(sign a, sign b) {
   return static_cast<sign>(static_cast<int>(a) * static_cast<int>(b));
 }
+// Returns -1, 0 or 1.
 constexpr int to_int(sign s) { return static_cast<int>(s); }
+// Returns the sign of an integer.
 constexpr sign to_sign(int value) {
   return value > 0 ? sign::positive : value < 0 ? sign::negative : sign::zero;
 }
@@ -41,36 +46,46 @@ class uncertain {
   bool certain_ = false;
 };
 
+// Answers of a kernel that may be undecided.
 using uncertain_sign = uncertain<sign>;
+// As above, for yes and no.
 using uncertain_bool = uncertain<bool>;
+// As above, for a count.
 using uncertain_int = uncertain<int>;
 
+// Kleene's three-valued "not".
 constexpr uncertain_bool operator!(uncertain_bool a) {
   return a.certain() ? uncertain_bool(!a.value()) : a;
 }
-// Kleene's three-valued logic: a certain `false` decides a conjunction alone.
+// Kleene's three-valued "and": a certain `false` decides alone.
 constexpr uncertain_bool operator&(uncertain_bool a, uncertain_bool b) {
   if (a.certainly(false) || b.certainly(false)) return false;
   if (a.certain() && b.certain()) return true;
   return {};
 }
+// Kleene's three-valued "or": a certain `true` decides alone.
 constexpr uncertain_bool operator|(uncertain_bool a, uncertain_bool b) { return !((!a) & (!b)); }
 
+// True if the sign is certainly positive; undecided where it is.
 constexpr uncertain_bool is_positive(uncertain_sign s) {
   return s.certain() ? uncertain_bool(s.value() == sign::positive) : uncertain_bool();
 }
+// True if the sign is certainly negative; undecided where it is.
 constexpr uncertain_bool is_negative(uncertain_sign s) {
   return s.certain() ? uncertain_bool(s.value() == sign::negative) : uncertain_bool();
 }
+// True if the sign is certainly zero; undecided where it is.
 constexpr uncertain_bool is_zero(uncertain_sign s) {
   return s.certain() ? uncertain_bool(s.value() == sign::zero) : uncertain_bool();
 }
+// Returns the opposite sign; undecided where it is.
 constexpr uncertain_sign operator-(uncertain_sign s) {
   return s.certain() ? uncertain_sign(-s.value()) : s;
 }
 
-// The sign of the double itself. Of a real number that it rounds it is only a guess, which is why
-// nothing but the plain double kernel evaluates a predicate with doubles.
+// Returns the sign of the double itself, which is no more than a guess at the sign of a real number
+// that the double rounds. For this reason nothing but the plain double kernel evaluates a predicate
+// with doubles.
 constexpr uncertain_sign sign_of(double x) { return to_sign((x > 0) - (x < 0)); }
 
 }  // namespace asterism

@@ -15,13 +15,14 @@
 
 namespace asterism {
 
+// A point of the plane.
 template <class Number>
 struct basic_point {
   Number x{}, y{};
   friend bool operator==(const basic_point&, const basic_point&) = default;
 };
 
-// Symmetric 2x2: [m11 m12; m12 m22].
+// A symmetric 2x2 tensor [m11 m12; m12 m22].
 template <class Number>
 struct basic_metric_tensor {
   Number m11{}, m12{}, m22{};
@@ -36,18 +37,22 @@ struct basic_site {
   friend bool operator==(const basic_site&, const basic_site&) = default;
 };
 
+// The types of input and output.
 using point = basic_point<double>;
+// As above.
 using metric_tensor = basic_metric_tensor<double>;
+// As above.
 using site = basic_site<double>;
 
-// Equal bit for bit, whatever the floating-point environment: to a processor told to flush, ==
-// takes subnormal numbers for zeros. Says no to 0 and -0.
+// True if the tensors are equal bit for bit, whatever the floating-point environment: to a
+// processor told to flush, == takes subnormal numbers for zeros. False for 0 and -0.
 constexpr bool identical(const metric_tensor& a, const metric_tensor& b) {
   using bits = std::array<std::uint64_t, 3>;
   return std::bit_cast<bits>(a) == std::bit_cast<bits>(b);
 }
 
-// The order of sites used to break ties: by geometry, so it is the same in every star.
+// True if a comes before b in the order used to break ties: by geometry, so it is the same in every
+// star.
 constexpr bool lexicographically_less(const point& a, const point& b) {
   return a.x < b.x || (a.x == b.x && a.y < b.y);
 }

@@ -35,8 +35,8 @@ int main() {
   const auto made = asterism::make_certified_mesh(checked.value(), layers(), wanted);
   if (!made) return complain(made.failure());
   const asterism::mesh_outcome& outcome = made.value().outcome;
-  std::cout << outcome.sites << " sites, " << outcome.triangles << " triangles: " << outcome.reason
-            << '\n';
+  std::cout << outcome.sites << " sites, " << outcome.triangles
+            << " triangles: " << asterism::ending_text(outcome) << '\n';
   const asterism::audit_report& report = made.value().report;
   for (const auto& finding : report.findings) std::cout << finding.witness << '\n';
   std::cout << (made.value().certified() ? "certified" : "not certified") << ", worst angle "

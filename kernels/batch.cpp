@@ -21,27 +21,65 @@ bool same_length(std::size_t rows, const site_columns& s) {
          s.m12.size() == rows && s.m22.size() == rows;
 }
 
+bool same_length(std::size_t rows, const metric_columns& m) {
+  return m.m11.size() == rows && m.m12.size() == rows && m.m22.size() == rows;
+}
+
+metric_tensor row(const metric_columns& m, std::size_t k) { return {m.m11[k], m.m12[k], m.m22[k]}; }
+
 site row(const site_columns& s, std::size_t k) {
   return {{s.x[k], s.y[k]}, {s.m11[k], s.m12[k], s.m22[k]}};
 }
 
 point row(const point_columns& p, std::size_t k) { return {p.x[k], p.y[k]}; }
 
-// first(begin, end, answers) decides what it can; ask(k) answers a row that it leaves.
+// first(answers) decides what it can; ask(kernel, k) answers a row that it leaves.
 template <class First, class Ask>
-void run(std::span<signed char> answers, std::uint64_t& decided_at_once, const First& first,
-         const Ask& ask) {
+void run(std::span<signed char> answers, predicate which, tier_counters* decided,
+         const First& first, const Ask& ask) {
   first(answers.data());
+  const filtered_kernel by_row = decided != nullptr ? filtered_kernel(*decided) : filtered_kernel();
   std::size_t left = 0;
   for (std::size_t k = 0; k < answers.size(); ++k) {
     if (answers[k] != batch::undecided) continue;
-    answers[k] = static_cast<signed char>(ask(k));
+    answers[k] = static_cast<signed char>(ask(by_row, k));
     ++left;
   }
-  decided_at_once += answers.size() - left;
+  if (decided != nullptr) decided->at(which, tier::semi_static) += answers.size() - left;
 }
 
 }  // namespace
+
+batch_status batch_kernel::orientation(const point_columns& p, const point_columns& q,
+                                       const point_columns& r,
+                                       std::span<signed char> answers) const {
+  const std::size_t rows = answers.size();
+  if (!same_length(rows, p) || !same_length(rows, q) || !same_length(rows, r))
+    return batch_status::length_mismatch;
+  run(
+      answers, predicate::orientation, decided_,
+      [&](signed char* first) { batch::orientation(p, q, r, rows, first); },
+      [&](const filtered_kernel& kernel, std::size_t k) {
+        return to_int(kernel.orientation(row(p, k), row(q, k), row(r, k)));
+      });
+  return batch_status::ok;
+}
+
+batch_status batch_kernel::in_circle(const metric_columns& m, const point_columns& a,
+                                     const point_columns& b, const point_columns& c,
+                                     const point_columns& p, std::span<signed char> answers) const {
+  const std::size_t rows = answers.size();
+  if (!same_length(rows, m) || !same_length(rows, a) || !same_length(rows, b) ||
+      !same_length(rows, c) || !same_length(rows, p))
+    return batch_status::length_mismatch;
+  run(
+      answers, predicate::in_circle, decided_,
+      [&](signed char* first) { batch::in_circle(m, a, b, c, p, rows, first); },
+      [&](const filtered_kernel& kernel, std::size_t k) {
+        return to_int(kernel.in_circle(row(m, k), row(a, k), row(b, k), row(c, k), row(p, k)));
+      });
+  return batch_status::ok;
+}
 
 batch_status batch_kernel::compare_distance(const site_columns& v, const site_columns& w,
                                             const point_columns& q,
@@ -50,10 +88,10 @@ batch_status batch_kernel::compare_distance(const site_columns& v, const site_co
   if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, q))
     return batch_status::length_mismatch;
   run(
-      answers, first_pass_.at(predicate::compare_distance, tier::semi_static),
+      answers, predicate::compare_distance, decided_,
       [&](signed char* first) { batch::compare_distance(v, w, q, rows, first); },
-      [&](std::size_t k) {
-        return to_int(row_by_row_.compare_distance(row(v, k), row(w, k), row(q, k)));
+      [&](const filtered_kernel& kernel, std::size_t k) {
+        return to_int(kernel.compare_distance(row(v, k), row(w, k), row(q, k)));
       });
   return batch_status::ok;
 }
@@ -64,9 +102,11 @@ batch_status batch_kernel::in_wedge(const site_columns& v, const site_columns& w
   if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, q))
     return batch_status::length_mismatch;
   run(
-      answers, first_pass_.at(predicate::in_wedge, tier::semi_static),
+      answers, predicate::in_wedge, decided_,
       [&](signed char* first) { batch::in_wedge(v, w, q, rows, first); },
-      [&](std::size_t k) { return row_by_row_.in_wedge(row(v, k), row(w, k), row(q, k)); });
+      [&](const filtered_kernel& kernel, std::size_t k) {
+        return kernel.in_wedge(row(v, k), row(w, k), row(q, k));
+      });
   return batch_status::ok;
 }
 
@@ -76,10 +116,10 @@ batch_status batch_kernel::dominates(const site_columns& v, const site_columns& 
   if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, p))
     return batch_status::length_mismatch;
   run(
-      answers, first_pass_.at(predicate::dominates, tier::semi_static),
+      answers, predicate::dominates, decided_,
       [&](signed char* first) { batch::dominates(v, w, p, rows, first); },
-      [&](std::size_t k) {
-        return to_int(row_by_row_.dominates(row(v, k), row(w, k), row(p, k)));
+      [&](const filtered_kernel& kernel, std::size_t k) {
+        return to_int(kernel.dominates(row(v, k), row(w, k), row(p, k)));
       });
   return batch_status::ok;
 }
@@ -92,22 +132,12 @@ batch_status batch_kernel::edge_test(const site_columns& v, const site_columns& 
       !same_length(rows, y))
     return batch_status::length_mismatch;
   run(
-      answers, first_pass_.at(predicate::edge_test, tier::semi_static),
+      answers, predicate::edge_test, decided_,
       [&](signed char* first) { batch::edge_test(v, w, x, y, rows, first); },
-      [&](std::size_t k) {
-        return row_by_row_.edge_test(row(v, k), row(w, k), row(x, k), row(y, k));
+      [&](const filtered_kernel& kernel, std::size_t k) {
+        return kernel.edge_test(row(v, k), row(w, k), row(x, k), row(y, k));
       });
   return batch_status::ok;
-}
-
-tier_counters batch_kernel::counters() const {
-  tier_counters all = first_pass_;
-  return all += row_by_row_.counters();
-}
-
-void batch_kernel::reset_counters() {
-  first_pass_ = {};
-  row_by_row_.reset_counters();
 }
 
 }  // namespace asterism

@@ -9,27 +9,45 @@
 // Errors: batch_status::length_mismatch when two columns, or the answers, differ in length; nothing
 // is written then. No row is a valid batch. The columns of one call may overlap each other, but not
 // the answers.
-// Input, floating-point environment, state: as for filtered_kernel; use one object a thread.
+// Input, floating-point environment, state: as for filtered_kernel.
 #pragma once
 
 #include <span>
 
+#include "asterism/core/export.h"
 #include "asterism/kernels/filtered_kernel.hpp"
 
 namespace asterism {
 
+// Points, one a row.
 struct point_columns {
   std::span<const double> x, y;
 };
 
+struct metric_columns {
+  std::span<const double> m11, m12, m22;
+};
+
+// Sites, one a row.
 struct site_columns {
   std::span<const double> x, y, m11, m12, m22;
 };
 
+// Whether a batch was answered. After length_mismatch nothing was written.
 enum class [[nodiscard]] batch_status{ok, length_mismatch};
 
-class batch_kernel {
+// Answers one predicate for many rows. Without counters it may be shared by threads.
+class ASTERISM_EXPORT batch_kernel {
  public:
+  batch_kernel() = default;
+  // Counts in `decided`, which must outlive the kernel and its copies. For one thread.
+  explicit batch_kernel(tier_counters& decided) : decided_(&decided) {}
+
+  batch_status orientation(const point_columns& p, const point_columns& q, const point_columns& r,
+                           std::span<signed char> answers) const;
+  batch_status in_circle(const metric_columns& m, const point_columns& a, const point_columns& b,
+                         const point_columns& c, const point_columns& p,
+                         std::span<signed char> answers) const;
   batch_status compare_distance(const site_columns& v, const site_columns& w,
                                 const point_columns& q, std::span<signed char> answers) const;
   batch_status in_wedge(const site_columns& v, const site_columns& w, const point_columns& q,
@@ -40,12 +58,8 @@ class batch_kernel {
   batch_status edge_test(const site_columns& v, const site_columns& w, const site_columns& x,
                          const site_columns& y, std::span<signed char> answers) const;
 
-  tier_counters counters() const;
-  void reset_counters();
-
  private:
-  filtered_kernel row_by_row_;
-  mutable tier_counters first_pass_;
+  tier_counters* decided_ = nullptr;
 };
 
 }  // namespace asterism

@@ -56,6 +56,9 @@ ASTERISM_INLINE vector to(const point& a, const point& b) { return {b.x - a.x, b
 ASTERISM_INLINE site row(const site_columns& s, std::size_t k) {
   return {{s.x[k], s.y[k]}, {s.m11[k], s.m12[k], s.m22[k]}};
 }
+ASTERISM_INLINE metric_tensor row(const metric_columns& m, std::size_t k) {
+  return {m.m11[k], m.m12[k], m.m22[k]};
+}
 ASTERISM_INLINE point row(const point_columns& p, std::size_t k) { return {p.x[k], p.y[k]}; }
 
 // 1, -1, or undecided; `usable` is 0 where the bound does not hold.
@@ -131,6 +134,27 @@ ASTERISM_INLINE bounded cross_product(const vector& a, const vector& b) {
   return {left - right, absolute(left) + absolute(right)};
 }
 
+ASTERISM_INLINE number orientation_row(const point& p, const point& q, const point& r) {
+  const vector a = to(p, q), b = to(p, r);
+  const bounded turn = cross_product(a, b);
+  return sign_answer(
+      decide(turn.value, turn.magnitude, bound_factor(semi_static::orientation_depth)),
+      harmless(a) & harmless(b));
+}
+
+ASTERISM_INLINE number in_circle_row(const metric_tensor& m, const point& a, const point& b,
+                                     const point& c, const point& p) {
+  const vector u = to(p, a), v = to(p, b), w = to(p, c);
+  const bounded vw = cross_product(v, w), wu = cross_product(w, u), uv = cross_product(u, v);
+  const double value =
+      (length(m, u) * vw.value + length(m, v) * wu.value) + length(m, w) * uv.value;
+  const double magnitude =
+      (length_magnitude(m, u) * vw.magnitude + length_magnitude(m, v) * wu.magnitude) +
+      length_magnitude(m, w) * uv.magnitude;
+  return sign_answer(decide(value, magnitude, bound_factor(semi_static::in_circle_depth)),
+                     harmless(m) & harmless(u) & harmless(v) & harmless(w));
+}
+
 // Equal bit for bit, whatever the processor is told of subnormal numbers.
 ASTERISM_INLINE number same_metric(const metric_tensor& a, const metric_tensor& b) {
   const auto difference = [](double x, double y) __attribute__((always_inline)) {
@@ -200,6 +224,19 @@ void over_rows(std::size_t rows, signed char* answers, const Row& ask) {
   loop(rows, answers, ask);
 }
 
+struct orientation_rows {
+  const point_columns &p, &q, &r;
+  [[gnu::always_inline]] number operator()(std::size_t k) const {
+    return orientation_row(row(p, k), row(q, k), row(r, k));
+  }
+};
+struct in_circle_rows {
+  const metric_columns& m;
+  const point_columns &a, &b, &c, &p;
+  [[gnu::always_inline]] number operator()(std::size_t k) const {
+    return in_circle_row(row(m, k), row(a, k), row(b, k), row(c, k), row(p, k));
+  }
+};
 struct compare_distance_rows {
   const site_columns &v, &w;
   const point_columns& q;
@@ -229,6 +266,17 @@ struct edge_test_rows {
 };
 
 }  // namespace
+
+void orientation(const point_columns& p, const point_columns& q, const point_columns& r,
+                 std::size_t rows, signed char* answers) {
+  over_rows(rows, answers, orientation_rows{p, q, r});
+}
+
+void in_circle(const metric_columns& m, const point_columns& a, const point_columns& b,
+               const point_columns& c, const point_columns& p, std::size_t rows,
+               signed char* answers) {
+  over_rows(rows, answers, in_circle_rows{m, a, b, c, p});
+}
 
 void compare_distance(const site_columns& v, const site_columns& w, const point_columns& q,
                       std::size_t rows, signed char* answers) {

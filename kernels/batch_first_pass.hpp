@@ -16,6 +16,11 @@ namespace asterism::internal::batch {
 
 inline constexpr signed char undecided = 2;
 
+void orientation(const point_columns& p, const point_columns& q, const point_columns& r,
+                 std::size_t rows, signed char* answers);
+void in_circle(const metric_columns& m, const point_columns& a, const point_columns& b,
+               const point_columns& c, const point_columns& p, std::size_t rows,
+               signed char* answers);
 void compare_distance(const site_columns& v, const site_columns& w, const point_columns& q,
                       std::size_t rows, signed char* answers);
 void in_wedge(const site_columns& v, const site_columns& w, const point_columns& q,

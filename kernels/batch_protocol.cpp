@@ -36,7 +36,9 @@ result<predicate> parse_name(std::string_view name) {
 
 std::optional<error> check_sites(const batch_record& record) {
   const std::size_t sites = shape_of(record.question).sites;
-  const filtered_kernel kernel;  // its own counters: these checks are no records
+  const filtered_kernel kernel;
+  if (record.question == predicate::in_circle && !kernel.is_positive_definite(metric_at(record, 0)))
+    return error{"fields 2-4: the metric is not positive definite"};
   for (std::size_t i = 0; i < sites; ++i) {
     if (!kernel.is_positive_definite(site_at(record, i).metric))
       return error{"fields " + std::to_string(5 * i + 4) + "-" + std::to_string(5 * i + 6) +
@@ -77,11 +79,9 @@ result<std::optional<batch_record>> parse_record(std::string_view line) {
 }
 
 uncertain_int batch_evaluator::filtered_answer(const batch_record& record, settled_by& how) {
-  filtered_.reset_counters();
-  const uncertain_int result = ask(filtered_, record);
-  const auto tier_decided = [&](tier t) {
-    return filtered_.counters().at(record.question, t) != 0;
-  };
+  tier_counters decided;
+  const uncertain_int result = ask(filtered_kernel(decided), record);
+  const auto tier_decided = [&](tier t) { return decided.at(record.question, t) != 0; };
   how = tier_decided(tier::semi_static) ? settled_by::semi_static
         : tier_decided(tier::interval)  ? settled_by::interval
                                         : settled_by::exact;

@@ -12,7 +12,7 @@
 //   orientation p q r            is_spd m11 m12 m22         compare_distance v w q
 //   in_wedge v w q               dominates v w p            voronoi_vertex_count u v w
 //   arc_intersection_count v w x encroaches a b w           insertion_test v w x y
-//   edge_test v w x y
+//   edge_test v w x y            in_circle m11 m12 m22 a b c p
 //
 // Answers: a sign as -1, 0, 1; a yes as 1, a no as 0; a count as itself. `?` where the interval
 // kernel cannot decide. `error: ...`, naming the field (the name is field 1) where there is
@@ -31,6 +31,7 @@
 #include <optional>
 #include <string_view>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/core/sign.hpp"
 #include "asterism/kernels/batch_question.hpp"
@@ -42,17 +43,22 @@
 
 namespace asterism {
 
-// Empty for a comment or blank line. `line` comes without its end of line; a final CR is a blank.
-result<std::optional<batch_record>> parse_record(std::string_view line);
+// Reads one line. Empty for a comment or blank line. `line` comes without its end of line; a final
+// CR is a blank.
+ASTERISM_EXPORT result<std::optional<batch_record>> parse_record(std::string_view line);
 
+// The kernel that answers.
 enum class kernel_choice { filtered, exact, interval, plain_double };
 
-// What settled a record; `undecided` only with the interval kernel.
+// The tier or kernel that settled a record; `undecided` only with the interval kernel.
 enum class settled_by : std::size_t { semi_static, interval, exact, plain_double, undecided };
+// Number of values of settled_by.
 inline constexpr std::size_t settled_by_count = 5;
+// Their names, in order.
 inline constexpr std::array<std::string_view, settled_by_count> settled_by_names = {
     "semi-static", "interval", "exact", "double", "undecided"};
 
+// Counts of what settled the records, by predicate.
 struct batch_statistics {
   std::array<std::array<std::uint64_t, settled_by_count>, predicate_count> settled{};
   std::uint64_t answers = 0;  // records that got an integer or `?`
@@ -60,15 +66,16 @@ struct batch_statistics {
 };
 
 // Evaluates records with one kernel and counts what settled them. Not to be shared by threads.
-class batch_evaluator {
+class ASTERISM_EXPORT batch_evaluator {
  public:
   explicit batch_evaluator(kernel_choice choice) : choice_(choice) {}
 
-  // Empty where the interval kernel cannot decide.
+  // Returns the answer; empty where the interval kernel cannot decide.
   uncertain_int answer(const batch_record& record);
 
-  // One answer a line of `in`, in order, to the end of `in`. Flushes `out` whenever the next read
-  // may have to wait, so that a program or a person asking one question at a time gets each answer.
+  // Writes one answer for each line of `in`, in order, to the end of `in`. Flushes `out` whenever
+  // the next read may have to wait, so that a program or a person asking one question at a time
+  // gets each answer.
   void answer_all(std::istream& in, std::ostream& out);
 
   const batch_statistics& statistics() const { return statistics_; }
@@ -77,11 +84,11 @@ class batch_evaluator {
   uncertain_int filtered_answer(const batch_record& record, settled_by& how);
 
   kernel_choice choice_;
-  filtered_kernel filtered_;
   batch_statistics statistics_;
 };
 
-// A table: a line for each predicate that was asked, how many records each tier settled.
-void write_statistics(std::ostream& out, const batch_statistics& statistics);
+// Writes a table: a line for each predicate that was asked, with how many records each tier
+// settled.
+ASTERISM_EXPORT void write_statistics(std::ostream& out, const batch_statistics& statistics);
 
 }  // namespace asterism

@@ -15,9 +15,10 @@
 
 namespace asterism {
 
-inline constexpr std::size_t longest_record = 20;  // four sites
+inline constexpr std::size_t longest_record = 20;  // numbers: four sites
 
-// A question and its numbers, sites first, then points. Those beyond the predicate's own are 0.
+// A question and its numbers: metrics first, then sites, then points. Those beyond the predicate's
+// own are 0.
 struct batch_record {
   predicate question = predicate::orientation;
   std::array<double, longest_record> numbers{};
@@ -25,48 +26,60 @@ struct batch_record {
 
 // The shape of a predicate's record.
 struct record_shape {
-  std::size_t sites, points;
+  std::size_t metrics, sites, points;
 };
+// The shapes, in the order of `predicate`.
 inline constexpr std::array<record_shape, predicate_count> record_shapes = {{
-    {0, 3},  // orientation
-    {0, 0},  // is_spd: three numbers that are neither
-    {2, 1},  // compare_distance
-    {2, 1},  // in_wedge
-    {2, 1},  // dominates
-    {3, 0},  // voronoi_vertex_count
-    {3, 0},  // arc_intersection_count
-    {3, 0},  // encroaches
-    {4, 0},  // insertion_test
-    {4, 0},  // edge_test
+    {0, 0, 3},  // orientation
+    {1, 0, 0},  // is_spd
+    {0, 2, 1},  // compare_distance
+    {0, 2, 1},  // in_wedge
+    {0, 2, 1},  // dominates
+    {0, 3, 0},  // voronoi_vertex_count
+    {0, 3, 0},  // arc_intersection_count
+    {0, 3, 0},  // encroaches
+    {0, 4, 0},  // insertion_test
+    {0, 4, 0},  // edge_test
+    {1, 0, 4},  // in_circle
 }};
+// Returns how many sites and points the predicate takes.
 constexpr record_shape shape_of(predicate question) {
   return record_shapes[static_cast<std::size_t>(question)];
 }
+// Returns how many numbers the predicate takes.
 constexpr std::size_t numbers_of(predicate question) {
   const record_shape shape = shape_of(question);
-  return question == predicate::is_positive_definite ? 3 : 5 * shape.sites + 2 * shape.points;
+  return 3 * shape.metrics + 5 * shape.sites + 2 * shape.points;
 }
 
-// `first` is the index of the first number, `which` that of a site.
+// `first` is the index of the first number, `which` that of a site in a record without metrics of
+// their own.
 constexpr point point_at(const batch_record& record, std::size_t first) {
   return {record.numbers[first], record.numbers[first + 1]};
 }
+// Returns the tensor whose first number has the index `first`.
 constexpr metric_tensor metric_at(const batch_record& record, std::size_t first) {
   return {record.numbers[first], record.numbers[first + 1], record.numbers[first + 2]};
 }
+// Returns the site number `which`, from 0.
 constexpr site site_at(const batch_record& record, std::size_t which) {
   return {point_at(record, 5 * which), metric_at(record, 5 * which + 2)};
 }
 
+// Returns the answer as an integer of the batch protocol; undecided stays so.
 constexpr uncertain_int as_integer(sign s) { return to_int(s); }
+// As above.
 constexpr uncertain_int as_integer(bool yes) { return yes ? 1 : 0; }
+// As above.
 constexpr uncertain_int as_integer(int count) { return count; }
+// As above.
 template <class T>
 constexpr uncertain_int as_integer(uncertain<T> answer) {
   return answer.certain() ? as_integer(answer.value()) : uncertain_int();
 }
 
-// Requires a record that the kernel accepts: finite, positive definite, sites distinct.
+// Puts the record to the kernel. Requires a record that the kernel accepts: finite, positive
+// definite, sites distinct.
 template <class Kernel>
 uncertain_int ask(const Kernel& kernel, const batch_record& r) {
   const auto s = [&r](std::size_t which) { return site_at(r, which); };
@@ -91,6 +104,9 @@ uncertain_int ask(const Kernel& kernel, const batch_record& r) {
       return as_integer(kernel.insertion_test(s(0), s(1), s(2), s(3)));
     case predicate::edge_test:
       return as_integer(kernel.edge_test(s(0), s(1), s(2), s(3)));
+    case predicate::in_circle:
+      return as_integer(kernel.in_circle(metric_at(r, 0), point_at(r, 3), point_at(r, 5),
+                                         point_at(r, 7), point_at(r, 9)));
   }
   return {};
 }

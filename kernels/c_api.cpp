@@ -2,42 +2,17 @@
 #include "asterism/kernels/c_api.h"
 
 #include <array>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "asterism/kernels/batch_question.hpp"
+#include "asterism/kernels/c_question.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 
 namespace {
 
-using asterism::batch_record;
-using asterism::predicate;
-
-// By the bits, because the caller may have switched subnormal numbers off, to which == then is
-// blind.
-bool is_finite(double x) {
-  constexpr std::uint64_t exponent = 0x7FF0000000000000U;
-  return (std::bit_cast<std::uint64_t>(x) & exponent) != exponent;
-}
-bool is_same(double x, double y) {
-  const auto a = std::bit_cast<std::uint64_t>(x), b = std::bit_cast<std::uint64_t>(y);
-  return a == b || ((a | b) << 1U) == 0;
-}
-
-asterism_status check_sites(const asterism::filtered_kernel& kernel, const batch_record& record) {
-  const std::size_t sites = asterism::shape_of(record.question).sites;
-  for (std::size_t i = 0; i < sites; ++i)
-    if (!kernel.is_positive_definite(site_at(record, i).metric))
-      return ASTERISM_NOT_POSITIVE_DEFINITE;
-  for (std::size_t i = 0; i < sites; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (is_same(record.numbers[5 * i], record.numbers[5 * j]) &&
-          is_same(record.numbers[5 * i + 1], record.numbers[5 * j + 1]))
-        return ASTERISM_EQUAL_SITES;
-  return ASTERISM_OK;
-}
+using namespace asterism;
+using namespace asterism::internal;
 
 struct argument {
   const double* first;
@@ -53,20 +28,15 @@ asterism_status answer_question(predicate question, std::span<const argument> ar
     if (a.first == nullptr) return ASTERISM_NULL_POINTER;
     for (std::size_t k = 0; k < a.count; ++k) record.numbers[count++] = a.first[k];
   }
-  for (const double number : record.numbers)
-    if (!is_finite(number)) return ASTERISM_NOT_FINITE;
-  // Whatever is thrown below must not reach a caller that may not be C++.
-  try {
-    const asterism::filtered_kernel kernel;
-    if (const asterism_status status = check_sites(kernel, record); status != ASTERISM_OK)
-      return status;
+  return without_exceptions([&] {
+    const filtered_kernel kernel;
+    if (const asterism_status bad = check_record(kernel, record); bad != ASTERISM_OK) return bad;
     *answer = ask(kernel, record).value();
     return ASTERISM_OK;
-  } catch (...) {
-    return ASTERISM_INTERNAL_FAILURE;
-  }
+  });
 }
 
+argument as_metric(const double* m) { return {m, 3}; }
 argument as_point(const double* p) { return {p, 2}; }
 argument as_site(const double* s) { return {s, 5}; }
 
@@ -86,9 +56,18 @@ const char* asterism_status_message(asterism_status status) {
       return "two sites are at the same position";
     case ASTERISM_INTERNAL_FAILURE:
       return "the library could not finish";
+    case ASTERISM_OUT_OF_MEMORY:
+      return "there is not enough memory";
+    case ASTERISM_OUT_OF_RANGE:
+      return "an index, count or option is out of range";
+    case ASTERISM_REFUSED:
+      return "the input was refused, for the reason in the message";
   }
   return "not a status of this library";
 }
+
+int asterism_version(void) { return ASTERISM_VERSION; }
+const char* asterism_version_text(void) { return ASTERISM_VERSION_TEXT; }
 
 asterism_status asterism_orientation(const double p[2], const double q[2], const double r[2],
                                      int* answer) {
@@ -97,7 +76,20 @@ asterism_status asterism_orientation(const double p[2], const double q[2], const
 }
 
 asterism_status asterism_is_spd(const double metric[3], int* answer) {
-  return answer_question(predicate::is_positive_definite, std::array{argument{metric, 3}}, answer);
+  return answer_question(predicate::is_positive_definite, std::array{as_metric(metric)}, answer);
+}
+
+asterism_status asterism_in_circle(const double metric[3], const double a[2], const double b[2],
+                                   const double c[2], const double p[2], int* answer) {
+  return answer_question(
+      predicate::in_circle,
+      std::array{as_metric(metric), as_point(a), as_point(b), as_point(c), as_point(p)}, answer);
+}
+
+asterism_status asterism_in_circle_plane(const double a[2], const double b[2], const double c[2],
+                                         const double p[2], int* answer) {
+  const std::array<double, 3> plane = {1, 0, 1};
+  return asterism_in_circle(plane.data(), a, b, c, p, answer);
 }
 
 asterism_status asterism_compare_distance(const double v[5], const double w[5], const double q[2],

@@ -10,77 +10,108 @@
  * definite (decided exactly), no two sites of one call at one position. The first that fails gives
  * the status; *answer is then left as it was.
  * Errors: nothing is thrown, nothing aborts; ASTERISM_INTERNAL_FAILURE stands for everything else,
- * which is running out of memory in exact arithmetic if GMP is set to throw (GMP itself, left to
- * its default, ends the program then).
+ * of which no case is known. ASTERISM_OUT_OF_MEMORY: there is not enough for an exact number; where
+ * it is GMP that asks for it, GMP ends the program, unless it is told otherwise.
  * State: none. Every function may be called from any thread at any time.
+ * Language: C89. Version: core/version.h; asterism_version() is that of the library linked.
+ *
+ * One function a predicate answers one question; kernels/c_batch.h answers many in a call, and
+ * counts which tier decided. The mesher's functions are those of mesh/c_interface/.
  */
 #ifndef ASTERISM_KERNELS_C_API_H
 #define ASTERISM_KERNELS_C_API_H
+
+#include "asterism/core/export.h"
+#include "asterism/core/version.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/* What became of a question. */
 typedef enum asterism_status { /* NOLINT(modernize-use-using): C */
                                ASTERISM_OK = 0,
                                ASTERISM_NULL_POINTER = 1,
                                ASTERISM_NOT_FINITE = 2,
                                ASTERISM_NOT_POSITIVE_DEFINITE = 3,
                                ASTERISM_EQUAL_SITES = 4,
-                               ASTERISM_INTERNAL_FAILURE = 5
+                               ASTERISM_INTERNAL_FAILURE = 5,
+                               ASTERISM_OUT_OF_MEMORY = 6,
+                               ASTERISM_OUT_OF_RANGE = 7, /* an index, count or option */
+                               ASTERISM_REFUSED = 8 /* of a mesh or domain; a message says why */
 } asterism_status;
 
 /* A sentence for a person, never null, also for a number that is no status. Owned by the library.
  */
-const char* asterism_status_message(asterism_status status);
+ASTERISM_EXPORT const char* asterism_status_message(asterism_status status);
+
+/* ASTERISM_VERSION and ASTERISM_VERSION_TEXT as the library was compiled. */
+ASTERISM_EXPORT int asterism_version(void);
+ASTERISM_EXPORT const char* asterism_version_text(void);
 
 /* Does r lie to the left (1) or right (-1) of the directed line from p to q, or on it (0)?
  * Source and laws: predicates/orientation.hpp. Equal points give 0. */
-asterism_status asterism_orientation(const double p[2], const double q[2], const double r[2],
-                                     int* answer);
+ASTERISM_EXPORT asterism_status asterism_orientation(const double p[2], const double q[2],
+                                                     const double r[2], int* answer);
 
 /* Is the metric tensor positive definite? 1 or 0; semidefinite is 0. Never gives
  * ASTERISM_NOT_POSITIVE_DEFINITE. Source: predicates/positive_definite.hpp. */
-asterism_status asterism_is_spd(const double metric[3], int* answer);
+ASTERISM_EXPORT asterism_status asterism_is_spd(const double metric[3], int* answer);
+
+/* Where does p lie against the ellipse through a, b, c that is a circle in the metric? 1: inside
+ * when a b c turn counter-clockwise (outside when clockwise); -1: the other way round; 0: the four
+ * are cocircular in the metric, or a, b, c collinear with each other and with p. The points need
+ * not be distinct. Source and laws: predicates/in_circle.hpp. */
+ASTERISM_EXPORT asterism_status asterism_in_circle(const double metric[3], const double a[2],
+                                                   const double b[2], const double c[2],
+                                                   const double p[2], int* answer);
+
+/* The same in the plane as it is: the usual in-circle test. */
+ASTERISM_EXPORT asterism_status asterism_in_circle_plane(const double a[2], const double b[2],
+                                                         const double c[2], const double p[2],
+                                                         int* answer);
 
 /* Which of v, w is nearer to q, each by its own metric? -1: v; 1: w; 0: q is on their bisector.
  * Source: predicates/compare_distance.hpp. */
-asterism_status asterism_compare_distance(const double v[5], const double w[5], const double q[2],
-                                          int* answer);
+ASTERISM_EXPORT asterism_status asterism_compare_distance(const double v[5], const double w[5],
+                                                          const double q[2], int* answer);
 
 /* Is q in the wedge of v and w? 1 or 0; the border is outside. Source: predicates/wedge.hpp. */
-asterism_status asterism_in_wedge(const double v[5], const double w[5], const double q[2],
-                                  int* answer);
+ASTERISM_EXPORT asterism_status asterism_in_wedge(const double v[5], const double w[5],
+                                                  const double q[2], int* answer);
 
 /* Does v (1) or w (-1) dominate p over the other, or neither (0: p is on the border)? Not the same
  * as being nearer. Source: predicates/domination.hpp. */
-asterism_status asterism_dominates(const double v[5], const double w[5], const double p[2],
-                                   int* answer);
+ASTERISM_EXPORT asterism_status asterism_dominates(const double v[5], const double w[5],
+                                                   const double p[2], int* answer);
 
 /* In how many points are u, v, w equally near? 0 to 4; -1: infinitely many. A tangency is one
  * point. Source: predicates/voronoi_vertices.hpp. */
-asterism_status asterism_voronoi_vertex_count(const double u[5], const double v[5],
-                                              const double w[5], int* answer);
+ASTERISM_EXPORT asterism_status asterism_voronoi_vertex_count(const double u[5], const double v[5],
+                                                              const double w[5], int* answer);
 
 /* In how many points of the visible arc of v, w is x as near as they are? 0 to 4; -1: infinitely
  * many. Source: predicates/arc_intersections.hpp. */
-asterism_status asterism_arc_intersection_count(const double v[5], const double w[5],
-                                                const double x[5], int* answer);
+ASTERISM_EXPORT asterism_status asterism_arc_intersection_count(const double v[5],
+                                                                const double w[5],
+                                                                const double x[5], int* answer);
 
 /* Is w nearer than a and than b somewhere on the open segment ab? 1 or 0; touching is 0.
  * Source: predicates/encroachment.hpp. */
-asterism_status asterism_encroaches(const double a[5], const double b[5], const double w[5],
-                                    int* answer);
+ASTERISM_EXPORT asterism_status asterism_encroaches(const double a[5], const double b[5],
+                                                    const double w[5], int* answer);
 
 /* May w stand in the star of v between its neighbours x and y? 1 or 0; touching is 0. Four distinct
  * sites. Source: predicates/insertion_test.hpp. */
-asterism_status asterism_insertion_test(const double v[5], const double w[5], const double x[5],
-                                        const double y[5], int* answer);
+ASTERISM_EXPORT asterism_status asterism_insertion_test(const double v[5], const double w[5],
+                                                        const double x[5], const double y[5],
+                                                        int* answer);
 
 /* The same with ties broken alike from every side: what a mesh generator should ask.
  * Source: predicates/tie_breaking.hpp. */
-asterism_status asterism_edge_test(const double v[5], const double w[5], const double x[5],
-                                   const double y[5], int* answer);
+ASTERISM_EXPORT asterism_status asterism_edge_test(const double v[5], const double w[5],
+                                                   const double x[5], const double y[5],
+                                                   int* answer);
 
 #ifdef __cplusplus
 }

@@ -34,16 +34,21 @@ struct kernel_difference {
   }
 };
 
+// Is told of each difference.
 using difference_report = std::function<void(const kernel_difference&)>;
 
-// Reports by writing the test case. `kernel_type` is the C++ name of the first kernel's class;
-// `out` must outlive the report.
+// Returns a report that writes the test case. `kernel_type` is the C++ name of the first kernel's
+// class; `out` must outlive the report.
 inline difference_report tests_written_to(std::ostream& out, std::string kernel_type) {
   return [&out, type = std::move(kernel_type)](const kernel_difference& difference) {
     out << difference.test(type) << '\n';
   };
 }
 
+// Asks First and Second, answers as First does, and reports where Second differs. Example:
+//
+//   checked_kernel<my_kernel, exact_kernel> kernel(tests_written_to(std::cerr, "my_kernel"));
+//   const bool keep = kernel.edge_test(v, w, x, y);
 template <class First, class Second>
 class checked_kernel {
  public:
@@ -89,6 +94,11 @@ class checked_kernel {
   auto edge_test(const site& v, const site& w, const site& x, const site& y) const {
     const auto put = [&](const auto& k) { return k.edge_test(v, w, x, y); };
     return compared(predicate::edge_test, put, v, w, x, y);
+  }
+  auto in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                 const point& p) const {
+    const auto put = [&](const auto& k) { return k.in_circle(m, a, b, c, p); };
+    return compared(predicate::in_circle, put, m, a, b, c, p);
   }
 
   const First& first() const { return first_; }

@@ -9,7 +9,7 @@
 // lower bound of x's, or of the line through w and x beyond x, are compared at both ends of a cone;
 // where one is convex and the other concave in the direction, that settles all in between. A cone
 // that is not settled is split at the ray of a neighbour or in the middle, a few times at most.
-// Proof: docs/math/star-gap.md, section 4. Plain doubles with running error bounds, in any
+// Proof: docs/math/direction-cover.md. Plain doubles with running error bounds, in any
 // floating-point environment.
 #pragma once
 

@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "asterism/kernels/double_arithmetic.hpp"
+#include "asterism/kernels/predicate_kernel.hpp"
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/predicates/arc_intersections.hpp"
 #include "asterism/predicates/compare_distance.hpp"
+#include "asterism/predicates/in_circle.hpp"
 #include "asterism/predicates/orientation.hpp"
 #include "asterism/predicates/positive_definite.hpp"
 #include "asterism/predicates/tie_breaking.hpp"
@@ -14,6 +16,8 @@
 
 namespace asterism {
 using namespace internal;
+
+static_assert(predicate_kernel<double_kernel>);
 
 namespace {
 
@@ -66,6 +70,11 @@ sign double_kernel::orientation(const point& p, const point& q, const point& r) 
 
 bool double_kernel::is_positive_definite(const metric_tensor& metric) const {
   return asterism::internal::is_positive_definite(metric).value();
+}
+
+sign double_kernel::in_circle(const metric_tensor& m, const point& a, const point& b,
+                              const point& c, const point& p) const {
+  return asterism::internal::in_circle(m, a, b, c, p).value();
 }
 
 sign double_kernel::compare_distance(const site& v, const site& w, const point& q) const {

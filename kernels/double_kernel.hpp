@@ -5,12 +5,14 @@
 // questions and input as filtered_kernel; no state at all.
 #pragma once
 
+#include "asterism/core/export.h"
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
 
 namespace asterism {
 
-class double_kernel {
+// The predicates in plain doubles, sometimes wrong: for measuring against.
+class ASTERISM_EXPORT double_kernel {
  public:
   sign orientation(const point& p, const point& q, const point& r) const;
   bool is_positive_definite(const metric_tensor& metric) const;
@@ -22,6 +24,8 @@ class double_kernel {
   bool encroaches(const site& a, const site& b, const site& w) const;
   bool insertion_test(const site& v, const site& w, const site& x, const site& y) const;
   bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+  sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                 const point& p) const;
 };
 
 }  // namespace asterism

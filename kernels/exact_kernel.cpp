@@ -11,6 +11,7 @@
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_arc_point.hpp"
 #include "asterism/kernels/magnitude.hpp"
+#include "asterism/kernels/predicate_kernel.hpp"
 #include "asterism/kernels/root_line.hpp"
 #include "asterism/kernels/staged_search.hpp"
 #include "asterism/kernels/turn_scale.hpp"
@@ -28,6 +29,8 @@
 
 namespace asterism {
 using namespace internal;
+
+static_assert(predicate_kernel<exact_kernel>);
 
 namespace {
 
@@ -189,6 +192,13 @@ bool is_positive_definite(const metric_tensor& metric) {
       asterism::internal::is_positive_definite(convert<dyadic>(site{{}, metric}).metric));
 }
 
+sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+               const point& p) {
+  return asterism::internal::in_circle(convert<dyadic>(site{{}, m}).metric, convert<dyadic>(a),
+                                       convert<dyadic>(b), convert<dyadic>(c), convert<dyadic>(p))
+      .value();
+}
+
 sign compare_distance(const site& v, const site& w, const point& q) {
   return asterism::internal::compare_distance(convert<dyadic>(v), convert<dyadic>(w),
                                               convert<dyadic>(q))
@@ -217,6 +227,12 @@ sign exact_kernel::orientation(const point& p, const point& q, const point& r) c
 bool exact_kernel::is_positive_definite(const metric_tensor& metric) const {
   const uncertain_bool found = fixed_width::is_positive_definite(metric);
   return found.certain() ? found.value() : unbounded::is_positive_definite(metric);
+}
+
+sign exact_kernel::in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                             const point& p) const {
+  const uncertain_sign found = fixed_width::in_circle(m, a, b, c, p);
+  return found.certain() ? found.value() : unbounded::in_circle(m, a, b, c, p);
 }
 
 sign exact_kernel::compare_distance(const site& v, const site& w, const point& q) const {

@@ -5,12 +5,14 @@
 // filtered_kernel; no state at all.
 #pragma once
 
+#include "asterism/core/export.h"
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
 
 namespace asterism {
 
-class exact_kernel {
+// The predicates by exact arithmetic alone: always right, and slow.
+class ASTERISM_EXPORT exact_kernel {
  public:
   sign orientation(const point& p, const point& q, const point& r) const;
   bool is_positive_definite(const metric_tensor& metric) const;
@@ -22,6 +24,8 @@ class exact_kernel {
   bool encroaches(const site& a, const site& b, const site& w) const;
   bool insertion_test(const site& v, const site& w, const site& x, const site& y) const;
   bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+  sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                 const point& p) const;
 };
 
 }  // namespace asterism

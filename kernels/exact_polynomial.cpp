@@ -2,6 +2,10 @@
 #include "asterism/kernels/exact_polynomial.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
 #include <utility>
 
 namespace asterism::internal::exact {
@@ -15,11 +19,11 @@ void dense_polynomial::trim() {
   while (!coefficients_.empty() && coefficients_.back().is_zero()) coefficients_.pop_back();
 }
 
-sign dense_polynomial::sign_at(const dyadic& x) const {
-  if (is_zero()) return sign::zero;
+dyadic dense_polynomial::value_at(const dyadic& x) const {
+  if (is_zero()) return {};
   dyadic value = coefficients_.back();
   for (std::size_t k = degree(); k-- > 0;) value = value * x + coefficients_[k];
-  return value.sign_value();
+  return value;
 }
 
 dense_polynomial dense_polynomial::derivative() const {
@@ -140,11 +144,39 @@ dyadic root_bound(const dense_polynomial& p) {
   return dyadic(1).scaled(exponent);
 }
 
+// |x| 2^-magnitude, in [1/2, 1], to about 2^-60. Requires a value that is not zero.
+double leading_fraction(const dyadic& x) {
+  const auto limbs = x.mantissa().limbs();
+  const double low = limbs.size() > 1 ? static_cast<double>(limbs[limbs.size() - 2]) * 0x1p-64 : 0;
+  const double value = static_cast<double>(limbs.back()) + low;
+  return std::ldexp(value, -static_cast<int>(std::bit_width(limbs.back())));
+}
+
+// A short number strictly between: the power of two in the middle of the exponents while they
+// differ, then half way. Halving alone would take as many steps as there are exponents between.
+dyadic split_point(const dyadic& low, const dyadic& high) {
+  const sign side_low = low.sign_value(), side_high = high.sign_value();
+  if (side_low == sign::negative && side_high == sign::positive) return dyadic(0);
+  const bool below = side_high != sign::positive;
+  const dyadic near = below ? -high : low, far = below ? -low : high;
+  const long most = far.magnitude();
+  // Below every zero there are more exponents: the farther, the more at once.
+  const long least = near.is_zero() ? most - std::max(64L, std::abs(most)) : near.magnitude();
+  if (most - least > 2) {
+    const dyadic middle = dyadic(1).scaled(least + (most - least) / 2);
+    return below ? -middle : middle;
+  }
+  dyadic middle = (low + high).scaled(-1);
+  middle.shorten();
+  return middle;
+}
+
 struct isolation {
   const dense_polynomial& p;
   sturm_sequence sturm;
   dense_polynomial slope;
   std::vector<real_root> roots;
+  std::optional<std::vector<real_root>> turns;  // of the slope; made when needed
 
   sign just_left_of(const dyadic& x) const {
     const sign at = p.sign_at(x);
@@ -152,7 +184,7 @@ struct isolation {
   }
 
   // Appends the roots in the open interval (low, high), which holds `count` of them.
-  void run(const dyadic& low, const dyadic& high, int count) {
+  void run(const dyadic& low, const dyadic& high, int count, int splits = 0) {
     if (count == 0) return;
     if (count == 1) {
       roots.emplace_back(p, low, high, just_left_of(high));
@@ -163,15 +195,52 @@ struct isolation {
         found.refine();
       return;
     }
-    dyadic middle = (low + high).scaled(-1);
-    middle.shorten();
-    const bool hit = p.sign_at(middle) == sign::zero;
-    const int left = sturm.roots_between(low, middle) - (hit ? 1 : 0);
-    run(low, middle, left);
-    if (hit) roots.emplace_back(p, middle, middle, slope.sign_at(middle));
-    run(middle, high, count - left - (hit ? 1 : 0));
+    constexpr int most_splits = 24;
+    std::vector<dyadic> cuts;
+    if (splits > most_splits) cuts = beside_turns(low, high);
+    if (cuts.empty()) cuts.push_back(split_point(low, high));
+    dyadic from = low;
+    for (const dyadic& cut : cuts) {
+      const bool hit = p.sign_at(cut) == sign::zero;
+      const int between = sturm.roots_between(from, cut) - (hit ? 1 : 0);
+      run(from, cut, between, splits + 1);
+      if (hit) roots.emplace_back(p, cut, cut, slope.sign_at(cut));
+      count -= between + (hit ? 1 : 0);
+      from = cut;
+    }
+    run(from, high, count, splits + 1);
+  }
+
+  // Where to cut between roots that halving does not tell apart soon: there is a root of the slope
+  // between them, which is found fast.
+  std::vector<dyadic> beside_turns(const dyadic& low, const dyadic& high) {
+    if (!turns) turns = isolate_real_roots(slope);
+    const long narrow = (high - low).magnitude() - 32;
+    std::vector<dyadic> cuts;
+    const auto add = [&](const dyadic& x) {
+      if (low < x && x < high && (cuts.empty() || cuts.back() < x)) cuts.push_back(x);
+    };
+    for (real_root& turn : *turns) {
+      while (!turn.is_dyadic() && turn.low() < high && low < turn.high() &&
+             (turn.high() - turn.low()).magnitude() > narrow)
+        turn.refine();
+      add(turn.low());
+      add(turn.high());
+    }
+    return cuts;
   }
 };
+
+// |a| / (|a| + |b|), roughly.
+double share_of_first(const dyadic& a, const dyadic& b) {
+  if (a.is_zero()) return 0;
+  if (b.is_zero()) return 1;
+  const long apart = a.magnitude() - b.magnitude();
+  if (std::abs(apart) > 1000) return apart > 0 ? 1 : 0;
+  const double ratio =
+      std::ldexp(leading_fraction(a) / leading_fraction(b), static_cast<int>(apart));
+  return ratio / (1 + ratio);
+}
 
 bool overlap(const real_root& a, const real_root& b) {
   // Two open intervals that share only an end hold different roots; a dyadic root at the open end
@@ -185,21 +254,47 @@ std::vector<real_root> isolate_real_roots(const dense_polynomial& polynomial) {
   if (polynomial.degree() == 0) return {};
   dense_polynomial p = square_free_part(polynomial);
   p.make_primitive();
-  isolation work{p, sturm_sequence(p), p.derivative(), {}};
+  isolation work{p, sturm_sequence(p), p.derivative(), {}, {}};
   const dyadic bound = root_bound(p);
   work.run(-bound, bound, work.sturm.roots_between(-bound, bound));
   return std::move(work.roots);
 }
 
-void real_root::refine() {
-  if (is_dyadic()) return;
-  dyadic middle = (low_ + high_).scaled(-1);
-  middle.shorten();
-  const sign s = p_.sign_at(middle);
+void real_root::split_at(const dyadic& x) {
+  const sign s = p_.sign_at(x);
   if (s == sign::zero)
-    low_ = high_ = middle;
+    low_ = high_ = x;
   else
-    (s == right_ ? high_ : low_) = middle;
+    (s == right_ ? high_ : low_) = x;
+}
+
+void real_root::refine() {
+  constexpr int most_bits = 48;
+  if (is_dyadic()) return;
+  const bool ends_are_near = low_.sign_value() * high_.sign_value() == sign::positive &&
+                             std::abs(low_.magnitude() - high_.magnitude()) <= 2;
+  if (!ends_are_near || secant_bits_ < 2) {
+    split_at(split_point(low_, high_));
+    secant_bits_ = 2;
+  } else {
+    secant_bits_ =
+        narrow_to_cell(secant_bits_) ? std::min(2 * secant_bits_, most_bits) : secant_bits_ / 2;
+  }
+}
+
+// Of 2^bits cells, is the root in that in which the secant has it?
+bool real_root::narrow_to_cell(int bits) {
+  const double share = share_of_first(p_.value_at(low_), p_.value_at(high_));
+  const double cells = std::ldexp(1.0, bits);
+  const double cell = std::fmin(std::floor(share * cells), cells - 1);
+  const dyadic step = (high_ - low_).scaled(-bits);
+  dyadic left = low_ + step * dyadic(cell), right = left + step;
+  left.shorten();
+  right.shorten();
+  if (cell > 0) split_at(left);
+  if (is_dyadic() || !(low_ == left)) return is_dyadic();
+  if (cell + 1 < cells) split_at(right);
+  return is_dyadic() || high_ == right;
 }
 
 bool real_root::is_root_of(const dense_polynomial& q) const {

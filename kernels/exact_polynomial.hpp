@@ -25,7 +25,8 @@ class dense_polynomial {
   // Requires a polynomial that is not zero.
   std::size_t degree() const { return coefficients_.size() - 1; }
   const dyadic& operator[](std::size_t k) const { return coefficients_[k]; }
-  sign sign_at(const dyadic& x) const;
+  dyadic value_at(const dyadic& x) const;
+  sign sign_at(const dyadic& x) const { return value_at(x).sign_value(); }
   dense_polynomial derivative() const;
   // The same roots with coefficients divided by their common positive factor.
   void make_primitive();
@@ -64,7 +65,8 @@ class real_root {
   const dyadic& high() const { return high_; }
   bool is_dyadic() const { return low_ == high_; }
   const dense_polynomial& defining() const { return p_; }
-  // Halves the interval.
+  // Makes the interval smaller: at least by half in the end, by up to 2^48 where the secant tells
+  // where the root is (Abbott, Quadratic interval refinement, 2006).
   void refine();
   // The exact sign of q at this root. Refines.
   sign sign_of_value(const dense_polynomial& q);
@@ -74,10 +76,13 @@ class real_root {
 
  private:
   bool is_root_of(const dense_polynomial& q) const;
+  void split_at(const dyadic& x);
+  bool narrow_to_cell(int bits);
 
   dense_polynomial p_;
   dyadic low_, high_;
-  sign right_;  // sign of p just right of the root
+  sign right_;           // sign of p just right of the root
+  int secant_bits_ = 2;  // how far the secant is trusted next
 };
 
 // Every distinct real root in increasing order. Requires p not zero.

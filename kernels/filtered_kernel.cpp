@@ -8,22 +8,29 @@
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 #include "asterism/kernels/number_spread.hpp"
+#include "asterism/kernels/predicate_kernel.hpp"
 #include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/kernels/star_gap.hpp"
 
 namespace asterism {
 using namespace internal;
 
+static_assert(predicate_kernel<filtered_kernel>);
+
 namespace {
+
+void count(tier_counters* decided, predicate which, tier by) {
+  if (decided != nullptr) ++decided->at(which, by);
+}
 
 // Interval first, exact when undecided; counts who decided.
 template <class Ask, std::same_as<site>... Sites>
-[[gnu::noinline]] auto decide_slowly(tier_counters& counters, predicate which, const Ask& ask,
+[[gnu::noinline]] auto decide_slowly(tier_counters* decided, predicate which, const Ask& ask,
                                      const Sites&... sites) {
   const auto answer = ask(interval_kernel{});
-  ++counters.at(which, answer.certain() ? tier::interval : tier::exact);
+  count(decided, which, answer.certain() ? tier::interval : tier::exact);
   if (answer.certain()) return answer.value();
-  counters.spread_wide += spread_weight<sizeof...(Sites)>({&sites...});
+  if (decided != nullptr) decided->spread_wide += spread_weight<sizeof...(Sites)>({&sites...});
   return ask(exact_kernel{});
 }
 
@@ -31,20 +38,20 @@ template <class Ask, std::same_as<site>... Sites>
 // less than intervals where they fit, so they come first. Arguments stay in registers on the way to
 // the other tiers, and nothing is stored for a call that is not made.
 template <predicate Which, auto OfShort, auto OfIntervals, auto OfExact, class... Arguments>
-[[gnu::noinline]] auto decide_slowly(tier_counters& counters, const Arguments&... arguments) {
+[[gnu::noinline]] auto decide_slowly(tier_counters* decided, const Arguments&... arguments) {
   auto answer = OfShort(arguments...);
   const bool fits = answer.certain();
   if (!fits) answer = (interval_kernel{}.*OfIntervals)(arguments...);
-  ++counters.at(Which, !fits && answer.certain() ? tier::interval : tier::exact);
+  count(decided, Which, !fits && answer.certain() ? tier::interval : tier::exact);
   return answer.certain() ? answer.value() : (exact_kernel{}.*OfExact)(arguments...);
 }
 
 template <predicate Which, auto OfShort, auto OfIntervals, auto OfExact, class Answer,
           class... Arguments>
-Answer decide(tier_counters& counters, uncertain<Answer> first, const Arguments&... arguments) {
+Answer decide(tier_counters* decided, uncertain<Answer> first, const Arguments&... arguments) {
   if (!first.certain())
-    return decide_slowly<Which, OfShort, OfIntervals, OfExact>(counters, arguments...);
-  ++counters.at(Which, tier::semi_static);
+    return decide_slowly<Which, OfShort, OfIntervals, OfExact>(decided, arguments...);
+  count(decided, Which, tier::semi_static);
   return first.value();
 }
 
@@ -80,44 +87,51 @@ uncertain_bool ask_directions(const site& v, const site& w, const site& x, const
 
 sign filtered_kernel::orientation(const point& p, const point& q, const point& r) const {
   return decide<predicate::orientation, &fixed_width::orientation, &interval_kernel::orientation,
-                &exact_kernel::orientation>(counters_, semi_static::orientation(p, q, r), p, q, r);
+                &exact_kernel::orientation>(decided_, semi_static::orientation(p, q, r), p, q, r);
 }
 
 bool filtered_kernel::is_positive_definite(const metric_tensor& metric) const {
   return decide<predicate::is_positive_definite, &fixed_width::is_positive_definite,
                 &interval_kernel::is_positive_definite, &exact_kernel::is_positive_definite>(
-      counters_, semi_static::is_positive_definite(metric), metric);
+      decided_, semi_static::is_positive_definite(metric), metric);
+}
+
+sign filtered_kernel::in_circle(const metric_tensor& m, const point& a, const point& b,
+                                const point& c, const point& p) const {
+  return decide<predicate::in_circle, &fixed_width::in_circle, &interval_kernel::in_circle,
+                &exact_kernel::in_circle>(decided_, semi_static::in_circle(m, a, b, c, p), m, a, b,
+                                          c, p);
 }
 
 sign filtered_kernel::compare_distance(const site& v, const site& w, const point& q) const {
   return decide<predicate::compare_distance, &fixed_width::compare_distance,
                 &interval_kernel::compare_distance, &exact_kernel::compare_distance>(
-      counters_, semi_static::compare_distance(v, w, q), v, w, q);
+      decided_, semi_static::compare_distance(v, w, q), v, w, q);
 }
 
 bool filtered_kernel::in_wedge(const site& v, const site& w, const point& q) const {
   return decide<predicate::in_wedge, &fixed_width::in_wedge, &interval_kernel::in_wedge,
-                &exact_kernel::in_wedge>(counters_, semi_static::in_wedge(v, w, q), v, w, q);
+                &exact_kernel::in_wedge>(decided_, semi_static::in_wedge(v, w, q), v, w, q);
 }
 
 sign filtered_kernel::dominates(const site& v, const site& w, const point& p) const {
   return decide<predicate::dominates, &fixed_width::dominates, &interval_kernel::dominates,
-                &exact_kernel::dominates>(counters_, semi_static::dominates(v, w, p), v, w, p);
+                &exact_kernel::dominates>(decided_, semi_static::dominates(v, w, p), v, w, p);
 }
 
 int filtered_kernel::voronoi_vertex_count(const site& u, const site& v, const site& w) const {
   const auto ask = [&](const auto& kernel) { return kernel.voronoi_vertex_count(u, v, w); };
-  return decide_slowly(counters_, predicate::voronoi_vertex_count, ask, u, v, w);
+  return decide_slowly(decided_, predicate::voronoi_vertex_count, ask, u, v, w);
 }
 
 int filtered_kernel::arc_intersection_count(const site& v, const site& w, const site& x) const {
   const auto ask = [&](const auto& kernel) { return kernel.arc_intersection_count(v, w, x); };
-  return decide_slowly(counters_, predicate::arc_intersection_count, ask, v, w, x);
+  return decide_slowly(decided_, predicate::arc_intersection_count, ask, v, w, x);
 }
 
 bool filtered_kernel::encroaches(const site& a, const site& b, const site& w) const {
   const auto ask = [&](const auto& kernel) { return kernel.encroaches(a, b, w); };
-  return decide_slowly(counters_, predicate::encroaches, ask, a, b, w);
+  return decide_slowly(decided_, predicate::encroaches, ask, a, b, w);
 }
 
 bool filtered_kernel::insertion_test(const site& v, const site& w, const site& x,
@@ -125,11 +139,11 @@ bool filtered_kernel::insertion_test(const site& v, const site& w, const site& x
   if (equal_metrics(v, w, x, y))
     return decide<predicate::insertion_test, &fixed_width::insertion_test_equal_metrics,
                   &interval_kernel::insertion_test, &exact_kernel::insertion_test>(
-        counters_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
+        decided_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
   const auto ask = [&](const auto& kernel) { return kernel.insertion_test(v, w, x, y); };
   const uncertain_bool quick = ask_directions(v, w, x, y);
-  if (!quick.certain()) return decide_slowly(counters_, predicate::insertion_test, ask, v, w, x, y);
-  ++counters_.at(predicate::insertion_test, tier::semi_static);
+  if (!quick.certain()) return decide_slowly(decided_, predicate::insertion_test, ask, v, w, x, y);
+  count(decided_, predicate::insertion_test, tier::semi_static);
   return quick.value();
 }
 
@@ -137,12 +151,12 @@ bool filtered_kernel::edge_test(const site& v, const site& w, const site& x, con
   if (equal_metrics(v, w, x, y))
     return decide<predicate::edge_test, &fixed_width::edge_test_equal_metrics,
                   &interval_kernel::edge_test, &exact_kernel::edge_test>(
-        counters_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
+        decided_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
   const auto ask = [&](const auto& kernel) { return kernel.edge_test(v, w, x, y); };
   uncertain_bool quick = ask_gaps(v, w, x, y);
   if (!quick.certain()) quick = ask_directions(v, w, x, y);
-  if (!quick.certain()) return decide_slowly(counters_, predicate::edge_test, ask, v, w, x, y);
-  ++counters_.at(predicate::edge_test, tier::semi_static);
+  if (!quick.certain()) return decide_slowly(decided_, predicate::edge_test, ask, v, w, x, y);
+  count(decided_, predicate::edge_test, tier::semi_static);
   return quick.value();
 }
 

@@ -4,21 +4,31 @@
 // enough, by interval arithmetic when that is, and else by exact arithmetic (docs/math/tiers.md).
 //
 // Input: finite doubles; metric tensors positive definite; the sites of one call distinct. Other
-// input is a caller's error: check with is_positive_definite first (kernels/input_check.hpp).
+// input is a caller's error: check with is_positive_definite first.
 // Output: the exact answer for the doubles given, for any magnitude of the input.
-// State: only the tier counters, so use one kernel object per thread; objects are independent.
-// Floating-point environment: any rounding mode, FTZ and DAZ may be set by the caller; they are
-// neither trusted nor changed on return (core/floating_point_environment.hpp).
+// State: none; a kernel may be shared by any number of threads. One that is told where to count
+// which tier decided writes there: give each thread its own, and add them up. Floating-point
+// environment: any rounding mode, FTZ and DAZ may be set by the caller; they are neither trusted
+// nor changed on return (core/floating_point_environment.hpp).
 #pragma once
 
+#include "asterism/core/export.h"
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
 #include "asterism/kernels/tier_counters.hpp"
 
 namespace asterism {
 
-class filtered_kernel {
+// The predicates, always right and fast. Example:
+//
+//   const filtered_kernel kernel;
+//   const bool keep = kernel.edge_test(v, w, x, y);
+class ASTERISM_EXPORT filtered_kernel {
  public:
+  filtered_kernel() = default;
+  // Counts in `decided`, which must outlive the kernel and its copies. For one thread.
+  explicit filtered_kernel(tier_counters& decided) : decided_(&decided) {}
+
   // The predicates of predicates/, one header each, where every answer is defined.
   sign orientation(const point& p, const point& q, const point& r) const;
   bool is_positive_definite(const metric_tensor& metric) const;
@@ -30,12 +40,15 @@ class filtered_kernel {
   bool encroaches(const site& a, const site& b, const site& w) const;
   bool insertion_test(const site& v, const site& w, const site& x, const site& y) const;
   bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
-
-  const tier_counters& counters() const { return counters_; }
-  void reset_counters() { counters_ = {}; }
+  sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                 const point& p) const;
+  // In the plane as it is: the usual in-circle test.
+  sign in_circle(const point& a, const point& b, const point& c, const point& p) const {
+    return in_circle({1, 0, 1}, a, b, c, p);
+  }
 
  private:
-  mutable tier_counters counters_;
+  tier_counters* decided_ = nullptr;
 };
 
 }  // namespace asterism

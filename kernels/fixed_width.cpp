@@ -149,6 +149,28 @@ struct ray {
   }
 };
 
+// |a| |b| of numbers of any sign.
+std::array<std::uint64_t, 5> product_of_sizes(const int192& a, int128 b) {
+  return product(sign_of_integer(a) == sign::negative ? -a : a, b < 0 ? -b : b);
+}
+
+// opposite_angles_value of predicates/in_circle.hpp, on four positions a, b, c, p.
+sign circle_side(const metric& m, const std::array<std::int64_t, 8>& at) {
+  const auto from = [&](std::size_t a, std::size_t b) {
+    return vector{at[b] - at[a], at[b + 1] - at[a + 1]};
+  };
+  constexpr std::size_t a = 0, b = 2, c = 4, p = 6;
+  const int192 at_c = inner_product(m, from(a, c), from(b, c)),
+               at_p = inner_product(m, from(a, p), from(b, p));
+  const int128 side_of_c = cross_product(from(a, b), from(a, c)),
+               side_of_p = cross_product(from(a, b), from(a, p));
+  const sign first = sign_of_integer(at_c) * sign_of_integer(side_of_p),
+             second = sign_of_integer(at_p) * sign_of_integer(side_of_c);
+  if (first != second) return to_sign(to_int(first) - to_int(second));
+  const auto size = product_of_sizes(at_c, side_of_p), other = product_of_sizes(at_p, side_of_c);
+  return size == other ? sign::zero : size > other ? first : -first;
+}
+
 enum class verdict { no, tie, yes };
 
 // predicates/insertion_test.hpp, on four positions v, w, x, y.
@@ -173,8 +195,7 @@ verdict judge(const metric& m, const std::array<std::int64_t, 8>& at) {
   if (sign_x == sign::zero && sign_y == sign::zero) return verdict::tie;
   if (to_int(sign_x) + to_int(sign_y) > 0) return verdict::yes;
   if (to_int(sign_x) + to_int(sign_y) < 0) return verdict::no;
-  const auto left = product(sign_x == sign::negative ? -g_x : g_x, of_y < 0 ? -of_y : of_y);
-  const auto right = product(sign_y == sign::negative ? -g_y : g_y, of_x < 0 ? -of_x : of_x);
+  const auto left = product_of_sizes(g_x, of_y), right = product_of_sizes(g_y, of_x);
   if (left == right) return verdict::tie;
   return ((left > right) == (sign_x == sign::positive)) ? verdict::yes : verdict::no;
 }
@@ -212,6 +233,16 @@ uncertain_bool is_positive_definite(const metric_tensor& metric) {
   std::array<std::int64_t, 3> m;
   if (!align<3>({metric.m11, metric.m12, metric.m22}, m)) return {};
   return m[0] > 0 && multiply(m[0], m[2]) > multiply(m[1], m[1]);
+}
+
+uncertain_sign in_circle(const metric_tensor& metric_of_all, const point& a, const point& b,
+                         const point& c, const point& p) {
+  std::array<std::int64_t, 8> at;
+  std::array<std::int64_t, 3> m;
+  if (!align<8>({a.x, a.y, b.x, b.y, c.x, c.y, p.x, p.y}, at) ||
+      !align<3>({metric_of_all.m11, metric_of_all.m12, metric_of_all.m22}, m))
+    return {};
+  return circle_side({m[0], m[1], m[2]}, at);
 }
 
 uncertain_sign compare_distance(const site& v, const site& w, const point& q) {

@@ -16,6 +16,8 @@ namespace asterism::internal::fixed_width {
 
 uncertain_sign orientation(const point& p, const point& q, const point& r);
 uncertain_bool is_positive_definite(const metric_tensor& metric);
+uncertain_sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                         const point& p);
 uncertain_sign compare_distance(const site& v, const site& w, const point& q);
 uncertain_bool in_wedge(const site& v, const site& w, const point& q);
 // Undecided also where the discriminant is needed: a bulge of the bisector (domination.hpp).

@@ -7,11 +7,13 @@
 #include "asterism/kernels/interval_arc_point.hpp"
 #include "asterism/kernels/interval_arithmetic.hpp"
 #include "asterism/kernels/magnitude.hpp"
+#include "asterism/kernels/predicate_kernel.hpp"
 #include "asterism/kernels/staged_search.hpp"
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/predicates/arc_intersections.hpp"
 #include "asterism/predicates/compare_distance.hpp"
 #include "asterism/predicates/domination.hpp"
+#include "asterism/predicates/in_circle.hpp"
 #include "asterism/predicates/orientation.hpp"
 #include "asterism/predicates/positive_definite.hpp"
 #include "asterism/predicates/tie_breaking.hpp"
@@ -20,6 +22,8 @@
 
 namespace asterism {
 using namespace internal;
+
+static_assert(predicate_kernel<interval_kernel>);
 
 namespace {
 
@@ -94,6 +98,18 @@ uncertain_bool interval_kernel::is_positive_definite(const metric_tensor& metric
   return ask_interval<uncertain_bool>(std::array{&carrier}, no_points{}, [](const auto& in) {
     return asterism::internal::is_positive_definite(convert<interval>(in.sites[0]).metric);
   });
+}
+
+uncertain_sign interval_kernel::in_circle(const metric_tensor& m, const point& a, const point& b,
+                                          const point& c, const point& p) const {
+  const site carrier{a, m};
+  return ask_interval<uncertain_sign>(
+      std::array{&carrier}, std::array{&b, &c, &p}, [](const auto& in) {
+        const auto of = convert<interval>(in.sites[0]);
+        return asterism::internal::in_circle(
+            of.metric, of.position, convert<interval>(in.points[0]),
+            convert<interval>(in.points[1]), convert<interval>(in.points[2]));
+      });
 }
 
 uncertain_sign interval_kernel::compare_distance(const site& v, const site& w,

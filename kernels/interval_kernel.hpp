@@ -5,12 +5,14 @@
 // state at all.
 #pragma once
 
+#include "asterism/core/export.h"
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
 
 namespace asterism {
 
-class interval_kernel {
+// The predicates by interval arithmetic: right or undecided, never wrong.
+class ASTERISM_EXPORT interval_kernel {
  public:
   uncertain_sign orientation(const point& p, const point& q, const point& r) const;
   uncertain_bool is_positive_definite(const metric_tensor& metric) const;
@@ -22,6 +24,8 @@ class interval_kernel {
   uncertain_bool encroaches(const site& a, const site& b, const site& w) const;
   uncertain_bool insertion_test(const site& v, const site& w, const site& x, const site& y) const;
   uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+  uncertain_sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                           const point& p) const;
 };
 
 }  // namespace asterism

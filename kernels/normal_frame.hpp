@@ -13,7 +13,7 @@
 // component, a determinant by rho (n11 + n22)^2, with rho = 24 eps sigma, eps = 2^-52,
 // sigma = 1 + 2 |beta| / gamma: of the order of the root of the condition number, since neither
 // lengths nor tensors are expanded into monomials and determinants keep twice the digits.
-// Derivation: docs/math/star-gap.md, section 2.
+// Derivation: docs/math/star-gap-errors.md, section 1.
 #pragma once
 
 #include <bit>

@@ -22,19 +22,20 @@ std::string list(const batch_record& record, std::size_t first, std::size_t coun
 }
 
 std::string arguments(const batch_record& record) {
-  if (record.question == predicate::is_positive_definite) return list(record, 0, 3);
   const record_shape shape = shape_of(record.question);
+  const std::size_t first_point = 3 * shape.metrics + 5 * shape.sites;
   std::string text;
   const auto append = [&text](const std::string& argument) {
     text.append(text.empty() ? "" : ",\n      ").append(argument);
   };
+  for (std::size_t k = 0; k < shape.metrics; ++k) append(list(record, 3 * k, 3));
   for (std::size_t k = 0; k < shape.sites; ++k)
     append(std::string("{")
                .append(list(record, 5 * k, 2))
                .append(", ")
                .append(list(record, 5 * k + 2, 3))
                .append("}"));
-  for (std::size_t k = 0; k < shape.points; ++k) append(list(record, 5 * shape.sites + 2 * k, 2));
+  for (std::size_t k = 0; k < shape.points; ++k) append(list(record, first_point + 2 * k, 2));
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "asterism/core/export.h"
 #include "asterism/kernels/batch_question.hpp"
 
 namespace asterism {
@@ -15,10 +16,10 @@ namespace asterism {
 // kernel's header. It passes when `kernel_type`, the C++ name of a class to be default constructed,
 // answers `expected` or, where its answers are `uncertain`, is undecided; `answered` is only
 // mentioned. The case's name ends in a hash of the record, so that names differ.
-std::string replay_test(std::string_view kernel_type, const batch_record& record, int expected,
-                        int answered);
+ASTERISM_EXPORT std::string replay_test(std::string_view kernel_type, const batch_record& record,
+                                        int expected, int answered);
 
 // The record as a line of the batch protocol, without an end of line.
-std::string record_line(const batch_record& record);
+ASTERISM_EXPORT std::string record_line(const batch_record& record);
 
 }  // namespace asterism

@@ -46,6 +46,7 @@ inline constexpr int compare_distance_depth = 7;
 inline constexpr int wedge_depth = 6;
 inline constexpr int steepness_depth = 8;
 inline constexpr int opposite_angles_depth = 12;
+inline constexpr int in_circle_depth = 13;
 
 constexpr double bound_factor(int depth) { return (depth + slack) * eps; }
 
@@ -194,6 +195,35 @@ inline uncertain_bool is_positive_definite(const metric_tensor& m) {
   if (!(m.m11 + std::abs(m.m12) + std::abs(m.m22) <= largest_operand)) return {};
   const double diagonal = m.m11 * m.m22, mixed = m.m12 * m.m12;
   return is_positive(decide(diagonal - mixed, std::abs(diagonal) + mixed, bound_factor(2)));
+}
+
+// u^T M u and cross products, each with half the sum of its absolute monomials, or a bound on it.
+struct circle_term {
+  double value, half_magnitude;
+};
+inline circle_term circle_length(const metric_tensor& m, const displacement<double>& u) {
+  const double unmixed = m.m11 * (u.x * u.x) + m.m22 * (u.y * u.y), mixed = m.m12 * (u.x * u.y);
+  return {unmixed + (mixed + mixed), unmixed};
+}
+inline circle_term twice_area(const displacement<double>& a, const displacement<double>& b) {
+  const double left = a.x * b.y, right = a.y * b.x;
+  return {left - right, 0.5 * (std::abs(left) + std::abs(right))};
+}
+
+inline uncertain_sign in_circle(const metric_tensor& m, const point& a, const point& b,
+                                const point& c, const point& p) {
+  const auto u = between(p, a), v = between(p, b), w = between(p, c);
+  const double extents = ((std::abs(u.x) + std::abs(u.y)) + (std::abs(v.x) + std::abs(v.y))) +
+                         ((std::abs(w.x) + std::abs(w.y)) + (m.m11 + m.m22));
+  if (!(extents <= largest_operand)) return {};
+  const circle_term of_u = circle_length(m, u), of_v = circle_length(m, v),
+                    of_w = circle_length(m, w), vw = twice_area(v, w), wu = twice_area(w, u),
+                    uv = twice_area(u, v);
+  const double value = (of_u.value * vw.value + of_v.value * wu.value) + of_w.value * uv.value;
+  const double quarter =
+      (of_u.half_magnitude * vw.half_magnitude + of_v.half_magnitude * wu.half_magnitude) +
+      of_w.half_magnitude * uv.half_magnitude;
+  return decide(value, quarter, 4 * bound_factor(in_circle_depth));
 }
 
 // INSERTIONTEST of four equal metrics, x and y strictly on different sides of the line vw. Lanes: x

@@ -11,7 +11,7 @@
 // last, a convex upper bound of w's first meeting, a concave lower bound of x's and one of y's,
 // compared at the ends of a cone each, leave w no direction. Any direction is a valid choice: that
 // of the vertex, and beyond x and y one each, where the triangle of v, w and the point takes over.
-// Proofs and constants: docs/math/star-gap.md, docs/math/certificate.md section 4.
+// Statement, proof and constants: docs/math/star-gap.md, star-gap-proof.md, star-gap-errors.md.
 #pragma once
 
 #include <optional>

@@ -6,8 +6,8 @@
 // A bound is depth * rho * magnitude (kernels/normal_frame.hpp): `depth` factors 1 + theta, |theta|
 // <= rho, on any monomial, plus one for the magnitude's own rounding and the second order;
 // `magnitude` is the formula with every component of a displacement replaced by its 1-norm, every
-// entry of a tensor by its trace, and every sign by plus. Derivation: docs/math/star-gap.md,
-// section 3.
+// entry of a tensor by its trace, and every sign by plus. Derivation:
+// docs/math/star-gap-errors.md, section 2.
 #pragma once
 
 #include "asterism/core/plane_algebra.hpp"

@@ -10,6 +10,7 @@
 
 namespace asterism {
 
+// The predicates of predicates/.
 enum class predicate : std::size_t {
   orientation,
   is_positive_definite,
@@ -21,8 +22,10 @@ enum class predicate : std::size_t {
   encroaches,
   insertion_test,
   edge_test,
+  in_circle,
 };
-inline constexpr std::size_t predicate_count = 10;
+// Number of predicates.
+inline constexpr std::size_t predicate_count = 11;
 // The names of the batch protocol, in the order of `predicate`.
 inline constexpr std::array<std::string_view, predicate_count> predicate_names = {
     "orientation",
@@ -34,18 +37,22 @@ inline constexpr std::array<std::string_view, predicate_count> predicate_names =
     "arc_intersection_count",
     "encroaches",
     "insertion_test",
-    "edge_test"};
+    "edge_test",
+    "in_circle"};
 
-// In the order they are tried (docs/math/tiers.md).
+// The tiers in the order they are tried (docs/math/tiers.md).
 enum class tier : std::size_t { semi_static, interval, exact };
+// Number of tiers.
 inline constexpr std::size_t tier_count = 3;
+// The names of the tiers, in order.
 inline constexpr std::array<std::string_view, tier_count> tier_names = {"semi-static", "interval",
                                                                         "exact"};
 
+// Counts of decisions, by predicate and tier.
 struct tier_counters {
   std::array<std::array<std::uint64_t, tier_count>, predicate_count> decided{};
-  // What the exact ones of numbers far apart weigh beyond one each (number_spread.hpp), as they
-  // take up to some hundred times as long, and no mesh is within reach.
+  // Extra weight of exact answers on inputs that span many binades (number_spread.hpp); each costs
+  // up to a hundred ordinary ones.
   std::uint64_t spread_wide = 0;
 
   std::uint64_t& at(predicate p, tier t) {

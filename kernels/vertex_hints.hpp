@@ -48,36 +48,25 @@ inline std::optional<displacement<double>> voronoi_vertex_near(const basic_site<
   return std::nullopt;
 }
 
-// Hints for the common case: x and y on different sides of the line vw, one cut each.
-inline std::optional<search_hints> find_quick_hints(const insertion_question<double>& question) {
-  const visible_arc<double>& arc = question.arc;
-  const double side_x = cross(arc.d, question.at_x.v_to_x),
-               side_y = cross(arc.d, question.at_y.v_to_x);
-  if (!(side_x * side_y < 0)) return std::nullopt;
-  const auto parameter = [&](const basic_site<double>& x) -> std::optional<double> {
-    const auto p = voronoi_vertex_near(arc.v, arc.w, x);
-    if (!p) return std::nullopt;
-    const auto seen = apply(arc.v.metric, *p);
-    const double along_d = dot(arc.d, seen);
-    // d and n are orthogonal to v, so these are the coordinates of p in them.
-    const double m = dot(arc.n, seen) * squared_length(arc.v.metric, arc.d) /
-                     (along_d * squared_length(arc.v.metric, arc.n));
-    return along_d > 0 && arc.contains(1.0, m).value() ? std::optional(m) : std::nullopt;
-  };
-  const auto at_x = parameter(question.at_x.x), at_y = parameter(question.at_y.x);
-  if (!at_x || !at_y) return std::nullopt;
-  // n turns left: a neighbour on the left allows parameters below its cut, on the right above.
-  const double lower_end = side_x > 0 ? *at_y : *at_x, upper_end = side_x > 0 ? *at_x : *at_y;
-  const double middle = 0.5 * (lower_end + upper_end);
+// The parameter of the Voronoi vertex of v, w and x, where one is found that lies on the arc.
+inline std::optional<double> vertex_parameter(const visible_arc<double>& arc,
+                                              const basic_site<double>& x) {
+  const auto p = voronoi_vertex_near(arc.v, arc.w, x);
+  if (!p) return std::nullopt;
+  const auto seen = apply(arc.v.metric, *p);
+  const double along_d = dot(arc.d, seen);
+  // d and n are orthogonal to v, so these are the coordinates of p in them.
+  const double m = dot(arc.n, seen) * squared_length(arc.v.metric, arc.d) /
+                   (along_d * squared_length(arc.v.metric, arc.n));
+  return along_d > 0 && arc.contains(1.0, m).value() ? std::optional(m) : std::nullopt;
+}
+
+// Hints for a "no": below `high` one neighbour fails, above `low` the other, and low < high. One
+// sample in between and one on either side, close enough to stay on the arc.
+inline search_hints hints_around_overlap(const visible_arc<double>& arc, double low, double high) {
   search_hints hints;
-  if (lower_end < upper_end) {
-    hints.witness = middle;
-    hints.samples[hints.count++] = middle;
-    return hints;
-  }
   hints.extent = find_extent(arc);
-  // Both fail in between; one sample on either side, close enough to stay on the arc.
-  const double aside = 0.5 * (lower_end - upper_end);
+  const double aside = 0.5 * (high - low);
   const auto push_on_arc = [&](double end, double step) {
     for (int halving = 0; halving < 3; ++halving, step *= 0.125)
       if (arc.contains(1.0, end + step).value()) {
@@ -85,9 +74,27 @@ inline std::optional<search_hints> find_quick_hints(const insertion_question<dou
         return;
       }
   };
-  push_on_arc(upper_end, -aside);
-  hints.samples[hints.count++] = middle;
-  push_on_arc(lower_end, aside);
+  push_on_arc(low, -aside);
+  hints.samples[hints.count++] = 0.5 * (low + high);
+  push_on_arc(high, aside);
+  return hints;
+}
+
+// Hints for the common case: x and y on different sides of the line vw, one cut each.
+inline std::optional<search_hints> find_quick_hints(const insertion_question<double>& question) {
+  const visible_arc<double>& arc = question.arc;
+  const double side_x = cross(arc.d, question.at_x.v_to_x),
+               side_y = cross(arc.d, question.at_y.v_to_x);
+  if (!(side_x * side_y < 0)) return std::nullopt;
+  const auto at_x = vertex_parameter(arc, question.at_x.x),
+             at_y = vertex_parameter(arc, question.at_y.x);
+  if (!at_x || !at_y) return std::nullopt;
+  // n turns left: a neighbour on the left allows parameters below its cut, on the right above.
+  const double lower_end = side_x > 0 ? *at_y : *at_x, upper_end = side_x > 0 ? *at_x : *at_y;
+  if (!(lower_end < upper_end)) return hints_around_overlap(arc, upper_end, lower_end);
+  search_hints hints;
+  hints.witness = 0.5 * (lower_end + upper_end);
+  hints.samples[hints.count++] = *hints.witness;
   return hints;
 }
 

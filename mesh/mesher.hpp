@@ -15,3 +15,4 @@
 #include "asterism/mesh/metric/make_metric_field.hpp"  // IWYU pragma: export
 #include "asterism/mesh/pipeline/certified_mesh.hpp"   // IWYU pragma: export
 #include "asterism/mesh/pipeline/make_mesh.hpp"        // IWYU pragma: export
+#include "asterism/mesh/pipeline/outcome_text.hpp"     // IWYU pragma: export

@@ -23,6 +23,51 @@ inline uncertain_bool conjugate_vanishes(uncertain_sign rational_part, uncertain
   return rational_part.value() * beta.value() != sign::positive;
 }
 
+// Is a root of some polynomial a parameter of the arc?
+template <class Arithmetic, class Number, class Root>
+uncertain_bool is_root_on_arc(const visible_arc<Number>& arc, Root& root) {
+  const uncertain_bool real = is_positive(Arithmetic::sign_at(arc.e, root));
+  if (real.certainly(false)) return real;
+  return real & (is_positive(Arithmetic::sign_at(arc.h, root)) |
+                 is_positive(Arithmetic::sign_at(arc.a, root)));
+}
+
+// Where the norm of f vanishes: f is zero on whole sections of the arc, or only where P and beta
+// are. True: on a whole section.
+template <class Arithmetic, class Number>
+uncertain_bool vanishes_on_a_section(const visible_arc<Number>& arc, const arc_function<Number>& f,
+                                     const polynomial<Number, 2>& rational_part) {
+  const auto samples = Arithmetic::samples(arc.e, arc.h, arc.a, rational_part, f.beta);
+  if (!samples.has_value()) return {};
+  for (const Number& m : *samples) {
+    const uncertain_bool inside = arc.contains(Number(1), m);
+    if (!inside.certain()) return {};
+    if (!inside.value()) continue;
+    const uncertain_sign value = Arithmetic::function_sign(arc, f, m);
+    if (!value.certain()) return {};
+    if (value.value() == sign::zero) return true;
+  }
+  return false;
+}
+
+// How many of the roots, if they are known, lie on the arc and are zeros, which is_zero_at(root)
+// tells.
+template <class Arithmetic, class Number, class Roots, class IsZero>
+uncertain_int count_zeros_on_arc(const visible_arc<Number>& arc, Roots roots,
+                                 const IsZero& is_zero_at) {
+  if (!roots.has_value()) return {};
+  int found = 0;
+  for (auto& root : *roots) {
+    const uncertain_bool inside = is_root_on_arc<Arithmetic>(arc, root);
+    if (inside.certainly(false)) continue;
+    const uncertain_bool zero = is_zero_at(root);
+    if (zero.certainly(false)) continue;
+    if (!inside.certain() || !zero.certain()) return {};
+    ++found;
+  }
+  return found;
+}
+
 // Arithmetic as in voronoi_vertices.hpp, and Arithmetic::function_sign(arc, f, lambda, mu), the
 // sign of f at a parameter; Arithmetic::samples(...) one parameter in each section between the
 // roots of the polynomials given, or nothing.
@@ -31,48 +76,23 @@ uncertain_int arc_intersection_count(const visible_arc<Number>& arc, const basic
   const auto f = arc.restrict(distance_difference(arc.v, x));
   const auto norm = arc.norm(f);
   const auto p = arc.rational_part(f);
-  const auto on_arc = [&](auto& root) {
-    const uncertain_bool real = is_positive(Arithmetic::sign_at(arc.e, root));
-    if (real.certainly(false)) return real;
-    return real & (is_positive(Arithmetic::sign_at(arc.h, root)) |
-                   is_positive(Arithmetic::sign_at(arc.a, root)));
-  };
   const uncertain_bool no_norm = vanishes(norm);
   if (!no_norm.certain()) return {};
-  if (no_norm.value()) {
-    // E is a square, and f vanishes on whole sections of the arc or only where P and beta do.
-    const auto samples = Arithmetic::samples(arc.e, arc.h, arc.a, p, f.beta);
-    if (!samples.has_value()) return {};
-    for (const Number& m : *samples) {
-      const uncertain_bool inside = arc.contains(Number(1), m);
-      if (!inside.certain()) return {};
-      if (!inside.value()) continue;
-      const uncertain_sign value = Arithmetic::function_sign(arc, f, m);
-      if (!value.certain()) return {};
-      if (value.value() == sign::zero) return -1;
-    }
-  }
-  const auto count = [&](auto&& roots, bool beta_decides) -> uncertain_int {
-    if (!roots.has_value()) return {};
-    int found = 0;
-    for (auto& root : *roots) {
-      const uncertain_bool inside = on_arc(root);
-      if (inside.certainly(false)) continue;
+  if (!no_norm.value())
+    return count_zeros_on_arc<Arithmetic>(arc, Arithmetic::real_roots(norm), [&](auto& root) {
       const uncertain_sign beta = Arithmetic::sign_at(f.beta, root);
-      const uncertain_bool zero =
-          beta_decides ? is_zero(beta) : conjugate_vanishes(Arithmetic::sign_at(p, root), beta);
-      if (zero.certainly(false)) continue;
-      if (!inside.certain() || !zero.certain()) return {};
-      ++found;
-    }
-    return found;
-  };
-  // With a vanishing norm and no whole section of zeros, f = 2 P on the arc wherever beta is not
-  // zero, so its zeros are common ones of P and beta.
-  if (!no_norm.value()) return count(Arithmetic::real_roots(norm), false);
+      return conjugate_vanishes(Arithmetic::sign_at(p, root), beta);
+    });
+  const uncertain_bool everywhere = vanishes_on_a_section<Arithmetic>(arc, f, p);
+  if (!everywhere.certain()) return {};
+  if (everywhere.value()) return -1;
+  // f = 2 P on the arc wherever beta is not zero, so its zeros are common ones of P and beta.
   const uncertain_bool no_p = vanishes(p);
   if (!no_p.certain()) return {};
-  return no_p.value() ? uncertain_int(0) : count(Arithmetic::real_roots(p), true);
+  if (no_p.value()) return 0;
+  return count_zeros_on_arc<Arithmetic>(arc, Arithmetic::real_roots(p), [&](auto& root) {
+    return is_zero(Arithmetic::sign_at(f.beta, root));
+  });
 }
 
 }  // namespace asterism::internal

@@ -7,10 +7,13 @@
 //   C = |w-v|_w^2 > 0, so c_v counts its distinct roots in (0, 1]; degree 6 (the discriminant).
 // Returns: positive: v dominates p; negative: w does; zero: p is on the border of the territories.
 // Laws: 1. exchanging v and w negates the sign; 2. v dominates its own position over w;
-//   3. each territory is star-shaped about its site; 4. if v dominates p, then f_v(p) < f_w(p) and
-//   the segment vp meets the bisector nowhere, or wp meets it twice.
+//   3. if v dominates p and is nearer to it, it dominates every point of the segment vp; 4. if v
+//   dominates p, then f_v(p) < f_w(p) and the segment vp meets the bisector nowhere, or wp meets it
+//   twice.
 //   It does not hold that the nearer site dominates, nor that domination is open in the plane: in
-//   the cusp behind a tangency it changes without crossing the border.
+//   the cusp behind a tangency it changes without crossing the border. Nor is a territory
+//   star-shaped about its site: what w sees only through the far branch of a hyperbola is v's, with
+//   w's in between (docs/math/domination.md).
 // Requires: finite numbers, positive definite metrics, distinct sites. p is given by its
 //   displacements from v and from w times a common weight > 0, so that no division is needed.
 // Degenerate: a tangent segment counts one point; zero is an answer.

@@ -9,7 +9,7 @@ packages=(
   g++ cmake ninja-build pkg-config
   libcgal-dev libgmp-dev libmpfr-dev libboost-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libcairo2-dev libtbb-dev
-  catch2 python3 python3-meshio freefem++
+  catch2 doxygen python3 python3-meshio python3-numpy freefem++
 )
 
 installed() { dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "interval_quotient.hpp"
+
 namespace asterism::internal::angle_theorem {
 namespace {
 

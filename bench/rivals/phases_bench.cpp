@@ -28,7 +28,7 @@
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
-#include "asterism/mesh/refine/refinement_loop.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
@@ -72,8 +72,7 @@ struct job {
 
 template <class Kernel>
 mesh_outcome refined(const job& j) {
-  const Kernel kernel;
-  auto outcome = mesh_domain(star_predicates_on(kernel), j.shape, *j.field, j.options, {});
+  auto outcome = mesh_domain({star_predicates_on<Kernel>(), j.shape, *j.field, j.options});
   return outcome ? std::move(outcome).value() : mesh_outcome{};
 }
 

@@ -52,7 +52,7 @@ class mesher {
     return failing;
   }
 
-  const asterism::tier_counters& counters() const { return kernel_.counters(); }
+  const asterism::tier_counters& counters() const { return decided_; }
   std::size_t triangles() const { return triangles_.size(); }
   long flips() const { return flips_; }
 
@@ -149,7 +149,8 @@ class mesher {
   std::vector<asterism::site> sites_;
   std::vector<triangle> triangles_;
   long flips_ = 0;
-  asterism::filtered_kernel kernel_;
+  asterism::tier_counters decided_;
+  asterism::filtered_kernel kernel_{decided_};
 };
 
 }  // namespace foreign

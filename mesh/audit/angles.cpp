@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/audit/corner_angle.hpp"
 #include "asterism/mesh/audit/sharp_corners.hpp"
 
@@ -79,7 +80,7 @@ class angle_check {
     const triangle& c = context_.subject.triangles[t];
     if (!std::all_of(c.begin(), c.end(), [&](vertex_index v) { return context_.measured[v] != 0; }))
       return;
-    if (tally_.kernel.orientation(context_.at(c[0]), context_.at(c[1]), context_.at(c[2])) !=
+    if (tally_.kernel().orientation(context_.at(c[0]), context_.at(c[1]), context_.at(c[2])) !=
         sign::positive)
       return;
     find_sectors(c);
@@ -116,7 +117,7 @@ class angle_check {
     beside_ = false;
     if (wanted_.sectors.empty()) return;
     for (std::size_t i = 0; i < 3; ++i) {
-      sector_[i] = sector_of(context_, tally_.kernel, c, c[i], wanted_.sectors);
+      sector_[i] = sector_of(context_, tally_.kernel(), c, c[i], wanted_.sectors);
       beside_ = beside_ || sector_[i] != nullptr;
     }
     beside_ = beside_ || crosses_narrow_wedge(context_, tally_, c, wanted_.wedges, wanted_.bound);
@@ -142,7 +143,7 @@ class angle_check {
     const double degrees = angle_in_degrees(context_, a.at, a.perspective);
     if (!(degrees < worst[kind]->degrees)) return;
     *worst[kind] = {degrees, a.triangle, a.at.at, a.perspective};
-    const double cotangent = 1 / std::tan(degrees * std::numbers::pi / 180);
+    const double cotangent = 1 / elementary::tan(degrees * std::numbers::pi / 180);
     greatest_cotangent_[kind] = cotangent - 1e-9 * (1 + std::abs(cotangent));
   }
 

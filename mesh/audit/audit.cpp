@@ -95,7 +95,6 @@ audit_report audit(const mesh& subject, const audit_options& options) {
     report.voronoi = voronoi_verdict::not_reached;
     if (triangulation) check_voronoi(context);
   }
-  report.counters += context.kernel.counters();
   return report;
 }
 

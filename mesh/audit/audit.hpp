@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Is this mesh what it claims to be? Decided from the mesh alone, by exact arithmetic, with no code
-// of the stars or the refinement that may have made it.
+// Decides whether a mesh is what it claims to be: from the mesh alone, by exact arithmetic, with no
+// code of the stars or the refinement that may have made it.
 //
 // A certified mesh is proven to
 //  0. hold finite, distinct sites with positive definite metric tensors;
@@ -36,12 +36,14 @@
 #include <string_view>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
 
+// What the auditor can find against a mesh.
 enum class finding_kind : std::size_t {
   invalid_option,                // the audit was asked something it cannot answer
   empty_mesh,                    // no triangle
@@ -84,17 +86,22 @@ enum class finding_kind : std::size_t {
   voronoi_site_nearer,          // a third site nearer to a point of an arc
   voronoi_boundary_encroached,  // a third site nearer to a point of a boundary edge
 };
+// Number of kinds.
 inline constexpr std::size_t finding_kind_count = 37;
-// As certificates spell them, in the order of `finding_kind`.
-extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
+// The kinds as certificates spell them, in the order of `finding_kind`.
+ASTERISM_EXPORT extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
 
-// `witness` is one sentence that names vertices, triangles and boundary subsegments counted from 1,
-// as a .mesh file does, with their coordinates.
+// One finding. `witness` is one sentence that names vertices, triangles and boundary subsegments
+// counted from 1, as a .mesh file does, with their coordinates.
 struct audit_finding {
   finding_kind kind{};
   std::string witness;
+  // Of a finding about a star: its centre, the neighbour or the site that is missing, and the
+  // neighbours before and after it. Indices from 0; else empty.
+  std::vector<vertex_index> vertices = {};
 };
 
+// What the audit is asked for.
 struct audit_options {
   // Degrees, 0 <= bound < 90. Empty: angles are measured but none is asked for.
   std::optional<double> angle_bound;
@@ -119,6 +126,7 @@ struct audit_options {
   std::size_t findings_kept = 10;
 };
 
+// The verdict on point 5.
 enum class voronoi_verdict : std::size_t {
   not_asked,
   not_reached,  // the mesh is no triangulation of a region, or was not looked at so far
@@ -126,8 +134,8 @@ enum class voronoi_verdict : std::size_t {
   proved,
 };
 
-// As certificates spell them, in that order.
-extern const std::array<std::string_view, 4> voronoi_verdict_names;
+// The verdicts as certificates spell them, in that order.
+ASTERISM_EXPORT extern const std::array<std::string_view, 4> voronoi_verdict_names;
 
 // The least angle of a corner; for information, in floating point.
 struct audited_angle {
@@ -136,6 +144,7 @@ struct audited_angle {
                perspective = 0;  // indices from 0; the last two are vertices
 };
 
+// What the audit found and measured.
 struct audit_report {
   bool certified = false;  // points 0 to 4, as far as asked for
   voronoi_verdict voronoi = voronoi_verdict::not_asked;
@@ -162,7 +171,7 @@ struct audit_report {
   // Triangles with an angle of the kind below the bound, ascending; one can be in several.
   std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
   // Those of the last two lists, ascending, each once.
-  std::vector<vertex_index> refused_triangles() const;
+  ASTERISM_EXPORT std::vector<vertex_index> refused_triangles() const;
   // Upper bound of the distance of a split point from its segment, in units of the domain, and in
   // units in the last place of the largest coordinate of the segment's ends.
   double largest_deviation = 0, largest_deviation_ulps = 0;
@@ -175,9 +184,10 @@ struct audit_report {
   std::size_t voronoi_pairs = 0, voronoi_pairs_exact = 0;
   tier_counters counters;
 
-  std::size_t total_found() const;
+  ASTERISM_EXPORT std::size_t total_found() const;
 };
 
-audit_report audit(const mesh& subject, const audit_options& options);
+// Audits a mesh, however damaged it is.
+ASTERISM_EXPORT audit_report audit(const mesh& subject, const audit_options& options);
 
 }  // namespace asterism

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "asterism/core/version.h"
+
 namespace asterism {
 namespace {
 
@@ -55,7 +57,7 @@ std::uint64_t mesh_fingerprint(const mesh& subject) {
 certificate make_certificate(const mesh& subject, const audit_options& options,
                              const audit_report& report) {
   certificate c;
-  c.version = ASTERISM_VERSION;
+  c.version = ASTERISM_VERSION_TEXT;
   c.sites = report.sites;
   c.triangles = report.triangles;
   c.boundary_subsegments = report.boundary_subsegments;

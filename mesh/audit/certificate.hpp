@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is known of a finished mesh, written beside it so that anybody can check it again.
+// Everything known of a finished mesh, written beside it so that anybody can check it again.
 //
 // As a file: JSON, UTF-8, the same bytes for the same run (no times, no machine). Numbers are
 // written so that they read back to the same doubles; vertices, triangles and boundary edges are
@@ -15,9 +15,11 @@
 #include <string>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
@@ -25,6 +27,7 @@
 
 namespace asterism {
 
+// A certificate in memory. Indices count from 0.
 struct certificate {
   std::string version;  // of the program that made it
 
@@ -41,6 +44,8 @@ struct certificate {
   std::size_t star_repairs = 0;  // stars a local search had got wrong, mended before the end
   // Where the mesh is of another metric than the one asked for; without the tensors given.
   std::optional<relaxation_report> relaxed;
+  // Where the mesh was made by local changes: its metric against the one wanted.
+  std::optional<delivered_report> delivered;
   // What numerics/mesh_statistics.hpp measures, by the names there; those that are finite.
   std::map<std::string, double> measured;
   std::optional<double> angle_bound;  // degrees
@@ -61,24 +66,29 @@ struct certificate {
   std::optional<domain> original;  // what point 2 is repeated against
 };
 
-// A 64-bit FNV-1a hash of everything a .mesh and its .sol hold: numbers of each, positions and
-// metrics bit for bit, triangles and their regions, boundary edges with their markers. It tells
+// Returns a 64-bit FNV-1a hash of everything a .mesh and its .sol hold: numbers of each, positions
+// and metrics bit for bit, triangles and their regions, boundary edges with their markers. It tells
 // files apart; it is no protection against forgery, for which verify() repeats the audit.
-std::uint64_t mesh_fingerprint(const mesh& subject);
+ASTERISM_EXPORT std::uint64_t mesh_fingerprint(const mesh& subject);
 
-// `report` must be of an audit of `subject` with `options`.
-certificate make_certificate(const mesh& subject, const audit_options& options,
-                             const audit_report& report);
+// Makes the certificate of an audited mesh. `report` must be of an audit of `subject` with
+// `options`.
+ASTERISM_EXPORT certificate make_certificate(const mesh& subject, const audit_options& options,
+                                             const audit_report& report);
 
-std::string certificate_text(const certificate& c);
-// `name` is the file's, for messages.
-result<certificate> parse_certificate(const std::string& text, const std::string& name);
+// Returns the text of the file.
+ASTERISM_EXPORT std::string certificate_text(const certificate& c);
+// Reads the text of a file. `name` is the file's, for messages.
+ASTERISM_EXPORT result<certificate> parse_certificate(const std::string& text,
+                                                      const std::string& name);
 
-// Errors name the file. Nothing is left behind by a failed write.
-result<std::filesystem::path> write_certificate(const std::filesystem::path& path,
-                                                const certificate& c);
-result<certificate> read_certificate(const std::filesystem::path& path);
+// Writes the file. Errors name it. Nothing is left behind by a failed write.
+ASTERISM_EXPORT result<std::filesystem::path> write_certificate(const std::filesystem::path& path,
+                                                                const certificate& c);
+// Reads a file. Errors name it.
+ASTERISM_EXPORT result<certificate> read_certificate(const std::filesystem::path& path);
 
+// What a second audit says of a mesh and its certificate.
 struct verify_report {
   bool verified = false;  // certified, and nothing contradicts the certificate
   audit_report audit;
@@ -89,14 +99,14 @@ struct verify_report {
 // the angle bound where `options` has none of its own, and what it says of the Voronoi diagram is
 // checked. Sharp corners are looked for. Without an angle bound from either nothing is certified,
 // and `verified` is false.
-verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
-                     audit_options options);
+ASTERISM_EXPORT verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
+                                     audit_options options);
 
-// For a claim with a relaxed metric: the triangles that it lists as low in the metric asked for,
-// against those that the auditor's exact test finds in the metric of `asked`. A sentence if they
-// differ, or if `asked` fails at a site; none where nothing is relaxed or no angle is asked for.
-std::optional<std::string> contradiction_in_low_triangles(const mesh& subject,
-                                                          const certificate& claim,
-                                                          const metric_field& asked);
+// Compares, for a claim with a relaxed metric, the triangles that it lists as low in the metric
+// asked for with those that the auditor's exact test finds in the metric of `asked`. A sentence if
+// they differ, or if `asked` fails at a site; none where nothing is relaxed or no angle is asked
+// for.
+ASTERISM_EXPORT std::optional<std::string> contradiction_in_low_triangles(
+    const mesh& subject, const certificate& claim, const metric_field& asked);
 
 }  // namespace asterism

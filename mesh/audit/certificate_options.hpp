@@ -8,10 +8,11 @@
 
 namespace asterism::internal {
 
-inline constexpr std::array<std::string_view, 18> mesh_option_names = {
-    "angle-bound", "certify",      "domain",    "fit-done",       "gradation", "gradation-done",
-    "improve",     "improve-done", "max-sites", "random-points",  "refine",    "regions",
-    "relax",       "seed",         "size",      "size-delivered", "tol",       "tol-at-end"};
+inline constexpr std::array<std::string_view, 19> mesh_option_names = {
+    "angle-bound",    "certify",        "domain",       "fit-done",  "gradation",
+    "gradation-done", "improve",        "improve-done", "max-sites", "metric-fingerprint",
+    "random-points",  "refine",         "regions",      "relax",     "seed",
+    "size",           "size-delivered", "tol",          "tol-at-end"};
 
 inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-bound", "mesh",
                                                                          "repair", "size"};

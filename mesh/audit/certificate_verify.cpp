@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/certificate_options.hpp"
 
@@ -13,10 +14,7 @@ using namespace internal;
 namespace {
 
 std::string text_of(bool yes) { return yes ? "true" : "false"; }
-std::string text_of(double x) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, x).ptr};
-}
+std::string text_of(double x) { return internal::number_text(x); }
 std::string text_of(const std::vector<vertex_index>& numbers) {
   return "a list of " + std::to_string(numbers.size());
 }

@@ -2,8 +2,6 @@
 #include "asterism/mesh/audit/context.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 
 namespace asterism::internal::audit_detail {
 
@@ -37,12 +35,14 @@ std::size_t find_directed(const std::vector<Item>& list, const std::vector<std::
 
 }  // namespace
 
-void audit_tally::found(finding_kind kind, std::string witness) {
-  keep(part, findings_kept, {kind, std::move(witness)});
+void audit_tally::found(finding_kind kind, std::string witness,
+                        std::vector<vertex_index> vertices) {
+  keep(part, findings_kept, {kind, std::move(witness), std::move(vertices)});
 }
 
-void audit_context::found(finding_kind kind, std::string witness) {
-  keep(report, options.findings_kept, {kind, std::move(witness)});
+void audit_context::found(finding_kind kind, std::string witness,
+                          std::vector<vertex_index> vertices) {
+  keep(report, options.findings_kept, {kind, std::move(witness), std::move(vertices)});
 }
 
 void audit_context::take(audit_tally&& tally) {
@@ -65,7 +65,7 @@ void audit_context::take(audit_tally&& tally) {
   report.star_pairs_tested += tally.part.star_pairs_tested;
   report.voronoi_pairs += tally.part.voronoi_pairs;
   report.voronoi_pairs_exact += tally.part.voronoi_pairs_exact;
-  report.counters += tally.kernel.counters();
+  report.counters += tally.part.counters;
 }
 
 std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index b) {
@@ -88,12 +88,6 @@ vertex_index apex(const audit_context& context, const directed_edge& edge) {
 bool same_ray(const point& v, const point& a, const point& b) {
   if (a.x != v.x) return (a.x > v.x) == (b.x > v.x) && b.x != v.x;
   return (a.y > v.y) == (b.y > v.y) && b.y != v.y;
-}
-
-std::string number_text(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end.ptr};
 }
 
 std::string vertex_text(const audit_context& context, vertex_index v) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/number.hpp"
@@ -42,9 +43,11 @@ struct vertex_fan {
 struct audit_tally {
   std::size_t findings_kept = 0;
   audit_report part;
-  filtered_kernel kernel;
 
-  void found(finding_kind kind, std::string witness);
+  // Counts in `part`.
+  filtered_kernel kernel() { return filtered_kernel(part.counters); }
+
+  void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
 };
 
 struct audit_context {
@@ -54,7 +57,9 @@ struct audit_context {
   const mesh& subject;
   const audit_options& options;
   audit_report& report;
-  filtered_kernel kernel;
+
+  // Counts in the report: for the thread that owns the context.
+  filtered_kernel kernel() const { return filtered_kernel(report.counters); }
 
   // Filled by check_values: what the later checks may touch. vector<char>: one flag a site.
   std::vector<char> placed;               // finite position
@@ -74,9 +79,9 @@ struct audit_context {
 
   const point& at(vertex_index v) const { return subject.sites[v].position; }
   sign orientation(vertex_index a, vertex_index b, vertex_index c) const {
-    return kernel.orientation(at(a), at(b), at(c));
+    return kernel().orientation(at(a), at(b), at(c));
   }
-  void found(finding_kind kind, std::string witness);
+  void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
   // Adds what a part of a check found.
   void take(audit_tally&& tally);
 };
@@ -129,7 +134,6 @@ vertex_index apex(const audit_context& context, const directed_edge& edge);
 bool same_ray(const point& v, const point& a, const point& b);
 
 // Witness texts: numbers from 1, coordinates that read back to the same double.
-std::string number_text(double value);
 std::string vertex_text(const audit_context& context, vertex_index v);
 std::string triangle_text(const audit_context& context, vertex_index t);
 std::string subsegment_text(const audit_context& context, vertex_index subsegment);

@@ -3,8 +3,10 @@
 
 #include <mpfr.h>
 
-#include <cmath>
 #include <numbers>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/support/wide_range.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -90,12 +92,12 @@ bool is_proven_narrow(const audit_context& context, audit_tally& tally, const co
 }
 
 double angle_in_degrees(const audit_context& context, const corner& c, vertex_index perspective) {
-  const auto a = difference<long double>(context.at(c.ahead), context.at(c.at));
-  const auto b = difference<long double>(context.at(c.behind), context.at(c.at));
-  const auto m = tensor_of<long double>(context.subject.sites[perspective].metric);
-  const long double height = std::sqrt(std::fmax(0.0L, m.determinant())) * cross(a, b);
-  return static_cast<double>(std::atan2(height, dot(a, m * b)) * 180 /
-                             std::numbers::pi_v<long double>);
+  const auto a = difference<wide_range>(context.at(c.ahead), context.at(c.at));
+  const auto b = difference<wide_range>(context.at(c.behind), context.at(c.at));
+  const auto m = tensor_of<wide_range>(context.subject.sites[perspective].metric);
+  const wide_range height = root(m.determinant()) * cross(a, b);
+  const auto [up, along] = scaled(height, dot(a, m * b));
+  return elementary::atan2(up, along) * 180 / std::numbers::pi;
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -35,8 +35,7 @@ bool is_proven_wide(const audit_context& context, audit_tally& tally, const corn
 bool is_proven_narrow(const audit_context& context, audit_tally& tally, const corner& c,
                       vertex_index perspective, const squared_cotangent& bound);
 
-// Returns the angle in degrees, for information: long double, whose range holds products of four
-// doubles.
+// Returns the angle in degrees, for information.
 double angle_in_degrees(const audit_context& context, const corner& c, vertex_index perspective);
 
 }  // namespace asterism::internal::audit_detail

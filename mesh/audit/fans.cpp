@@ -118,7 +118,7 @@ void check_vertex(const audit_context& context, audit_tally& tally, vertex_index
     return fan.closed || fan.link.front() == fan.link.back();
   };
   for (const vertex_fan& fan : fans)
-    if (comes_back(fan) ? turns(context, v, fan) != 1 : overturned(context, tally.kernel, v, fan))
+    if (comes_back(fan) ? turns(context, v, fan) != 1 : overturned(context, tally.kernel(), v, fan))
       tally.found(finding_kind::broken_fan,
                   "the triangles at " + vertex_text(context, v) + " turn around it more than once");
 }

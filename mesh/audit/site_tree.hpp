@@ -7,6 +7,9 @@
 //   |w|_v > (1 + sigma) reach
 // is accepted in no gap of the star (docs/math/certificate.md, section 4.3). A box bounds |w|_v
 // from below and sigma from above for all its sites at once; rounding only ever keeps a site.
+//
+// The mesher has an index with the same descent by the same lemma (mesh/search/site_index). The two
+// are apart deliberately: the auditor must share no code with what it judges.
 #pragma once
 
 #include <array>

@@ -79,7 +79,7 @@ struct star_surroundings {
 class visibility_test {
  public:
   visibility_test(const audit_context& context, const subsegment_tree& subsegments,
-                  const filtered_kernel& kernel)
+                  filtered_kernel kernel)
       : context_(context), subsegments_(subsegments), kernel_(kernel) {}
 
   bool clear(vertex_index v, vertex_index w) const {
@@ -110,15 +110,15 @@ class visibility_test {
 
   const audit_context& context_;
   const subsegment_tree& subsegments_;
-  const filtered_kernel& kernel_;
+  filtered_kernel kernel_;
 };
 
 // One gap of a fan, from x counter-clockwise to y.
 struct fan_gap {
   vertex_index x = 0, y = 0;
-  bool on_boundary = false;               // x -> y is a subsegment: nothing beyond it is seen
-  std::optional<star_gap> prepared;       // unless on the boundary, or not to be shared
-  std::optional<star_gap_filter> filter;  // only where there is no reach from `prepared`
+  bool on_boundary = false;          // x -> y is a subsegment: nothing beyond it is seen
+  std::optional<star_gap> prepared;  // unless on the boundary, or not to be shared
+  mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
 };
 
 // One fan of v's star, made ready to be asked about other sites.
@@ -137,7 +137,7 @@ class star_check {
       : context_(context),
         tally_(tally),
         around_(around),
-        sight_(context, around.subsegments, tally.kernel) {}
+        sight_(context, around.subsegments, tally.kernel()) {}
 
   // Of vertices near each other: the sites around are looked for once for all of them.
   void run(const vertex_index* begin, const vertex_index* end, bool neighbours_alone) {
@@ -166,7 +166,7 @@ class star_check {
  private:
   const site& at(vertex_index v) const { return around_.at[v]; }
   sign turn(vertex_index a, vertex_index b, vertex_index c) const {
-    return tally_.kernel.orientation(context_.at(a), context_.at(b), context_.at(c));
+    return tally_.kernel().orientation(context_.at(a), context_.at(b), context_.at(c));
   }
 
   static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
@@ -184,7 +184,7 @@ class star_check {
       const vertex_index w = fan.link[i], x = fan.link[(i + n - 1) % n], y = fan.link[(i + 1) % n];
       if (w < v) continue;
       const bool by_v = is_asked(v, w, x, y), by_w = is_asked(w, v, y, x);
-      if ((!by_v && !by_w) || tally_.kernel.edge_test(at(v), at(w), at(x), at(y))) continue;
+      if ((!by_v && !by_w) || tally_.kernel().edge_test(at(v), at(w), at(x), at(y))) continue;
       if (by_v) report_rejected(v, w, x, y);
       if (by_w) report_rejected(w, v, y, x);
     }
@@ -199,7 +199,8 @@ class star_check {
     tally_.found(finding_kind::star_neighbour_rejected,
                  "the star of " + vertex_text(context_, v) + " does not accept its neighbour " +
                      vertex_text(context_, w) + " between " + vertex_text(context_, x) + " and " +
-                     vertex_text(context_, y));
+                     vertex_text(context_, y),
+                 {v, w, x, y});
   }
 
   void prepare(vertex_index v, const vertex_fan& fan) {
@@ -267,16 +268,22 @@ class star_check {
     if (gap == nullptr || gap->on_boundary) return;
     ++tally_.part.star_pairs;
     if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
-    tally_.found(finding_kind::star_site_missing, "the star of " + vertex_text(context_, p.v) +
-                                                      " would accept " + vertex_text(context_, w) +
-                                                      " between " + vertex_text(context_, gap->x) +
-                                                      " and " + vertex_text(context_, gap->y));
+    tally_.found(finding_kind::star_site_missing,
+                 "the star of " + vertex_text(context_, p.v) + " would accept " +
+                     vertex_text(context_, w) + " between " + vertex_text(context_, gap->x) +
+                     " and " + vertex_text(context_, gap->y),
+                 {p.v, w, gap->x, gap->y});
   }
 
   bool is_accepted(vertex_index v, vertex_index w, const fan_gap& gap) {
     if (gap.prepared) {
       const uncertain_bool by_v = gap.prepared->accepts(at(w));
       if (by_v.certain()) return by_v.value();
+    }
+    // Made once for a gap, and cheaper than a gap of w's.
+    if (!gap.filter) gap.filter.emplace(at(v), at(gap.x), at(gap.y));
+    if (gap.filter->excludes(at(w))) return false;
+    if (gap.prepared) {
       // The question is the same to w, who often sees it more clearly.
       const uncertain_bool by_w = star_gap(at(w), at(gap.y), at(gap.x)).accepts(at(v));
       if (by_w.certain()) return by_w.value();
@@ -284,10 +291,8 @@ class star_check {
     // Slower than both, and worth it: edge_test takes thirty times as long when it comes to
     // intervals.
     if (star_gap_filter(at(w), at(gap.y), at(gap.x)).excludes(at(v))) return false;
-    if ((gap.filter ? *gap.filter : star_gap_filter(at(v), at(gap.x), at(gap.y))).excludes(at(w)))
-      return false;
     ++tally_.part.star_pairs_tested;
-    return tally_.kernel.edge_test(at(v), at(w), at(gap.x), at(gap.y));
+    return tally_.kernel().edge_test(at(v), at(w), at(gap.x), at(gap.y));
   }
 
   const audit_context& context_;

@@ -10,6 +10,7 @@
 
 #include <string>
 
+#include "asterism/core/export.h"
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
@@ -40,6 +41,7 @@ struct theorem_hypotheses {
 // theorem does not apply unless it proves so much. Measuring stops at the first of every thousand
 // sites that no theorem of the table could cover, so `distortion` and what follows from it are then
 // no maxima. O(n log n) where it applies.
-theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_bound);
+ASTERISM_EXPORT theorem_hypotheses measure_theorem_hypotheses(const mesh& subject,
+                                                              double angle_bound);
 
 }  // namespace asterism

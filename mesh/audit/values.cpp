@@ -34,7 +34,7 @@ void check_sites(audit_context& context) {
       context.found(finding_kind::not_finite, vertex_text(context, v) + " is not finite");
     if (!finite(m))
       context.found(finding_kind::not_finite, "the " + metric_text(context, v) + " is not finite");
-    else if (!context.kernel.is_positive_definite(m))
+    else if (!context.kernel().is_positive_definite(m))
       context.found(finding_kind::metric_not_positive_definite,
                     "the " + metric_text(context, v) + " is not positive definite");
     else
@@ -134,7 +134,7 @@ void check_orientations(audit_context& context) {
       const vertex_index t = context.triangles[i];
       const triangle& c = context.subject.triangles[t];
       const sign turn =
-          tally.kernel.orientation(context.at(c[0]), context.at(c[1]), context.at(c[2]));
+          tally.kernel().orientation(context.at(c[0]), context.at(c[1]), context.at(c[2]));
       if (turn == sign::positive) continue;
       tally.found(finding_kind::orientation,
                   triangle_text(context, t) +

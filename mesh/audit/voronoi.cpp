@@ -134,7 +134,7 @@ class arc_check {
   void check_boundary(vertex_index w) {
     const site &a = at(edge_.v), &b = at(edge_.u);
     if (is_certainly_farther_than_nearer_end(a, b, at(w))) return;
-    if (tally_.kernel.encroaches(a, b, at(w))) return report_boundary(w, " encroaches on ");
+    if (tally_.kernel().encroaches(a, b, at(w))) return report_boundary(w, " encroaches on ");
     const segment_meeting meeting = meeting_with_segment(a, b, at(w));
     if (meeting == segment_meeting::apart) return;
     const bool at_own_vertex = meeting == segment_meeting::at_middle && edge_.has_ends &&

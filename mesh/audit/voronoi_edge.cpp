@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "asterism/mesh/support/sort_unique.hpp"
+
 namespace asterism::internal::audit_detail {
 namespace {
 
@@ -119,8 +121,7 @@ std::vector<vertex_index> voronoi_polygon(const audit_context& context, audit_ta
         triangles.push_back(dual.right);
     }
   }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  sort_unique(corners);
   return corners;
 }
 

@@ -3,12 +3,25 @@
 // Axis-parallel box.
 #pragma once
 
+#include <algorithm>
+
 #include "asterism/core/site.hpp"
 
 namespace asterism {
 
+// The points between `low` and `high`, both included, coordinate by coordinate.
 struct bounding_box {
   point low, high;
+
+  // Grows the box as little as will make it hold the point, or the other box.
+  void include(const point& q) {
+    low = {std::min(low.x, q.x), std::min(low.y, q.y)};
+    high = {std::max(high.x, q.x), std::max(high.y, q.y)};
+  }
+  void include(const bounding_box& other) {
+    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
+    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
+  }
 };
 
 }  // namespace asterism

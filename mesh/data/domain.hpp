@@ -11,11 +11,13 @@
 #include <string>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
 
 namespace asterism {
 
+// The number of a vertex, site or triangle, from 0.
 using vertex_index = std::uint32_t;
 
 // Vertices of `domain::vertices`; `marker` is carried to the mesh's boundary edges. The rest is
@@ -61,7 +63,7 @@ struct domain {
   domain_origin origin;
 
   // The smallest box around all vertices; a box of the origin alone when there are none.
-  bounding_box box() const;
+  ASTERISM_EXPORT bounding_box box() const;
 };
 
 }  // namespace asterism

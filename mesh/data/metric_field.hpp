@@ -3,17 +3,22 @@
 // The metric tensor wanted at each point of the domain.
 #pragma once
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/core/site.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
 
 // `at` is deterministic and safe to call from several threads at once. It fails, naming the point
 // and the three numbers, where the tensor is not finite or not (exactly tested) positive definite.
-class metric_field {
+class ASTERISM_EXPORT metric_field {
  public:
   virtual ~metric_field() = default;
   virtual result<metric_tensor> at(const point& q) const = 0;
+  // The mesh at whose vertices the field is given, with these tensors, where it is given so; else
+  // none. It lives as long as the field.
+  virtual const mesh* background() const { return nullptr; }
 };
 
 }  // namespace asterism

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Options of a meshing run, and what is told while it goes on.
+// Options of a meshing run, and the progress it reports.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
+
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism {
 
@@ -16,13 +17,14 @@ namespace asterism {
 // is held against all sites.
 enum class refinement_strategy { voronoi_arcs, poisson_darts, fill };
 
+// Options of a meshing run.
 struct mesh_options {
   double angle_bound = 20;  // degrees, 0 <= bound < 60; measured from all three vertices
   refinement_strategy strategy = refinement_strategy::fill;
   // No site is inserted nearer than this to another one, in metric length, both ways. Darts start
   // from it and shrink it. Empty: chosen from the domain (refine/insertion_tolerance.hpp) and
   // reported in the outcome.
-  std::optional<double> tolerance;
+  std::optional<double> tolerance = {};
   // A triangle is too large when its sites are farther than 0.75 metric units from their nearest
   // common Voronoi vertex, a boundary subsegment when it is longer than 1.2: edges then come out
   // around length 1. Checked only when set (the command line sets it when --size is given).
@@ -31,8 +33,7 @@ struct mesh_options {
   // The domain's vertices are the sites of a mesh: if no triangle of their stars is left to mend,
   // no site is added and no subsegment divided, whatever else could still be improved.
   bool keep_if_complete = false;
-  // Asked now and then; a sentence ends refinement, and becomes part of the reason.
-  std::function<std::optional<std::string>()> stop;
+  cancellation stop;       // polled during the run; what it says becomes part of the outcome
   int max_rejected = 100;  // darts in a row before the tolerance shrinks
   std::uint64_t seed = 1;  // darts
   // What is complete is improved in so many passes at most (refine/coarsening_pass.hpp); each
@@ -47,13 +48,18 @@ struct mesh_options {
   bool prove_voronoi = false;
 };
 
-// While filling, sites are being proposed, and nothing is known of triangles yet.
+// The phase of a run. While filling, sites are being proposed, and nothing is known of triangles
+// yet.
 enum class mesh_phase { filling, refining, auditing };
 
+// The state of a run, reported now and then.
 struct mesh_progress {
   mesh_phase phase = mesh_phase::refining;
   std::size_t sites = 0, disagreeing = 0, low_angle = 0, too_large = 0;
   double sites_expected = 0;  // while filling, about; 0 when that cannot be told yet
 };
+
+// Called now and then, from the thread that started the run; may be empty.
+using progress_listener = std::function<void(const mesh_progress&)>;
 
 }  // namespace asterism

@@ -4,15 +4,21 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "asterism/core/site.hpp"
 #include "asterism/kernels/tier_counters.hpp"
+#include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/relaxation_report.hpp"
 
 namespace asterism {
+
+struct audit_report;  // audit/audit.hpp
 
 // Corner of the domain whose angle in its own metric is below the bound: it cannot be met there.
 struct exempt_corner {
@@ -20,7 +26,62 @@ struct exempt_corner {
   double angle = 0;  // degrees, as its own metric sees it, between its two segments
 };
 
-// What the passes asked for have brought.
+// How a run ended. pipeline/outcome_text.hpp says it in a sentence.
+enum class ending {
+  complete,    // all stars agree, and every triangle meets the demands
+  site_limit,  // mesh_options::max_sites was reached with demands left
+  stuck,       // bad triangles are left, and no site can be inserted for any of them
+  too_steep,   // given up: at some triangles the metric varies faster than sites can resolve
+  overworked,  // given up: the most work that is done for so many sites was done
+  stopped,     // by mesh_options::stop
+  crowded,     // the metric varies too fast for sites to be spread: the given vertices alone
+  relaxed,     // of a run: the mesh is of a relaxed metric
+  fitted       // of a run: the mesh of a relaxed metric was fitted to the one given
+};
+
+// Place at which the metric varies faster than sites so near to each other can resolve.
+struct steep_place {
+  std::size_t triangles = 0;  // bad ones that were given up because of such places
+  point at;                   // a corner of the first of them
+  double spacing = 0;         // metric length: the shortest distance of sites that was considered
+};
+
+// Sharp corner of the domain that bad triangles are beside.
+struct sharp_corner {
+  vertex_index vertex = 0;
+  point at;
+  double angle = 0;  // degrees, in the vertex's own metric
+};
+
+// Site whose star has so many neighbours that the fill was given up (fill/fill.hpp).
+struct crowded_site {
+  point where;
+  std::size_t neighbours = 0;  // in its star
+  std::size_t sites = 0;       // proposed when the fill was given up
+};
+
+// How one refinement ended, with the numbers that explain it.
+struct refinement_ending {
+  ending how = ending::complete;  // neither `relaxed` nor `fitted`
+  refinement_strategy strategy = refinement_strategy::fill;
+  std::size_t max_sites = 0;      // the limit in force
+  std::size_t sites = 0;          // there were in the end
+  std::size_t bad_triangles = 0;  // left, those too large among them
+  std::size_t stars_missing = 0;  // sites whose star was never made, as the run ended before
+  double tolerance = 0;           // metric length: the one in force at the end
+  std::size_t sites_since = 0;    // too_steep: inserted since the first triangle was given up
+  std::optional<steep_place> steep;
+  std::optional<sharp_corner> sharpest;  // stuck, too_steep, overworked: beside bad triangles
+  std::optional<crowded_site> crowded;   // crowded: the most crowded site
+  std::string stopped_because;           // stopped: what mesh_options::stop said
+  bool nothing_added = false;  // the given vertices were complete by themselves, and are the mesh
+  // Where the size wanted would have taken more sites than max_sites allows, all edges were made
+  // this many times as long, and about so many sites would have been wanted (0: the run was stopped
+  // before that could be told).
+  double length_factor = 1, sites_wanted = 0;
+};
+
+// Result of the passes that mesh_options::improve_passes asks for.
 struct improvement_report {
   std::size_t passes = 0;          // that were accepted
   std::size_t tries = 0;           // refinements done for them
@@ -29,7 +90,7 @@ struct improvement_report {
   std::size_t sites_before = 0;    // before the first pass
   double mean_quality_before = 0;  // numerics/mesh_statistics.hpp
   double mean_quality_after = 0;
-  bool stopped = false;  // by options.stop; the mesh is what had been accepted
+  bool stopped = false;  // by options.stop; the mesh is the last one that was accepted
 };
 
 // The metric given turns by so much over an edge that refinement did not make stars agree; a mesh
@@ -43,21 +104,23 @@ struct fitting_report {
   std::size_t rounds = 0, moves = 0, flips = 0, collapses = 0, insertions = 0;
 };
 
+// How a run ended, with the mesh it made.
+// Facts about a relaxed outcome that its report, a part of certificates, does not hold.
+struct relaxation_details {
+  double angle_bound = 0;           // degrees: the bound that the report's triangles are below
+  bool metric_is_constant = false;  // the metric given is, wherever it was looked at
+  std::optional<std::string> fitting_stopped;  // what mesh_options::stop said during fitting
+};
+
 struct mesh_outcome {
+  // True if the mesh meets the demands, as the mesher believes; the auditor decides.
   bool complete = false;
-  bool stopped = false;  // by options.stop
-  std::string reason;    // one sentence; why it ended
+  bool stopped = false;     // by options.stop
+  refinement_ending ended;  // of the refinement that made the mesh
   mesh result;
-  double tolerance = 0;  // the one in force at the end
   std::size_t sites = 0, triangles = 0, disagreeing = 0, low_angle = 0, too_large = 0;
-  std::size_t stars_missing = 0;  // sites whose star was never made, as the run ended before
-  bool jumps = false;             // some disagree where the metric jumps, or all but jumps
-  bool crowded = false;           // the fill was given up (fill/fill.hpp): the given vertices alone
+  bool jumps = false;  // some disagree where the metric jumps, or all but jumps
   std::size_t inserted = 0, splits = 0, candidates_rejected = 0;
-  // Where the size wanted would have taken more sites than max_sites allows, edges were made this
-  // many times as long, all of them, and about so many sites would have been wanted (0: the run
-  // was stopped before that could be told).
-  double length_factor = 1, sites_wanted = 0;
   // Stars a search of what is near had got wrong, found by looking at all sites, and mended.
   std::size_t star_repairs = 0;
   std::vector<exempt_corner> exempt;
@@ -67,7 +130,24 @@ struct mesh_outcome {
   // Complete, if the mesh is of a relaxed metric, means that the angle bound is met in the metric
   // given as well.
   std::optional<relaxation_report> relaxed;
-  std::optional<fitting_report> fitted;  // then it is not relaxed
+  std::optional<relaxation_details> relaxed_details;  // together with `relaxed`
+  std::optional<fitting_report> fitted;               // then it is not relaxed
+  // How the refinement in a relaxed metric ended that was stopped; the mesh is then of the metric
+  // given, and `ended` is how refinement had ended there.
+  std::optional<refinement_ending> stopped_relaxing;
+  // Where the mesh was made by local changes, in the metric that is delivered.
+  std::optional<delivered_report> delivered;
+  // The auditor's report, where the mesher asked for it already: with the angle bound and the
+  // domain of the run, no corner exempt, and nothing asked of the Voronoi diagram.
+  std::shared_ptr<const audit_report> audited;
+
+  // Returns how the run as a whole ended, whatever became of the refinement that made its mesh.
+  ending how() const {
+    if (fitted) return ending::fitted;
+    if (relaxed) return ending::relaxed;
+    if (stopped) return ending::stopped;
+    return ended.length_factor > 1 ? ending::site_limit : ended.how;
+  }
 };
 
 }  // namespace asterism

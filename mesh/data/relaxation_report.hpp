@@ -13,6 +13,7 @@
 
 namespace asterism {
 
+// The way in which the metric was relaxed.
 enum class relaxation_kind { softened, graded, constant, without_demands };
 
 // The mesh is of another metric than the one given, in which the stars could not agree.

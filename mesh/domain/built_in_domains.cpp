@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "asterism/core/random.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
 
 namespace asterism {
@@ -28,23 +29,6 @@ void close_ring(domain& d, std::size_t first, int marker) {
                           static_cast<vertex_index>(i + 1 < end ? i + 1 : first), marker});
 }
 
-// splitmix64 (Steele, Lea and Flood 2014): written out, so that it is the same everywhere.
-class random_numbers {
- public:
-  explicit random_numbers(std::uint64_t seed) : state_(seed) {}
-
-  // Uniform on the multiples of 2^-53 in [0,1).
-  double next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
- private:
-  std::uint64_t state_;
-};
-
 bounding_box shrunk(const bounding_box& box) {
   // Fractions of the corners rather than of the extent, which may overflow.
   return {{0.95 * box.low.x + 0.05 * box.high.x, 0.95 * box.low.y + 0.05 * box.high.y},
@@ -65,11 +49,13 @@ result<domain> airfoil(const airfoil_options& options) {
   const std::size_t n = options.points_per_side;
   const bounding_box& box = options.box;
   if (n < 2 || n > 1000000)
-    return error{"airfoil: " + std::to_string(n) + " intervals a side; 2 to 1000000 are possible"};
+    return error{"airfoil: " + std::to_string(n) + " intervals a side; 2 to 1000000 are possible",
+                 error_code::bad_option};
   const bool surrounds = box.low.x < 0 && box.low.y < -0.06 && box.high.x > 1 && box.high.y > 0.06;
   if (!surrounds || !std::isfinite(box.low.x) || !std::isfinite(box.low.y) ||
       !std::isfinite(box.high.x) || !std::isfinite(box.high.y))
-    return error{"airfoil: the box must contain [0,1] x [-0.06,0.06] and be finite"};
+    return error{"airfoil: the box must contain [0,1] x [-0.06,0.06] and be finite",
+                 error_code::bad_option};
 
   domain d;
   d.name = "airfoil";
@@ -98,15 +84,16 @@ result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed
   const auto less = [](const point& a, const point& b) { return lexicographically_less(a, b); };
   std::set<point, decltype(less)> taken(d.vertices.begin(), d.vertices.end(), less);
   const bounding_box box = shrunk(d.box());
-  random_numbers random(seed);
+  splitmix64 random(seed);
   for (std::size_t added = 0; added < count; ++added) {
     std::size_t draws = 0;
     for (bool accepted = false; !accepted; ++draws) {
       if (draws == draws_per_point)
         return error{"random points: " + std::to_string(added) + " of " + std::to_string(count) +
-                     " found; " + std::to_string(draws) + " draws in a row missed the inside of " +
-                     d.name};
-      const double u = random.next(), v = random.next();
+                         " found; " + std::to_string(draws) +
+                         " draws in a row missed the inside of " + d.name,
+                     error_code::bad_option};
+      const double u = random.real(), v = random.real();
       const point q{(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y};
       accepted = contains(d, q) && taken.insert(q).second;
       if (accepted) d.vertices.push_back(q);

@@ -6,14 +6,16 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 
 namespace asterism {
 
 // [-1,1]^2, counter-clockwise from (-1,-1); segments marked 1 (bottom) to 4 (left).
-domain square();
+ASTERISM_EXPORT domain square();
 
+// Shape and resolution of the airfoil and its box.
 struct airfoil_options {
   std::size_t points_per_side = 40;  // intervals along the upper side and along the lower one
   bounding_box box = {{-1, -1}, {2, 1}};
@@ -25,13 +27,13 @@ struct airfoil_options {
 // denser towards both edges. Segments of the box are marked 1, those of the airfoil 2.
 // Fails for fewer than 2 or more than 1,000,000 intervals, or a box that does not contain
 // [0,1] x [-0.06,0.06] strictly.
-result<domain> airfoil(const airfoil_options& options = {});
+ASTERISM_EXPORT result<domain> airfoil(const airfoil_options& options = {});
 
 // `d`, with `count` vertices more: drawn uniformly, from a generator that gives the same points
 // everywhere, in the bounding box shrunk to nine tenths about its centre, kept when strictly inside
 // the domain and on no earlier vertex. `d` must have been accepted by check_domain, which accepts
 // the outcome too. Fails when the domain fills so little of its box that 1000 draws a point are not
 // enough.
-result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed);
+ASTERISM_EXPORT result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed);
 
 }  // namespace asterism

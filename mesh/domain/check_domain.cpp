@@ -125,12 +125,7 @@ domain assemble(const domain& d, const std::vector<bool>& kept,
   return accepted;
 }
 
-}  // namespace
-
-result<domain> check_domain(const domain& input, domain_repairs* repairs) {
-  domain_repairs unasked;
-  domain_repairs& report = repairs != nullptr ? *repairs : unasked;
-  report = {};
+result<domain> check(const domain& input, domain_repairs& report) {
   if (auto failed = check_values(input)) return std::move(*failed);
   const auto graph = build_plane_graph(input, report);
   if (!graph.ok()) return graph.failure();
@@ -151,6 +146,17 @@ result<domain> check_domain(const domain& input, domain_repairs* repairs) {
   const auto kept = kept_vertices(input, graph.value(), faces, removed, segments, report);
   domain accepted = assemble(input, kept, segments);
   accepted.regions = without_limits(input, report);
+  return accepted;
+}
+
+}  // namespace
+
+result<domain> check_domain(const domain& input, domain_repairs* repairs) {
+  domain_repairs unasked;
+  domain_repairs& report = repairs != nullptr ? *repairs : unasked;
+  report = {};
+  auto accepted = check(input, report);
+  if (!accepted) return accepted.failure().as(error_code::invalid_domain);
   return accepted;
 }
 

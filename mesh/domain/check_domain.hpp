@@ -39,11 +39,13 @@
 #include <string>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 
 namespace asterism {
 
+// Counts of what was put in order.
 struct domain_repairs {
   std::size_t merged_vertices = 0;
   std::size_t segments_without_length = 0;
@@ -58,6 +60,6 @@ struct domain_repairs {
 };
 
 // `repairs`, when given, is overwritten.
-result<domain> check_domain(const domain& input, domain_repairs* repairs = nullptr);
+ASTERISM_EXPORT result<domain> check_domain(const domain& input, domain_repairs* repairs = nullptr);
 
 }  // namespace asterism

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/draw/canvas.hpp"
 #include "asterism/mesh/numerics/metric_angle.hpp"
 
@@ -54,15 +55,15 @@ struct page {
 
 result<page> lay_out(const mesh& m, const picture_options& options) {
   if (options.width < 16 || options.width > largest_extent)
-    return error{"a picture is 16 to 20000 wide, not " + std::to_string(options.width)};
+    return error{"a picture is 16 to 20000 wide, not " + std::to_string(options.width),
+                 error_code::bad_option};
   if (m.sites.empty()) return error{"there is nothing to draw: the mesh has no sites"};
   page p;
   p.box = {m.sites[0].position, m.sites[0].position};
   for (const site& s : m.sites) {
     const auto [x, y] = s.position;
     if (!std::isfinite(x) || !std::isfinite(y)) return error{"a site is not finite"};
-    p.box.low = {std::min(p.box.low.x, x), std::min(p.box.low.y, y)};
-    p.box.high = {std::max(p.box.high.x, x), std::max(p.box.high.y, y)};
+    p.box.include(s.position);
   }
   p.width = options.width;
   p.margin = 0.03 * options.width;
@@ -134,12 +135,12 @@ struct ellipse {
 
 std::optional<ellipse> unit_ball(const metric_tensor& m) {
   const double mean = (m.m11 + m.m22) / 2;
-  const double spread = std::hypot((m.m11 - m.m22) / 2, m.m12);
+  const double spread = elementary::hypot((m.m11 - m.m22) / 2, m.m12);
   const double greatest = mean + spread;
   // Not mean - spread, which loses all digits of very flat ellipses.
   const double least = (m.m11 * m.m22 - m.m12 * m.m12) / greatest;
   if (!(least > 0) || !std::isfinite(greatest)) return {};
-  const double angle = 0.5 * std::atan2(2 * m.m12, m.m11 - m.m22) + std::numbers::pi / 2;
+  const double angle = 0.5 * elementary::atan2(2 * m.m12, m.m11 - m.m22) + std::numbers::pi / 2;
   return ellipse{1 / std::sqrt(least), 1 / std::sqrt(greatest), angle};
 }
 
@@ -156,7 +157,7 @@ std::vector<vertex_index> sites_apart(const page& p, const mesh& m, double dista
         const auto found = chosen_in.find({i, j});
         if (found == chosen_in.end()) continue;
         for (const point& q : found->second)
-          if (std::hypot(q.x - at.x, q.y - at.y) < distance) return false;
+          if (elementary::hypot(q.x - at.x, q.y - at.y) < distance) return false;
       }
     return true;
   };
@@ -215,7 +216,7 @@ std::vector<double> shortest_edges(const page& p, const mesh& m) {
     for (std::size_t i = 0; i < 3; ++i) {
       const vertex_index a = t[i], b = t[(i + 1) % 3];
       const point from = p.at(m.sites[a].position), to = p.at(m.sites[b].position);
-      const double length = std::hypot(to.x - from.x, to.y - from.y);
+      const double length = elementary::hypot(to.x - from.x, to.y - from.y);
       shortest[a] = std::min(shortest[a], length);
       shortest[b] = std::min(shortest[b], length);
     }

@@ -10,13 +10,16 @@
 
 #include <string>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
 
+// The formats of pictures.
 enum class picture_format { svg, pdf, png };
 
+// Options of a picture.
 struct picture_options {
   int width = 1000;  // pixels (PNG), points (PDF, SVG); 16 to 20000; the height follows the mesh
   bool sites = true;
@@ -26,7 +29,7 @@ struct picture_options {
 
 // The bytes of the file. Fails for a width out of range, a mesh without extent or with numbers that
 // are not finite, a height beyond 20000, and when cairo does.
-result<std::string> draw_picture(const mesh& m, picture_format format,
-                                 const picture_options& options = {});
+ASTERISM_EXPORT result<std::string> draw_picture(const mesh& m, picture_format format,
+                                                 const picture_options& options = {});
 
 }  // namespace asterism

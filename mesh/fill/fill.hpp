@@ -22,6 +22,8 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
 
@@ -33,15 +35,7 @@ struct fill_options {
   // divided and coarse sites put inside before there is a star, and where no Voronoi vertex is
   // found, the bisector on the way to the neighbour will do.
   bool is_uneven = false;
-  // Asked between stars, from any thread, where a round takes long; true ends as `progress` does.
-  std::function<bool()> enough;
-};
-
-// Where a fill was given up because sites could not be spread.
-struct crowded_site {
-  point where;
-  std::size_t neighbours = 0;  // in its star
-  std::size_t sites = 0;       // there were when the fill ended
+  cancellation stop;  // polled between rounds, and between stars where a round takes long
 };
 
 struct filled_domain {
@@ -50,8 +44,8 @@ struct filled_domain {
   // In the order of a space-filling curve.
   std::vector<site> interior;
   std::size_t rounds = 0;
-  bool complete = false;  // false: max_sites was reached, it is crowded, or `progress` said so
-  bool stopped = false;   // by `progress`
+  bool complete = false;  // false: max_sites was reached, it is crowded, or stopped
+  bool stopped = false;   // by options.stop
   // The most crowded site, if the fill was given up after the most work that is done for so many
   // sites: the metric varies so fast that each is near a part of all others.
   std::optional<crowded_site> crowded;
@@ -59,14 +53,12 @@ struct filled_domain {
   double needed = 0;
 };
 
-// Told the number of sites and about how many there will be (0 when that cannot be told yet);
-// answers whether to go on.
-using fill_progress = std::function<bool(std::size_t sites, double needed)>;
+// Told the number of sites and about how many there will be (0 when that cannot be told yet).
+using fill_progress = std::function<void(std::size_t sites, double needed)>;
 
 // `d` must have been accepted by check_domain. The same for any number of threads. Fails where the
-// field does, and where lengths leave the range of doubles. `progress` is told the number of sites
-// now and then and answers whether to go on. Where segments alone would need more than max_sites
-// points, nothing is proposed.
+// field does, and where lengths leave the range of doubles. `progress` is called
+// now and then. Where segments alone would need more than max_sites points, nothing is proposed.
 result<filled_domain> fill(const domain& d, const metric_field& field, const fill_options& options,
                            const fill_progress& progress = {});
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "asterism/core/random.hpp"
+
 namespace asterism::internal {
 namespace {
 
@@ -14,13 +16,10 @@ struct quadtree_cell {
   std::uint32_t column, row, level;
 };
 
-// In [-1/2, 1/2); depends on all bits (the mixing is splitmix64's).
+// Returns a number in [-1/2, 1/2) that depends on the cell alone.
 double shift_of(const quadtree_cell& c, std::uint64_t which) {
-  std::uint64_t z = (std::uint64_t{c.column} << 32U | c.row) * 0x9e3779b97f4a7c15U +
-                    (std::uint64_t{2} * c.level + which) * 0xd1342543de82ef95U + 1;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53 - 0.5;
+  return fraction_of(std::uint64_t{c.column} << 32U | c.row, std::uint64_t{2} * c.level + which) -
+         0.5;
 }
 
 }  // namespace

@@ -144,7 +144,8 @@ result<segment_divisions> divide_segments(const domain& d, const metric_field& f
     measured.push_back(std::move(one).value());
   }
   if (!std::isfinite(made.subsegments))
-    return error{"the lengths of the domain's segments in this metric leave the range of doubles"};
+    return error{"the lengths of the domain's segments in this metric leave the range of doubles",
+                 error_code::invalid_metric};
   if (made.subsegments > static_cast<double>(most_points)) return made;
   const std::vector<double> wanted = first_subsegments(d, measured, longest);
   for (std::size_t s = 0; s < d.segments.size(); ++s) {

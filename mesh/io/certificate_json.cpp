@@ -121,6 +121,22 @@ json relaxed_json(const certificate& c) {
           {"low_triangles_as_given", from_one(r.low_triangles)}};
 }
 
+// The metric of the mesh against the one wanted.
+json delivered_json(const certificate& c) {
+  if (!c.delivered) return nullptr;
+  const delivered_report& r = *c.delivered;
+  return {{"vertices_changed", r.changed},
+          {"beyond_tenth", r.beyond_tenth},
+          {"median", r.median},
+          {"ninetieth", r.ninetieth},
+          {"greatest", r.greatest},
+          {"complexity_wanted", r.complexity_wanted},
+          {"complexity_delivered", r.complexity_delivered},
+          {"length_factor", r.length_factor},
+          {"worst_angle_as_wanted", worst_angle_json(r.worst_angle_wanted)},
+          {"low_triangles_as_wanted", from_one(r.low_wanted)}};
+}
+
 json audit_json(const certificate& c) {
   json found = json::object();
   for (const auto& [kind, count] : c.found) found[kind] = count;
@@ -288,6 +304,23 @@ std::optional<relaxation_report> relaxed_of(const json& outcome) {
   return r;
 }
 
+std::optional<delivered_report> delivered_of(const json& outcome) {
+  if (!outcome.contains("delivered") || outcome["delivered"].is_null()) return std::nullopt;
+  const json& object = outcome["delivered"];
+  delivered_report r;
+  r.changed = count_of(object, "vertices_changed");
+  r.beyond_tenth = read<double>(object, "beyond_tenth");
+  r.median = read<double>(object, "median");
+  r.ninetieth = read<double>(object, "ninetieth");
+  r.greatest = read<double>(object, "greatest");
+  r.complexity_wanted = read<double>(object, "complexity_wanted");
+  r.complexity_delivered = read<double>(object, "complexity_delivered");
+  r.length_factor = read<double>(object, "length_factor");
+  r.worst_angle_wanted = worst_angle_of(object, "worst_angle_as_wanted");
+  r.low_wanted = indices_of(object, "low_triangles_as_wanted");
+  return r;
+}
+
 void read_audit(const json& object, certificate& c) {
   c.certified = read<bool>(object, "certified");
   c.domain_checked = read<bool>(object, "domain_checked");
@@ -325,6 +358,7 @@ certificate certificate_of(const json& root) {
   c.mesher_counters = counters_of(outcome, "decided");
   c.star_repairs = outcome.contains("star_repairs") ? count_of(outcome, "star_repairs") : 0;
   c.relaxed = relaxed_of(outcome);
+  c.delivered = delivered_of(outcome);
   read_mesh(member(root, "mesh"), c);
   if (root.contains("measured")) c.measured = read<std::map<std::string, double>>(root, "measured");
   read_audit(member(root, "audit"), c);
@@ -347,6 +381,7 @@ json json_of(const certificate& c) {
             {"reason", c.reason},
             {"star_repairs", c.star_repairs},
             {"relaxed", relaxed_json(c)},
+            {"delivered", delivered_json(c)},
             {"decided", counters_json(c.mesher_counters)}}},
           {"mesh", mesh_json(c)},
           {"measured", measured_json(c)},
@@ -401,8 +436,9 @@ std::string certificate_text(const certificate& c) {
 result<certificate> parse_certificate(const std::string& text, const std::string& name) {
   const json_places places = find_json_places(text);
   const auto refuse = [&name](std::size_t line, const std::string& what) {
-    return error{line > 0 ? fmt::format("{}:{}: {}", name, line, what)
-                          : fmt::format("{}: {}", name, what)};
+    return error{
+        line > 0 ? fmt::format("{}:{}: {}", name, line, what) : fmt::format("{}: {}", name, what),
+        error_code::malformed_file};
   };
   if (const auto& deep = places.too_deep) return refuse(deep->line, "this is no certificate");
   if (const auto& large = places.beyond_doubles)
@@ -434,10 +470,10 @@ result<std::filesystem::path> write_certificate(const std::filesystem::path& pat
 
 result<certificate> read_certificate(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in) return error{path.string() + ": cannot be opened"};
+  if (!in) return error{path.string() + ": cannot be opened", error_code::unreadable_file};
   std::ostringstream text;
   text << in.rdbuf();
-  if (in.bad()) return error{path.string() + ": cannot be read"};
+  if (in.bad()) return error{path.string() + ": cannot be read", error_code::unreadable_file};
   return parse_certificate(text.str(), path.string());
 }
 

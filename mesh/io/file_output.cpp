@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 error system_failure(const fs::path& path, const std::string& what) {
-  return {path.string() + ": " + what + ": " + std::generic_category().message(errno)};
+  return {path.string() + ": " + what + ": " + std::generic_category().message(errno),
+          error_code::unwritable_file};
 }
 
 struct closer {
@@ -74,7 +75,7 @@ class replacement {
       if (!status) fs::rename(temporary_[i], files[i].path, status);
       if (!status) continue;
       put_back(files, i);
-      return error{files[i].path.string() + ": " + status.message()};
+      return error{files[i].path.string() + ": " + status.message(), error_code::unwritable_file};
     }
     std::error_code ignored;
     for (const std::optional<fs::path>& old : old_)
@@ -126,15 +127,17 @@ result<std::vector<fs::path>> write_files(const std::vector<output_file>& files)
 
 result<fs::path> check_writable(const fs::path& path) {
   std::error_code status;
-  if (path.filename().empty()) return error{path.string() + ": is not the name of a file"};
+  if (path.filename().empty())
+    return error{path.string() + ": is not the name of a file", error_code::unwritable_file};
   const fs::path directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(directory, status))
-    return error{path.string() + ": there is no directory " + directory.string()};
+    return error{path.string() + ": there is no directory " + directory.string(),
+                 error_code::unwritable_file};
   errno = 0;
   if (::access(directory.c_str(), W_OK | X_OK) != 0)
     return system_failure(path, "the directory " + directory.string() + " cannot be written to");
   if (fs::exists(path, status) && !fs::is_regular_file(path, status))
-    return error{path.string() + ": exists and is not a regular file"};
+    return error{path.string() + ": exists and is not a regular file", error_code::unwritable_file};
   return path;
 }
 

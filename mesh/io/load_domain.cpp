@@ -16,7 +16,8 @@ result<domain> load_domain(std::string_view what) {
   if (what == "airfoil" || what == "naca0012") return airfoil();
   if (has_ending(what, ".poly")) return read_poly(std::filesystem::path(what));
   return error{"unknown domain '" + std::string(what) +
-               "': square, airfoil, or a file whose name ends in .poly or .mesh"};
+                   "': square, airfoil, or a file whose name ends in .poly or .mesh",
+               error_code::bad_option};
 }
 
 }  // namespace asterism

@@ -5,6 +5,7 @@
 
 #include <string_view>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 
@@ -12,6 +13,6 @@ namespace asterism {
 
 // `square`, `airfoil` (or `naca0012`), or the path of a .poly file (mesh/io/poly.hpp). The domain
 // is as written there: check_domain has yet to accept it.
-result<domain> load_domain(std::string_view what);
+ASTERISM_EXPORT result<domain> load_domain(std::string_view what);
 
 }  // namespace asterism

@@ -22,11 +22,13 @@
 #include <filesystem>
 #include <string>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
 
+// Where the metric is read from.
 struct medit_read_options {
   // Without it a missing .sol is an error; with it every vertex gets the identity.
   bool identity_without_solution = false;
@@ -38,20 +40,22 @@ struct medit_read_options {
   std::filesystem::path solution = {};
 };
 
-// `NAME.mesh`, and `NAME.sol` beside it. Edges are a set, turned so that a triangle is on their
-// left; those with triangles on both sides are internal where the file marks them as segments
-// (mesh/io/medit_edges.hpp), and left out elsewhere. References of triangles that are all 1 say
-// nothing of regions. `given` is the number of required vertices if these are the first ones, else
-// 0. Subsegments without `#segments` comments are numbered each as its own segment. Nothing is
-// assumed or checked about the geometry, nor that the tensors are positive definite: that is the
-// auditor's.
-result<mesh> read_medit(const std::filesystem::path& path, const medit_read_options& options = {});
+// Returns `NAME.mesh`, with the tensors of `NAME.sol` beside it. Edges are a set, turned so that a
+// triangle is on their left; those with triangles on both sides are internal where the file marks
+// them as segments (mesh/io/medit_edges.hpp), and left out elsewhere. References of triangles that
+// are all 1 say nothing of regions. `given` is the number of required vertices if these are the
+// first ones, else 0. Subsegments without `#segments` comments are numbered each as its own
+// segment. Tensors are checked to be positive definite, exactly. Nothing is assumed or checked
+// about the geometry: that is the auditor's.
+ASTERISM_EXPORT result<mesh> read_medit(const std::filesystem::path& path,
+                                        const medit_read_options& options = {});
 
-// The contents of the two files; mesh/io/write_mesh.hpp writes them.
-std::string medit_mesh_text(const mesh& m);
-std::string medit_solution_text(const mesh& m);
+// Returns the contents of the .mesh file; mesh/io/write_mesh.hpp writes both files.
+ASTERISM_EXPORT std::string medit_mesh_text(const mesh& m);
+// Returns the contents of the .sol file.
+ASTERISM_EXPORT std::string medit_solution_text(const mesh& m);
 
-// NAME.sol for NAME.mesh.
-std::filesystem::path solution_path(const std::filesystem::path& mesh_path);
+// Returns NAME.sol for NAME.mesh.
+ASTERISM_EXPORT std::filesystem::path solution_path(const std::filesystem::path& mesh_path);
 
 }  // namespace asterism

@@ -296,7 +296,8 @@ failure read_node_file(const std::filesystem::path& poly_path, domain& d) {
   const std::filesystem::path path = std::filesystem::path(poly_path).replace_extension(".node");
   const auto text = read_text_file(path);
   if (!text.ok())
-    return error{poly_path.string() + " has no vertices of its own, and " + text.failure().message};
+    return error{poly_path.string() + " has no vertices of its own, and " + text.failure().message,
+                 text.failure().code};
   text_scanner source(path.string(), text.value());
   poly_reader reader(source, d);
   std::size_t count = 0;
@@ -323,7 +324,8 @@ result<domain> read_poly(const std::filesystem::path& path) {
   const auto text = read_text_file(path);
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
-  if (text_scanner(source).next().empty()) return error{path.string() + ": the file is empty"};
+  if (text_scanner(source).next().empty())
+    return error{path.string() + ": the file is empty", error_code::malformed_file};
   domain d;
   d.name = path.string();
   d.origin.file = d.origin.vertex_file = path.string();

@@ -19,14 +19,17 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' |
 
 result<std::string> read_text_file(const std::filesystem::path& path) {
   std::error_code status;
-  if (!std::filesystem::exists(path, status)) return error{path.string() + ": no such file"};
+  if (!std::filesystem::exists(path, status))
+    return error{path.string() + ": no such file", error_code::unreadable_file};
   // A directory opens like a file and only fails later, a pipe may never end.
   if (!std::filesystem::is_regular_file(path, status))
-    return error{path.string() + ": not a regular file"};
+    return error{path.string() + ": not a regular file", error_code::unreadable_file};
   std::ifstream in(path, std::ios::binary);
-  if (!in) return error{path.string() + ": cannot be opened for reading"};
+  if (!in)
+    return error{path.string() + ": cannot be opened for reading", error_code::unreadable_file};
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad()) return error{path.string() + ": cannot be read to its end"};
+  if (in.bad())
+    return error{path.string() + ": cannot be read to its end", error_code::unreadable_file};
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   return text;
@@ -69,15 +72,16 @@ std::vector<word> text_scanner::next_line() {
   return words;
 }
 
-error text_scanner::failure(std::size_t line, const std::string& what) const {
-  return {file_ + ":" + std::to_string(line) + ": " + what};
+error text_scanner::failure(std::size_t line, const std::string& what, error_code code) const {
+  return {file_ + ":" + std::to_string(line) + ": " + what, code};
 }
 
 result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning) {
   if (w.empty()) return source.failure(w.line, std::string(meaning) + ": the file ends here");
   const result<double> value = parse_number(w.text);
   if (!value.ok())
-    return source.failure(w.line, std::string(meaning) + ": " + value.failure().message);
+    return source.failure(w.line, value.failure().at(std::string(meaning)).message,
+                          value.failure().code);
   return value.value();
 }
 
@@ -91,10 +95,12 @@ result<long long> to_integer(const text_scanner& source, const word& w, std::str
   const bool too_large = read.ec == std::errc::result_out_of_range;
   if (read.ptr != end || (read.ec != std::errc() && !too_large))
     return source.failure(
-        w.line, std::string(meaning) + ": " + quoted_token(w.text) + " is not a whole number");
+        w.line, std::string(meaning) + ": " + quoted_token(w.text) + " is not a whole number",
+        error_code::bad_number);
   if (too_large)
     return source.failure(w.line,
-                          std::string(meaning) + ": " + quoted_token(w.text) + " is too large");
+                          std::string(meaning) + ": " + quoted_token(w.text) + " is too large",
+                          error_code::bad_number);
   return value;
 }
 
@@ -104,7 +110,8 @@ result<int> to_marker(const text_scanner& source, const word& w, std::string_vie
   if (value.value() < std::numeric_limits<int>::min() ||
       value.value() > std::numeric_limits<int>::max())
     return source.failure(
-        w.line, std::string(meaning) + ": " + quoted_token(w.text) + " does not fit into 32 bits");
+        w.line, std::string(meaning) + ": " + quoted_token(w.text) + " does not fit into 32 bits",
+        error_code::bad_number);
   return static_cast<int>(value.value());
 }
 

@@ -42,7 +42,9 @@ class text_scanner {
   // Bytes not yet read: no more records than that can follow.
   std::size_t remaining() const { return text_.size() - position_; }
   const std::string& file() const { return file_; }
-  error failure(std::size_t line, const std::string& what) const;
+  // Returns the failure `file:line: what`.
+  error failure(std::size_t line, const std::string& what,
+                error_code code = error_code::malformed_file) const;
 
  private:
   void skip_blanks(bool across_lines);

@@ -42,12 +42,15 @@ std::optional<error> check_indices(const mesh& m) {
   const auto bad = [&](vertex_index v) { return v >= m.sites.size(); };
   for (const auto* triangles : {&m.triangles, &m.disagreeing})
     for (const triangle& t : *triangles)
-      if (std::any_of(t.begin(), t.end(), bad)) return error{"a triangle names a missing site"};
+      if (std::any_of(t.begin(), t.end(), bad))
+        return error{"a triangle names a missing site", error_code::invalid_mesh};
   for (const boundary_edge& e : m.boundary)
-    if (bad(e.a) || bad(e.b)) return error{"a boundary edge names a missing site"};
+    if (bad(e.a) || bad(e.b))
+      return error{"a boundary edge names a missing site", error_code::invalid_mesh};
   if (!m.regions.empty() && m.regions.size() != m.triangles.size())
-    return error{"there are not as many regions as triangles"};
-  if (m.given > m.sites.size()) return error{"more given vertices than sites"};
+    return error{"there are not as many regions as triangles", error_code::invalid_mesh};
+  if (m.given > m.sites.size())
+    return error{"more given vertices than sites", error_code::invalid_mesh};
   return {};
 }
 
@@ -72,7 +75,7 @@ result<std::vector<output_file>> render(const std::filesystem::path& path, mesh_
   if (format == mesh_format::vtu)
     return std::vector<output_file>{{path, with_note(vtu_text(m), format, options.note)}};
   auto picture = draw_picture(m, picture_format_of(format), options.picture);
-  if (!picture.ok()) return error{path.string() + ": " + picture.failure().message};
+  if (!picture.ok()) return picture.failure().at(path.string());
   if (format == mesh_format::svg)
     return std::vector<output_file>{
         {path, with_note(std::move(picture).value(), format, options.note)}};
@@ -86,7 +89,8 @@ result<mesh_format> mesh_format_of(const std::filesystem::path& path) {
   for (const auto& [name, format] : formats)
     if (extension == name) return format;
   return error{path.string() + ": unknown kind of file '" + extension +
-               "'; there are .mesh, .vtu, .svg, .png and .pdf"};
+                   "'; there are .mesh, .vtu, .svg, .png and .pdf",
+               error_code::bad_option};
 }
 
 result<mesh_format> check_output(const std::filesystem::path& path) {
@@ -105,7 +109,7 @@ result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, 
                                              const write_options& options) {
   const auto format = check_output(path);
   if (!format.ok()) return format.failure();
-  if (auto failed = check_indices(m)) return error{path.string() + ": " + failed->message};
+  if (auto failed = check_indices(m)) return failed->at(path.string());
   return render(path, format.value(), m, options);
 }
 

@@ -14,30 +14,34 @@
 #include <string>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/draw/picture.hpp"
 
 namespace asterism {
 
+// The formats of meshes and pictures.
 enum class mesh_format { medit, vtu, svg, png, pdf };
 
-// By extension, upper or lower case; the error lists the known ones.
-result<mesh_format> mesh_format_of(const std::filesystem::path& path);
+// Returns the format that the extension names, in upper or lower case; the error lists the known
+// ones.
+ASTERISM_EXPORT result<mesh_format> mesh_format_of(const std::filesystem::path& path);
 
-// Could a mesh be written there? Refuses unknown extensions, missing or unwritable directories, and
-// places taken by something that is not a regular file; for finding out before a long computation.
-result<mesh_format> check_output(const std::filesystem::path& path);
+// Checks that a mesh could be written there. Refuses unknown extensions, missing or unwritable
+// directories, and places taken by something that is not a regular file; for finding out before a
+// long computation.
+ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& path);
 
+// Options of writing.
 struct write_options {
   picture_options picture;  // for .svg, .png and .pdf
   // A sentence about the mesh for whoever opens the file: a comment in .mesh, .vtu and .svg.
   std::string note = {};
 };
 
-// The files written, in order.
-result<std::vector<std::filesystem::path>> write_mesh(const std::filesystem::path& path,
-                                                      const mesh& m,
-                                                      const write_options& options = {});
+// Writes the mesh. Returns the files written, in order.
+ASTERISM_EXPORT result<std::vector<std::filesystem::path>> write_mesh(
+    const std::filesystem::path& path, const mesh& m, const write_options& options = {});
 
 }  // namespace asterism

@@ -44,9 +44,7 @@ void featured_field::add_node(std::size_t first, std::size_t last) {
   const std::size_t self = nodes_.size();
   node n{{features_[first].vertex, features_[first].vertex}, infinity, first, last, 0};
   for (std::size_t i = first; i < last; ++i) {
-    const point& q = features_[i].vertex;
-    n.box.low = {std::min(n.box.low.x, q.x), std::min(n.box.low.y, q.y)};
-    n.box.high = {std::max(n.box.high.x, q.x), std::max(n.box.high.y, q.y)};
+    n.box.include(features_[i].vertex);
     n.shortest = std::min(n.shortest, features_[i].shorter);
   }
   nodes_.push_back(n);

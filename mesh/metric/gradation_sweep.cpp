@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
+
 namespace asterism::internal {
 
 namespace {
@@ -62,7 +65,7 @@ error ended_early() { return {"gradation was ended before it was done"}; }
 
 gradation_sweep::gradation_sweep(const metric_field& field, gradation_grid& grid,
                                  const gradation_options& options)
-    : field_(field), grid_(grid), options_(options), sigma_(std::log(options.beta)) {
+    : field_(field), grid_(grid), options_(options), sigma_(elementary::log(options.beta)) {
   box_.low = grid.position(grid.cells().front().corners[0]);
   box_.high = grid.position(grid.cells().back().corners[2]);
   report_.beta = options.beta;
@@ -71,7 +74,7 @@ gradation_sweep::gradation_sweep(const metric_field& field, gradation_grid& grid
 // A step is a sample or a look around, some microseconds.
 bool gradation_sweep::is_ended() {
   constexpr std::size_t between_questions = 256;
-  if (!ended_ && options_.enough && ++steps_ % between_questions == 0) ended_ = options_.enough();
+  if (!ended_ && ++steps_ % between_questions == 0) ended_ = options_.stop.is_requested();
   return ended_;
 }
 
@@ -168,8 +171,7 @@ void gradation_sweep::connect() {
       }
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   first_neighbour_.assign(nodes_.size() + 1, 0);
   neighbours_.clear();
   for (const auto& e : edges) {

@@ -28,7 +28,7 @@ class gradation_sweep {
   };
 
   // Refines for the field as given, then sweeps and refines by turns. Fails where the field does,
-  // and when options.enough ended it.
+  // and when options.stop ended it.
   std::optional<error> run();
 
   const std::vector<node>& nodes() const { return nodes_; }

@@ -63,11 +63,14 @@ class graded_field : public metric_field {
 
 std::optional<error> check(const gradation_options& options, const bounding_box& box) {
   if (!(options.beta > 1) || !std::isfinite(options.beta))
-    return error{fmt::format("gradation: beta must be above 1 and finite, not {}", options.beta)};
+    return error{fmt::format("gradation: beta must be above 1 and finite, not {}", options.beta),
+                 error_code::bad_option};
   if (options.max_nodes < 1 || options.max_sweeps < 1)
-    return error{"gradation: at least one node and one sweep must be allowed"};
+    return error{"gradation: at least one node and one sweep must be allowed",
+                 error_code::bad_option};
   if (!frame_in_the_middle(box))
-    return error{"gradation: the domain has no extent, or more than a double can hold"};
+    return error{"gradation: the domain has no extent, or more than a double can hold",
+                 error_code::bad_option};
   return std::nullopt;
 }
 

@@ -28,22 +28,25 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism {
 
+// Options of gradation.
 struct gradation_options {
-  double beta = 1.1;                  // above 1, finite
-  std::size_t max_nodes = 200000;     // of the grid, exceeded by a few
-  int max_sweeps = 200;               // over all its nodes
-  std::function<bool()> enough = {};  // asked now and then, true ends it; may be empty
+  double beta = 1.1;               // above 1, finite
+  std::size_t max_nodes = 200000;  // of the grid, exceeded by a few
+  int max_sweeps = 200;            // over all its nodes
+  cancellation stop = {};          // polled now and then
 };
 
+// What gradation did.
 struct gradation_report {
   double beta = 0;
   std::size_t nodes = 0, changed = 0;          // of the grid
@@ -54,6 +57,7 @@ struct gradation_report {
   bool resolved = true;  // the grid was refined wherever it should be
 };
 
+// The graded field and how it came about.
 struct graded_metric {
   std::unique_ptr<metric_field> field;
   gradation_report report;
@@ -61,8 +65,9 @@ struct graded_metric {
 
 // Takes `field` over, and returns it when no node was changed. `box` is that of the domain. Fails
 // where the field does anywhere in the box, inside the domain or not, for options out of range, and
-// when `enough` ended it.
-result<graded_metric> grade_metric(std::unique_ptr<metric_field> field, const bounding_box& box,
-                                   const gradation_options& options = {});
+// when it was stopped.
+ASTERISM_EXPORT result<graded_metric> grade_metric(std::unique_ptr<metric_field> field,
+                                                   const bounding_box& box,
+                                                   const gradation_options& options = {});
 
 }  // namespace asterism

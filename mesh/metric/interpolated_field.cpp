@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/metric/sized_field.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/search/box_index.hpp"
@@ -20,15 +21,6 @@ using weights = std::array<double, 3>;
 
 double doubled_area(const point& a, const point& b, const point& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-bounding_box box_of_sites(const std::vector<site>& sites) {
-  bounding_box box{sites[0].position, sites[0].position};
-  for (const site& s : sites) {
-    box.low = {std::min(box.low.x, s.position.x), std::min(box.low.y, s.position.y)};
-    box.high = {std::max(box.high.x, s.position.x), std::max(box.high.y, s.position.y)};
-  }
-  return box;
 }
 
 class sampled_field final : public sized_field {
@@ -45,11 +37,17 @@ class sampled_field final : public sized_field {
       const auto [a, b, c] = corners(t);
       if (!(doubled_area(a, b, c) > 0)) continue;
       bounding_box around = box_of(a, b);
-      around.low = {std::min(around.low.x, c.x), std::min(around.low.y, c.y)};
-      around.high = {std::max(around.high.x, c.x), std::max(around.high.y, c.y)};
+      around.include(c);
       boxes_.insert(t, around);
     }
+    given_.sites = sites_;
+    given_.triangles = triangles_;
+    const double squared = size_squared();
+    for (site& s : given_.sites)
+      s.metric = {s.metric.m11 / squared, s.metric.m12 / squared, s.metric.m22 / squared};
   }
+
+  const mesh* background() const override { return &given_; }
 
  private:
   result<metric_tensor> unsized(const point& q) const override {
@@ -115,6 +113,7 @@ class sampled_field final : public sized_field {
     return exponential(l);
   }
 
+  mesh given_;
   std::vector<site> sites_;
   std::vector<triangle> triangles_;
   std::vector<tensor_logarithm> logarithms_;

@@ -5,11 +5,13 @@
 
 #include <memory>
 
+#include "asterism/core/export.h"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 
 namespace asterism {
 
+// Returns the field that interpolates the metrics of a mesh.
 // Between the vertices of a triangle logarithms are interpolated linearly ("log-Euclidean",
 // numerics/metric_algebra.hpp); at a vertex the tensor is the vertex's own, bit for bit. A point
 // outside all triangles, as rounding puts some, gets what the nearest point of the nearest triangle
@@ -17,6 +19,6 @@ namespace asterism {
 // inside of is taken, and of equals the first. Keeps its own copy. Requires what adopt_mesh does;
 // triangles that are flat or clockwise are left out, and there must be one that is not. All tensors
 // are divided by size^2, as make_metric_field does.
-std::unique_ptr<metric_field> make_sampled_field(const mesh& m, double size = 1);
+ASTERISM_EXPORT std::unique_ptr<metric_field> make_sampled_field(const mesh& m, double size = 1);
 
 }  // namespace asterism

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 
 namespace asterism::internal {
@@ -60,9 +61,9 @@ layer_formula boundary_layer(double at_wall, double far) {
 // Across the curve y = 0.4 sin(2.5 x): 1/aspect on it, 1 away from it, over a width of about 0.1.
 layer_formula curved_shock(double aspect) {
   return [thinnest = 1 / aspect](const point& p) {
-    const double slope = std::cos(2.5 * p.x), steepness = std::sqrt(1 + slope * slope);
-    const double distance = (p.y - 0.4 * std::sin(2.5 * p.x)) / steepness;
-    const double t = std::tanh(distance / 0.1);
+    const double slope = elementary::cos(2.5 * p.x), steepness = std::sqrt(1 + slope * slope);
+    const double distance = (p.y - 0.4 * elementary::sin(2.5 * p.x)) / steepness;
+    const double t = elementary::tanh(distance / 0.1);
     return layer_lengths{
         {-slope / steepness, 1 / steepness}, thinnest + (1 - thinnest) * (t * t), 1};
   };

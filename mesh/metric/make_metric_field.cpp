@@ -117,7 +117,8 @@ made_field make_expression(std::string_view specification, std::string_view text
 result<std::unique_ptr<metric_field>> make_metric_field(std::string_view specification,
                                                         const bounding_box& box, double size) {
   if (!(size > 0) || !std::isfinite(size))
-    return error{fmt::format("size must be positive and finite, not {}", size)};
+    return error{fmt::format("size must be positive and finite, not {}", size),
+                 error_code::bad_option};
   const std::size_t colon = specification.find(':');
   const std::string_view name = specification.substr(0, colon);
   std::optional<std::string_view> parameter;

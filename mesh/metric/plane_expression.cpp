@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal {
 
 namespace {
@@ -27,6 +29,35 @@ std::size_t find_assignment(const std::string& text) {
     }
   }
   return std::string::npos;
+}
+
+// muparser's functions are the C library's, which differ in the last place from one to the next.
+double arc_tangent(double x) { return elementary::atan2(x, 1); }
+double arc_sine(double x) { return elementary::atan2(x, std::sqrt((1 - x) * (1 + x))); }
+double arc_cosine(double x) { return elementary::atan2(std::sqrt((1 - x) * (1 + x)), x); }
+double hyperbolic_cosine(double x) { return (elementary::exp(x) + elementary::exp(-x)) / 2; }
+double hyperbolic_sine(double x) {
+  if (std::abs(x) > 1) return (elementary::exp(x) - elementary::exp(-x)) / 2;
+  const double t = elementary::tanh(x);
+  return t / std::sqrt((1 - t) * (1 + t));
+}
+
+void define_functions(mu::Parser& parser) {
+  parser.DefineFun("sin", &elementary::sin);
+  parser.DefineFun("cos", &elementary::cos);
+  parser.DefineFun("tan", &elementary::tan);
+  parser.DefineFun("asin", &arc_sine);
+  parser.DefineFun("acos", &arc_cosine);
+  parser.DefineFun("atan", &arc_tangent);
+  parser.DefineFun("atan2", &elementary::atan2);
+  parser.DefineFun("sinh", &hyperbolic_sine);
+  parser.DefineFun("cosh", &hyperbolic_cosine);
+  parser.DefineFun("tanh", &elementary::tanh);
+  parser.DefineFun("log2", &elementary::log2);
+  parser.DefineFun("log10", &elementary::log10);
+  parser.DefineFun("log", &elementary::log);
+  parser.DefineFun("ln", &elementary::log);
+  parser.DefineFun("exp", &elementary::exp);
 }
 
 }  // namespace
@@ -53,6 +84,7 @@ result<plane_expression> plane_expression::parse(const std::string& text) {
   try {
     s->parser.DefineVar("x", &s->x);
     s->parser.DefineVar("y", &s->y);
+    define_functions(s->parser);
     s->parser.DefineConst("pi", std::numbers::pi);
     s->parser.DefineConst("e", std::numbers::e);
     s->parser.SetExpr(text);

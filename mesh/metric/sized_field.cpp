@@ -24,9 +24,11 @@ double half_of_longer_side(const bounding_box& box) {
 result<metric_tensor> checked_tensor(const point& q, const metric_tensor& m) {
   const bool finite = std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
   if (finite && filtered_kernel().is_positive_definite(m)) return m;
-  return error{fmt::format(
-      "the metric at ({:.17g}, {:.17g}) is not {}: m11 = {:.17g}, m12 = {:.17g}, m22 = {:.17g}",
-      q.x, q.y, finite ? "positive definite" : "finite", m.m11, m.m12, m.m22)};
+  return error{
+      fmt::format(
+          "the metric at ({:.17g}, {:.17g}) is not {}: m11 = {:.17g}, m12 = {:.17g}, m22 = {:.17g}",
+          q.x, q.y, finite ? "positive definite" : "finite", m.m11, m.m12, m.m22),
+      error_code::invalid_metric};
 }
 
 result<metric_tensor> sized_field::at(const point& q) const {
@@ -37,7 +39,7 @@ result<metric_tensor> sized_field::at(const point& q) const {
 }
 
 error bad_metric(std::string_view specification, const std::string& what) {
-  return {"metric '" + std::string(specification) + "': " + what};
+  return {"metric '" + std::string(specification) + "': " + what, error_code::invalid_metric};
 }
 
 std::optional<field_frame> frame_in_the_middle(const bounding_box& box) {

@@ -20,6 +20,9 @@ class sized_field : public metric_field {
   explicit sized_field(double size) : size_squared_(size * size) {}
   result<metric_tensor> at(const point& q) const final;
 
+ protected:
+  double size_squared() const { return size_squared_; }
+
  private:
   virtual result<metric_tensor> unsized(const point& q) const = 0;
 

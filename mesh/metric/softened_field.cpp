@@ -74,19 +74,17 @@ class restored_field : public metric_field {
   double factor_;
 };
 
-class outside_field : public metric_field {
+class checked_field : public metric_field {
  public:
-  outside_field(std::unique_ptr<metric_field> in_frame, const unit_frame& frame)
-      : in_frame_(std::move(in_frame)), frame_(frame) {}
+  explicit checked_field(std::unique_ptr<metric_field> field) : field_(std::move(field)) {}
   result<metric_tensor> at(const point& q) const override {
-    auto there = in_frame_->at(frame_.inward(q));
-    if (!there) return there;
-    return checked_tensor(q, frame_.outward(there.value()));
+    auto found = field_->at(q);
+    if (!found) return found;
+    return checked_tensor(q, found.value());
   }
 
  private:
-  std::unique_ptr<metric_field> in_frame_;
-  unit_frame frame_;
+  std::unique_ptr<metric_field> field_;
 };
 
 }  // namespace
@@ -97,13 +95,13 @@ std::unique_ptr<metric_field> soften(const metric_field& field, double power) {
 
 std::unique_ptr<metric_field> grade_over(const metric_field& field, const bounding_box& box,
                                          double beta, double reach, const metric_tensor& typical,
-                                         std::function<bool()> enough) {
+                                         const cancellation& stop) {
   constexpr double weak = 0x1p-60;
   const double factor = 1 / (reach * reach);
   const double least = weak * factor * std::min(typical.m11, typical.m22);
   gradation_options options;
   options.beta = beta;
-  options.enough = std::move(enough);
+  options.stop = stop;
   auto graded =
       grade_metric(std::make_unique<rescaled_field>(field, factor, metric_tensor{least, 0, least}),
                    box, options);
@@ -125,9 +123,8 @@ metric_tensor mean_of(const std::vector<metric_tensor>& tensors) {
   return exponential(mean);
 }
 
-std::unique_ptr<metric_field> seen_from_outside(std::unique_ptr<metric_field> in_frame,
-                                                const unit_frame& frame) {
-  return std::make_unique<outside_field>(std::move(in_frame), frame);
+std::unique_ptr<metric_field> checked(std::unique_ptr<metric_field> field) {
+  return std::make_unique<checked_field>(std::move(field));
 }
 
 }  // namespace asterism::internal

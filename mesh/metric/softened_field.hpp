@@ -7,14 +7,13 @@
 // them.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/metric/unit_frame.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
 
@@ -23,20 +22,19 @@ namespace asterism::internal {
 std::unique_ptr<metric_field> soften(const metric_field& field, double power);
 
 // grade_metric (metric/graded_field.hpp) for lengths wanted to differ by `beta` at most over the
-// metric length `reach`. Empty where gradation changes nothing, fails, or is ended by `enough`. In
+// metric length `reach`. Empty where gradation changes nothing, fails, or is stopped. In
 // the box, but outside the domain, `field` may fail: that has no influence elsewhere. `typical` is
 // a tensor it may have.
 std::unique_ptr<metric_field> grade_over(const metric_field& field, const bounding_box& box,
                                          double beta, double reach, const metric_tensor& typical,
-                                         std::function<bool()> enough = {});
+                                         const cancellation& stop = {});
 
 std::unique_ptr<metric_field> same_everywhere(const metric_tensor& m);
 
 // The log-Euclidean mean; of one tensor at least.
 metric_tensor mean_of(const std::vector<metric_tensor>& tensors);
 
-// A field made in a frame, for places outside.
-std::unique_ptr<metric_field> seen_from_outside(std::unique_ptr<metric_field> in_frame,
-                                                const unit_frame& frame);
+// Returns the field with a check that its tensors are finite and positive definite.
+std::unique_ptr<metric_field> checked(std::unique_ptr<metric_field> field);
 
 }  // namespace asterism::internal

@@ -78,10 +78,12 @@ result<metric_tensor> framed_field::at(const point& q) const {
   if (!given) return given;
   const metric_tensor m = frame_->inward(given.value());
   if (frame_->outward(m) == given.value()) return m;
-  return error{fmt::format(
-      "the metric at ({}, {}) is ({}, {}, {}): over a domain of this size lengths in it leave the "
-      "range of doubles",
-      there.x, there.y, given.value().m11, given.value().m12, given.value().m22)};
+  return error{
+      fmt::format("the metric at ({}, {}) is ({}, {}, {}): over a domain of this size lengths in "
+                  "it leave the "
+                  "range of doubles",
+                  there.x, there.y, given.value().m11, given.value().m12, given.value().m22),
+      error_code::invalid_metric};
 }
 
 }  // namespace asterism::internal

@@ -22,9 +22,6 @@ class unit_frame {
   // at a vertex would leave the range of normal doubles.
   static unit_frame choose(const domain& d, const metric_field& field, bool lengths_are_free);
 
-  // The same with squared lengths divided by 2^halvings more: as much fewer triangles fit in.
-  unit_frame length_factor(int halvings) const { return {coordinates_, squares_ + halvings}; }
-
   bool is_identity() const { return coordinates_ == 0 && squares_ == 0; }
   point inward(const point& q) const;
   point outward(const point& q) const;

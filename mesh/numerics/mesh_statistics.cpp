@@ -6,8 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
@@ -15,25 +17,37 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-double length(const site& from, const point& to) { return std::sqrt(squared_distance(from, to)); }
-
-// Sums of one chunk of triangles. An edge inside the mesh is met twice, one on the boundary once.
+// Sums over triangles and their edges. An edge inside the mesh is met twice, one on the boundary
+// once, so that it is added again.
 struct sums {
   double half_edges = 0, unit = 0, lengths = 0;
   double quality = 0, least_quality = 1;
   double below_20 = 0, below_30 = 0;
   double area = 0, sigma = 0, eps = 0;
+
+  void add(const sums& other) {
+    half_edges += other.half_edges;
+    unit += other.unit;
+    lengths += other.lengths;
+    quality += other.quality;
+    least_quality = std::min(least_quality, other.least_quality);
+    below_20 += other.below_20;
+    below_30 += other.below_30;
+    area += other.area;
+    sigma = std::max(sigma, other.sigma);
+    eps = std::max(eps, other.eps);
+  }
 };
 
-void add_edge(const site& p, const site& q, double weight, sums& s) {
-  const double l = (length(p, q.position) + length(q, p.position)) / 2;
-  s.half_edges += weight;
-  s.lengths += weight * l;
-  if (l >= 1 / std::numbers::sqrt2 && l <= std::numbers::sqrt2) s.unit += weight;
+void add_edge(const site& p, const site& q, sums& s) {
+  const double length = edge_length(p, q);
+  s.half_edges += 1;
+  s.lengths += length;
+  if (is_unit_length(length)) s.unit += 1;
   s.sigma = std::max(s.sigma, variation(p, q));
 }
 
-// The triangle in round coordinates.
+// Measures a triangle that is in round coordinates.
 triangle_shape shape_in_round(const triangle_sites& t) {
   metric_tensor mean{};
   double squares = 0;
@@ -52,7 +66,7 @@ triangle_shape shape_in_round(const triangle_sites& t) {
 
 void add_triangle(const triangle_sites& given, sums& s) {
   const triangle_sites t = in_round_coordinates(given);
-  for (std::size_t i = 0; i < 3; ++i) add_edge(t[i], t[(i + 1) % 3], 1, s);
+  for (std::size_t i = 0; i < 3; ++i) add_edge(t[i], t[(i + 1) % 3], s);
   const auto [area, quality] = shape_in_round(t);
   const double angle = smallest_angle(t);
   s.quality += quality;
@@ -61,6 +75,43 @@ void add_triangle(const triangle_sites& given, sums& s) {
   s.below_30 += angle < 30 ? 1 : 0;
   s.area += area;
   s.eps = std::max(s.eps, metric_circumradius(t));
+}
+
+// Adds up chunk by chunk, so that sums are the same for any number of threads.
+sums sums_over(const mesh& m) {
+  constexpr std::size_t chunk = 1024;
+  const auto parts = collect_chunks<sums>(
+      m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<sums>& out) {
+        out.emplace_back();
+        for (std::size_t i = begin; i < end; ++i) {
+          const triangle& t = m.triangles[i];
+          add_triangle({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}, out.back());
+        }
+      });
+  sums all;
+  for (const boundary_edge& e : m.boundary)
+    if (!e.internal) add_edge(m.sites[e.a], m.sites[e.b], all);
+  for (const sums& s : parts) all.add(s);
+  return all;
+}
+
+// Turns sums into means and parts of all; the sites' aspects are left out.
+mesh_statistics means_of(const sums& all, std::size_t triangles) {
+  const auto count = static_cast<double>(triangles);
+  mesh_statistics result;
+  result.edges = static_cast<std::size_t>(all.half_edges / 2);
+  result.unit_edges = all.unit / all.half_edges;
+  result.mean_length = all.lengths / all.half_edges;
+  result.mean_quality = all.quality / count;
+  result.least_quality = all.least_quality;
+  result.below_20 = all.below_20 / count;
+  result.below_30 = all.below_30 / count;
+  result.metric_area = all.area;
+  result.count_ratio = count / (all.area * 4 / std::numbers::sqrt3);
+  result.sigma = all.sigma;
+  result.eps = all.eps;
+  result.sigma_eps = all.sigma * all.eps;
+  return result;
 }
 
 }  // namespace
@@ -96,12 +147,12 @@ double distortion(const metric_tensor& p, const metric_tensor& q) {
 double variation(const site& p, const site& q) {
   const double tau = distortion(p.metric, q.metric);
   if (tau == 1) return 0;  // also where lengths overflow
-  return (1 - 1 / tau) / std::min(length(p, q.position), length(q, p.position));
+  return (1 - 1 / tau) / std::min(metric_distance(p, q.position), metric_distance(q, p.position));
 }
 
 // The root of the ratio of the eigenvalues t +- r, as (t + r) / root of the determinant.
 double aspect(const metric_tensor& m) {
-  const double r = std::hypot(m.m11 / 2 - m.m22 / 2, m.m12);
+  const double r = elementary::hypot(m.m11 / 2 - m.m22 / 2, m.m12);
   return (m.m11 / 2 + m.m22 / 2 + r) / root_of_determinant(m);
 }
 
@@ -124,47 +175,10 @@ std::map<std::string, double> by_name(const mesh_statistics& s) {
 }
 
 mesh_statistics measure(const mesh& m) {
-  constexpr std::size_t chunk = 1024;
-  const auto parts = collect_chunks<sums>(
-      m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<sums>& out) {
-        out.emplace_back();
-        for (std::size_t i = begin; i < end; ++i) {
-          const triangle& t = m.triangles[i];
-          add_triangle({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}, out.back());
-        }
-      });
-  sums all;
-  for (const boundary_edge& e : m.boundary)
-    if (!e.internal) add_edge(m.sites[e.a], m.sites[e.b], 1, all);
-  for (const sums& s : parts) {
-    all.half_edges += s.half_edges;
-    all.unit += s.unit;
-    all.lengths += s.lengths;
-    all.quality += s.quality;
-    all.least_quality = std::min(all.least_quality, s.least_quality);
-    all.below_20 += s.below_20;
-    all.below_30 += s.below_30;
-    all.area += s.area;
-    all.sigma = std::max(all.sigma, s.sigma);
-    all.eps = std::max(all.eps, s.eps);
-  }
-  mesh_statistics result;
-  if (m.triangles.empty()) return result;
-  const auto count = static_cast<double>(m.triangles.size());
-  result.edges = static_cast<std::size_t>(all.half_edges / 2);
-  result.unit_edges = all.unit / all.half_edges;
-  result.mean_length = all.lengths / all.half_edges;
-  result.mean_quality = all.quality / count;
-  result.least_quality = all.least_quality;
-  result.below_20 = all.below_20 / count;
-  result.below_30 = all.below_30 / count;
-  result.metric_area = all.area;
-  result.count_ratio = count / (all.area * 4 / std::numbers::sqrt3);
-  for (const site& s : m.sites) result.aspect = std::max(result.aspect, aspect(s.metric));
-  result.sigma = all.sigma;
-  result.eps = all.eps;
-  result.sigma_eps = all.sigma * all.eps;
-  return result;
+  if (m.triangles.empty()) return {};
+  mesh_statistics measured = means_of(sums_over(m), m.triangles.size());
+  for (const site& s : m.sites) measured.aspect = std::max(measured.aspect, aspect(s.metric));
+  return measured;
 }
 
 }  // namespace asterism

@@ -8,37 +8,41 @@
 #include <map>
 #include <string>
 
+#include "asterism/core/export.h"
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
 
-// max(||F_p F_q^-1||, ||F_q F_p^-1||), F^T F = M: by how much two metrics differ at most, in
-// length. At least 1; infinite when it cannot be computed.
-double distortion(const metric_tensor& p, const metric_tensor& q);
+// Returns max(||F_p F_q^-1||, ||F_q F_p^-1||), F^T F = M: the factor by which two metrics differ at
+// most, in length. At least 1; infinite when it cannot be computed.
+ASTERISM_EXPORT double distortion(const metric_tensor& p, const metric_tensor& q);
 
-// The least sigma for which the two sites obey tau <= 1 / (1 - sigma d) for both their distances d,
-// hence for the smaller one: how fast the metric varies per unit of its own length.
+// Returns the least sigma for which the two sites obey tau <= 1 / (1 - sigma d) for both their
+// distances d, hence for the smaller one: how fast the metric varies per unit of its own length.
 // Source: docs/math/refinement.md, hypothesis H1.
-double variation(const site& p, const site& q);
+ASTERISM_EXPORT double variation(const site& p, const site& q);
 
-// Length over width of the metric's unit circle: the root of its condition number.
-double aspect(const metric_tensor& m);
+// Returns length over width of the metric's unit circle: the root of its condition number.
+ASTERISM_EXPORT double aspect(const metric_tensor& m);
 
-// Of one triangle, in the mean metric of its three sites: its area, negative when it turns
-// clockwise, and 4 sqrt 3 area / sum of squared lengths, 1 for an equilateral one.
+// Area and quality of one triangle in the mean metric of its three sites. The area is negative when
+// it turns clockwise; the quality is 4 sqrt 3 area / sum of squared lengths, 1 for an equilateral
+// one.
 struct triangle_shape {
   double area = 0, quality = 0;
 };
-triangle_shape shape_of(const triangle_sites& t);
+// Returns area and quality of one triangle.
+ASTERISM_EXPORT triangle_shape shape_of(const triangle_sites& t);
 
+// Statistics of a mesh, as its metric sees it.
 struct mesh_statistics {
   std::size_t edges = 0;
-  // Of the edges, those of metric length in [1/sqrt 2, sqrt 2], and the mean length. A length is
+  // Share of the edges of metric length in [1/sqrt 2, sqrt 2], and the mean length. A length is
   // the mean of what the two ends measure.
   double unit_edges = 0, mean_length = 0;
   // The mean over all triangles, and the least.
   double mean_quality = 0, least_quality = 0;
-  // Of the triangles, those whose smallest angle, from all three vertices, is below 20, 30 degrees.
+  // Share of the triangles whose smallest angle, from all three vertices, is below 20, 30 degrees.
   double below_20 = 0, below_30 = 0;
   // The domain's area in the metric, from the metrics at the vertices; and the triangles there are,
   // as a multiple of those of unit equilateral ones it would take.
@@ -50,9 +54,10 @@ struct mesh_statistics {
   double sigma = 0, eps = 0, sigma_eps = 0;
 };
 
-mesh_statistics measure(const mesh& m);
+// Measures a mesh.
+ASTERISM_EXPORT mesh_statistics measure(const mesh& m);
 
-// All of it by name, as certificates hold it.
-std::map<std::string, double> by_name(const mesh_statistics& s);
+// Returns all of it by name, as certificates hold it.
+ASTERISM_EXPORT std::map<std::string, double> by_name(const mesh_statistics& s);
 
 }  // namespace asterism

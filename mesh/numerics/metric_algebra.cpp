@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal {
 
 namespace {
@@ -37,10 +39,11 @@ struct decomposition {
 };
 
 decomposition decompose(double m11, double m12, double m22) {
-  const double half = (m11 - m22) / 2, radius = std::hypot(half, m12), mean = (m11 + m22) / 2;
+  const double half = (m11 - m22) / 2, radius = elementary::hypot(half, m12),
+               mean = (m11 + m22) / 2;
   // The longer column of M - low I, which is (high - low) n n^T.
   double c = half >= 0 ? half + radius : m12, s = half >= 0 ? m12 : radius - half;
-  const double length = std::hypot(c, s);
+  const double length = elementary::hypot(c, s);
   if (length > 0) {
     c /= length;
     s /= length;
@@ -59,15 +62,15 @@ tensor_logarithm logarithm(const metric_tensor& m) {
   const decomposition d = decompose(unit.m11, unit.m12, unit.m22);
   // A determinant that rounding made vanish stands for the least one a double can hold here.
   const double low = std::max(determinant(unit) / d.high, std::numeric_limits<double>::min());
-  const double shift = exponent * std::log(2.0);
-  const double high_log = std::log(d.high) + shift, low_log = std::log(low) + shift;
+  const double shift = exponent * elementary::log(2.0);
+  const double high_log = elementary::log(d.high) + shift, low_log = elementary::log(low) + shift;
   const double step = high_log - low_log;
   return {low_log + step * (d.c * d.c), step * (d.c * d.s), low_log + step * (d.s * d.s)};
 }
 
 metric_tensor exponential(const tensor_logarithm& l) {
   const decomposition d = decompose(l.l11, l.l12, l.l22);
-  const double high = std::exp(d.high), low = std::exp(d.low);
+  const double high = elementary::exp(d.high), low = elementary::exp(d.low);
   return {high * (d.c * d.c) + low * (d.s * d.s), (high - low) * (d.c * d.s),
           high * (d.s * d.s) + low * (d.c * d.c)};
 }

@@ -7,6 +7,9 @@
 #include <limits>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+
 namespace asterism::internal {
 
 namespace {
@@ -29,17 +32,17 @@ double angle_in_metric(const metric_tensor& m, const point& corner, const point&
   const double inner = a.x * (n.m11 * b.x + n.m12 * b.y) + a.y * (n.m12 * b.x + n.m22 * b.y);
   const double determinant = std::max(0.0, n.m11 * n.m22 - n.m12 * n.m12);
   const double area = std::sqrt(determinant) * std::abs(a.x * b.y - a.y * b.x);
-  return std::atan2(area, inner) * (180 / std::numbers::pi);
+  return elementary::atan2(area, inner) * (180 / std::numbers::pi);
 }
 
 double smallest_angle(const mesh& m, const triangle& t) {
+  const triangle_sites round = in_round_coordinates({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]});
   double least = std::numeric_limits<double>::infinity();
-  for (const vertex_index seen_from : t)
+  for (const site& from : round)
     for (std::size_t corner = 0; corner < 3; ++corner)
-      least =
-          std::min(least, angle_in_metric(m.sites[seen_from].metric, m.sites[t[corner]].position,
-                                          m.sites[t[(corner + 1) % 3]].position,
-                                          m.sites[t[(corner + 2) % 3]].position));
+      least = std::min(least, angle_in_metric(from.metric, round[corner].position,
+                                              round[(corner + 1) % 3].position,
+                                              round[(corner + 2) % 3].position));
   return least;
 }
 

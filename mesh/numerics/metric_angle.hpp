@@ -14,7 +14,9 @@ namespace asterism::internal {
 // points is the corner.
 double angle_in_metric(const metric_tensor& m, const point& corner, const point& p, const point& q);
 
-// Degrees: the least of a triangle's three angles, each as seen from each of its three vertices.
+// Returns the least of a triangle's three angles, in degrees, each as each of its three vertices
+// measures it; for coordinates of any magnitude. The mesher puts triangles in order by a faster one
+// (numerics/triangle_quality.hpp), for coordinates of ordinary size.
 double smallest_angle(const mesh& m, const triangle& t);
 
 }  // namespace asterism::internal

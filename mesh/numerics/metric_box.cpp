@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/numerics/metric_box.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,9 +15,7 @@ bounding_box influence_box(const site& a, const site& b) {
   bounding_box box = box_of(a.position, b.position);
   for (const site* s : {&a, &b}) {
     const point& other = s == &a ? b.position : a.position;
-    const bounding_box around = box_around(*s, lengths * std::sqrt(squared_distance(*s, other)));
-    box.low = {std::min(box.low.x, around.low.x), std::min(box.low.y, around.low.y)};
-    box.high = {std::max(box.high.x, around.high.x), std::max(box.high.y, around.high.y)};
+    box.include(box_around(*s, lengths * std::sqrt(squared_distance(*s, other))));
   }
   return box;
 }

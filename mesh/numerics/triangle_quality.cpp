@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/kernels/vertex_hints.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
@@ -75,13 +76,13 @@ bool thin_corner_is_low(const metric_tensor& given, const std::array<point, 3>& 
 
 double angle_between(const metric_tensor& m, const point& a, const point& b) {
   const double across = root_of_determinant(m) * cross(a, b);
-  return std::atan2(across, inner_product(m, a, b)) * to_degrees;
+  return elementary::atan2(across, inner_product(m, a, b)) * to_degrees;
 }
 
 }  // namespace
 
 angle_requirement::angle_requirement(double degrees)
-    : degrees_(degrees), cotangent_(1 / std::tan(degrees * (1 + 1e-9) / to_degrees)) {}
+    : degrees_(degrees), cotangent_(1 / elementary::tan(degrees * (1 + 1e-9) / to_degrees)) {}
 
 bool angle_requirement::is_low(const triangle_sites& t, const std::array<bool, 3>& left_out) const {
   if (degrees_ == 0) return false;

@@ -35,7 +35,9 @@ class angle_requirement {
 // doubles can measure them.
 triangle_sites in_round_coordinates(triangle_sites t);
 
-// The smallest of the nine angles, in degrees, in doubles: to put triangles in order.
+// Returns the smallest of the nine angles, in degrees, in doubles: to put triangles in order. For
+// coordinates whose products are in range, as in the unit frame; numerics/metric_angle.hpp has one
+// for any.
 double smallest_angle(const triangle_sites& t);
 
 // The angle at `corner` swept counter-clockwise from `first` to `last` as the corner measures it,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/kernels/vertex_hints.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 
@@ -77,7 +78,7 @@ double shape_energy(const fit_site& a, const fit_site& b, const fit_site& c,
               angle_energy((w.x * w.x + w.y * w.y - inner) * across, wanted);
   }
   const double log_ratio =
-      std::log(metric_area(a, b, c)) - (a.log_area + b.log_area + c.log_area) / 3;
+      elementary::log(metric_area(a, b, c)) - (a.log_area + b.log_area + c.log_area) / 3;
   const double area = weight_of_area * log_ratio * log_ratio;
   if (!sharp) return angles + area;
   const double too_large = std::max(0.0, log_ratio);
@@ -91,7 +92,8 @@ voronoi_centre find_centre(const fit_site& a, const fit_site& b, const fit_site&
   if (!near) return {};
   const point u = a.seen(near->x, near->y);
   const double squared_radius = u.x * u.x + u.y * u.y;
-  if (!(squared_radius > 0 && squared_radius < farthest_centre * std::exp(a.log_area))) return {};
+  if (!(squared_radius > 0 && squared_radius < farthest_centre * elementary::exp(a.log_area)))
+    return {};
   return {{a.position.x + near->x, a.position.y + near->y}, squared_radius};
 }
 

@@ -1,302 +1,174 @@
 // SPDX-License-Identifier: MIT
-//
-// Changes and energies; optimize/mutable_mesh_build.cpp has what makes one.
 #include "asterism/mesh/optimize/mutable_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/optimize/mutable_mesh_build.hpp"
+
 namespace asterism::internal::fitting {
+namespace {
 
-std::optional<fit_site> fitted_mesh::site_at(const point& q, double log_area) {
-  const auto metric = field_->at(q);
-  if (metric) return make_fit_site(q, metric.value(), log_area);
-  if (!field_failure_) field_failure_ = metric.failure();
-  return std::nullopt;
+constexpr std::array<vertex_index, 3> no_vertices{none, none, none};
+
+// Returns the point of the segment from a to b this part of the way.
+point part_of_way(const point& a, const point& b, double part) {
+  return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
 }
 
-double fitted_mesh::shape_of(const std::array<vertex_index, 3>& v) const {
-  const bool sharp = touches_sharp_corner(v);
-  return shape_energy(sites_[v[0]], sites_[v[1]], sites_[v[2]], wanted_, sharp);
+}  // namespace
+
+result<mutable_mesh> mutable_mesh::build(const domain& d, const metric_field& field,
+                                         const mesh& start, double angle_bound,
+                                         double target_angle) {
+  field_sampler sampler(field);
+  auto net = build_triangulation(d, sampler, start);
+  if (!net) return net.failure();
+  choose_areas(net.value());
+  return mutable_mesh(std::move(net).value(), std::move(sampler), angle_bound, target_angle);
 }
 
-void fitted_mesh::judge(vertex_index t) {
-  const auto& [a, b, c] = triangles_[t].v;
-  changed_[t] = 1;
-  shapes_[t] = shape_energy(sites_[a], sites_[b], sites_[c], wanted_, sharp_[t] != 0);
-  if (judges_stars_) centres_[t] = find_centre(sites_[a], sites_[b], sites_[c]);
+mutable_mesh::mutable_mesh(mutable_triangulation net, field_sampler sampler, double angle_bound,
+                           double target_angle)
+    : net_(std::move(net)),
+      sampler_(std::move(sampler)),
+      energies_(net_, angle_bound, target_angle) {}
+
+std::optional<fit_site> mutable_mesh::site_at(const point& q, double log_area) {
+  const auto s = sampler_.at(q);
+  if (!s) return std::nullopt;
+  return make_fit_site(q, s->metric, log_area);
 }
 
-void fitted_mesh::judge_stars(bool yes) {
-  judges_stars_ = yes;
-  for (vertex_index t = 0; t < triangles_.size(); ++t)
-    if (triangles_[t].exists()) judge(t);
+void mutable_mesh::set_triangle(vertex_index t, const std::array<vertex_index, 3>& v,
+                                const std::array<vertex_index, 3>& segment) {
+  net_.set_triangle(t, v, segment);
+  energies_.judge(net_, t);
 }
 
-vertex_index fitted_mesh::far_vertex(vertex_index t, std::size_t edge) const {
-  const fit_triangle& next = triangles_[triangles_[t].next[edge]];
-  const vertex_index from = triangles_[t].v[(edge + 1) % 3];
-  // `from` is the second end of the edge as the next triangle runs through it.
-  return next.v[(next.corner_of(from) + 1) % 3];
-}
-
-// A subsegment at a sharp corner cannot have the centre on its inner side, and need not.
-double fitted_mesh::edge_energy(vertex_index t, std::size_t edge) const {
-  const fit_triangle& here = triangles_[t];
-  if (here.segment[edge] != none && sharp_[t] != 0) return 0;
-  if (here.segment[edge] != none)
-    return subsegment_energy(centres_[t], sites_[here.v[(edge + 1) % 3]].position,
-                             sites_[here.v[(edge + 2) % 3]].position,
-                             sites_[here.v[edge]].position);
-  return far_site_energy(centres_[t], sites_[far_vertex(t, edge)]);
-}
-
-double fitted_mesh::own_star_energy(vertex_index t) const {
-  if (!judges_stars_) return 0;
-  return edge_energy(t, 0) + edge_energy(t, 1) + edge_energy(t, 2);
-}
-
-double fitted_mesh::energy(vertex_index t) const { return shapes_[t] + own_star_energy(t); }
-
-double fitted_mesh::energy_around(vertex_index v) const {
-  double sum = 0;
-  for (const vertex_index t : around_[v]) sum += shapes_[t];
-  if (!judges_stars_) return sum;
-  for (const vertex_index t : around_[v]) {
-    sum += own_star_energy(t);
-    const std::size_t i = triangles_[t].corner_of(v);
-    if (triangles_[t].segment[i] != none) continue;
-    sum += far_site_energy(centres_[triangles_[t].next[i]], sites_[v]);
-  }
-  return sum;
-}
-
-double fitted_mesh::star_energy_of_pair(vertex_index t, vertex_index s) const {
-  if (!judges_stars_) return 0;
-  double sum = own_star_energy(t) + own_star_energy(s);
-  for (const auto& [here, other] : {std::pair{t, s}, std::pair{s, t}})
-    for (std::size_t i = 0; i < 3; ++i) {
-      const fit_triangle& from = triangles_[here];
-      if (from.segment[i] != none || from.next[i] == other) continue;
-      sum += far_site_energy(centres_[from.next[i]], sites_[from.v[i]]);
-    }
-  return sum;
-}
-
-std::optional<fitted_mesh::target_place> fitted_mesh::displaced(vertex_index v, double length,
-                                                                const point& in_disc) const {
-  const fit_site& s = sites_[v];
+std::optional<mutable_mesh::target_place> mutable_mesh::displaced(vertex_index v, double length,
+                                                                  const point& in_disc) const {
+  if (kind(v) == vertex_kind::given) return std::nullopt;
+  const fit_site& s = sites()[v];
   // Edges of triangles of the area wanted, were they equilateral.
-  const double edge = 2 * std::exp(s.log_area / 2) / std::sqrt(std::numbers::sqrt3);
+  const double edge = 2 * elementary::exp(s.log_area / 2) / std::sqrt(std::numbers::sqrt3);
   const double u = length * edge * in_disc.x, w = length * edge * in_disc.y;
-  if (kinds_[v] == vertex_kind::given) return std::nullopt;
-  if (kinds_[v] == vertex_kind::free) {
+  if (kind(v) == vertex_kind::free) {
     const double y = w / s.f22, x = (u - s.f12 * y) / s.f11;
     return target_place{{s.position.x + x, s.position.y + y}, 0};
   }
-  const segment& on = domain_->segments[places_[v].segment];
-  const point &a = domain_->vertices[on.a], &b = domain_->vertices[on.b];
+  const domain& shape = net_.shape();
+  const segment& on = shape.segments[place(v).segment];
+  const point &a = shape.vertices[on.a], &b = shape.vertices[on.b];
   const point seen = s.seen(b.x - a.x, b.y - a.y);
-  const double along = places_[v].along + u / std::hypot(seen.x, seen.y);
+  const double along = place(v).along + u / elementary::hypot(seen.x, seen.y);
   if (!(along > 0 && along < 1)) return std::nullopt;
-  return target_place{{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)}, along};
+  return target_place{part_of_way(a, b, along), along};
 }
 
-std::optional<double> fitted_mesh::move(vertex_index v, const target_place& to, double below) {
-  if (to.position == sites_[v].position) return std::nullopt;
-  for (const vertex_index t : around_[v]) {
-    const fit_triangle& here = triangles_[t];
+// True if all triangles at v would surely turn left with v at this place.
+bool mutable_mesh::turns_left_at(vertex_index v, const point& to) const {
+  return std::all_of(around(v).begin(), around(v).end(), [&](vertex_index t) {
+    const fit_triangle& here = triangles()[t];
     const std::size_t i = here.corner_of(v);
-    if (!surely_turns_left(to.position, sites_[here.v[(i + 1) % 3]].position,
-                           sites_[here.v[(i + 2) % 3]].position))
-      return std::nullopt;
-  }
-  const auto moved = site_at(to.position, sites_[v].log_area);
-  if (!moved) return std::nullopt;
-  const fit_site before = std::exchange(sites_[v], *moved);
-  old_shapes_.clear();
-  double sum = 0;
-  for (const vertex_index t : around_[v]) {
-    old_shapes_.push_back(shapes_[t]);
-    const auto& [a, b, c] = triangles_[t].v;
-    shapes_[t] = shape_energy(sites_[a], sites_[b], sites_[c], wanted_, sharp_[t] != 0);
-    sum += shapes_[t];
-    if (!(sum < below)) break;
-  }
-  if (sum < below && judges_stars_) {
-    old_centres_.clear();
-    for (const vertex_index t : around_[v]) {
-      const auto& [a, b, c] = triangles_[t].v;
-      old_centres_.push_back(
-          std::exchange(centres_[t], find_centre(sites_[a], sites_[b], sites_[c])));
-    }
-    sum = energy_around(v);
-    if (!(sum < below))
-      for (std::size_t i = 0; i < old_centres_.size(); ++i)
-        centres_[around_[v][i]] = old_centres_[i];
-  }
-  if (sum < below) {
-    if (logs_) log_.push_back({none, v, {}, before, places_[v].along});
-    places_[v].along = to.along;
-    for (const vertex_index t : around_[v]) changed_[t] = 1;
-    return sum;
-  }
-  sites_[v] = before;
-  for (std::size_t i = 0; i < old_shapes_.size(); ++i) shapes_[around_[v][i]] = old_shapes_[i];
-  return std::nullopt;
+    return surely_turns_left(to, sites()[here.v[(i + 1) % 3]].position,
+                             sites()[here.v[(i + 2) % 3]].position);
+  });
 }
 
-std::optional<double> fitted_mesh::flip(vertex_index t, std::size_t edge, double margin) {
-  const vertex_index s = triangles_[t].next[edge];
-  if (s == none || triangles_[t].segment[edge] != none) return std::nullopt;
-  const fit_triangle old_t = triangles_[t], old_s = triangles_[s];
+// A vertex at another place, for as long as this exists: its site and the energies around it are
+// put back unless the move is kept.
+class mutable_mesh::trial_move {
+ public:
+  trial_move(mutable_mesh& m, vertex_index v, const fit_site& moved)
+      : mesh_(m), v_(v), before_(m.net_.replace_site(v, moved)) {}
+  trial_move(const trial_move&) = delete;
+  trial_move& operator=(const trial_move&) = delete;
+  ~trial_move() {
+    if (kept_) return;
+    mesh_.net_.replace_site(v_, before_);
+    mesh_.energies_.restore_around(mesh_.net_, v_);
+  }
+
+  double energy(double below) { return mesh_.energies_.try_around(mesh_.net_, v_, below); }
+  void keep(double along) {
+    mesh_.net_.keep_move(v_, before_, along);
+    for (const vertex_index t : mesh_.around(v_)) mesh_.energies_.set_changed(t);
+    kept_ = true;
+  }
+
+ private:
+  mutable_mesh& mesh_;
+  vertex_index v_;
+  fit_site before_;
+  bool kept_ = false;
+};
+
+std::optional<double> mutable_mesh::move(vertex_index v, const target_place& to, double below) {
+  if (to.position == sites()[v].position || !turns_left_at(v, to.position)) return std::nullopt;
+  const auto moved = site_at(to.position, sites()[v].log_area);
+  if (!moved) return std::nullopt;
+  trial_move trial(*this, v, *moved);
+  const double energy = trial.energy(below);
+  if (!(energy < below)) return std::nullopt;
+  trial.keep(to.along);
+  return energy;
+}
+
+std::optional<double> mutable_mesh::flip(vertex_index t, std::size_t edge, double margin) {
+  const auto across = net_.opposite(t, edge);
+  if (!across || triangles()[t].segment[edge] != none) return std::nullopt;
+  const auto [s, far] = *across;
+  const fit_triangle old_t = triangles()[t], old_s = triangles()[s];
   const vertex_index c = old_t.v[edge], a = old_t.v[(edge + 1) % 3], b = old_t.v[(edge + 2) % 3];
-  const std::size_t across = (old_s.corner_of(a) + 1) % 3;
-  const vertex_index d = old_s.v[across];
-  const double shapes = shapes_[t] + shapes_[s];
-  const double first = shape_of({c, a, d});
-  const double before = shapes + star_energy_of_pair(t, s) - margin;
+  const vertex_index d = old_s.v[far];
+  const double first = energies_.shape_of(net_, {c, a, d});
+  const double before =
+      energies_.shape(t) + energies_.shape(s) + energies_.of_edges_of_pair(net_, t, s) - margin;
   if (!(first < before)) return std::nullopt;
-  const double second = shape_of({c, d, b});
+  const double second = energies_.shape_of(net_, {c, d, b});
   if (!(first + second < before)) return std::nullopt;
   // From c: its edges to a and b; from d: those to b and a.
-  set_triangle(t, {c, a, d},
-               {old_s.segment[(across + 1) % 3], none, old_t.segment[(edge + 2) % 3]});
-  set_triangle(s, {c, d, b},
-               {old_s.segment[(across + 2) % 3], old_t.segment[(edge + 1) % 3], none});
-  const double after = shapes_[t] + shapes_[s] + star_energy_of_pair(t, s);
+  set_triangle(t, {c, a, d}, {old_s.segment[(far + 1) % 3], none, old_t.segment[(edge + 2) % 3]});
+  set_triangle(s, {c, d, b}, {old_s.segment[(far + 2) % 3], old_t.segment[(edge + 1) % 3], none});
+  const double after =
+      energies_.shape(t) + energies_.shape(s) + energies_.of_edges_of_pair(net_, t, s);
   if (after < before) return after - before - margin;
   set_triangle(s, old_s.v, old_s.segment);
   set_triangle(t, old_t.v, old_t.segment);
   return std::nullopt;
 }
 
-void fitted_mesh::link(vertex_index t) {
-  fit_triangle& here = triangles_[t];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const vertex_index a = here.v[(i + 1) % 3], b = here.v[(i + 2) % 3];
-    here.next[i] = none;
-    for (const vertex_index s : around_[a]) {
-      fit_triangle& other = triangles_[s];
-      const std::size_t j = other.corner_of(a);
-      if (other.v[(j + 2) % 3] != b) continue;  // runs from b to a
-      here.next[i] = s;
-      other.next[(j + 1) % 3] = t;
-      break;
-    }
-  }
-}
-
-void fitted_mesh::unlink(vertex_index t) {
-  for (const vertex_index s : triangles_[t].next) {
-    if (s == none) continue;
-    for (vertex_index& back : triangles_[s].next)
-      if (back == t) back = none;
-  }
-}
-
-// No vertices: it is gone. Where several change in turn, each finds its neighbours by the direction
-// in which they run through the common edge, so that old and new ones are not mistaken.
-void fitted_mesh::set_triangle(vertex_index t, const std::array<vertex_index, 3>& v,
-                               const std::array<vertex_index, 3>& segment) {
-  fit_triangle& here = triangles_[t];
-  if (logs_) log_.push_back({t, none, here, {}, 0});
-  if (here.exists()) {
-    unlink(t);
-    for (const vertex_index u : here.v) std::erase(around_[u], t);
-    --count_;
-  }
-  here = {v, segment, {none, none, none}};
-  shapes_[t] = 0;
-  if (!here.exists()) return;
-  link(t);
-  for (const vertex_index u : v) around_[u].push_back(t);
-  ++count_;
-  sharp_[t] = touches_sharp_corner(v) ? 1 : 0;
-  judge(t);
-}
-
-vertex_index fitted_mesh::add_triangle() {
-  triangles_.emplace_back();
-  shapes_.push_back(0);
-  centres_.emplace_back();
-  sharp_.push_back(0);
-  changed_.push_back(0);
-  return static_cast<vertex_index>(triangles_.size() - 1);
-}
-
-// A sliding vertex goes along its segment only.
-bool fitted_mesh::is_merge_allowed(vertex_index v, vertex_index w) const {
-  if (kinds_[v] == vertex_kind::given || v == w) return false;
-  if (kinds_[v] == vertex_kind::free) return true;
-  return std::any_of(around_[v].begin(), around_[v].end(), [&](vertex_index t) {
-    const fit_triangle& here = triangles_[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const vertex_index a = here.v[(i + 1) % 3], b = here.v[(i + 2) % 3];
-      if (here.segment[i] == places_[v].segment && ((a == v && b == w) || (a == w && b == v)))
-        return true;
-    }
-    return false;
-  });
-}
-
-// The triangles at v that have w too, and the others; nothing where the result would be no
-// triangulation: v and w may have no common neighbours but those in triangles with both.
-std::optional<fitted_mesh::merge_plan> fitted_mesh::plan_merge(vertex_index v,
-                                                               vertex_index w) const {
-  if (!is_merge_allowed(v, w)) return std::nullopt;
-  merge_plan plan;
-  std::vector<vertex_index> near_v, near_w, common;
-  const auto collect = [&](vertex_index u, std::vector<vertex_index>& into) {
-    for (const vertex_index t : around_[u])
-      for (const vertex_index x : triangles_[t].v)
-        if (x != v && x != w) into.push_back(x);
-    std::sort(into.begin(), into.end());
-    into.erase(std::unique(into.begin(), into.end()), into.end());
-  };
-  for (const vertex_index t : around_[v]) {
-    const auto& has = triangles_[t].v;
-    (std::find(has.begin(), has.end(), w) != has.end() ? plan.gone : plan.stay).push_back(t);
-  }
-  if (plan.gone.empty() || plan.stay.empty()) return std::nullopt;
-  collect(v, near_v);
-  collect(w, near_w);
-  std::set_intersection(near_v.begin(), near_v.end(), near_w.begin(), near_w.end(),
-                        std::back_inserter(common));
-  if (common.size() != plan.gone.size()) return std::nullopt;
-  return plan;
-}
-
-std::optional<double> fitted_mesh::merge_cost(vertex_index v, vertex_index w) const {
-  const auto plan = plan_merge(v, w);
+std::optional<double> mutable_mesh::collapse_cost(vertex_index v, vertex_index w) const {
+  const auto plan = net_.plan_collapse(v, w);
   if (!plan) return std::nullopt;
   double cost = 0;
-  for (const vertex_index t : plan->gone) cost -= shapes_[t];
+  for (const vertex_index t : plan->gone) cost -= energies_.shape(t);
   for (const vertex_index t : plan->stay) {
-    std::array<vertex_index, 3> new_one = triangles_[t].v;
-    new_one[triangles_[t].corner_of(v)] = w;
-    cost += shape_of(new_one) - shapes_[t];
+    std::array<vertex_index, 3> new_one = triangles()[t].v;
+    new_one[triangles()[t].corner_of(v)] = w;
+    cost += energies_.shape_of(net_, new_one) - energies_.shape(t);
     if (!std::isfinite(cost)) return std::nullopt;
   }
   return cost;
 }
 
-void fitted_mesh::collapse(vertex_index v, vertex_index w) {
-  const merge_plan plan = *plan_merge(v, w);
+void mutable_mesh::collapse(vertex_index v, vertex_index w) {
+  const auto plan = *net_.plan_collapse(v, w);
   // The edge from v to a common neighbour becomes the one from w, which may be a subsegment.
   std::vector<std::pair<vertex_index, vertex_index>> segment_at;
   for (const vertex_index t : plan.gone) {
-    const fit_triangle& here = triangles_[t];
+    const fit_triangle& here = triangles()[t];
     for (const vertex_index u : here.v)
       if (u != v && u != w && here.segment[here.corner_of(v)] != none)
         segment_at.push_back({u, here.segment[here.corner_of(v)]});
   }
-  for (const vertex_index t : plan.gone) set_triangle(t, {none, none, none}, {none, none, none});
+  for (const vertex_index t : plan.gone) set_triangle(t, no_vertices, no_vertices);
   for (const vertex_index t : plan.stay) {
-    fit_triangle next = triangles_[t];
+    fit_triangle next = triangles()[t];
     const std::size_t i = next.corner_of(v);
     next.v[i] = w;
     for (const auto& [u, segment] : segment_at) {
@@ -307,79 +179,66 @@ void fitted_mesh::collapse(vertex_index v, vertex_index w) {
   }
 }
 
-double fitted_mesh::along_segment(vertex_index v, vertex_index segment) const {
-  if (kinds_[v] == vertex_kind::sliding) return places_[v].along;
-  return domain_->segments[segment].a == v ? 0 : 1;
+double mutable_mesh::along_segment(vertex_index v, vertex_index segment) const {
+  if (kind(v) == vertex_kind::sliding) return place(v).along;
+  return net_.shape().segments[segment].a == v ? 0 : 1;
 }
 
-std::optional<vertex_index> fitted_mesh::split(vertex_index t, std::size_t edge) {
-  const fit_triangle old_t = triangles_[t];
-  const vertex_index a = old_t.v[(edge + 1) % 3], b = old_t.v[(edge + 2) % 3];
-  const vertex_index s = old_t.next[edge], on = old_t.segment[edge];
-  const point &p = sites_[a].position, &q = sites_[b].position;
-  target_place middle{{p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2}, 0};
-  if (on != none) {
-    const segment& along = domain_->segments[on];
-    const point &first = domain_->vertices[along.a], &last = domain_->vertices[along.b];
-    const double m = along_segment(a, on) / 2 + along_segment(b, on) / 2;
-    middle = {{first.x + m * (last.x - first.x), first.y + m * (last.y - first.y)}, m};
+// Returns the middle of the edge; of a subsegment, the point of its segment half way along.
+mutable_mesh::target_place mutable_mesh::middle_of(vertex_index t, std::size_t edge) const {
+  const fit_triangle& here = triangles()[t];
+  const vertex_index a = here.v[(edge + 1) % 3], b = here.v[(edge + 2) % 3];
+  const vertex_index on = here.segment[edge];
+  if (on == none) {
+    const point &p = sites()[a].position, &q = sites()[b].position;
+    return {{p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2}, 0};
   }
-  const fit_triangle old_s = s == none ? fit_triangle{} : triangles_[s];
-  const std::size_t across = s == none ? 0 : (old_s.corner_of(a) + 1) % 3;
-  const auto turns = [&](const fit_triangle& whole, std::size_t i) {
-    const point &x = sites_[whole.v[i]].position, &y = sites_[whole.v[(i + 1) % 3]].position,
-                &z = sites_[whole.v[(i + 2) % 3]].position;
-    return surely_turns_left(x, y, middle.position) && surely_turns_left(x, middle.position, z);
-  };
-  if (!turns(old_t, edge) || (s != none && !turns(old_s, across))) return std::nullopt;
-  const auto made = site_at(middle.position, sites_[a].log_area / 2 + sites_[b].log_area / 2);
+  const segment& whole = net_.shape().segments[on];
+  const point &first = net_.shape().vertices[whole.a], &last = net_.shape().vertices[whole.b];
+  const double along = along_segment(a, on) / 2 + along_segment(b, on) / 2;
+  return {part_of_way(first, last, along), along};
+}
+
+// True if both halves of the triangle would surely turn left.
+bool mutable_mesh::can_cut(const side& whole, const point& middle) const {
+  const auto& v = triangles()[whole.triangle].v;
+  const point &x = sites()[v[whole.edge]].position, &y = sites()[v[(whole.edge + 1) % 3]].position,
+              &z = sites()[v[(whole.edge + 2) % 3]].position;
+  return surely_turns_left(x, y, middle) && surely_turns_left(x, middle, z);
+}
+
+// Makes two triangles of one, cut from the vertex across the edge to its middle.
+void mutable_mesh::cut(const fit_triangle& whole, const side& at, vertex_index middle) {
+  const std::size_t i = at.edge;
+  const vertex_index x = whole.v[i], y = whole.v[(i + 1) % 3], z = whole.v[(i + 2) % 3];
+  const vertex_index on = whole.segment[i], other_half = net_.add_triangle();
+  set_triangle(at.triangle, {x, y, middle}, {on, none, whole.segment[(i + 2) % 3]});
+  set_triangle(other_half, {x, middle, z}, {on, whole.segment[(i + 1) % 3], none});
+}
+
+std::optional<vertex_index> mutable_mesh::split(vertex_index t, std::size_t edge) {
+  const side here{t, edge};
+  const auto across = net_.opposite(t, edge);
+  const target_place middle = middle_of(t, edge);
+  if (!can_cut(here, middle.position)) return std::nullopt;
+  if (across && !can_cut(*across, middle.position)) return std::nullopt;
+  const fit_triangle old_t = triangles()[t];
+  const fit_triangle old_s = across ? triangles()[across->triangle] : fit_triangle{};
+  const vertex_index a = old_t.v[(edge + 1) % 3], b = old_t.v[(edge + 2) % 3];
+  const auto made = site_at(middle.position, sites()[a].log_area / 2 + sites()[b].log_area / 2);
   if (!made) return std::nullopt;
-  const auto v = static_cast<vertex_index>(sites_.size());
-  sites_.push_back(*made);
-  kinds_.push_back(on == none ? vertex_kind::free : vertex_kind::sliding);
-  places_.push_back({on, middle.along});
-  around_.emplace_back();
-  const auto cut = [&](vertex_index whole, const fit_triangle& old, std::size_t i) {
-    const auto& [x, y, z] = std::array{old.v[i], old.v[(i + 1) % 3], old.v[(i + 2) % 3]};
-    const vertex_index other_half = add_triangle();
-    set_triangle(whole, {x, y, v}, {on, none, old.segment[(i + 2) % 3]});
-    set_triangle(other_half, {x, v, z}, {on, old.segment[(i + 1) % 3], none});
-  };
-  cut(t, old_t, edge);
-  if (s != none) cut(s, old_s, across);
+  const vertex_index on = old_t.segment[edge];
+  const auto kind = on == none ? vertex_kind::free : vertex_kind::sliding;
+  const vertex_index v = net_.add_vertex(*made, kind, {on, middle.along});
+  cut(old_t, here, v);
+  if (across) cut(old_s, *across, v);
   return v;
 }
 
-void fitted_mesh::begin() {
-  logs_ = true;
-  log_.clear();
-  sites_before_ = sites_.size();
-  triangles_before_ = triangles_.size();
-}
-
-void fitted_mesh::keep() { logs_ = false; }
-
-void fitted_mesh::undo() {
-  logs_ = false;
-  std::reverse(log_.begin(), log_.end());
-  for (const log_entry& entry : log_) {
-    if (entry.triangle != none) {
-      set_triangle(entry.triangle, entry.old_triangle.v, entry.old_triangle.segment);
-      continue;
-    }
-    sites_[entry.vertex] = entry.old_site;
-    places_[entry.vertex].along = entry.old_along;
-    for (const vertex_index t : around_[entry.vertex]) judge(t);
-  }
-  sites_.resize(sites_before_);
-  kinds_.resize(sites_before_);
-  places_.resize(sites_before_);
-  around_.resize(sites_before_);
-  triangles_.resize(triangles_before_);
-  shapes_.resize(triangles_before_);
-  centres_.resize(triangles_before_);
-  sharp_.resize(triangles_before_);
-  changed_.resize(triangles_before_);
+void mutable_mesh::undo() {
+  const std::vector<vertex_index> touched = net_.undo();
+  energies_.truncate(triangles().size());
+  for (const vertex_index t : touched) energies_.judge(net_, t);
 }
 
 }  // namespace asterism::internal::fitting

@@ -14,7 +14,7 @@
 namespace asterism::internal {
 namespace {
 
-using fitting::fitted_mesh;
+using fitting::mutable_mesh;
 using fitting::vertex_kind;
 // Of each segment how far along it each vertex is, and which.
 using divided_segments = std::vector<std::vector<std::pair<double, vertex_index>>>;
@@ -25,8 +25,8 @@ constexpr int first_sweeps = 60, sweeps_after_surgery = 20, rounds_of_surgery = 
 
 class fitter {
  public:
-  fitter(fitted_mesh& m, const domain& d, const fitting_options& options)
-      : mesh_(m), domain_(d), options_(options), moves_(m, options.enough) {}
+  fitter(mutable_mesh& m, const domain& d, const fitting_options& options)
+      : mesh_(m), domain_(d), options_(options), moves_(m, options.stop) {}
 
   void run() {
     for (const bool stars : {false, true}) {
@@ -125,7 +125,7 @@ class fitter {
     }
   }
 
-  fitted_mesh& mesh_;
+  mutable_mesh& mesh_;
   const domain& domain_;
   const fitting_options& options_;
   fitting::mover moves_;
@@ -142,7 +142,7 @@ result<fitted_domain> fit(const domain& d, const metric_field& field, const mesh
   mesh start_in_frame = start;
   for (site& s : start_in_frame.sites) s.position = frame.inward(s.position);
   const double target = std::min(options.angle_bound + options.degrees_above_bound, most_degrees);
-  auto made = fitted_mesh::build(image, framed, start_in_frame, options.angle_bound, target);
+  auto made = mutable_mesh::build(image, framed, start_in_frame, options.angle_bound, target);
   if (!made) return made.failure();
   fitter work(made.value(), image, options);
   work.run();

@@ -16,12 +16,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
 
@@ -29,7 +29,7 @@ struct fitting_options {
   double angle_bound = 20;  // degrees, 0 <= bound < 60
   // By how many degrees more than that is aimed at: neighbours compete.
   double degrees_above_bound = 4.5;
-  std::function<bool()> enough;  // asked now and then, true ends; may be empty
+  cancellation stop;  // polled now and then
 };
 
 struct fitted_domain {
@@ -43,7 +43,7 @@ struct fitted_domain {
   std::size_t moves = 0, flips = 0;           // done, with those undone later
   std::size_t collapses = 0, insertions = 0;  // kept
   std::size_t rounds = 0;                     // sweeps over all vertices
-  bool stopped = false;                       // by `enough`; what there was is proposed
+  bool stopped = false;                       // by options.stop; what there was is proposed
 };
 
 // `d` must have been accepted by check_domain, and `start` be a triangulation of it, as make_mesh

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
+#include "asterism/core/random.hpp"
+
 namespace asterism::internal::fitting {
 namespace {
 
@@ -19,18 +22,10 @@ constexpr std::array<double, 6> parts_of_sweep{0.25, 1, 0.25, 1, 0.25, 1};
 constexpr std::array<double, 6> parts_of_relaxing{1, 0.3, 0.1, 1, 0.3, 0.1};
 constexpr std::size_t visits_between_questions = 256;
 
-// A number in [0, 1) that depends on all bits of the two (the mixing is splitmix64's).
-double random_part(std::uint64_t vertex, std::uint64_t number) {
-  std::uint64_t z = vertex * 0x9e3779b97f4a7c15U + number * 0xd1342543de82ef95U + 1;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
-
 }  // namespace
 
-bool mover::has_enough() {
-  stopped_ = stopped_ || mesh_->field_failure() || (*enough_ && (*enough_)());
+bool mover::is_cancelled() {
+  stopped_ = stopped_ || mesh_->field_failure() || cancelled_->is_requested();
   return stopped_;
 }
 
@@ -41,9 +36,10 @@ double mover::visit(vertex_index v, double step, std::span<const double> parts) 
   double energy = before;
   for (const double part : parts) {
     const std::uint32_t number = tries_[v]++;
-    const double turn = 2 * std::numbers::pi * random_part(v, 2 * std::uint64_t{number});
-    const double far = std::sqrt(random_part(v, 2 * std::uint64_t{number} + 1));
-    const auto to = mesh_->displaced(v, part * step, {far * std::cos(turn), far * std::sin(turn)});
+    const double turn = 2 * std::numbers::pi * fraction_of(v, 2 * std::uint64_t{number});
+    const double far = std::sqrt(fraction_of(v, 2 * std::uint64_t{number} + 1));
+    const auto to = mesh_->displaced(v, part * step,
+                                     {far * elementary::cos(turn), far * elementary::sin(turn)});
     if (!to) continue;
     if (const auto now = mesh_->move(v, *to, energy - move_margin)) {
       energy = *now;
@@ -79,7 +75,7 @@ bool mover::sweep(double step) {
   wake({});
   for (vertex_index v = 0; v < mesh_->sites().size(); ++v) {
     if (rests_[v] >= visits_before_rest) continue;
-    if (++visits_ % visits_between_questions == 0 && has_enough()) return false;
+    if (++visits_ % visits_between_questions == 0 && is_cancelled()) return false;
     const double change = visit(v, step, parts_of_sweep);
     ++rests_[v];
     if (change < -least_gain) rests_[v] = 0;
@@ -87,7 +83,7 @@ bool mover::sweep(double step) {
       for (const vertex_index t : mesh_->around(v)) wake(mesh_->triangles()[t].v);
   }
   flip_all();
-  return !has_enough();
+  return !is_cancelled();
 }
 
 std::vector<vertex_index> mover::ring(std::span<const vertex_index> seeds, int depth) {

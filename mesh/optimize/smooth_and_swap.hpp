@@ -9,21 +9,21 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "asterism/mesh/optimize/mutable_mesh.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::fitting {
 
 class mover {
  public:
-  // `m` must outlive it. `enough` is asked now and then; true ends a sweep.
-  mover(fitted_mesh& m, const std::function<bool()>& enough) : mesh_(&m), enough_(&enough) {}
+  // Both must outlive it. `cancelled` is polled now and then; it ends a sweep.
+  mover(mutable_mesh& m, const cancellation& cancelled) : mesh_(&m), cancelled_(&cancelled) {}
 
-  // All vertices that do not rest once, then flips wherever triangles changed. False when there was
-  // enough, or the field failed.
+  // All vertices that do not rest once, then flips wherever triangles changed. False when it was
+  // cancelled, or the field failed.
   bool sweep(double step);
   // A few rounds around the vertices and those they reach over `depth` edges. The change of energy.
   double relax(std::span<const vertex_index> seeds, int depth);
@@ -31,8 +31,8 @@ class mover {
   // The vertices, and those that triangles connect them to, over so many edges.
   std::vector<vertex_index> ring(std::span<const vertex_index> seeds, int depth);
   void wake(std::span<const vertex_index> vertices);
-  // Asks; once there was enough, or the field failed, it stays so.
-  bool has_enough();
+  // Polls for cancellation; stays true once cancelled or once the field failed.
+  bool is_cancelled();
   bool is_stopped() const { return stopped_; }
 
   std::size_t moves() const { return moves_; }
@@ -43,8 +43,8 @@ class mover {
   double flip_changed_edges(vertex_index t);
   void flip_all();
 
-  fitted_mesh* mesh_;
-  const std::function<bool()>* enough_;
+  mutable_mesh* mesh_;
+  const cancellation* cancelled_;
   std::vector<std::uint32_t> tries_;  // by vertex, as the next two
   std::vector<char> rests_;
   std::vector<std::uint32_t> mark_;

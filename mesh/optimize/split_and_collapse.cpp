@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/support/sort_unique.hpp"
+
 namespace asterism::internal::fitting {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double least_gain = 1e-3;
 
 class surgeon {
  public:
-  surgeon(fitted_mesh& m, mover& moves) : mesh_(m), moves_(moves) {}
+  surgeon(mutable_mesh& m, mover& moves) : mesh_(m), moves_(moves) {}
 
   surgery_report run() {
     std::vector<std::pair<double, vertex_index>> patients;
@@ -23,7 +25,7 @@ class surgeon {
       if (needs_help(t)) patients.push_back({-mesh_.energy(t), t});
     std::sort(patients.begin(), patients.end());
     for (const auto& [energy, t] : patients) {
-      if (moves_.has_enough()) break;
+      if (moves_.is_cancelled()) break;
       if (needs_help(t)) help(t);
     }
     return report_;
@@ -37,7 +39,7 @@ class surgeon {
   void help(vertex_index t) {
     const auto before = mesh_.triangles()[t].v;
     for (const vertex_index v : before)
-      if (try_merging(v)) return;
+      if (try_collapsing(v)) return;
     for (std::size_t i = 0; i < 3; ++i) {
       if (mesh_.triangles()[t].v != before) return;  // undone, it has other numbers
       if (try_splitting(t, i)) return;
@@ -55,8 +57,7 @@ class surgeon {
     std::vector<vertex_index> found;
     for (const vertex_index v : vertices)
       found.insert(found.end(), mesh_.around(v).begin(), mesh_.around(v).end());
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sort_unique(found);
     return found;
   }
 
@@ -76,11 +77,11 @@ class surgeon {
   }
 
   // Into the neighbour into which it costs least.
-  bool try_merging(vertex_index v) {
+  bool try_collapsing(vertex_index v) {
     std::optional<std::pair<double, vertex_index>> best;
     std::vector<vertex_index> near = moves_.ring(std::vector<vertex_index>{v}, 1);
     for (const vertex_index w : near)
-      if (const auto cost = mesh_.merge_cost(v, w))
+      if (const auto cost = mesh_.collapse_cost(v, w))
         if (!best || std::pair(*cost, w) < *best) best = {*cost, w};
     if (!best) return false;
     const double before = energy_of(triangles_at(near));
@@ -107,13 +108,13 @@ class surgeon {
     return true;
   }
 
-  fitted_mesh& mesh_;
+  mutable_mesh& mesh_;
   mover& moves_;
   surgery_report report_;
 };
 
 }  // namespace
 
-surgery_report operate(fitted_mesh& m, mover& moves) { return surgeon(m, moves).run(); }
+surgery_report operate(mutable_mesh& m, mover& moves) { return surgeon(m, moves).run(); }
 
 }  // namespace asterism::internal::fitting

@@ -15,7 +15,7 @@ struct surgery_report {
 };
 
 // One round over the triangles there are, the worst first: six attempts at most for each. Ends
-// early when the mover has enough.
-surgery_report operate(fitted_mesh& m, mover& moves);
+// early when the mover is cancelled.
+surgery_report operate(mutable_mesh& m, mover& moves);
 
 }  // namespace asterism::internal::fitting

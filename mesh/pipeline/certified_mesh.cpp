@@ -5,6 +5,7 @@
 
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/make_mesh.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
 
 namespace asterism {
 namespace {
@@ -28,24 +29,27 @@ audit_options questions_for(const mesh_outcome& outcome, const domain& d,
 certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_options& options) {
   const audit_options asked = questions_for(outcome, d, options);
   certified_mesh judged;
-  judged.report = audit(outcome.result, asked);
+  const bool is_known =
+      outcome.audited && asked.check_stars && !asked.check_voronoi && asked.exempt_corners.empty();
+  judged.report = is_known ? *outcome.audited : audit(outcome.result, asked);
   if (options.prove_voronoi && outcome.stopped)
     judged.report.voronoi = voronoi_verdict::not_reached;
   certificate& claim = judged.claim;
   claim = make_certificate(outcome.result, asked, judged.report);
   claim.complete = outcome.complete;
-  claim.reason = outcome.reason;
+  claim.reason = ending_text(outcome);
   claim.mesher_counters = outcome.counters;
   claim.star_repairs = outcome.star_repairs;
   claim.relaxed = outcome.relaxed;
+  claim.delivered = outcome.delivered;
   claim.measured = by_name(measure(outcome.result));
   judged.outcome = std::move(outcome);
   return judged;
 }
 
-result<certified_mesh> make_certified_mesh(
-    const domain& d, const metric_field& field, const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress) {
+result<certified_mesh> make_certified_mesh(const domain& d, const metric_field& field,
+                                           const mesh_options& options,
+                                           const progress_listener& progress) {
   auto made = make_mesh(d, field, options, progress);
   if (!made) return made.failure();
   if (progress) progress({.phase = mesh_phase::auditing, .sites = made.value().sites});

@@ -9,8 +9,6 @@
 //   write_certificate("square.certificate.json", made.value().claim);
 #pragma once
 
-#include <functional>
-
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
@@ -36,12 +34,14 @@ struct certified_mesh {
 // Makes a mesh and audits it, in the metric at its sites, against the domain and the angle bound.
 // Requirements and failures are those of make_mesh. A run that was stopped is audited without its
 // stars.
-result<certified_mesh> make_certified_mesh(
-    const domain& d, const metric_field& field, const mesh_options& options,
-    const std::function<void(const mesh_progress&)>& progress = {});
+ASTERISM_EXPORT result<certified_mesh> make_certified_mesh(const domain& d,
+                                                           const metric_field& field,
+                                                           const mesh_options& options,
+                                                           const progress_listener& progress = {});
 
 // Audits a finished run, which must be of `d` with `options`: the second half of
 // make_certified_mesh, for those who make the mesh themselves.
-certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_options& options);
+ASTERISM_EXPORT certified_mesh judge_outcome(mesh_outcome outcome, const domain& d,
+                                             const mesh_options& options);
 
 }  // namespace asterism

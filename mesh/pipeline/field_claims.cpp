@@ -9,8 +9,12 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
+#include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/delivered_metric.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -51,16 +55,33 @@ std::optional<std::string> difference_from(const metric_field& field, const mesh
                      differing, subject.sites.size(), first);
 }
 
+// The metric of a mesh, where its file is still there and the same.
+result<std::unique_ptr<metric_field>> background_of(const certificate& claim, double size) {
+  auto background = read_medit(claim.metric);
+  if (!background) return background.failure();
+  const auto adopted = adopt_mesh(std::move(background).value());
+  if (!adopted) return adopted.failure();
+  auto field = make_sampled_field(adopted.value().subject, size);
+  if (option_of(claim, "metric-fingerprint") !=
+      std::to_string(mesh_fingerprint(*field->background())))
+    return error{"its file holds another mesh now"};
+  return field;
+}
+
 }  // namespace
 
 result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) {
   if (!claim.original) return error{"the certificate has no domain to place it in"};
-  const bool is_delivered =
-      claim.options.count("size-delivered") != 0 && option_of(claim, "size-delivered") != "none";
+  // Where another metric is delivered the one asked for is of the size asked for.
+  const bool is_delivered = !claim.relaxed && !claim.delivered &&
+                            claim.options.count("size-delivered") != 0 &&
+                            option_of(claim, "size-delivered") != "none";
   const auto size = size_of(claim, is_delivered ? "size-delivered" : "size");
   if (!size) return error{"the size is no number"};
   const bounding_box box = claim.original->box();
-  auto field = make_metric_field(claim.metric, box, size.value());
+  auto field = has_ending(claim.metric, ".mesh")
+                   ? background_of(claim, size.value())
+                   : make_metric_field(claim.metric, box, size.value());
   const std::string gradation = option_of(claim, "gradation");
   if (!field || gradation == "none") return field;
   // Gradation is of the metric of the size asked for; a size that took too many sites is made
@@ -80,8 +101,7 @@ namespace {
 
 // A metric that came as numbers is named by its file; `mesh` takes them on a mesh alone.
 bool is_of_file(const certificate& claim) {
-  return has_ending(claim.metric, ".mesh") ||
-         (claim.options.count("mesh") != 0 && claim.metric.starts_with("of "));
+  return claim.options.count("mesh") != 0 && claim.metric.starts_with("of ");
 }
 
 }  // namespace
@@ -104,10 +124,16 @@ field_check check_field(const mesh& subject, const certificate& claim) {
   const auto field = field_asked_for(claim);
   if (!field) {
     check.why_not = field.failure().message;
+    // A file may be gone, or another by now.
+    if (has_ending(claim.metric, ".mesh")) return check;
     check.contradictions.push_back("\"asked.metric\" cannot be made again: " + check.why_not);
     return check;
   }
   check.made = true;
+  if (claim.delivered) {
+    check.contradictions = contradictions_in_delivered(subject, claim, *field.value());
+    return check;
+  }
   const auto said = claim.relaxed ? contradiction_in_low_triangles(subject, claim, *field.value())
                                   : difference_from(*field.value(), subject);
   if (said) check.contradictions.push_back(*said);

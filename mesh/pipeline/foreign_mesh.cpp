@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <string>
 #include <utility>
 
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/numerics/metric_angle.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
@@ -123,21 +124,13 @@ bool is_worth_comparing(const audit_report& audit) {
          audit.sites / part;
 }
 
-double length(const site& from, const point& to) {
-  const point d{to.x - from.position.x, to.y - from.position.y};
-  const metric_tensor& m = from.metric;
-  return std::sqrt(m.m11 * d.x * d.x + 2 * m.m12 * d.x * d.y + m.m22 * d.y * d.y);
-}
-
 void measure_edges(const mesh& m, certify_report& report) {
   const triangle_sides sides(m);
   for (const auto& s : sides.all()) {
     const auto [a, b] = s.ends;
     if (a > b && sides.find(b, a) != nullptr) continue;
-    const site &p = m.sites[a], &q = m.sites[b];
-    const double mean = 0.5 * (length(p, q.position) + length(q, p.position));
     ++report.edges;
-    report.unit_edges += mean * mean >= 0.5 && mean * mean <= 2;
+    report.unit_edges += is_unit_length(edge_length(m.sites[a], m.sites[b])) ? 1 : 0;
   }
 }
 
@@ -149,7 +142,7 @@ result<adopted_mesh> adopt_mesh(mesh from_elsewhere) {
   const audit_report first = audit(from_elsewhere, options);
   for (const finding_kind kind : unusable)
     for (const audit_finding& f : first.findings)
-      if (f.kind == kind) return error{f.witness};
+      if (f.kind == kind) return error{f.witness, error_code::invalid_mesh};
   adopted_mesh adopted{std::move(from_elsewhere), {}};
   mesh& m = adopted.subject;
   const triangle_sides sides(m);
@@ -179,7 +172,12 @@ certify_report certify(const adopted_mesh& adopted, double angle_bound, bool che
   options.enough = enough;
   report.audit = audit(m, options);
   report.inverted = report.audit.found[static_cast<std::size_t>(finding_kind::orientation)];
-  for (const triangle& t : m.triangles) report.below_bound += smallest_angle(m, t) < angle_bound;
+  report.below_bound = [&audit = report.audit] {
+    std::vector<vertex_index> low = audit.refused_triangles(), all;
+    std::set_union(low.begin(), low.end(), audit.exempt_triangles.begin(),
+                   audit.exempt_triangles.end(), std::back_inserter(all));
+    return all.size();
+  }();
   measure_edges(m, report);
   if (report.audit.stars_checked && is_worth_comparing(report.audit))
     compare_with_stars(adopted, enough, report);

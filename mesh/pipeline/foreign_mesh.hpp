@@ -13,6 +13,7 @@
 #include <functional>
 #include <vector>
 
+#include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/data/domain.hpp"
@@ -20,29 +21,34 @@
 
 namespace asterism {
 
+// A mesh from elsewhere, put in order, and the domain it covers.
 struct adopted_mesh {
   mesh subject;  // every site is given, each boundary edge its own segment, domain on its left
   domain shape;  // of the subject; as check_domain would have it if the audit finds a triangulation
 };
 
+// Puts a mesh in order.
 // The mesh's boundary edges are kept, turned where the only triangle is on their right; if it lists
 // none, the edges with one triangle are taken, with marker 0. References of triangles are kept as
 // regions where they differ across boundary edges alone, else dropped. Fails, naming the number of
 // the offender, for what no site or triangle can be: no triangle, vertices that do not exist, two
 // at one place, numbers that are not finite, tensors that are not positive definite.
-result<adopted_mesh> adopt_mesh(mesh from_elsewhere);
+ASTERISM_EXPORT result<adopted_mesh> adopt_mesh(mesh from_elsewhere);
 
+// The judgement of a mesh from elsewhere.
 struct certify_report {
   audit_report audit;
   std::size_t inverted = 0;  // or flat triangles
-  // Of the triangles, in how many of their vertices' stars they are: [3] in all.
+  // Number of triangles in the stars of 0, 1, 2 and all 3 of their vertices.
   std::array<std::size_t, 4> in_stars{};
   std::vector<vertex_index> not_in_all;  // triangles, ascending
   std::size_t unsettled = 0;             // stars that met the bound of their construction
   // False: it is no triangulation, or is refused for so much that its stars were not made, or they
   // took too long.
   bool compared = false;
-  std::size_t below_bound = 0;  // triangles, as any vertex measures; exempt ones among them
+  // Triangles below the bound as any of their vertices measures them, exempt and collateral ones
+  // among them; those that are inverted or flat have no angles.
+  std::size_t below_bound = 0;
   std::size_t edges = 0, unit_edges = 0;
 
   // The auditor's answer, as `verify` gives it. Stars built afresh may be others where arcs are not
@@ -53,15 +59,17 @@ struct certify_report {
   }
 };
 
-// What the auditor is asked of a mesh that brings its own domain, but for the bound; refers to
-// `adopted`.
-audit_options questions_for(const adopted_mesh& adopted);
+// Returns what the auditor is asked of a mesh that brings its own domain, but for the bound; refers
+// to `adopted`.
+ASTERISM_EXPORT audit_options questions_for(const adopted_mesh& adopted);
 
-// An edge is a unit edge when its length, the mean of what its two ends measure, is in
-// [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With `check_voronoi` the audit has a verdict
-// on point 5, which certified() does not depend on.
-certify_report certify(const adopted_mesh& adopted, double angle_bound, bool check_voronoi = false,
-                       std::size_t findings_kept = audit_options{}.findings_kept,
-                       const std::function<bool()>& enough = {});
+// Builds the stars, compares and audits. An edge is a unit edge when its length, the mean of what
+// its two ends measure, is in [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With
+// `check_voronoi` the audit has a verdict on point 5, which certified() does not depend on.
+// `enough` is asked now and then; true ends the judgement.
+ASTERISM_EXPORT certify_report certify(const adopted_mesh& adopted, double angle_bound,
+                                       bool check_voronoi = false,
+                                       std::size_t findings_kept = audit_options{}.findings_kept,
+                                       const std::function<bool()>& enough = {});
 
 }  // namespace asterism

@@ -4,8 +4,6 @@
 // both.
 #pragma once
 
-#include <functional>
-
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
@@ -15,9 +13,9 @@
 namespace asterism {
 
 // `d` must have been accepted by check_domain. Fails only where the metric field does, or for
-// options out of range. `progress` may be empty; it is called now and then from this thread.
-result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
-                               const mesh_options& options,
-                               const std::function<void(const mesh_progress&)>& progress = {});
+// options out of range. `progress` may be empty.
+ASTERISM_EXPORT result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
+                                               const mesh_options& options,
+                                               const progress_listener& progress = {});
 
 }  // namespace asterism

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/metric_relaxation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,29 +10,32 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/elementary.hpp"
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/metric/softened_field.hpp"
-#include "asterism/mesh/metric/unit_frame.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/optimize/optimize_mesh.hpp"
-#include "asterism/mesh/refine/insertion_tolerance.hpp"
-#include "asterism/mesh/refine/refinement_loop.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
+#include "asterism/mesh/pipeline/unit_image.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/refine/site_budget.hpp"
+#include "asterism/mesh/support/wide_range.hpp"
 
 namespace asterism::internal {
 namespace {
 
-// The ratios of lengths as b and a measure them: the greatest, and the greatest the other way. In
-// long doubles since squares of tensors may leave the range of doubles.
+// The ratios of lengths as b and a measure them: the greatest, and the greatest the other way.
 std::pair<double, double> longer_and_shorter(const metric_tensor& b, const metric_tensor& a) {
-  const long double a11 = a.m11, a12 = a.m12, a22 = a.m22, b11 = b.m11, b12 = b.m12, b22 = b.m22;
-  const long double determinant = a11 * a22 - a12 * a12;
-  const long double half = (b11 * a22 - 2 * b12 * a12 + b22 * a11) / (2 * determinant);
-  const long double product = (b11 * b22 - b12 * b12) / determinant;
-  const long double greatest = half + std::sqrt(std::max(half * half - product, 0.0L));
+  using number = wide_range;  // squares of tensors may leave the range of doubles
+  const number a11 = a.m11, a12 = a.m12, a22 = a.m22, b11 = b.m11, b12 = b.m12, b22 = b.m22;
+  const number determinant = a11 * a22 - a12 * a12;
+  const number half = (b11 * a22 - number(2) * b12 * a12 + b22 * a11) / (number(2) * determinant);
+  const number product = (b11 * b22 - b12 * b12) / determinant;
+  const number greatest = half + root(half * half - product);
   const double longer = std::sqrt(static_cast<double>(greatest));
   return {longer, longer / std::sqrt(static_cast<double>(product))};
 }
@@ -47,24 +48,21 @@ struct relaxation_step {
 
 class relaxation {
  public:
-  relaxation(const star_predicates& kernel, const domain& d, const metric_field& field,
-             const mesh_options& options, const std::function<void(const mesh_progress&)>& progress,
-             mesh_outcome as_given)
-      : kernel_(kernel),
-        domain_(d),
-        field_(field),
-        options_(options),
-        progress_(progress),
+  relaxation(const meshing_context& job, mesh_outcome as_given)
+      : job_(job),
+        domain_(job.shape),
+        field_(job.field),
+        options_(job.options),
         as_given_(std::move(as_given)),
-        frame_(unit_frame::choose(d, field, !options.limit_size && !options.tolerance)),
-        image_(frame_.inward(d)),
-        framed_(field, frame_) {}
+        unit_(job.shape, job.field, job.options),
+        frame_(unit_.frame()),
+        image_(unit_.shape()) {}
 
   result<mesh_outcome> run() {
     if (auto failure = measure_sites()) return *failure;
-    // Without demands stars agree in most metrics that are the same everywhere. In one so thin that
-    // they do not, thinness is what is in the way, and the metric is relaxed as any other: its
-    // mean, computed in doubles, is a less thin one, and how much it differs is told.
+    // Stars agree in every metric that is the same everywhere (docs/math/refinement.md). Where they
+    // are not found to, a limit on sites or on work is in the way, which a less thin metric, as the
+    // mean computed in doubles may be, can keep within; how much it differs is told.
     if (is_same_everywhere_) {
       if (is_final(attempt({relaxation_kind::without_demands, 1, 1, extent_}))) return conclude();
       is_same_everywhere_ = false;
@@ -114,9 +112,10 @@ class relaxation {
     constexpr int lattice = 24;
     const bounding_box box = image_.box();
     for (int i = 0; i < lattice * lattice; ++i) {
-      const double u = (i % lattice + 0.5) / lattice, v = (i / lattice + 0.5) / lattice;
-      const auto there =
-          framed_.at({(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y});
+      const int column = i % lattice, row = i / lattice;
+      const double u = (column + 0.5) / lattice, v = (row + 0.5) / lattice;
+      const auto there = unit_.field().at(
+          {(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y});
       if (there && !(there.value() == one)) return false;
     }
     return true;
@@ -126,23 +125,21 @@ class relaxation {
   std::unique_ptr<metric_field> make_field() const {
     std::unique_ptr<metric_field> made;
     if (step_.kind == relaxation_kind::softened)
-      made = soften(framed_, step_.power);
+      made = soften(unit_.field(), step_.power);
     else if (step_.kind == relaxation_kind::graded)
-      made = grade_over(framed_, image_.box(), step_.beta, step_.reach, mean_,
-                        [this] { return options_.stop && options_.stop(); });
+      made = grade_over(unit_.field(), image_.box(), step_.beta, step_.reach, mean_, options_.stop);
     else
       made = same_everywhere(mean_);
-    return made ? seen_from_outside(std::move(made), frame_) : nullptr;
+    return made ? checked(std::move(made)) : nullptr;
   }
 
   // Whether an edge of length 1 ends, at many places of a lattice over the box, where lengths are
   // measured quite otherwise: a forecast that spares fills in which every site meets all others.
   // Where the metric turns by a radian over an edge this is 2.8, and 1.6 where such a metric is
   // softened enough.
-  bool varies_too_fast(const metric_field& relaxed) const {
+  bool varies_too_fast(const metric_field& field) const {
     constexpr int lattice = 24;
     constexpr double too_much = 3, part = 0.1;
-    const framed_field field(relaxed, frame_);
     const bounding_box box = image_.box();
     int asked = 0, beyond = 0;
     for (int i = 0; i < lattice * lattice; ++i) {
@@ -182,46 +179,57 @@ class relaxation {
         step.kind == relaxation_kind::softened || step.kind == relaxation_kind::graded;
     crowded_ = options.limit_size && may_vary && varies_too_fast(*relaxed);
     if (crowded_) return tried_;
-    const auto filled = fill_within_budget(frame_, domain_, *relaxed, options, progress_);
+    const meshing_context job = job_in_frame(*relaxed, options);
+    const auto filled = fill_within_budget(job);
     if (!filled || (filled.value().proposed.stopped && is_stopped())) return tried_;
     crowded_ = filled.value().proposed.crowded.has_value();
-    longer_edges_ = std::exp2(filled.value().halvings / 2.0);
+    longer_edges_ = elementary::exp2(filled.value().halvings / 2.0);
     if (crowded_ || (may_vary && longer_edges_ > step.reach)) return tried_;
-    refine(filled.value(), *relaxed, options);
+    refine(filled.value(), job);
     return tried_;
   }
 
-  void refine(const budgeted_filling& filled, const metric_field& relaxed,
-              const mesh_options& options) {
+  meshing_context job_in_frame(const metric_field& relaxed, const mesh_options& options) const {
+    return {job_.kernel, image_, relaxed, options, job_.progress};
+  }
+
+  void refine(const budgeted_filling& filled, const meshing_context& job) {
     ++tries_;
-    const auto own_kernel = kernel_.fork();  // the work done for one mesh is counted from zero
-    auto made = mesh_from_sites(filled, *own_kernel, domain_, relaxed, options, progress_);
-    kernel_.count(own_kernel->counters());
-    if (made) tried_ = std::move(made).value();
+    const auto own_kernel = job.kernel.fork();  // the work done for one mesh is counted from zero
+    auto made = mesh_from_sites(job.on(*own_kernel), filled);
+    job.kernel.count(own_kernel->counters());
+    if (!made) return;
+    tried_ = std::move(made).value();
+    unit_.outward(*tried_);
   }
 
   bool is_stopped() {
-    if (!stopped_ && options_.stop) stopped_ = options_.stop();
+    if (!stopped_) stopped_ = options_.stop.poll();
     return stopped_.has_value();
   }
 
   bool is_final(const std::optional<mesh_outcome>& tried) const {
     if (stopped_) return true;
     if (!tried) return false;
-    const bool agrees = tried->disagreeing == 0 && tried->stars_missing == 0 && !tried->crowded;
+    const bool agrees = tried->disagreeing == 0 && tried->ended.stars_missing == 0 &&
+                        tried->ended.how != ending::crowded;
     return agrees || tried->stopped;
   }
 
   result<mesh_outcome> conclude() {
     if (stopped_ || tried_->stopped) {
       as_given_.stopped = true;
-      as_given_.reason = (stopped_ ? "stopped: " + *stopped_ : tried_->reason) +
-                         ", in the metric relaxed; before that, in the metric given, " +
-                         as_given_.reason;
+      as_given_.stopped_relaxing.emplace();
+      if (stopped_) {
+        as_given_.stopped_relaxing->how = ending::stopped;
+        as_given_.stopped_relaxing->stopped_because = *stopped_;
+      } else {
+        as_given_.stopped_relaxing = tried_->ended;
+      }
       return std::move(as_given_);
     }
     relaxation_report report;
-    report.why = as_given_.reason;
+    report.why = ending_text(as_given_);
     report.kind = step_.kind;
     report.power = step_.power;
     report.beta = step_.beta;
@@ -232,8 +240,8 @@ class relaxation {
     if (auto fitted = fit_to_given(report)) return *std::move(fitted);
     if (step_.kind == relaxation_kind::without_demands) tried_->complete = false;
     tried_->complete = tried_->complete && report.low_triangles.empty();
-    tried_->reason = reason(report);
     tried_->relaxed = std::move(report);
+    tried_->relaxed_details = {options_.angle_bound, is_same_everywhere_, fitting_stopped_};
     return *std::move(tried_);
   }
 
@@ -247,9 +255,9 @@ class relaxation {
       fitting_options wanted;
       wanted.angle_bound = options_.angle_bound;
       wanted.degrees_above_bound = aim;
-      if (options_.stop) wanted.enough = [this] { return options_.stop().has_value(); };
+      wanted.stop = options_.stop;
       const auto fitted = fit(domain_, field_, tried_->result, wanted);
-      if (fitted && fitted.value().stopped) fitting_stopped_ = options_.stop();
+      if (fitted && fitted.value().stopped) fitting_stopped_ = options_.stop.poll();
       if (!fitted || fitted.value().stopped) return std::nullopt;
       constexpr std::size_t hopeless = 50;
       if (fitted.value().low > hopeless) return std::nullopt;
@@ -269,25 +277,19 @@ class relaxation {
     mesh_outcome o;
     o.complete = true;
     o.result = fitted.triangulation;
-    o.tolerance = tried_->tolerance;
+    o.ended = tried_->ended;
     o.sites = o.result.sites.size();
     o.triangles = o.result.triangles.size();
     o.splits = o.result.boundary.size() - domain_.segments.size();
     o.inserted = o.sites - domain_.vertices.size() - o.splits;
-    o.length_factor = tried_->length_factor;
     for (const vertex_index v : found.exempt_corners)
       o.exempt.push_back({v, angle_at(o.result, v)});
     for (const vertex_index t : found.exempt_triangles)
       o.exempt_triangles.push_back(o.result.triangles[t]);
     if (options_.limit_size) o.too_large = count_large(o.result);
-    o.fitted = fitting_report{as_given_.reason, report.power,     report.low_triangles.size(),
-                              fitted.rounds,    fitted.moves,     fitted.flips,
-                              fitted.collapses, fitted.insertions};
-    o.reason = fmt::format(
-        "all stars agree and every triangle meets the bound, since the mesh of the metric with "
-        "aspects to the power of {} was fitted to the one given; {} triangles are larger than the "
-        "size asks for (before: {})",
-        report.power, o.too_large, as_given_.reason);
+    o.fitted = fitting_report{ending_text(as_given_), report.power,     report.low_triangles.size(),
+                              fitted.rounds,          fitted.moves,     fitted.flips,
+                              fitted.collapses,       fitted.insertions};
     return o;
   }
 
@@ -346,73 +348,14 @@ class relaxation {
       tried_->too_large = count_large(as_given);
   }
 
-  static std::string metric_text(const relaxation_report& report) {
-    switch (report.kind) {
-      case relaxation_kind::softened:
-        return fmt::format("the metric with aspects to the power of {}", report.power);
-      case relaxation_kind::graded:
-        return fmt::format("the metric graded with {} over the length {:.4g}", report.beta,
-                           report.reach);
-      case relaxation_kind::constant:
-        return "one metric for all";
-      case relaxation_kind::without_demands:
-        break;
-    }
-    return "one metric for all, with no demands on angles and sizes";
-  }
-
-  // The metric is not to blame: what is, is a limit, which `why` names, or details of the domain
-  // far smaller than the rest, near which the shortest edge is.
-  std::string reason_without_relaxation(const relaxation_report& report) const {
-    const auto [length, at] = shortest_edge(tried_->result);
-    return fmt::format(
-        "no mesh was found that meets the demands ({}), though the metric is the same everywhere; "
-        "the one delivered is made with no demands on angles and sizes, and its shortest edge, "
-        "{:.4g} "
-        "long, is at ({}, {}): {}; {} triangles are below {} degrees{}",
-        report.why, length, format_number(at.x), format_number(at.y), tried_->reason,
-        report.low_triangles.size(), options_.angle_bound, worst_text(report));
-  }
-
-  // As its first end measures it, and that end.
-  static std::pair<double, point> shortest_edge(const mesh& m) {
-    std::pair<double, point> least{std::numeric_limits<double>::infinity(), {}};
-    for (const triangle& t : m.triangles)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const site &p = m.sites[t[i]], &q = m.sites[t[(i + 1) % 3]];
-        const double length = std::sqrt(squared_distance(p, q.position));
-        if (length < least.first) least = {length, p.position};
-      }
-    return least;
-  }
-
-  // Nothing where no triangle is away from the exempt corners.
-  static std::string worst_text(const relaxation_report& report) {
-    return report.worst_angle < 180 ? fmt::format(", the worst {:.2f}", report.worst_angle) : "";
-  }
-
-  std::string reason(const relaxation_report& report) const {
-    if (is_same_everywhere_) return reason_without_relaxation(report);
-    const std::string stopped =
-        fitting_stopped_ ? "; fitting it to that was stopped: " + *fitting_stopped_ : "";
-    return fmt::format(
-        "stars cannot agree in the metric given ({}); they agree in {}, which differs from it at "
-        "{} of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as "
-        "the metric given measures them {} triangles are below {} degrees{}{}",
-        report.why, metric_text(report), report.changed, report.given.size(), report.most_longer,
-        report.most_shorter, tried_->reason, report.low_triangles.size(), options_.angle_bound,
-        worst_text(report), stopped);
-  }
-
-  const star_predicates& kernel_;
+  const meshing_context& job_;
   const domain& domain_;
   const metric_field& field_;
   const mesh_options& options_;
-  const std::function<void(const mesh_progress&)>& progress_;
   mesh_outcome as_given_;
-  unit_frame frame_;
-  domain image_;  // in the frame, as all that follows
-  framed_field framed_;
+  unit_image unit_;
+  const unit_frame& frame_;
+  const domain& image_;  // in the frame, as the mean and the extent
   metric_tensor mean_;
   bool is_same_everywhere_ = false;
   double extent_ = 0;
@@ -429,14 +372,13 @@ class relaxation {
 
 bool wants_relaxation(const mesh_outcome& made, const mesh_options& options) {
   return options.relax && options.strategy == refinement_strategy::fill && !made.stopped &&
-         !made.complete && (made.disagreeing > 0 || made.stars_missing > 0 || made.crowded);
+         !made.complete &&
+         (made.disagreeing > 0 || made.ended.stars_missing > 0 ||
+          made.ended.how == ending::crowded);
 }
 
-result<mesh_outcome> refine_relaxed(const star_predicates& kernel, const domain& d,
-                                    const metric_field& field, const mesh_options& options,
-                                    const std::function<void(const mesh_progress&)>& progress,
-                                    mesh_outcome as_given) {
-  return relaxation(kernel, d, field, options, progress, std::move(as_given)).run();
+result<mesh_outcome> refine_relaxed(const meshing_context& job, mesh_outcome as_given) {
+  return relaxation(job, std::move(as_given)).run();
 }
 
 }  // namespace asterism::internal

@@ -22,14 +22,10 @@
 // split what is encroached; then the outcome is the one in the metric given.
 #pragma once
 
-#include <functional>
-
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/data/domain.hpp"
-#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
-#include "asterism/mesh/stars/star_predicates.hpp"
+#include "asterism/mesh/refine/meshing_context.hpp"
 
 namespace asterism::internal {
 
@@ -37,11 +33,9 @@ namespace asterism::internal {
 // no sites but the given ones because no others could be spread.
 bool wants_relaxation(const mesh_outcome& made, const mesh_options& options);
 
-// Requires wants_relaxation(as_given, options). Everything of the outcome but the counters, which
-// the kernel has. Fails where `field` fails at a site of the mesh.
-result<mesh_outcome> refine_relaxed(const star_predicates& kernel, const domain& d,
-                                    const metric_field& field, const mesh_options& options,
-                                    const std::function<void(const mesh_progress&)>& progress,
-                                    mesh_outcome as_given);
+// Requires wants_relaxation(as_given, job.options). The job's domain and field, and `as_given`, are
+// in the caller's units. Everything of the outcome but the counters, which the kernel has. Fails
+// where the field fails at a site of the mesh.
+result<mesh_outcome> refine_relaxed(const meshing_context& job, mesh_outcome as_given);
 
 }  // namespace asterism::internal

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -66,7 +67,8 @@ std::vector<exempt_corner> exempt_corners(const refine_state& state,
   return corners;
 }
 
-survey::survey(const refine_state& state, const angle_requirement& angle, bool limit_size)
+bad_triangle_queue::bad_triangle_queue(const refine_state& state, const angle_requirement& angle,
+                                       bool limit_size)
     : angle_(angle),
       limit_size_(limit_size),
       exempt_corners_(asterism::internal::exempt_corners(state, angle)) {
@@ -74,7 +76,7 @@ survey::survey(const refine_state& state, const angle_requirement& angle, bool l
     if (c.angle < angle.degrees()) corners_below_.push_back(c);
 }
 
-std::vector<triangle> survey::exempt() const {
+std::vector<triangle> bad_triangle_queue::exempt() const {
   std::vector<triangle> all;
   for (const auto& [v, r] : records_) all.insert(all.end(), r.exempt.begin(), r.exempt.end());
   std::sort(all.begin(), all.end());
@@ -83,7 +85,7 @@ std::vector<triangle> survey::exempt() const {
 
 // Whether its corners are all on two segments, not both of the rim, that meet in a corner below
 // half the bound: their low angles are left (docs/math/refinement.md, "Corners").
-bool survey::crosses_wedge(const refine_state& state, const triangle& t) const {
+bool bad_triangle_queue::crosses_wedge(const refine_state& state, const triangle& t) const {
   const auto accepts = [&](const domain_wedge& w) {
     return w.internal && state.is_narrower(w, w.corner.vertex, angle_.degrees() / 2) &&
            std::all_of(t.begin(), t.end(),
@@ -92,8 +94,8 @@ bool survey::crosses_wedge(const refine_state& state, const triangle& t) const {
   return state.wedge_across(t, accepts) != nullptr;
 }
 
-void survey::judge(const refine_state& state, const site_oracle& oracle, const triangle& t,
-                   record& into) const {
+void bad_triangle_queue::judge(const refine_state& state, const site_oracle& oracle,
+                               const triangle& t, record& into) const {
   const triangle_sites sites = sites_of(state, t);
   const bool low = angle_.is_low(sites);
   std::array<bool, 3> in_corner{};
@@ -114,8 +116,9 @@ void survey::judge(const refine_state& state, const site_oracle& oracle, const t
     into.bad.push_back({badness::too_large, -circumradius, t});
 }
 
-survey::record survey::examine(const refine_state& state, const star_predicates& kernel,
-                               vertex_index v) const {
+bad_triangle_queue::record bad_triangle_queue::examine(const refine_state& state,
+                                                       const star_predicates& kernel,
+                                                       vertex_index v) const {
   record found;
   const site_oracle oracle = state.oracle().with_kernel(kernel);
   const star_set& stars = state.stars();
@@ -145,7 +148,7 @@ survey::record survey::examine(const refine_state& state, const star_predicates&
   return found;
 }
 
-void survey::forget(vertex_index v) {
+void bad_triangle_queue::forget(vertex_index v) {
   const auto at = records_.find(v);
   if (at == records_.end()) return;
   const record& old = at->second;
@@ -169,7 +172,7 @@ void survey::forget(vertex_index v) {
   records_.erase(at);
 }
 
-void survey::remember(const refine_state& state, vertex_index v, record now) {
+void bad_triangle_queue::remember(const refine_state& state, vertex_index v, record now) {
   if (now.empty()) return;
   for (const triangle& t : now.disagreeing) {
     const auto [entry, added] = disagreeing_.try_emplace(t, 0, 0.0);
@@ -191,15 +194,14 @@ void survey::remember(const refine_state& state, vertex_index v, record now) {
 
 // What a star says depends on itself and on the stars of its neighbours. Those that have a touched
 // star as a neighbour are its own neighbours, now or before, or claim it one-sidedly.
-std::vector<vertex_index> survey::dependents(refine_state& state) {
+std::vector<vertex_index> bad_triangle_queue::dependents(refine_state& state) {
   std::vector<vertex_index> all = state.stars().take_touched();
   if (std::exchange(first_, false)) {
     all.resize(state.stars().size());
     std::iota(all.begin(), all.end(), vertex_index{0});
     return all;
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sort_unique(all);
   const std::size_t touched = all.size();
   for (std::size_t i = 0; i < touched; ++i) {
     for (const sector& s : state.stars()[all[i]].sectors)
@@ -208,12 +210,11 @@ std::vector<vertex_index> survey::dependents(refine_state& state) {
     if (claimants != claimed_by_.end())
       all.insert(all.end(), claimants->second.begin(), claimants->second.end());
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sort_unique(all);
   return all;
 }
 
-void survey::update(refine_state& state) {
+void bad_triangle_queue::update(refine_state& state) {
   const std::vector<vertex_index> which = dependents(state);
   constexpr std::size_t chunk = 256;
   struct spoken {

@@ -42,9 +42,9 @@ struct bad_triangle {
   }
 };
 
-class survey {
+class bad_triangle_queue {
  public:
-  survey(const refine_state& state, const angle_requirement& angle, bool limit_size);
+  bad_triangle_queue(const refine_state& state, const angle_requirement& angle, bool limit_size);
 
   // Looks again at what has been touched since the last time.
   void update(refine_state& state);

@@ -16,11 +16,6 @@ namespace {
 // Of one pass. After the first few, half of what is left is given up each time.
 constexpr std::size_t most_tries = 10, tries_before_halving = 4;
 
-mesh inward(mesh m, const unit_frame& frame) {
-  for (site& s : m.sites) s = {frame.inward(s.position), frame.inward(s.metric)};
-  return m;
-}
-
 // What may not get worse.
 struct standing {
   std::size_t sites = 0, exempt = 0;
@@ -95,18 +90,12 @@ std::vector<char> spoilt_at(const places_before& places, std::size_t count_befor
 
 class improver {
  public:
-  improver(const domain& d, const metric_field& field, const unit_frame& frame,
-           const mesh_options& options, const refine_again& refine, mesh_outcome& outcome)
-      : domain_(d),
-        field_(field),
-        frame_(frame),
-        options_(options),
-        refine_(refine),
-        outcome_(outcome) {}
+  improver(const meshing_context& job, const refine_again& refine, mesh_outcome& outcome)
+      : job_(job), options_(job.options), refine_(refine), outcome_(outcome) {}
 
   void run() {
     improvement_report report;
-    now_ = inward(outcome_.result, frame_);
+    now_ = outcome_.result;
     standing_ = standing_of(now_, outcome_.exempt_triangles);
     report.sites_before = standing_.sites;
     report.mean_quality_before = standing_.mean_quality;
@@ -128,10 +117,10 @@ class improver {
     goal.largest_radius =
         options_.limit_size ? largest_circumradius : std::numeric_limits<double>::infinity();
     for (std::size_t attempt = 0; attempt < most_tries; ++attempt) {
-      report.stopped = options_.stop && options_.stop();
+      report.stopped = options_.stop.is_requested();
       if (report.stopped) return false;
       const improvement_proposal p =
-          propose_improvement(now_, domain_.segments.size(), field_, goal, barred);
+          propose_improvement(now_, job_.shape.segments.size(), job_.field, goal, barred);
       if (p.changes_nothing()) return false;
       ++report.tries;
       auto made = refine_(p.filling, now_.sites.size());
@@ -152,7 +141,7 @@ class improver {
 
   // Otherwise what was tried is left in tried_.
   bool accept(mesh_outcome made) {
-    tried_ = inward(made.result, frame_);
+    tried_ = made.result;
     const standing after = standing_of(tried_, made.exempt_triangles);
     quality_fell_ = after.mean_quality < standing_.mean_quality;
     if (!made.complete || !is_better(standing_, after)) return false;
@@ -175,23 +164,20 @@ class improver {
     for (std::size_t i = all.size() / 2; i < all.size(); ++i) barred[all[i]] = 1;
   }
 
-  const domain& domain_;
-  const metric_field& field_;
-  const unit_frame& frame_;
+  const meshing_context& job_;
   const mesh_options& options_;
   const refine_again& refine_;
   mesh_outcome& outcome_;
-  mesh now_, tried_;  // in the frame
+  mesh now_, tried_;
   standing standing_;
   bool quality_fell_ = false;  // in the last try
 };
 
 }  // namespace
 
-void improve(const domain& d, const metric_field& field, const unit_frame& frame,
-             const mesh_options& options, const refine_again& refine, mesh_outcome& outcome) {
-  if (options.improve_passes == 0 || !outcome.complete) return;
-  improver(d, field, frame, options, refine, outcome).run();
+void improve(const meshing_context& job, const refine_again& refine, mesh_outcome& outcome) {
+  if (job.options.improve_passes == 0 || !outcome.complete) return;
+  improver(job, refine, outcome).run();
 }
 
 }  // namespace asterism::internal

@@ -13,12 +13,9 @@
 #include <functional>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/data/domain.hpp"
-#include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
 #include "asterism/mesh/fill/fill.hpp"
-#include "asterism/mesh/metric/unit_frame.hpp"
+#include "asterism/mesh/refine/meshing_context.hpp"
 
 namespace asterism::internal {
 
@@ -27,9 +24,8 @@ using refine_again =
     std::function<result<mesh_outcome>(const filled_domain& proposed, std::size_t most)>;
 
 // Does options.improve_passes passes or as many as are accepted, and reports them in
-// `outcome.improved`. `d` and `field` are in `frame`, `outcome` is not. An outcome that is not
-// complete is left alone; so is the last accepted one when options.stop has something to say.
-void improve(const domain& d, const metric_field& field, const unit_frame& frame,
-             const mesh_options& options, const refine_again& refine, mesh_outcome& outcome);
+// `outcome.improved`. An outcome that is not complete is left alone; so is the last accepted one
+// once options.stop asks for an end.
+void improve(const meshing_context& job, const refine_again& refine, mesh_outcome& outcome);
 
 }  // namespace asterism::internal

@@ -22,7 +22,7 @@ constexpr std::size_t most_sides = 12;
 // A move may spoil an angle above this for the sake of the others.
 constexpr double comfortable_angle = 30;
 constexpr int sweeps = 4;
-// Of the sum of qualities around a site: less is not worth new stars.
+// Smallest gain in summed quality that justifies rebuilding a site's stars.
 constexpr double least_gain = 1e-3;
 
 struct judgement {
@@ -35,6 +35,52 @@ struct hole {
       0;  // of the sum of qualities over what keeps the mean as it is, two triangles fewer
   std::vector<triangle> filled_by;
 };
+
+// Triangulates the part first..last of a ring, for which `apex` has the third corner.
+std::vector<triangle> triangles_below(
+    const std::vector<vertex_index>& ring,
+    const std::array<std::array<std::size_t, most_sides>, most_sides>& apex) {
+  std::vector<triangle> found;
+  std::vector<std::array<std::size_t, 2>> parts{{0, ring.size() - 1}};
+  while (!parts.empty()) {
+    const auto [first, last] = parts.back();
+    parts.pop_back();
+    if (last == first + 1) continue;
+    const std::size_t k = apex[first][last];
+    found.push_back({ring[first], ring[k], ring[last]});
+    parts.push_back({first, k});
+    parts.push_back({k, last});
+  }
+  return found;
+}
+
+// Returns the triangulation of a ring, counter-clockwise, whose least `worth` of a triangle is
+// greatest, by dynamic programming over its parts first..last. Empty where each has a triangle of
+// no worth, which is less than 0, and where the ring has fewer than three sides or too many.
+template <class Worth>
+std::vector<triangle> best_ring_triangulation(const std::vector<vertex_index>& ring,
+                                              const Worth& worth) {
+  const std::size_t n = ring.size();
+  if (n < 3 || n > most_sides) return {};
+  std::array<std::array<double, most_sides>, most_sides> best{};
+  std::array<std::array<std::size_t, most_sides>, most_sides> apex{};
+  for (std::size_t i = 0; i + 1 < n; ++i) best[i][i + 1] = 180;
+  for (std::size_t width = 2; width < n; ++width)
+    for (std::size_t first = 0; first + width < n; ++first) {
+      const std::size_t last = first + width;
+      best[first][last] = -1;
+      for (std::size_t k = first + 1; k < last; ++k) {
+        double least = std::min(best[first][k], best[k][last]);
+        if (least <= best[first][last]) continue;
+        least = std::min(least, worth({ring[first], ring[k], ring[last]}));
+        if (least <= best[first][last]) continue;
+        best[first][last] = least;
+        apex[first][last] = k;
+      }
+    }
+  if (best[0][n - 1] < 0) return {};
+  return triangles_below(ring, apex);
+}
 
 // The triangulation as it would be, changed step by step.
 class coarsening {
@@ -165,41 +211,13 @@ class coarsening {
     return angle;
   }
 
-  // The triangulation of the ring whose smallest angle is largest, by dynamic programming over its
-  // parts first..last.
+  // Returns the best filling of the hole that v leaves; none where v has to stay.
   std::optional<hole> hole_of(vertex_index v) const {
     if (free_[v] == 0) return std::nullopt;
-    const std::vector<vertex_index> around = ring(v);
-    const std::size_t n = around.size();
-    if (n < 3 || n > most_sides) return std::nullopt;
-    std::array<std::array<double, most_sides>, most_sides> best{};
-    std::array<std::array<std::size_t, most_sides>, most_sides> apex{};
-    for (std::size_t i = 0; i + 1 < n; ++i) best[i][i + 1] = 180;
-    for (std::size_t width = 2; width < n; ++width)
-      for (std::size_t first = 0; first + width < n; ++first) {
-        const std::size_t last = first + width;
-        best[first][last] = -1;
-        for (std::size_t k = first + 1; k < last; ++k) {
-          double least = std::min(best[first][k], best[k][last]);
-          if (least <= best[first][last]) continue;
-          least = std::min(least, worth({around[first], around[k], around[last]}));
-          if (least <= best[first][last]) continue;
-          best[first][last] = least;
-          apex[first][last] = k;
-        }
-      }
-    if (best[0][n - 1] < 0) return std::nullopt;
     hole found{v, 0, {}};
-    std::vector<std::array<std::size_t, 2>> parts{{0, n - 1}};
-    while (!parts.empty()) {
-      const auto [first, last] = parts.back();
-      parts.pop_back();
-      if (last == first + 1) continue;
-      const std::size_t k = apex[first][last];
-      found.filled_by.push_back({around[first], around[k], around[last]});
-      parts.push_back({first, k});
-      parts.push_back({k, last});
-    }
+    found.filled_by =
+        best_ring_triangulation(ring(v), [this](const triangle& t) { return worth(t); });
+    if (found.filled_by.empty()) return std::nullopt;
     found.gain = 2 * goal_.mean_quality;
     for (const triangle& t : found.filled_by) found.gain += shape_of(sites_of(t)).quality;
     for (const std::size_t i : triangles_at_[v])

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/stars/nearest_distances.hpp"
 
@@ -35,8 +35,8 @@ double smallest_feature(const refine_state& state, vertex_index vertices, double
   for (const domain_corner& c : state.corners())
     if (c.angle < 60)
       for (const std::size_t subsegment : state.subsegments_at(c))
-        least = std::min(
-            least, state.subsegment_length(subsegment, c.vertex) * std::sin(c.angle * degree));
+        least = std::min(least, state.subsegment_length(subsegment, c.vertex) *
+                                    elementary::sin(c.angle * degree));
   return least;
 }
 
@@ -66,12 +66,6 @@ tolerance_range choose_tolerance(const refine_state& state, vertex_index vertice
   tolerance_range arcs{arc_fraction * shortest, arc_fraction * shortest / arc_ladder};
   arcs.finest = arcs.start / arc_finest_part;
   return arcs;
-}
-
-std::string format_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
 }
 
 }  // namespace asterism::internal

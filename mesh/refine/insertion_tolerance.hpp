@@ -11,8 +11,6 @@
 // sites.
 #pragma once
 
-#include <string>
-
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
@@ -29,8 +27,5 @@ struct tolerance_range {
 // `vertices` is the number of the domain's vertices, which are the first sites.
 tolerance_range choose_tolerance(const refine_state& state, vertex_index vertices,
                                  const mesh_options& options);
-
-// Six significant digits, for messages.
-std::string format_number(double value);
 
 }  // namespace asterism::internal

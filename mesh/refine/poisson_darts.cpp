@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 
@@ -16,15 +17,7 @@ constexpr double reach = 1.5;  // of the ellipse, in distances from centroid to 
 
 }  // namespace
 
-double dart_generator::uniform() {
-  std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  z ^= z >> 31;
-  return std::ldexp(static_cast<double>(z >> 11), -53);
-}
-
-point throw_dart(const refine_state& state, const triangle& t, dart_generator& random) {
+point throw_dart(const refine_state& state, const triangle& t, splitmix64& random) {
   const triangle_sites sites = sites_of(state, t);
   site mean{};
   for (const site& s : sites) {
@@ -36,13 +29,13 @@ point throw_dart(const refine_state& state, const triangle& t, dart_generator& r
   }
   double farthest = 0;
   for (const site& s : sites) farthest = std::max(farthest, squared_distance(mean, s.position));
-  const double radius = reach * std::sqrt(farthest * random.uniform());
-  const double turn = 2 * std::numbers::pi * random.uniform();
+  const double radius = reach * std::sqrt(farthest * random.real());
+  const double turn = 2 * std::numbers::pi * random.real();
   // With M = L L^T, the points c + L^-T u, |u| = r, are those at distance r from c.
   const double l11 = std::sqrt(mean.metric.m11), l21 = mean.metric.m12 / l11;
   const double l22 = std::sqrt(least_across(mean.metric.m22, mean.metric.m12, mean.metric.m11));
-  const double y = radius * std::sin(turn) / l22;
-  const double x = (radius * std::cos(turn) - l21 * y) / l11;
+  const double y = radius * elementary::sin(turn) / l22;
+  const double x = (radius * elementary::cos(turn) - l21 * y) / l11;
   return {mean.position.x + x, mean.position.y + y};
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "asterism/core/random.hpp"
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/refine/bad_triangle_queue.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
@@ -15,20 +16,9 @@
 
 namespace asterism::internal {
 
-// A small generator with the same sequence everywhere (splitmix64).
-class dart_generator {
- public:
-  explicit dart_generator(std::uint64_t seed) : state_(seed) {}
-  // Uniform in [0, 1), 53 bits.
-  double uniform();
-
- private:
-  std::uint64_t state_;
-};
-
 // A uniformly random point of an ellipse around the triangle: centred at its centroid, a disk in
 // the mean of its three metrics, and large enough to hold the triangle half as large again.
-point throw_dart(const refine_state& state, const triangle& t, dart_generator& random);
+point throw_dart(const refine_state& state, const triangle& t, splitmix64& random);
 
 class dart_thrower {
  public:
@@ -43,7 +33,7 @@ class dart_thrower {
   bool refine(refine_state& state, const std::vector<bad_triangle>& bad, std::size_t& rejected);
 
  private:
-  dart_generator random_;
+  splitmix64 random_;
   int max_rejected_;
   double tolerance_, floor_;
   int rejected_in_a_row_ = 0;

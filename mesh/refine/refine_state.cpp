@@ -48,11 +48,11 @@ result<refine_state> refine_state::start_filled(const domain& d, const metric_fi
                                                 const star_predicates& kernel,
                                                 std::size_t most_sites,
                                                 const filled_domain& filling,
-                                                std::function<bool()> enough) {
+                                                const cancellation& cancelled) {
   auto state = prepare(d, field, kernel, most_sites);
   if (!state) return state;
-  if (enough) state.value().stars_.ask_between_stars(enough);
-  if (enough) state.value().ask_before_splits(std::move(enough));
+  state.value().stars_.cancel_by(cancelled);
+  state.value().cancelled_ = cancelled;
   state.value().divide(d, filling);
   state.value().add_proposed(filling.interior);
   state.value().construct_stars();

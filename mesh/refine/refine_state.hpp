@@ -34,6 +34,7 @@
 #include "asterism/mesh/stars/star_oracle.hpp"
 #include "asterism/mesh/stars/star_predicates.hpp"
 #include "asterism/mesh/stars/star_set.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
 
@@ -62,10 +63,12 @@ class refine_state {
                                     const star_predicates& kernel, std::size_t most_sites);
   // The same with a proposal put in first: segments are divided where that is possible, and of the
   // other sites those are taken that are inside what then is the domain and encroach on nothing.
+  // `cancelled` is polled between stars and between splits, which may be many, and each slow where
+  // only exact arithmetic decides; it ends clear_encroachments and shorten_subsegments early.
   static result<refine_state> start_filled(const domain& d, const metric_field& field,
                                            const star_predicates& kernel, std::size_t most_sites,
                                            const filled_domain& filling,
-                                           std::function<bool()> enough = {});
+                                           const cancellation& cancelled = {});
 
   const std::vector<site>& sites() const { return sites_; }
   const boundary& edges() const { return edges_; }
@@ -81,11 +84,6 @@ class refine_state {
   // Whether the most work that is done for so many sites was done (stars/work_limit.hpp). Counted,
   // not timed, so that every run ends at the same place.
   bool is_overworked() const;
-
-  // Asked between splits and, if given to start_filled(), between stars; true ends
-  // clear_encroachments and shorten_subsegments early. Splits may be many, and each slow where only
-  // exact arithmetic decides.
-  void ask_before_splits(std::function<bool()> enough) { enough_ = std::move(enough); }
 
   // Set when the metric field failed at a point that was tried; nothing can go on then.
   const std::optional<error>& field_failure() const { return field_failure_; }
@@ -182,7 +180,7 @@ class refine_state {
   std::size_t given_ = 0;  // the domain's vertices, which are the first sites
   std::size_t splits_ = 0;
   std::optional<error> field_failure_;
-  std::function<bool()> enough_ = [] { return false; };
+  cancellation cancelled_;
 };
 
 }  // namespace asterism::internal

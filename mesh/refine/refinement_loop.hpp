@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// The refinement loop: survey, repair stars, insert a site, until nothing is bad or nothing helps.
+// The refinement loop: look for bad triangles, repair stars, insert a site, until nothing is bad or
+// nothing helps.
 #pragma once
 
-#include <functional>
-
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
-#include "asterism/mesh/refine/site_budget.hpp"
-#include "asterism/mesh/stars/star_predicates.hpp"
+#include "asterism/mesh/fill/fill.hpp"
+#include "asterism/mesh/refine/meshing_context.hpp"
 
 namespace asterism::internal {
 
-// make_mesh on any kernel; fills everything of the outcome but the counters. With a kernel that is
+// Refines the job's domain with the proposed sites put in first, and fills in everything of the
+// outcome but the counters, in the unit frame. Fails where the field does. With a kernel that is
 // not exact the outcome claims what that kernel believes.
-result<mesh_outcome> mesh_domain(const star_predicates& kernel, const domain& d,
-                                 const metric_field& field, const mesh_options& options,
-                                 const std::function<void(const mesh_progress&)>& progress);
-
-// The same from sites proposed already, which must not be crowded.
-result<mesh_outcome> mesh_from_sites(const budgeted_filling& filled, const star_predicates& kernel,
-                                     const domain& d, const metric_field& field,
-                                     const mesh_options& options,
-                                     const std::function<void(const mesh_progress&)>& progress);
+result<mesh_outcome> refine(const meshing_context& job, const filled_domain& proposed);
 
 }  // namespace asterism::internal

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
@@ -27,7 +28,9 @@ double rounding_of_distance(const metric_tensor& m, const point& a, const point&
 }
 
 // The power of two nearest to half the length, as a ratio: within a factor sqrt(2) of it.
-double shell_radius(double length) { return std::exp2(std::round(std::log2(length / 2))); }
+double shell_radius(double length) {
+  return elementary::exp2(std::round(elementary::log2(length / 2)));
+}
 
 // An upper bound on |d|_M^2, in doubles. With eps = 2^-52 and sum = m11 dx^2 + m22 dy^2 the
 // absolute monomials add up to at most 2 sum (2 |m12 dx dy| <= sum), each carries at most 8 rounded
@@ -258,7 +261,7 @@ bool refine_state::clear_encroachments(double shortest) {
     suspects_.pop_back();
     const auto encroacher = find_encroacher(subsegment);
     if (!encroacher) continue;
-    if (enough_()) return false;
+    if (cancelled_.is_requested()) return false;
     const auto mirrored = mirrored_split_point(edges_.subsegments()[subsegment], *encroacher);
     if (!mirrored || !split_at(subsegment, *mirrored, shortest)) split(subsegment, shortest);
   }
@@ -272,7 +275,7 @@ void refine_state::shorten_subsegments(double longest) {
       return std::max(subsegment_length(subsegment, p.a), subsegment_length(subsegment, p.b)) >
              longest;
     };
-    while (too_long() && !enough_() && !is_overworked() && split(subsegment, 0)) {
+    while (too_long() && !cancelled_.is_requested() && !is_overworked() && split(subsegment, 0)) {
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
@@ -38,7 +39,7 @@ std::optional<point> point_between(const point& near, const point& far, double n
 double coarsest_in_middle(double low, double high) {
   const double quarter = (high - low) / 4, middle = low + 2 * quarter;
   // One of two neighbouring multiples is in an interval at least as long as their distance.
-  double step = std::exp2(std::ceil(std::log2(high)));
+  double step = elementary::exp2(std::ceil(elementary::log2(high)));
   for (int i = 0; i < 64; ++i, step /= 2) {
     const double multiple = step * std::round(middle / step);
     if (std::abs(multiple - middle) <= quarter) return multiple;

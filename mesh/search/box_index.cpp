@@ -22,8 +22,7 @@ std::uint32_t box_index::place(const bounding_box& box, bool grow) {
       node& n = nodes_[at];
       if (!n.used) n.around = box;
       n.used = true;
-      n.around = {{std::min(n.around.low.x, box.low.x), std::min(n.around.low.y, box.low.y)},
-                  {std::max(n.around.high.x, box.high.x), std::max(n.around.high.y, box.high.y)}};
+      n.around.include(box);
     }
     const point quarter{nodes_[at].half.x / 2, nodes_[at].half.y / 2};
     if (level >= most_levels || half_size.x > quarter.x || half_size.y > quarter.y) return at;

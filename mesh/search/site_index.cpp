@@ -38,13 +38,12 @@ site_index::site_index(const bounding_box& box)
 // An empty node has count 0 and an inverted box, which is apart from everything.
 void site_index::cover(node& n, const site& s) const {
   if (n.count == 0) {
-    n.low = n.high = s.position;
+    n.box = {s.position, s.position};
     n.inverse12_low = infinity;
     n.inverse12_high = -infinity;
     n.inverse_determinant = infinity;
   }
-  n.low = {std::min(n.low.x, s.position.x), std::min(n.low.y, s.position.y)};
-  n.high = {std::max(n.high.x, s.position.x), std::max(n.high.y, s.position.y)};
+  n.box.include(s.position);
   const range det = determinant(s.metric);
   if (!(det.low > smallest && det.high < largest)) {
     n.inverse11 = n.inverse22 = n.inverse12_high = infinity;
@@ -96,8 +95,7 @@ void site_index::split(const std::vector<site>& sites, std::uint32_t at, const p
     nodes_.emplace_back();
     nodes_.back().middle = {middle.x + ((child & 1) != 0 ? quarter.x : -quarter.x),
                             middle.y + ((child & 2) != 0 ? quarter.y : -quarter.y)};
-    nodes_.back().low = {infinity, infinity};
-    nodes_.back().high = {-infinity, -infinity};
+    nodes_.back().box = {{infinity, infinity}, {-infinity, -infinity}};
   }
   const std::array<vertex_index, leaf_capacity> moved = nodes_[at].leaf;
   nodes_[at].first_child = first;
@@ -117,7 +115,7 @@ double site_index::spacing_near(const site& v) const {
   std::uint32_t at = 0;
   while (!nodes_.empty()) {
     const node& n = nodes_[at];
-    const double area = root * (n.high.x - n.low.x) * (n.high.y - n.low.y);
+    const double area = root * (n.box.high.x - n.box.low.x) * (n.box.high.y - n.box.low.y);
     if (n.count < enough) break;
     if (area > 0) spacing = std::sqrt(area / n.count);
     if (n.first_child == none) break;
@@ -169,7 +167,8 @@ double site_index::rough_squared_limit(const node& n, const centre& c) {
 // g.w.
 site_index::approach site_index::approach_of(const node& n, const centre& c) {
   const point& at = c.v->position;
-  const point low{n.low.x - at.x, n.low.y - at.y}, high{n.high.x - at.x, n.high.y - at.y};
+  const point low{n.box.low.x - at.x, n.box.low.y - at.y},
+      high{n.box.high.x - at.x, n.box.high.y - at.y};
   if (low.x <= 0 && low.y <= 0 && high.x >= 0 && high.y >= 0) return {};  // v is in the box
   const metric_tensor& m = c.v->metric;
   const point u{0.5 * low.x + 0.5 * high.x, 0.5 * low.y + 0.5 * high.y};

@@ -11,6 +11,9 @@
 // docs/math/certificate.md, section 4.3.
 //
 // Deterministic: sites are visited in an order that depends on the insertions alone.
+//
+// The auditor has a tree of its own with the same descent by the same lemma (mesh/audit/site_tree),
+// deliberately: it must share no code with what it judges.
 #pragma once
 
 #include <array>
@@ -56,7 +59,7 @@ class site_index {
   static constexpr std::uint32_t none = 0;
 
   struct node {
-    point low, high;                                               // tight around the sites below
+    bounding_box box;                                              // tight around the sites below
     point middle;                                                  // where the four children meet
     double inverse11 = 0, inverse22 = 0, inverse_determinant = 0;  // above, above, below
     double inverse12_low = 0, inverse12_high = 0;
@@ -67,7 +70,8 @@ class site_index {
   };
 
   static bool apart(const node& n, const point& low, const point& high) {
-    return n.high.x < low.x || n.low.x > high.x || n.high.y < low.y || n.low.y > high.y;
+    return n.box.high.x < low.x || n.box.low.x > high.x || n.box.high.y < low.y ||
+           n.box.low.y > high.y;
   }
   // A star's centre, prepared to be asked how far nodes and sites are.
   struct centre {
@@ -148,8 +152,8 @@ bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) co
   while (waiting > 0) {
     const node& n = nodes_[open[--waiting]];
     const double reach = distance * (1 + 0x1p-40);
-    if (n.count == 0 || beyond(q.x, n.low.x, n.high.x) > reach * std::sqrt(n.inverse11) ||
-        beyond(q.y, n.low.y, n.high.y) > reach * std::sqrt(n.inverse22))
+    if (n.count == 0 || beyond(q.x, n.box.low.x, n.box.high.x) > reach * std::sqrt(n.inverse11) ||
+        beyond(q.y, n.box.low.y, n.box.high.y) > reach * std::sqrt(n.inverse22))
       continue;
     if (n.first_child != none)
       for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;

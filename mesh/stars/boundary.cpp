@@ -66,7 +66,8 @@ result<boundary> boundary::build(const domain& d, const star_predicates& kernel)
     sort_rays(rays[v], d.vertices[v], d.vertices, kernel);
     if (!pair_rays(rays[v], b.corners_[v]))
       return error{"vertex " + std::to_string(v + 1) +
-                   ": the segments at it do not separate inside from outside"};
+                       ": the segments at it do not separate inside from outside",
+                   error_code::invalid_domain};
   }
   return b;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "asterism/mesh/support/sort_unique.hpp"
+
 namespace asterism::internal {
 namespace {
 
@@ -13,8 +15,7 @@ class checker {
   consistency_report run() {
     for (vertex_index v = 0; v < stars_.size(); ++v) check_star(v);
     for (auto* list : {&report_.agreeing, &report_.disagreeing}) {
-      std::sort(list->begin(), list->end());
-      list->erase(std::unique(list->begin(), list->end()), list->end());
+      sort_unique(*list);
     }
     return std::move(report_);
   }

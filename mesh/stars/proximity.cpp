@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/stars/proximity.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
 
 namespace asterism::internal {
 namespace {
-
-bounding_box box_of_sites(const std::vector<site>& sites) {
-  if (sites.empty()) return {};
-  bounding_box box{sites[0].position, sites[0].position};
-  for (const site& s : sites) {
-    const point& q = s.position;
-    box.low = {std::min(box.low.x, q.x), std::min(box.low.y, q.y)};
-    box.high = {std::max(box.high.x, q.x), std::max(box.high.y, q.y)};
-  }
-  return box;
-}
 
 bounding_box subsegment_box(const std::vector<site>& sites, const boundary_edge& subsegment) {
   return box_of(sites[subsegment.a].position, sites[subsegment.b].position);

@@ -160,6 +160,12 @@ double farthest_vertex(const plain_star& guess) {
   return std::sqrt(squared);
 }
 
+// Looks farther and farther, until the star's farthest vertex is well within what was looked at.
+// Two spacings, and the margin of reach_of_vertices, hold the star in an even lattice; six sites
+// are what a site has as neighbours on average. A look that was too short names the reach it wants:
+// it is taken with 2 % for its own rounding, at least a quarter more, so that looks get somewhere,
+// and at most twice as much, as a guess from too few sites may have a vertex anywhere.
+//
 // Ends because attempts are counted. Where metrics vary wildly some gaps have no vertex however far
 // one looks; then what is near has to do, until a thorough search.
 local_star construct_near(const site_oracle& oracle, vertex_index v) {
@@ -184,7 +190,8 @@ local_star construct_near(const site_oracle& oracle, vertex_index v) {
       wanted = reach_of_vertices * extent.radius;
       if (last || wanted <= reach) return {std::move(built), std::move(among), extent};
     }
-    const double more = std::clamp(1.02 * wanted, 1.25 * reach, 2 * reach);
+    constexpr double margin = 1.02, least_growth = 1.25, most_growth = 2;
+    const double more = std::clamp(margin * wanted, least_growth * reach, most_growth * reach);
     reach = reach > 0 ? more : infinity;
   }
 }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
@@ -30,36 +31,36 @@ class star_predicates {
   virtual void count(const tier_counters& of_fork) const = 0;
 };
 
-// A kernel that is owned, or that must outlive the adaptor.
+// On a kernel of its own, which counts here if it counts at all.
 template <class Kernel>
 class star_predicates_on final : public star_predicates {
  public:
-  star_predicates_on() : owned_(std::make_unique<Kernel>()), kernel_(owned_.get()) {}
-  explicit star_predicates_on(const Kernel& kernel) : kernel_(&kernel) {}
+  star_predicates_on() = default;
 
   sign orientation(const point& p, const point& q, const point& r) const override {
-    return kernel_->orientation(p, q, r);
+    return kernel().orientation(p, q, r);
   }
   bool encroaches(const site& a, const site& b, const site& w) const override {
-    return kernel_->encroaches(a, b, w);
+    return kernel().encroaches(a, b, w);
   }
   bool edge_test(const site& v, const site& w, const site& x, const site& y) const override {
-    return kernel_->edge_test(v, w, x, y);
+    return kernel().edge_test(v, w, x, y);
   }
   std::unique_ptr<star_predicates> fork() const override {
     return std::make_unique<star_predicates_on>();
   }
-  tier_counters counters() const override {
-    tier_counters all = of_forks_;
-    if constexpr (requires { kernel_->counters(); }) all += kernel_->counters();
-    return all;
-  }
-  void count(const tier_counters& of_fork) const override { of_forks_ += of_fork; }
+  tier_counters counters() const override { return decided_; }
+  void count(const tier_counters& of_fork) const override { decided_ += of_fork; }
 
  private:
-  std::unique_ptr<Kernel> owned_;
-  const Kernel* kernel_;
-  mutable tier_counters of_forks_;
+  Kernel kernel() const {
+    if constexpr (std::is_constructible_v<Kernel, tier_counters&>)
+      return Kernel(decided_);
+    else
+      return Kernel();
+  }
+
+  mutable tier_counters decided_;  // of one thread, and of forks that were counted
 };
 
 }  // namespace asterism::internal

@@ -13,6 +13,7 @@
 #include "asterism/mesh/stars/star_insertion.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -40,8 +41,7 @@ std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_inde
   });
   for (const sector& part : own.sectors)
     candidates.insert(candidates.end(), part.neighbours.begin(), part.neighbours.end());
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  sort_unique(candidates);
   return candidates;
 }
 
@@ -135,8 +135,8 @@ std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
   return changed;
 }
 
-// Those of which there is news. `latest` is given if settled stars are to be confirmed; `in_all`
-// is how many are made in all blocks.
+// Returns the stars that changed or did not settle. `latest` is given if settled stars are to be
+// confirmed; `in_all` is how many are made in all blocks.
 std::vector<star_set::made_star> star_set::construct_block(const site_oracle& oracle,
                                                            std::span<const vertex_index> which,
                                                            star_search search,
@@ -152,29 +152,38 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
         const site_oracle own = few ? oracle : oracle.with_kernel(*kernel);
         for (std::size_t i = begin; i < end; ++i) {
           constexpr std::size_t at_a_time = 8;
-          if (enough_ && i % at_a_time == 0 && enough_()) break;
+          if (i % at_a_time == 0 && cancelled_.is_requested()) break;
           // Tensors may be so thin that a chunk alone takes too long.
           if (part_of_work_bound(own) > most_work) break;
-          const vertex_index v = which[i];
-          if (latest != nullptr && condition_[v] == condition::settled) {
-            if (!is_still_final(own, v, *latest))
-              note_final(v, own.size(), final_reach(own, v, stars_[v]));
-            else
-              final_[v].against = own.size();
-            if (final_[v].against != 0) continue;
-          }
-          constructed_star built = construct_star(own, v, search);
-          if (is_news(v, built)) {
-            out.push_back({v, std::move(built)});
-            continue;
-          }
-          condition_[v] = condition::settled;
-          note_final(v, own.size(), built.final_reach);
+          if (auto built = remake(own, which[i], search, latest))
+            out.push_back({which[i], *std::move(built)});
         }
         counts[begin / chunk] = kernel->counters();
       });
   for (const tier_counters& c : counts) oracle.kernel().count(c);
   return all;
+}
+
+// Constructs the star of v, unless it is settled and known to be final. Returns it if there is
+// anything new to know of it.
+std::optional<constructed_star> star_set::remake(const site_oracle& oracle, vertex_index v,
+                                                 star_search search, const site_index* latest) {
+  if (latest != nullptr && condition_[v] == condition::settled && confirm(oracle, v, *latest))
+    return std::nullopt;
+  constructed_star built = construct_star(oracle, v, search);
+  if (is_news(v, built)) return built;
+  condition_[v] = condition::settled;
+  note_final(v, oracle.size(), built.final_reach);
+  return std::nullopt;
+}
+
+// True if the settled star of v is final against all sites, which is noted.
+bool star_set::confirm(const site_oracle& oracle, vertex_index v, const site_index& latest) {
+  if (is_still_final(oracle, v, latest))
+    final_[v].against = oracle.size();
+  else
+    note_final(v, oracle.size(), final_reach(oracle, v, stars_[v]));
+  return final_[v].against != 0;
 }
 
 void star_set::mark_stale(vertex_index v) {
@@ -257,8 +266,7 @@ void star_set::add_many(const site_oracle& oracle, vertex_index first) {
         counts[begin / chunk] = kernel->counters();
       });
   for (const tier_counters& c : counts) oracle.kernel().count(c);
-  std::sort(disturbed.begin(), disturbed.end());
-  disturbed.erase(std::unique(disturbed.begin(), disturbed.end()), disturbed.end());
+  sort_unique(disturbed);
   for (const vertex_index v : disturbed) mark_stale(v);
   construct(oracle, disturbed, star_search::near);
 }

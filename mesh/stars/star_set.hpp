@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "asterism/mesh/stars/star.hpp"
 #include "asterism/mesh/stars/star_construction.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
 
@@ -27,9 +27,9 @@ class star_set {
   // Stars from elsewhere, taken as they are: all stale, but those named, which count as unsettled.
   explicit star_set(std::vector<star> stars, const std::vector<vertex_index>& unsettled = {});
 
-  // Asked while many stars are made, from any thread; once it says true the rest stay as they are:
-  // stale, and empty if they are new. Whoever sets it ends refinement then.
-  void ask_between_stars(std::function<bool()> enough) { enough_ = std::move(enough); }
+  // Polls it while many stars are made; once it is requested the rest stay as they are: stale, and
+  // empty if they are new. Whoever sets it ends refinement then.
+  void cancel_by(cancellation cancelled) { cancelled_ = std::move(cancelled); }
 
   // Gives up making many stars once the kernel was asked twice what is done for so many sites, and
   // so many given vertices among them (stars/work_limit.hpp); the rest stay as they are, as above.
@@ -89,6 +89,9 @@ class star_set {
   std::vector<made_star> construct_block(const site_oracle& oracle,
                                          std::span<const vertex_index> which, star_search search,
                                          const site_index* latest, std::size_t in_all);
+  std::optional<constructed_star> remake(const site_oracle& oracle, vertex_index v,
+                                         star_search search, const site_index* latest);
+  bool confirm(const site_oracle& oracle, vertex_index v, const site_index& latest);
   void remove_hidden(const site_oracle& oracle, vertex_index a, vertex_index b);
   bool is_news(vertex_index v, const constructed_star& built) const;
   void mark_stale(vertex_index v);
@@ -98,7 +101,7 @@ class star_set {
   void accept(const site_oracle& oracle, vertex_index v, constructed_star built);
   void touch(vertex_index v);  // before a change of v's star
 
-  std::function<bool()> enough_;
+  cancellation cancelled_;
   std::optional<std::size_t> given_;
   std::vector<vertex_index> touched_;
   std::vector<star> stars_;

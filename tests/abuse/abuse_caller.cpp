@@ -34,6 +34,9 @@ uncertain_int ask_first_tier(const batch_record& r) {
       return as_integer(semi_static::orientation(point_at(r, 0), point_at(r, 2), point_at(r, 4)));
     case predicate::is_positive_definite:
       return as_integer(semi_static::is_positive_definite(metric_at(r, 0)));
+    case predicate::in_circle:
+      return as_integer(semi_static::in_circle(metric_at(r, 0), point_at(r, 3), point_at(r, 5),
+                                               point_at(r, 7), point_at(r, 9)));
     case predicate::compare_distance:
       return as_integer(semi_static::compare_distance(s(0), s(1), at));
     case predicate::in_wedge:
@@ -73,6 +76,8 @@ asterism_status ask_c(const batch_record& r, int* answer) {
       return asterism_insertion_test(n, n + 5, n + 10, n + 15, answer);
     case predicate::edge_test:
       return asterism_edge_test(n, n + 5, n + 10, n + 15, answer);
+    case predicate::in_circle:
+      return asterism_in_circle(n, n + 3, n + 5, n + 7, n + 9, answer);
   }
   return ASTERISM_INTERNAL_FAILURE;
 }

@@ -271,6 +271,9 @@ batch_record cut_record(predicate question, const scene& s) {
     add_point(s.sites[0].position);
     add_point(s.sites[1].position);
     add_point(s.at);
+  } else if (question == predicate::in_circle) {
+    add_metric(s.sites[0].metric);
+    for (const site& of : s.sites) add_point(of.position);
   } else {
     const record_shape shape = shape_of(question);
     for (std::size_t k = 0; k < shape.sites; ++k) {

@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * The C functions from a C11 program: every answer, every status, nothing written on failure. */
+ * The C functions from a C89 program: every answer, every status, nothing written on failure;
+ * batches against one question at a time. */
 #include "asterism/kernels/c_api.h"
 
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "asterism/kernels/c_batch.h"
 
 static int failures = 0;
 
@@ -34,6 +37,14 @@ static void test_answers(void) {
   expect_answer(asterism_orientation(origin, right, up, &answer), &answer, 1, "orientation");
   expect_answer(asterism_orientation(origin, up, right, &answer), &answer, -1, "orientation");
   expect_answer(asterism_orientation(origin, up, up, &answer), &answer, 0, "orientation");
+  expect_answer(asterism_in_circle(metric, origin, right, up, beside, &answer), &answer, 1,
+                "in_circle");
+  expect_answer(asterism_in_circle(metric, origin, up, right, beside, &answer), &answer, -1,
+                "in_circle");
+  expect_answer(asterism_in_circle_plane(origin, right, c, up, &answer), &answer, 0,
+                "in_circle_plane");
+  expect_answer(asterism_in_circle_plane(origin, right, up, a, &answer), &answer, 0,
+                "in_circle_plane, a point twice");
   expect_answer(asterism_is_spd(metric, &answer), &answer, 1, "is_spd");
   expect_answer(asterism_is_spd(semidefinite, &answer), &answer, 0, "is_spd");
   expect_answer(asterism_compare_distance(a, b, beside, &answer), &answer, 0, "compare_distance");
@@ -60,10 +71,16 @@ static void expect_refused(asterism_status status, asterism_status expected, con
 }
 
 static void test_refusals(void) {
-  const double infinite[5] = {0, HUGE_VAL, 1, 0, 1}, not_a_number[5] = {NAN, 0, 1, 0, 1};
+  const double infinite[5] = {0, HUGE_VAL, 1, 0, 1};
+  double not_a_number[5] = {0, 0, 1, 0, 1};
   const double indefinite[5] = {0, 5, 1, 2, 1}, semidefinite[5] = {0, 5, 0, 0, 1};
   const double elsewhere_metric[5] = {1, 0, 3, 1, 2}, minus_zero[5] = {-0.0, 0, 1, 0, 1};
   int answer = 99;
+  not_a_number[0] = HUGE_VAL - HUGE_VAL;
+  expect_refused(asterism_in_circle(indefinite + 2, a, b, c, d, &answer),
+                 ASTERISM_NOT_POSITIVE_DEFINITE, &answer, "indefinite");
+  expect_refused(asterism_in_circle(NULL, a, b, c, d, &answer), ASTERISM_NULL_POINTER, &answer,
+                 "null metric");
   expect_refused(asterism_edge_test(a, b, c, NULL, &answer), ASTERISM_NULL_POINTER, &answer,
                  "null");
   expect(asterism_edge_test(a, b, c, d, NULL) == ASTERISM_NULL_POINTER, "null answer");
@@ -82,11 +99,133 @@ static void test_refusals(void) {
                  &answer, "zero and minus zero");
 }
 
+/* Every question of a batch again alone. Rows of sites on a small grid, so that ties occur. */
+#define ROWS 300
+static double table[ROWS][5];
+
+static void fill_table(void) {
+  unsigned long state = 20;
+  int k, i;
+  for (k = 0; k < ROWS; ++k) {
+    for (i = 0; i < 2; ++i) {
+      state = (state * 1103515245UL + 12345UL) & 0x7FFFFFFFUL;
+      table[k][i] =
+          (double)((state >> 16) % 7) + 8 * (k % 4); /* of four, all at places of their own */
+    }
+    table[k][2] = k % 3 == 0 ? 2 : 1;
+    table[k][3] = 0;
+    table[k][4] = 1;
+  }
+}
+
+static asterism_rows every(size_t first) {
+  asterism_rows rows;
+  rows.first = table[first];
+  rows.stride = 5;
+  return rows;
+}
+
+static void expect_rows(asterism_status status, const signed char* answers, const int* alone,
+                        const asterism_batch_report* report, const char* what) {
+  size_t k;
+  expect(status == ASTERISM_OK, what);
+  expect(report->failed_row == ROWS - 3, what);
+  expect(report->by_semi_static + report->by_interval + report->by_exact == ROWS - 3, what);
+  for (k = 0; k < ROWS - 3; ++k) expect(answers[k] == alone[k], what);
+}
+
+#define ALONE(call)                                                                      \
+  for (k = 0; k < ROWS - 3; ++k) {                                                       \
+    const double *v = table[k], *w = table[k + 1], *x = table[k + 2], *y = table[k + 3]; \
+    (void)v, (void)w, (void)x, (void)y;                                                  \
+    expect(call == ASTERISM_OK, #call);                                                  \
+  }
+
+static void test_batches(void) {
+  const size_t n = ROWS - 3;
+  const asterism_rows v = every(0), w = every(1), x = every(2), y = every(3);
+  asterism_rows metrics = every(0), same;
+  signed char answers[ROWS];
+  int alone[ROWS];
+  asterism_batch_report report;
+  size_t k;
+  metrics.first += 2;
+  same.first = table[0] + 2;
+  same.stride = 0;
+  ALONE(asterism_orientation(v, w, x, &alone[k]))
+  expect_rows(asterism_orientations(n, v, w, x, answers, &report), answers, alone, &report,
+              "orientations");
+  ALONE(asterism_is_spd(v + 2, &alone[k]))
+  expect_rows(asterism_are_spd(n, metrics, answers, &report), answers, alone, &report, "are_spd");
+  ALONE(asterism_in_circle(v + 2, v, w, x, y, &alone[k]))
+  expect_rows(asterism_in_circles(n, metrics, v, w, x, y, answers, &report), answers, alone,
+              &report, "in_circles");
+  ALONE(asterism_in_circle(table[0] + 2, v, w, x, y, &alone[k]))
+  expect_rows(asterism_in_circles(n, same, v, w, x, y, answers, &report), answers, alone, &report,
+              "in_circles of one metric");
+  ALONE(asterism_compare_distance(v, w, x, &alone[k]))
+  expect_rows(asterism_compare_distances(n, v, w, x, answers, &report), answers, alone, &report,
+              "compare_distances");
+  ALONE(asterism_in_wedge(v, w, x, &alone[k]))
+  expect_rows(asterism_in_wedges(n, v, w, x, answers, &report), answers, alone, &report,
+              "in_wedges");
+  ALONE(asterism_dominates(v, w, x, &alone[k]))
+  expect_rows(asterism_dominations(n, v, w, x, answers, &report), answers, alone, &report,
+              "dominations");
+  ALONE(asterism_voronoi_vertex_count(v, w, x, &alone[k]))
+  expect_rows(asterism_voronoi_vertex_counts(n, v, w, x, answers, &report), answers, alone, &report,
+              "voronoi_vertex_counts");
+  ALONE(asterism_arc_intersection_count(v, w, x, &alone[k]))
+  expect_rows(asterism_arc_intersection_counts(n, v, w, x, answers, &report), answers, alone,
+              &report, "arc_intersection_counts");
+  ALONE(asterism_encroaches(v, w, x, &alone[k]))
+  expect_rows(asterism_encroachments(n, v, w, x, answers, &report), answers, alone, &report,
+              "encroachments");
+  ALONE(asterism_insertion_test(v, w, x, y, &alone[k]))
+  expect_rows(asterism_insertion_tests(n, v, w, x, y, answers, &report), answers, alone, &report,
+              "insertion_tests");
+  ALONE(asterism_edge_test(v, w, x, y, &alone[k]))
+  expect_rows(asterism_edge_tests(n, v, w, x, y, answers, &report), answers, alone, &report,
+              "edge_tests");
+}
+
+static void test_refused_batches(void) {
+  const asterism_rows v = every(0), w = every(1), x = every(2), y = every(3);
+  asterism_rows none;
+  signed char answers[ROWS];
+  asterism_batch_report report;
+  size_t k;
+  none.first = NULL;
+  none.stride = 0;
+  memset(answers, 77, sizeof answers);
+  table[200][3] = 9;
+  expect(
+      asterism_edge_tests(ROWS - 3, v, w, x, y, answers, &report) == ASTERISM_NOT_POSITIVE_DEFINITE,
+      "one metric of a batch");
+  expect(report.failed_row == 197, "the row is told");
+  table[200][3] = 0;
+  expect(asterism_edge_tests(ROWS - 3, v, w, v, y, answers, NULL) == ASTERISM_EQUAL_SITES,
+         "equal sites in a batch");
+  expect(asterism_edge_tests(ROWS - 3, v, none, x, y, answers, &report) == ASTERISM_NULL_POINTER,
+         "null rows");
+  expect(asterism_edge_tests(ROWS - 3, v, w, x, y, NULL, &report) == ASTERISM_NULL_POINTER,
+         "null answers");
+  expect(report.failed_row == ROWS - 3, "about no row");
+  for (k = 0; k < ROWS; ++k) expect(answers[k] == 77, "nothing is written");
+  expect(asterism_edge_tests(0, none, none, none, none, NULL, NULL) == ASTERISM_OK, "no rows");
+}
+
 int main(void) {
+  int status;
   test_answers();
   test_refusals();
-  for (int status = -1; status <= 6; ++status)
+  fill_table();
+  test_batches();
+  test_refused_batches();
+  for (status = -1; status <= 9; ++status)
     expect(strlen(asterism_status_message((asterism_status)status)) > 0, "message");
+  expect(asterism_version() == ASTERISM_VERSION, "version");
+  expect(strcmp(asterism_version_text(), ASTERISM_VERSION_TEXT) == 0, "version");
   if (failures == 0) puts("the C functions answer and refuse as documented");
   return failures == 0 ? 0 : 1;
 }

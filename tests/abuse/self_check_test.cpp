@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The shadowed interval itself, in every build: it encloses what CGAL's interval does, on points,
+// The shadowed interval itself, in every build: it encloses what rounded_interval does, on points,
 // boxes and square roots, and says nothing where an end is infinite.
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Eight threads put the same questions at the same time: to a kernel of their own, to the C
-// functions, and to kernels without state that they share. All answers are those of one thread.
+// Eight threads put the same questions at the same time, to the C functions and to kernels that
+// they share. All answers are those of one thread, and counts of kernels of their own add up.
 #include <array>
 #include <catch2/catch.hpp>
 #include <thread>
@@ -34,9 +34,8 @@ std::vector<batch_record> draw_records(int of_each) {
   return records;
 }
 
-answers ask_all(const std::vector<batch_record>& records, const exact_kernel& exact,
-                const interval_kernel& interval) {
-  const filtered_kernel filtered;
+answers ask_all(const std::vector<batch_record>& records, const filtered_kernel& filtered,
+                const exact_kernel& exact, const interval_kernel& interval) {
   answers result;
   for (const batch_record& r : records) {
     result.filtered.push_back(ask(filtered, r).value());
@@ -54,18 +53,37 @@ answers ask_all(const std::vector<batch_record>& records, const exact_kernel& ex
 
 TEST_CASE("eight threads get the answers of one", "[threads]") {
   const auto records = draw_records(3);
+  const filtered_kernel filtered;
   const exact_kernel exact;
   const interval_kernel interval;
-  const answers alone = ask_all(records, exact, interval);
+  const answers alone = ask_all(records, filtered, exact, interval);
   CHECK(alone.filtered == alone.exact);
 
   std::array<answers, threads> together;
   std::vector<std::thread> running;
   running.reserve(threads);
   for (answers& own : together)
-    running.emplace_back([&] { own = ask_all(records, exact, interval); });
+    running.emplace_back([&] { own = ask_all(records, filtered, exact, interval); });
   for (std::thread& t : running) t.join();
   for (const answers& own : together) CHECK(own == alone);
+}
+
+TEST_CASE("what threads count apart adds up to what one counts", "[threads]") {
+  const auto records = draw_records(1);
+  const auto count = [&](tier_counters& decided, std::size_t first, std::size_t step) {
+    const filtered_kernel kernel(decided);
+    for (std::size_t i = first; i < records.size(); i += step) (void)ask(kernel, records[i]);
+  };
+  tier_counters alone, sum;
+  count(alone, 0, 1);
+  std::array<tier_counters, threads> apart;
+  std::vector<std::thread> running;
+  running.reserve(threads);
+  for (std::size_t i = 0; i < apart.size(); ++i)
+    running.emplace_back([&, i] { count(apart[i], i, threads); });
+  for (std::thread& t : running) t.join();
+  for (const tier_counters& own : apart) sum += own;
+  CHECK(sum.decided == alone.decided);
 }
 
 }  // namespace

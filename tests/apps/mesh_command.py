@@ -184,7 +184,14 @@ class Mesh(command.CommandTest):
         done = self.run_command("mesh", "square", "--metric", "expr:1e300;0;1e-300", "-o", "m.mesh", seconds=120)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn(" 0 disagreeing, ", done.stdout)
-        self.assertIn("stars cannot agree in the metric given", done.stderr)
+
+    def test_a_metric_that_is_the_same_everywhere_was_said_to_vary_too_fast(self):
+        for metric in ("expr:1e200;0;1e-200", "expr:1e300;0;1e-300"):
+            done = self.run_command("mesh", "square", "--metric", metric, "-o", "m.mesh", seconds=120)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn(" 0 disagreeing, ", done.stdout)
+            self.assertNotIn("varies", done.stderr)
+            self.assertNotIn("stars cannot agree", done.stderr)
 
     def test_darts(self):
         done = self.run_command(*JOB[:-1], "10", "--refine", "darts", "-o", "m.mesh")

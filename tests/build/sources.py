@@ -7,7 +7,7 @@ import sys
 # Folders from bottom to top: each may include itself and those before it.
 LAYERS = ["core", "predicates", "kernels", "mesh/support", "mesh/data", "mesh/search",
           "mesh/numerics", "mesh/domain", "mesh/metric", "mesh/stars", "mesh/fill", "mesh/refine",
-          "mesh/optimize", "mesh/audit", "mesh/draw", "mesh/io", "mesh/pipeline", "mesh", "apps"]
+          "mesh/optimize", "mesh/adapt", "mesh/audit", "mesh/draw", "mesh/io", "mesh/pipeline", "mesh/c_interface", "mesh", "apps"]
 FOLDERS = ["core", "predicates", "kernels", "mesh", "apps"]  # with all that is below them
 CODE = {".hpp", ".cpp", ".h", ".c"}
 
@@ -30,6 +30,12 @@ def includes(path):
     """The names in the file's #include lines, as written, without quotes or brackets."""
     pattern = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
     return pattern.findall(path.read_text(encoding="utf-8"))
+
+
+def public_headers(top):
+    """The headers that are installed, by cmake/public_headers.txt."""
+    lines = (top / "cmake/public_headers.txt").read_text(encoding="utf-8").splitlines()
+    return [line for line in lines if line and not line.startswith("#")]
 
 
 def finish(problems, checked):

@@ -10,22 +10,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "asterism/core/random.hpp"
+
 using namespace asterism;
 using namespace asterism::internal;
 
 namespace {
 
-// The same sequence everywhere (splitmix64).
-struct sequence {
-  std::uint64_t state;
-  std::uint64_t bits() {
-    std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31);
-  }
-  std::size_t below(std::size_t n) { return bits() % n; }
-};
+using sequence = splitmix64;
 
 // GMP's number, by its own functions alone.
 struct reference {

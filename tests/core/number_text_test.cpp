@@ -11,24 +11,15 @@
 #include <cstdlib>
 #include <string>
 
+#include "asterism/core/random.hpp"
+
 namespace asterism {
 using namespace internal;
 namespace {
 
-// SplitMix64 (Steele, Lea, Flood 2014): the same numbers everywhere.
-class generator {
- public:
-  explicit generator(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
-  }
-  int below(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
-
- private:
-  std::uint64_t state_;
+struct generator : splitmix64 {
+  using splitmix64::splitmix64;
+  int below(int n) { return integer(0, n - 1); }
 };
 
 std::string digits(generator& random, const char* alphabet, int base, int most) {
@@ -70,7 +61,7 @@ TEST_CASE("numbers of any magnitude are read as the nearest double", "[parse_num
 TEST_CASE("every finite double is read back from decimal and hexadecimal", "[parse_number]") {
   generator random(2);
   for (int i = 0; i < 20000; ++i) {
-    const auto value = std::bit_cast<double>(random.next());
+    const auto value = std::bit_cast<double>(random.bits());
     if (!std::isfinite(value)) continue;
     char text[64];
     std::snprintf(text, sizeof text, "%.17g", value);
@@ -113,8 +104,36 @@ TEST_CASE("what is no finite number is refused and quoted", "[parse_number]") {
     CHECK_FALSE(parse_number(text).ok());
   CHECK(parse_number("1,5").failure().message == "'1,5' is not a number");
   CHECK(parse_number("-nan").failure().message == "'-nan' is not finite");
+  CHECK(parse_number("1,5").failure().code == error_code::bad_number);
   CHECK(quoted_token(std::string(1000, 'x')).size() < 60);
   CHECK(quoted_token("a\nb\x01") == "'a?b?'");
+}
+
+TEST_CASE("the shortest decimal of a double is read back as it") {
+  CHECK(number_text(0.1) == "0.1");
+  CHECK(number_text(20) == "20");
+  CHECK(number_text(1e300) == "1e+300");
+  generator random(3);
+  for (int i = 0; i < 20000; ++i) {
+    const auto value = std::bit_cast<double>(random.bits());
+    if (!std::isfinite(value)) continue;
+    const auto read = parse_number(number_text(value));
+    REQUIRE(read);
+    CHECK(std::bit_cast<std::uint64_t>(read.value()) == std::bit_cast<std::uint64_t>(value));
+  }
+}
+
+TEST_CASE("numbers in messages have six significant digits, as printf writes them") {
+  generator random(4);
+  for (int i = 0; i < 20000; ++i) {
+    const auto value = std::bit_cast<double>(random.bits());
+    if (!std::isfinite(value)) continue;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    REQUIRE(format_number(value) == text);
+  }
+  CHECK(format_number(0.75) == "0.75");
+  CHECK(format_number(1e150) == "1e+150");
 }
 
 }  // namespace asterism

@@ -152,6 +152,8 @@ bool is_accepted(const batch_record& record) {
   for (const double number : record.numbers)
     if (!std::isfinite(number)) return false;
   const exact_kernel kernel;
+  if (record.question == predicate::in_circle && !kernel.is_positive_definite(metric_at(record, 0)))
+    return false;
   const std::size_t sites = shape_of(record.question).sites;
   for (std::size_t i = 0; i < sites; ++i) {
     if (!kernel.is_positive_definite(site_at(record, i).metric)) return false;
@@ -186,19 +188,20 @@ bool is_affordable(const batch_record& record, unsigned lot) {
 std::optional<batch_record> decode_record(std::span<const std::uint8_t> bytes) {
   byte_source source(bytes);
   const unsigned first = source.byte();
-  batch_record record{static_cast<predicate>(first % predicate_count), {}};
+  // The first byte means what it did before there was in_circle, which has the last sixteen values.
+  constexpr unsigned others = static_cast<unsigned>(predicate::in_circle), of_in_circle = 240;
+  batch_record record{static_cast<predicate>(first >= of_in_circle ? others : first % others), {}};
   decoder numbers(source, record);
   const record_shape shape = shape_of(record.question);
-  if (record.question == predicate::is_positive_definite) {
-    for (int k = 0; k < 3; ++k) numbers.add_coordinate();
-  }
+  // As coordinates: metrics that are nearly positive definite are wanted too.
+  for (std::size_t k = 0; k < 3 * shape.metrics; ++k) numbers.add_coordinate();
   for (std::size_t k = 0; k < shape.sites; ++k) {
     numbers.add_coordinate();
     numbers.add_coordinate();
     numbers.add_metric();
   }
   for (std::size_t k = 0; k < 2 * shape.points; ++k) numbers.add_coordinate();
-  if (!is_affordable(record, first / predicate_count) || !is_accepted(record)) return std::nullopt;
+  if (!is_affordable(record, first / others) || !is_accepted(record)) return std::nullopt;
   return record;
 }
 

@@ -50,6 +50,26 @@ bool ask_edge(const site& v, const site& w, const site& x, const site& y) {
   return status == batch_status::ok && answers.back() != 0;
 }
 
+template <std::size_t Rows>
+sign ask_orientation(const point& p, const point& q, const point& r) {
+  const site_table<Rows> of_p(site{p, {}}), of_q(site{q, {}}), of_r(site{r, {}});
+  std::array<signed char, Rows> answers{};
+  const batch_status status =
+      batch_kernel{}.orientation({of_p.x, of_p.y}, {of_q.x, of_q.y}, {of_r.x, of_r.y}, answers);
+  return to_sign(status == batch_status::ok ? answers.back() : 99);
+}
+
+template <std::size_t Rows>
+sign ask_in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                   const point& p) {
+  const site_table<Rows> of_a(site{a, m}), of_b(site{b, m}), of_c(site{c, m}), of_p(site{p, m});
+  std::array<signed char, Rows> answers{};
+  const batch_status status =
+      batch_kernel{}.in_circle({of_a.m11, of_a.m12, of_a.m22}, {of_a.x, of_a.y}, {of_b.x, of_b.y},
+                               {of_c.x, of_c.y}, {of_p.x, of_p.y}, answers);
+  return to_sign(status == batch_status::ok ? answers.back() : 99);
+}
+
 constexpr std::size_t block = 8;
 
 }  // namespace
@@ -121,6 +141,28 @@ uncertain_sign single_row_kernel::dominates(const site& v, const site& w, const 
 uncertain_bool single_row_kernel::edge_test(const site& v, const site& w, const site& x,
                                             const site& y) const {
   return ask_edge<1>(v, w, x, y);
+}
+
+uncertain_sign fixed_width_kernel::in_circle(const metric_tensor& m, const point& a, const point& b,
+                                             const point& c, const point& p) const {
+  return fixed_width::in_circle(m, a, b, c, p);
+}
+uncertain_sign block_of_rows_kernel::in_circle(const metric_tensor& m, const point& a,
+                                               const point& b, const point& c,
+                                               const point& p) const {
+  return ask_in_circle<block>(m, a, b, c, p);
+}
+uncertain_sign single_row_kernel::in_circle(const metric_tensor& m, const point& a, const point& b,
+                                            const point& c, const point& p) const {
+  return ask_in_circle<1>(m, a, b, c, p);
+}
+uncertain_sign block_of_rows_kernel::orientation(const point& p, const point& q,
+                                                 const point& r) const {
+  return ask_orientation<block>(p, q, r);
+}
+uncertain_sign single_row_kernel::orientation(const point& p, const point& q,
+                                              const point& r) const {
+  return ask_orientation<1>(p, q, r);
 }
 
 }  // namespace asterism::fuzz

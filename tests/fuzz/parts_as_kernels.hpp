@@ -24,6 +24,10 @@ class undecided_kernel {
     return {};
   }
   uncertain_bool edge_test(const site&, const site&, const site&, const site&) const { return {}; }
+  uncertain_sign in_circle(const metric_tensor&, const point&, const point&, const point&,
+                           const point&) const {
+    return {};
+  }
 };
 
 // star_gap: the gap of v between x and y, and the one between y and x. Nothing is known of where
@@ -47,22 +51,30 @@ class fixed_width_kernel : public undecided_kernel {
   uncertain_sign dominates(const site& v, const site& w, const point& p) const;
   uncertain_bool insertion_test(const site& v, const site& w, const site& x, const site& y) const;
   uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+  uncertain_sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                           const point& p) const;
 };
 
 // batch_kernel with the question in every row: a block of rows side by side, and one row alone.
 class block_of_rows_kernel : public undecided_kernel {
  public:
+  uncertain_sign orientation(const point& p, const point& q, const point& r) const;
   uncertain_sign compare_distance(const site& v, const site& w, const point& q) const;
   uncertain_bool in_wedge(const site& v, const site& w, const point& q) const;
   uncertain_sign dominates(const site& v, const site& w, const point& p) const;
   uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+  uncertain_sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                           const point& p) const;
 };
 class single_row_kernel : public undecided_kernel {
  public:
+  uncertain_sign orientation(const point& p, const point& q, const point& r) const;
   uncertain_sign compare_distance(const site& v, const site& w, const point& q) const;
   uncertain_bool in_wedge(const site& v, const site& w, const point& q) const;
   uncertain_sign dominates(const site& v, const site& w, const point& p) const;
   uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
+  uncertain_sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+                           const point& p) const;
 };
 
 }  // namespace asterism::fuzz

@@ -12,6 +12,7 @@
 #include <new>
 
 #include "asterism/core/dyadic.hpp"
+#include "asterism/core/random.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/predicates/compare_distance.hpp"
 #include "asterism/predicates/domination.hpp"
@@ -49,16 +50,7 @@ using namespace asterism::internal;
 
 namespace {
 
-// The same sequence everywhere (splitmix64).
-struct sequence {
-  std::uint64_t state;
-  double real() {  // in [-1, 1)
-    std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
-  }
-};
+using sequence = internal::splitmix64;
 
 site swirl_site(double x, double y) {
   return {{x, y}, {1 + 12 * x * x, 12 * x * y, 1 + 12 * y * y}};
@@ -68,9 +60,10 @@ using four_sites = std::array<site, 4>;
 
 // Of a smooth field, v w a possible edge between x and y.
 four_sites smooth(sequence& random) {
-  const double x = random.real(), y = random.real(), h = 0.02;
+  const double x = random.real(-1, 1), y = random.real(-1, 1), h = 0.02;
   const auto near = [&](double dx, double dy) {
-    return swirl_site(x + h * (dx + 0.2 * random.real()), y + h * (dy + 0.2 * random.real()));
+    return swirl_site(x + h * (dx + 0.2 * random.real(-1, 1)),
+                      y + h * (dy + 0.2 * random.real(-1, 1)));
   };
   return {near(0, 0), near(1, 0), near(0.5, -0.9), near(0.5, 0.9)};
 }

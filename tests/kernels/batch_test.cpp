@@ -11,24 +11,14 @@
 #include <limits>
 #include <vector>
 
+#include "asterism/core/random.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 
 using namespace asterism;
 
 namespace {
 
-// The same sequence everywhere (splitmix64).
-struct sequence {
-  std::uint64_t state;
-  std::uint64_t bits() {
-    std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31);
-  }
-  double real() { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1; }  // in [-1, 1)
-  double integer() { return static_cast<double>(bits() % 9) - 4; }           // in [-4, 4]
-};
+using sequence = internal::splitmix64;
 
 struct site_table {
   std::vector<double> x, y, m11, m12, m22;
@@ -49,9 +39,9 @@ enum class kind { smooth, grid, round_grid, round, huge, tiny };
 constexpr std::size_t kinds = 6;
 
 site draw(kind which, sequence& random) {
-  const double x = random.real(), y = random.real();
+  const double x = random.real(-1, 1), y = random.real(-1, 1);
   const metric_tensor smooth{1 + 12 * x * x, 12 * x * y, 1 + 12 * y * y};
-  const point on_grid{random.integer(), random.integer()};
+  const point on_grid{1.0 * random.integer(-4, 4), 1.0 * random.integer(-4, 4)};
   switch (which) {
     case kind::grid:
       return {on_grid, {2 + std::abs(on_grid.x), 1, 2}};
@@ -94,15 +84,19 @@ struct questions {
 };
 
 void check_against_rows(const questions& all, std::size_t n) {
-  const batch_kernel batch;
+  tier_counters decided;
+  const batch_kernel batch(decided);
   const exact_kernel exact;
   const auto v = all.sites(0, n), w = all.sites(1, n), x = all.sites(2, n), y = all.sites(3, n);
-  std::array<std::vector<signed char>, 4> answers;
+  std::array<std::vector<signed char>, 6> answers;
   for (auto& column : answers) column.assign(n, 77);
   REQUIRE(batch.compare_distance(v, w, all.points(n), answers[0]) == batch_status::ok);
   REQUIRE(batch.in_wedge(v, w, all.points(n), answers[1]) == batch_status::ok);
   REQUIRE(batch.dominates(v, w, all.points(n), answers[2]) == batch_status::ok);
   REQUIRE(batch.edge_test(v, w, x, y, answers[3]) == batch_status::ok);
+  REQUIRE(batch.orientation({v.x, v.y}, {w.x, w.y}, {x.x, x.y}, answers[4]) == batch_status::ok);
+  REQUIRE(batch.in_circle({v.m11, v.m12, v.m22}, {v.x, v.y}, {w.x, w.y}, {x.x, x.y}, {y.x, y.y},
+                          answers[5]) == batch_status::ok);
   for (std::size_t k = 0; k < n; ++k) {
     const auto& s = all.rows[k];
     const point& q = s[2].position;
@@ -111,13 +105,16 @@ void check_against_rows(const questions& all, std::size_t n) {
     CHECK(answers[1][k] == static_cast<int>(exact.in_wedge(s[0], s[1], q)));
     CHECK(answers[2][k] == to_int(exact.dominates(s[0], s[1], q)));
     CHECK(answers[3][k] == static_cast<int>(exact.edge_test(s[0], s[1], s[2], s[3])));
+    CHECK(answers[4][k] == to_int(exact.orientation(s[0].position, s[1].position, q)));
+    CHECK(answers[5][k] ==
+          to_int(exact.in_circle(s[0].metric, s[0].position, s[1].position, q, s[3].position)));
   }
   std::uint64_t counted = 0;
   for (const predicate p : {predicate::compare_distance, predicate::in_wedge, predicate::dominates,
-                            predicate::edge_test})
+                            predicate::edge_test, predicate::orientation, predicate::in_circle})
     for (const tier t : {tier::semi_static, tier::interval, tier::exact})
-      counted += batch.counters().at(p, t);
-  CHECK(counted == 4 * n);
+      counted += decided.at(p, t);
+  CHECK(counted == 6 * n);
 }
 
 }  // namespace
@@ -142,16 +139,17 @@ TEST_CASE("clear rows are decided by the first pass alone", "[batch][tiers]") {
   const std::vector<double> zero(9, 0.0), one(9, 1.0), two(9, 2.0), quarter(9, 0.25);
   const site_columns v{zero, zero, one, zero, one}, w{one, zero, two, zero, two};
   std::vector<signed char> answers(9, 77);
-  const batch_kernel kernel;
+  tier_counters decided;
+  const batch_kernel kernel(decided);
   REQUIRE(kernel.compare_distance(v, w, {quarter, quarter}, answers) == batch_status::ok);
   CHECK(answers == std::vector<signed char>(9, -1));
   REQUIRE(kernel.dominates(v, w, {quarter, quarter}, answers) == batch_status::ok);
   CHECK(answers == std::vector<signed char>(9, 1));
   REQUIRE(kernel.in_wedge(v, w, {quarter, quarter}, answers) == batch_status::ok);
   CHECK(answers == std::vector<signed char>(9, 1));
-  CHECK(kernel.counters().at(predicate::compare_distance, tier::semi_static) == 9);
-  CHECK(kernel.counters().at(predicate::dominates, tier::semi_static) == 9);
-  CHECK(kernel.counters().at(predicate::in_wedge, tier::semi_static) == 9);
+  CHECK(decided.at(predicate::compare_distance, tier::semi_static) == 9);
+  CHECK(decided.at(predicate::dominates, tier::semi_static) == 9);
+  CHECK(decided.at(predicate::in_wedge, tier::semi_static) == 9);
 }
 
 TEST_CASE("columns of different lengths are refused and nothing is written", "[batch]") {
@@ -178,6 +176,10 @@ TEST_CASE("columns of different lengths are refused and nothing is written", "[b
   CHECK(kernel.dominates(good, good, {three, two}, answers) == refused);
   CHECK(kernel.in_wedge(good, good, {two, three}, answers) == refused);
   CHECK(kernel.edge_test(good, good, good, good, short_answers) == refused);
+  CHECK(kernel.orientation(point, {three, two}, point, answers) == refused);
+  CHECK(kernel.in_circle({three, two, three}, point, point, point, point, answers) == refused);
+  CHECK(kernel.in_circle({three, three, three}, point, point, point, {two, three}, answers) ==
+        refused);
   CHECK(answers == std::vector<signed char>(3, 77));
   CHECK(short_answers == std::vector<signed char>(2, 77));
 }

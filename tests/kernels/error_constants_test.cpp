@@ -51,6 +51,7 @@ struct largest_question {
   // A + C and A + H of predicates/domination.hpp.
   sized steepness() const { return difference_of_lengths() + squared_length(m, between(p, p)); }
   sized slope() const { return difference_of_lengths() + wedge(); }
+  sized in_circle() const { return in_circle_value(m, p, p, p, p); }
   sized opposite_angles() const { return opposite_angles_value(m, p, p, p, p, turn(), turn()); }
 };
 
@@ -79,7 +80,9 @@ TEST_CASE("computed magnitudes are at most thirteen operations deep", "[filter]"
                         mixed.depth,                        // in_wedge
                         (half_length + half_length + half_length).depth,  // A + C
                         ((half_length + half_length) + mixed).depth,      // A + H
-                        (mixed * side + mixed * side).depth};             // opposite angles
+                        (mixed * side + mixed * side).depth,              // opposite angles
+                        // in_circle; halves are exact
+                        (half_length * side + half_length * side + half_length * side).depth};
   for (const int depth : depths) CHECK(depth <= 13);
   CHECK(depths[5] == 13);  // the 15 of filter_bounds_test: with the factor and the last sum
 }
@@ -89,7 +92,7 @@ TEST_CASE("in range, underflow takes less than the semi-static bound grants it",
   // Differences are what is kept in range, so coordinates have half the size.
   const largest_question q(largest_operand / 2, largest_operand);
   for (const sized& value : {q.turn(), q.wedge(), q.difference_of_lengths(), q.steepness(),
-                             q.slope(), q.opposite_angles()}) {
+                             q.slope(), q.opposite_angles(), q.in_circle()}) {
     CHECK(value.lost < 0.5 * smallest_decided);
     CHECK(value.size < 0x1p1020);  // nor does anything overflow
   }

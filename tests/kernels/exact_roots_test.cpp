@@ -42,6 +42,30 @@ TEST_CASE("roots that differ by 2^-200 are told apart, equal ones are not", "[ro
   CHECK(compare(a[1], b[1]) == sign::positive);
 }
 
+// Thousands of halvings each, were there nothing but those.
+TEST_CASE("roots are isolated and refined fast however close, small or large they are", "[roots]") {
+  const dyadic tiny = dyadic(1).scaled(-9000), huge = dyadic(3).scaled(4000);
+  // (x - 3)^2 - 2 * 2^-18000, (x - tiny)(x - huge) and (x + tiny)(x - tiny)
+  const dense_polynomial close({dyadic(9) - dyadic(2).scaled(-18000), dyadic(-6), dyadic(1)}),
+      apart({tiny * huge, dyadic(0) - tiny - huge, dyadic(1)}),
+      small({dyadic(0) - tiny * tiny, dyadic(0), dyadic(1)});
+  auto near = isolate_real_roots(close), far = isolate_real_roots(apart),
+       both = isolate_real_roots(small);
+  REQUIRE(near.size() == 2);
+  REQUIRE(far.size() == 2);
+  REQUIRE(both.size() == 2);
+  CHECK(compare(near[0], near[1]) == sign::negative);
+  CHECK(compare(far[0], both[1]) == sign::zero);
+  CHECK(compare(far[0], both[0]) == sign::positive);
+  CHECK(compare(far[0], near[0]) == sign::negative);
+  CHECK(compare(far[1], near[1]) == sign::positive);
+  CHECK(near[0].sign_of_value(make({-3, 1})) == sign::negative);
+  CHECK(near[1].sign_of_value(make({-3, 1})) == sign::positive);
+  for (int step = 0; step < 40; ++step) near[1].refine();
+  CHECK((near[1].high() - near[1].low()).magnitude() < -10000);
+  CHECK(near[1].sign_of_value(close) == sign::zero);
+}
+
 TEST_CASE("the sign of a polynomial at an algebraic number is exact", "[roots]") {
   auto roots = isolate_real_roots(make({-2, 0, 1}));
   CHECK(roots[1].sign_of_value(make({-2, 0, 1})) == sign::zero);

@@ -56,6 +56,7 @@ TEST_CASE("the depths of the semi-static bounds are those of the formulas", "[fi
   const rounding_count turn = orientation_value(p, p, p);
   CHECK(opposite_angles_value(counted_metric{}, p, p, p, p, turn, turn).depth <=
         semi_static::opposite_angles_depth);
+  CHECK(in_circle_value(counted_metric{}, p, p, p, p).depth == semi_static::in_circle_depth);
   const rounding_count steepness =
       (squared_length(s.metric, between(p, p)) - squared_length(s.metric, between(p, p))) +
       squared_length(s.metric, between(p, p));
@@ -67,9 +68,9 @@ TEST_CASE("the depths of the semi-static bounds are those of the formulas", "[fi
 }
 
 TEST_CASE("the factors cover the depths with room for the computed magnitude", "[filter]") {
-  for (const int depth :
-       {2, semi_static::orientation_depth, semi_static::compare_distance_depth,
-        semi_static::wedge_depth, semi_static::steepness_depth, semi_static::opposite_angles_depth})
+  for (const int depth : {2, semi_static::orientation_depth, semi_static::compare_distance_depth,
+                          semi_static::wedge_depth, semi_static::steepness_depth,
+                          semi_static::opposite_angles_depth, semi_static::in_circle_depth})
     CHECK(semi_static::bound_factor(depth) >= rigorous_factor(depth));
 }
 
@@ -86,6 +87,12 @@ TEST_CASE("what the semi-static tier decides is right, one ulp around zero", "[f
       const auto nearer = semi_static::compare_distance(v, w, q);
       if (nearer.certain()) CHECK(nearer.value() == exact.compare_distance(v, w, q));
       decided += turn.certain() + nearer.certain();
+      // Corners of a parallelogram and a point next to the fourth one, in a metric it is cocircular
+      // for.
+      const point near{1 + i * 0x1p-52, 1 + j * 0x1p-52};
+      const auto side = semi_static::in_circle({2, 0, 1}, {0, 0}, {1, 0}, {0, 1}, near);
+      if (side.certain())
+        CHECK(side.value() == exact.in_circle({2, 0, 1}, {0, 0}, {1, 0}, {0, 1}, near));
       const auto dominant = semi_static::dominates(v, w, q);
       if (dominant.certain()) CHECK(dominant.value() == exact.dominates(v, w, q));
     }

@@ -4,33 +4,18 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <optional>
 
 #include "asterism/core/plane_algebra.hpp"
+#include "asterism/core/random.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 
 namespace asterism::gap_questions {
 using namespace internal;
 
-// The same sequence everywhere (splitmix64).
-struct sequence {
-  std::uint64_t state;
-  std::uint64_t bits() {
-    std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31);
-  }
-  double real(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
-  }
-  int integer(int low, int high) {
-    return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
-  }
-};
+using sequence = splitmix64;
 
 // Eigenvalues 1 and `condition`, the direction of the first at `angle`.
 inline metric_tensor stretched(double condition, double angle) {

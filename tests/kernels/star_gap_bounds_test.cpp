@@ -87,8 +87,8 @@ TEST_CASE("depths and magnitudes of the gap's bounds are those of the formulas",
   }
 }
 
-// docs/math/star-gap.md, section 3: of what a gap compares at z + step n. Quotients and roots are
-// ingredients and carry none here.
+// docs/math/star-gap-errors.md, section 2: of what a gap compares at z + step n. Quotients and
+// roots are ingredients and carry none here.
 TEST_CASE("no side condition carries more roundings than the tolerance has room for",
           "[star_gap]") {
   const auto d = offset(1), z = offset(1), u = direction(1), n_d = apply(tensor(1), d);
@@ -115,8 +115,8 @@ TEST_CASE("no side condition carries more roundings than the tolerance has room 
   CHECK(3 * ingredient + side_condition_depth + 1 < 8 * ingredient);
 }
 
-// docs/math/star-gap.md, section 2, step by step: relative errors in units of eps sigma, with
-// sigma >= 1 and 2^-73 sigma^2 <= eps sigma.
+// docs/math/star-gap-errors.md, section 1, step by step: relative errors in units of eps sigma,
+// with sigma >= 1 and 2^-73 sigma^2 <= eps sigma.
 TEST_CASE("the frame's error factor is that of its steps", "[star_gap]") {
   CHECK(0x1p-73 * 0x1p21 <= eps);
   constexpr double determinant_error = 4 + 1;

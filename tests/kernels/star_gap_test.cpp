@@ -165,7 +165,7 @@ TEST_CASE("what a gap decides is right, in every family of input", "[star_gap]")
       sequence random{11};
       int decided = 0;
       for (int k = 0; k < 3000; ++k) {
-        const std::uint64_t replay = random.state;
+        const std::uint64_t replay = random.state();
         const auto q = draw(f, random);
         if (!q) continue;
         const uncertain_bool answer = ask(*q);
@@ -183,7 +183,7 @@ TEST_CASE("what a gap decides is right at the border of what it knows", "[star_g
     DYNAMIC_SECTION(f.name) {
       sequence random{12};
       for (int k = 0; k < 300; ++k) {
-        const std::uint64_t replay = random.state;
+        const std::uint64_t replay = random.state();
         if (const auto drawn = draw(f, random)) {
           const question q = at_the_border_of_knowledge(*drawn, random.integer(0, 1) == 1);
           check_right(q, ask(q), replay);
@@ -200,7 +200,7 @@ TEST_CASE("nothing is refused that is accepted beyond a neighbour", "[star_gap]"
   for (const question& base : accepted_beyond) {
     int refused = 0;
     for (int k = 0; k < 150; ++k) {
-      const std::uint64_t replay = random.state;
+      const std::uint64_t replay = random.state();
       question q = base;
       const double change = power(random, 1e-3, 0.3);
       for (site* s : {&q.w, &q.y, &q.x}) {
@@ -232,8 +232,8 @@ TEST_CASE("no accepted site is refused by a bound of a wrong sign, side or toler
   }
 }
 
-// docs/math/star-gap.md, section 3: where both conditions of (C) are not met with their tolerance,
-// nothing is claimed, right as the claim would be.
+// docs/math/star-gap-errors.md, section 2: where both conditions of (C) are not met with their
+// tolerance, nothing is claimed, right as the claim would be.
 TEST_CASE("what stands behind a neighbour is not refused within the tolerance", "[star_gap]") {
   for (const question& q : beyond_what_is_proven) {
     CHECK_FALSE(exact_kernel().edge_test(q.v, q.w, q.x, q.y));
@@ -249,7 +249,7 @@ TEST_CASE("what stands behind a neighbour is not refused within the tolerance", 
 TEST_CASE("rounding modes and flushing leave what a gap decides right", "[star_gap][environment]") {
   sequence random{13};
   for (int k = 0; k < 4000; ++k) {
-    const std::uint64_t replay = random.state;
+    const std::uint64_t replay = random.state();
     const auto drawn = draw(families[k % std::size(families)], random);
     if (!drawn) continue;
     const bool near = k % 16 == 3 && !families[k % std::size(families)].grid;
@@ -329,7 +329,7 @@ TEST_CASE("sites behind a neighbour are refused in doubles", "[star_gap][tiers]"
     sequence random{19};
     int refused = 0, asked = 0;
     for (int k = 0; k < 4000; ++k) {
-      const std::uint64_t replay = random.state;
+      const std::uint64_t replay = random.state();
       const metric_tensor base = stretched(condition, random.real(-4, 4));
       const double start = random.real(-4, 4), gap = random.real(0.6, 1.3),
                    aside = power(random, 1e-8, 0.3);
@@ -425,7 +425,7 @@ TEST_CASE("beyond the reach of a gap nothing is accepted", "[star_gap]") {
   sequence random{17};
   int known = 0;
   for (int k = 0; k < 2000; ++k) {
-    const std::uint64_t replay = random.state;
+    const std::uint64_t replay = random.state();
     const auto drawn = draw(families[2], random);
     if (!drawn) continue;
     question q = *drawn;
@@ -451,7 +451,7 @@ TEST_CASE("no accepted site is beyond the reach of its gap, and some are nearly 
     sequence random{31};
     int accepted = 0;
     for (int k = 0; k < 4000; ++k) {
-      const std::uint64_t replay = random.state;
+      const std::uint64_t replay = random.state();
       const auto q = draw(f, random);
       if (!q) continue;
       const star_gap gap(q->v, q->y, q->x);
@@ -484,7 +484,7 @@ TEST_CASE("the reach of a gap is that of its formula", "[star_gap]") {
   sequence random{32};
   int known = 0, convex = 0, by_edge = 0;
   for (int k = 0; k < 6000; ++k) {
-    const std::uint64_t replay = random.state;
+    const std::uint64_t replay = random.state();
     const auto q = draw(families[k % 2 == 0 ? 0 : 7], random);
     if (!q) continue;
     const star_gap gap(q->v, q->y, q->x);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "asterism/core/random.hpp"
 #include "asterism/kernels/double_kernel.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
@@ -21,42 +22,36 @@ site swirl_site(double x, double y) {
   return {{x, y}, {1 + 12 * x * x, 12 * x * y, 1 + 12 * y * y}};
 }
 
-// The same sequence everywhere (splitmix64).
-struct sequence {
-  std::uint64_t state;
-  double next() {  // in [-1, 1)
-    std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
-  }
-};
+using sequence = internal::splitmix64;
 
 }  // namespace
 
 TEST_CASE("clear signs never reach exact arithmetic", "[tiers]") {
-  const filtered_kernel kernel;
+  tier_counters decided;
+  const filtered_kernel kernel(decided);
   CHECK(kernel.orientation({0, 0}, {1, 0}, {0, 1}) == sign::positive);
   CHECK(kernel.edge_test(swirl_site(0.1, 0), swirl_site(-0.1, 0), swirl_site(0, 0.3),
                          swirl_site(0, -0.3)));
-  CHECK(kernel.counters().at(predicate::orientation, tier::semi_static) == 1);
-  CHECK(kernel.counters().at(predicate::edge_test, tier::semi_static) == 1);
-  CHECK(kernel.counters().at(predicate::edge_test, tier::interval) == 0);
-  CHECK(kernel.counters().at(predicate::edge_test, tier::exact) == 0);
+  CHECK(decided.at(predicate::orientation, tier::semi_static) == 1);
+  CHECK(decided.at(predicate::edge_test, tier::semi_static) == 1);
+  CHECK(decided.at(predicate::edge_test, tier::interval) == 0);
+  CHECK(decided.at(predicate::edge_test, tier::exact) == 0);
 }
 
 TEST_CASE("collinear points that doubles cannot tell are the exact tier's", "[tiers]") {
-  const filtered_kernel kernel;
+  tier_counters decided;
+  const filtered_kernel kernel(decided);
   const double third = 1.0 / 3;
   CHECK(kernel.orientation({0, 0}, {third, third}, {0.1, std::nextafter(0.1, 1)}) ==
         sign::positive);
   CHECK(kernel.orientation({0.1, 0.1}, {0.7, 0.7}, {0.3, 0.3}) == sign::zero);
-  CHECK(kernel.counters().at(predicate::orientation, tier::exact) >= 1);
+  CHECK(decided.at(predicate::orientation, tier::exact) >= 1);
 }
 
 TEST_CASE("a tie of four different metrics is the exact tier's and goes to one diagonal",
           "[tiers][ties]") {
-  const filtered_kernel kernel;
+  tier_counters decided;
+  const filtered_kernel kernel(decided);
   const site a = swirl_site(0.5, 0.5), b = swirl_site(-0.5, 0.5), c = swirl_site(-0.5, -0.5),
              d = swirl_site(0.5, -0.5);
   CHECK_FALSE(kernel.insertion_test(a, c, b, d));
@@ -66,22 +61,23 @@ TEST_CASE("a tie of four different metrics is the exact tier's and goes to one d
   CHECK(bd);  // the greatest site, (0.5, 0.5), is not on the diagonal
   CHECK(kernel.edge_test(c, a, d, b) == ac);
   CHECK(kernel.edge_test(d, b, c, a) == bd);
-  CHECK(kernel.counters().at(predicate::edge_test, tier::semi_static) == 0);
-  CHECK(kernel.counters().at(predicate::edge_test, tier::interval) == 0);
+  CHECK(decided.at(predicate::edge_test, tier::semi_static) == 0);
+  CHECK(decided.at(predicate::edge_test, tier::interval) == 0);
 }
 
 TEST_CASE("among random smooth metrics few edge tests fall through", "[tiers]") {
-  const filtered_kernel kernel;
+  tier_counters decided;
+  const filtered_kernel kernel(decided);
   sequence random{20};
   constexpr int asked = 40000;
   for (int k = 0; k < asked; ++k) {
-    const double x = random.next(), y = random.next();
+    const double x = random.real(-1, 1), y = random.real(-1, 1);
     site s[4];
-    for (site& one : s) one = swirl_site(x + 0.05 * random.next(), y + 0.05 * random.next());
+    for (site& one : s)
+      one = swirl_site(x + 0.05 * random.real(-1, 1), y + 0.05 * random.real(-1, 1));
     kernel.edge_test(s[0], s[1], s[2], s[3]);
   }
-  CHECK(static_cast<double>(kernel.counters().at(predicate::edge_test, tier::exact)) <
-        1e-4 * asked);
+  CHECK(static_cast<double>(decided.at(predicate::edge_test, tier::exact)) < 1e-4 * asked);
 }
 
 // v, its neighbours x and y and a fourth site w between them, all about one edge apart as v's
@@ -93,27 +89,28 @@ struct mesh_like {
 };
 
 mesh_like draw_mesh_like(double condition, sequence& random) {
-  const double angle = 3.2 * random.next(), c = std::cos(angle), s = std::sin(angle);
-  const double turn_to_x = 3.2 * random.next(), to_w = 0.9 + 0.4 * random.next(),
-               to_y = 0.9 + 0.4 * random.next();
+  const double angle = 3.2 * random.real(-1, 1), c = std::cos(angle), s = std::sin(angle);
+  const double turn_to_x = 3.2 * random.real(-1, 1), to_w = 0.9 + 0.4 * random.real(-1, 1),
+               to_y = 0.9 + 0.4 * random.real(-1, 1);
   const double long_axis = 1, short_axis = 1 / std::sqrt(condition);
   const auto at = [&](double length, double direction) {
     const double p = length * std::cos(direction) * long_axis,
                  q = length * std::sin(direction) * short_axis;
-    const double e = 1 + 0.05 * random.next(), f = condition * (1 + 0.05 * random.next());
+    const double e = 1 + 0.05 * random.real(-1, 1), f = condition * (1 + 0.05 * random.real(-1, 1));
     return site{{c * p - s * q, s * p + c * q},
                 {c * c * e + s * s * f, c * s * (e - f), s * s * e + c * c * f}};
   };
-  return {at(0, 0), at(1.4 + 0.6 * random.next(), turn_to_x + to_w),
-          at(1 + 0.2 * random.next(), turn_to_x),
-          at(1 + 0.2 * random.next(), turn_to_x + to_w + to_y)};
+  return {at(0, 0), at(1.4 + 0.6 * random.real(-1, 1), turn_to_x + to_w),
+          at(1 + 0.2 * random.real(-1, 1), turn_to_x),
+          at(1 + 0.2 * random.real(-1, 1), turn_to_x + to_w + to_y)};
 }
 
 }  // namespace
 
 TEST_CASE("the first tier decides nearly every edge test of a smooth mesh", "[tiers]") {
   for (const double condition : {1.0, 1e4, 1e8, 1e12}) {
-    const filtered_kernel kernel;
+    tier_counters decided;
+    const filtered_kernel kernel(decided);
     sequence random{21};
     constexpr int asked = 5000;
     int yes = 0;
@@ -122,7 +119,7 @@ TEST_CASE("the first tier decides nearly every edge test of a smooth mesh", "[ti
       yes += kernel.edge_test(q.v, q.w, q.x, q.y);
     }
     const auto by = [&](tier t) {
-      return static_cast<double>(kernel.counters().at(predicate::edge_test, t));
+      return static_cast<double>(decided.at(predicate::edge_test, t));
     };
     INFO("condition " << condition << ": " << by(tier::semi_static) << ", " << by(tier::interval)
                       << ", " << by(tier::exact));
@@ -155,6 +152,30 @@ TEST_CASE("in-circle of equal metrics: certain unless cocircular", "[tiers]") {
   CHECK(kernel.insertion_test(v, w, x, {{0, 1}, round_metric}).certainly(false));
   CHECK(kernel.edge_test(v, w, x, {{0, 1}, round_metric}).certainly(false));
   CHECK(kernel.edge_test(x, {{0, 1}, round_metric}, v, w).certainly(true));
+}
+
+TEST_CASE("in_circle: which tier decides", "[tiers]") {
+  tier_counters decided;
+  const filtered_kernel kernel(decided);
+  const auto decided_by = [&](tier t) { return decided.at(predicate::in_circle, t); };
+  const metric_tensor m{2, 0.5, 1};
+  const point a{0, 0}, b{1, 0}, c{0, 1};
+  CHECK(kernel.in_circle(m, a, b, c, {0.25, 0.25}) == sign::positive);
+  CHECK(kernel.in_circle(m, a, c, b, {0.25, 0.25}) == sign::negative);
+  CHECK(kernel.in_circle(m, a, b, c, {5, 5}) == sign::negative);
+  CHECK(decided_by(tier::semi_static) == 3);
+  // A tie, one unit inside and outside of it: integers of a fixed width.
+  CHECK(kernel.in_circle(a, b, c, {1, 1}) == sign::zero);
+  CHECK(kernel.in_circle(a, b, c, {1, std::nextafter(1, 0)}) == sign::positive);
+  CHECK(kernel.in_circle(a, b, c, {1, std::nextafter(1, 2)}) == sign::negative);
+  CHECK(decided_by(tier::exact) == 3);
+  // Too far apart for a fixed width, and for plain doubles: intervals.
+  CHECK(kernel.in_circle({1, 0, 1}, {0x1p-300, 0}, {0x1p300, 0}, {0, 0x1p300},
+                         {0x1p299, 0x1p299}) == sign::positive);
+  CHECK(decided_by(tier::interval) == 1);
+  // Numbers of any size: a line through the first two points alone, one bit from it.
+  CHECK(kernel.in_circle({1, 0, 1}, {0, 0}, {1, 0}, {0x1p-1070, 1}, {1, 1}) == sign::negative);
+  CHECK(decided_by(tier::exact) == 4);
 }
 
 TEST_CASE("magnitudes beyond the range of intervals fall to exact, not to a wrong sign",

@@ -17,6 +17,9 @@ namespace asterism::oracle {
 
 sign orientation(const point& p, const point& q, const point& r);
 bool is_positive_definite(const metric_tensor& metric);
+// By the determinant of the four lifted points, with |u|^2 = u^T m u.
+sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+               const point& p);
 sign compare_distance(const site& v, const site& w, const point& q);
 bool in_wedge(const site& v, const site& w, const point& q);
 

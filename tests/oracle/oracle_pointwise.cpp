@@ -3,6 +3,7 @@
 // The questions about given points and segments: rational arithmetic, and real roots in one
 // variable.
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "conic.hpp"
@@ -48,6 +49,25 @@ sign orientation(const point& p, const point& q, const point& r) {
 bool is_positive_definite(const metric_tensor& metric) {
   const rational a(metric.m11), b(metric.m12), c(metric.m22);
   return sign_of(c) > 0 && sign_of(a * c - b * b) > 0;
+}
+
+// Rows x, y, u^T m u, 1 without differences: expanded along the last column.
+sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
+               const point& p) {
+  const rational m11(m.m11), m12(m.m12), m22(m.m22);
+  std::array<std::array<rational, 3>, 4> row;
+  const std::array<const point*, 4> points = {&a, &b, &c, &p};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const exact_point u = to_exact(*points[k]);
+    row[k] = {u.x, u.y, m11 * u.x * u.x + rational(2) * m12 * u.x * u.y + m22 * u.y * u.y};
+  }
+  const auto minor = [&row](std::size_t i, std::size_t j, std::size_t k) -> rational {
+    const auto two = [&](std::size_t s, std::size_t t) -> rational {
+      return row[s][0] * row[t][1] - row[s][1] * row[t][0];
+    };
+    return row[i][2] * two(j, k) - row[j][2] * two(i, k) + row[k][2] * two(i, j);
+  };
+  return to_sign(sign_of(minor(0, 1, 2) - minor(0, 1, 3) + minor(0, 2, 3) - minor(1, 2, 3)));
 }
 
 sign compare_distance(const site& v, const site& w, const point& q) {

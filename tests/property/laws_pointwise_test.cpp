@@ -203,11 +203,13 @@ TEST_CASE("dominates, law 2: a site dominates its own position", "[laws]") {
   });
 }
 
-TEST_CASE("dominates, law 3: each territory is star-shaped about its site", "[laws]") {
+TEST_CASE("dominates, law 3: what a site dominates and is nearer to it dominates on the way",
+          "[laws]") {
   int asked = 0;
   for_pairs("dominates",
             [&](const site& v, const site& w, const point& p, const std::string& replay) {
               if (exact.dominates(v, w, p) != sign::positive) return;
+              if (exact.compare_distance(v, w, p) != sign::negative) return;
               point nearer = p;
               for (int halvings = 0; halvings < 3; ++halvings) {
                 if (!exact_midpoint(v.position, nearer, nearer)) return;
@@ -216,6 +218,13 @@ TEST_CASE("dominates, law 3: each territory is star-shaped about its site", "[la
               }
             });
   CHECK(asked > 1000);
+}
+
+TEST_CASE("dominates: a territory was said to be star-shaped about its site", "[laws]") {
+  const site v{{0, 0}, {2, -1, 2}}, w{{-1, 0}, {1, 1, 2}};
+  CHECK(exact.dominates(v, w, {0, -0.25}) == sign::positive);
+  CHECK(exact.dominates(v, w, {0, -1}) == sign::negative);
+  CHECK(exact.dominates(v, w, {0, -4}) == sign::positive);
 }
 
 // How often the closed segment vp meets the bisector, from the definition.
@@ -246,8 +255,13 @@ TEST_CASE("dominates, law 4: what domination means for the two segments", "[laws
 }
 
 sign in_circle_sign(const metric_tensor& m, const std::array<point, 4>& p) {
+  static const filtered_kernel kernel;
   const auto at = [&p](std::size_t i) { return convert<dyadic>(p[i]); };
-  return in_circle(convert<dyadic>(site{{}, m}).metric, at(0), at(1), at(2), at(3)).value();
+  const sign expected =
+      in_circle(convert<dyadic>(site{{}, m}).metric, at(0), at(1), at(2), at(3)).value();
+  CHECK(kernel.in_circle(m, p[0], p[1], p[2], p[3]) == expected);
+  CHECK(exact.in_circle(m, p[0], p[1], p[2], p[3]) == expected);
+  return expected;
 }
 
 template <class Check>

@@ -72,6 +72,23 @@ TEST_CASE("predicates about a point and two sites agree with the oracle", "[prop
   });
 }
 
+TEST_CASE("in_circle agrees with the oracle", "[property]") {
+  for_each_case(300, [](const four_sites& sites, random_source& random) {
+    const metric_tensor& m = sites[0].metric;
+    const point &a = sites[0].position, &b = sites[1].position, &c = sites[2].position;
+    const point p = random.chance(2) ? sites[3].position : draw_point(sites, random);
+    const std::array<point, 4> points = {a, b, c, p};
+    const sign expected = oracle::in_circle(m, a, b, c, p);
+    const std::string replay =
+        record("in_circle", {}, points) + " in the metric of " + record("site", {sites.data(), 1});
+    expect_agreement(
+        expected, [&](const auto& kernel) { return kernel.in_circle(m, a, b, c, p); }, replay);
+    static const filtered_kernel plane;
+    expect_equal(oracle::in_circle({1, 0, 1}, a, b, c, p), plane.in_circle(a, b, c, p), replay,
+                 "in the plane");
+  });
+}
+
 TEST_CASE("encroachment agrees with the oracle", "[property]") {
   for_each_case(300, [](const four_sites& sites, random_source&) {
     const site &a = sites[0], &b = sites[1], &w = sites[2];

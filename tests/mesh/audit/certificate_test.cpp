@@ -107,6 +107,7 @@ TEST_CASE("through a file") {
   const auto missing = read_certificate(path);
   REQUIRE_FALSE(missing.ok());
   CHECK_THAT(missing.failure().message, Contains("asterism_certificate_test.json"));
+  CHECK(missing.failure().code == error_code::unreadable_file);
 }
 
 TEST_CASE("text that is no certificate") {
@@ -116,6 +117,7 @@ TEST_CASE("text that is no certificate") {
     REQUIRE_FALSE(read.ok());
     CHECK_THAT(read.failure().message, Contains("c.json:") && Contains(why));
     CHECK_THAT(read.failure().message, !Contains("json.exception"));
+    CHECK(read.failure().code == error_code::malformed_file);
   };
   const auto with = [&](const std::string& old, const std::string& now) {
     const auto place = text.find(old);

@@ -27,10 +27,10 @@ void flip(patch& p, int i, int j) {
 }
 
 // A metric with lengths exp(+-strength) along axes turned by anything.
-metric_tensor random_metric(small_generator& random, double strength) {
-  const double angle = random.between(-3.2, 3.2), s = std::sin(angle), t = std::cos(angle);
-  const double l = std::exp(random.between(-strength, strength)),
-               k = std::exp(random.between(-strength, strength));
+metric_tensor random_metric(splitmix64& random, double strength) {
+  const double angle = random.real(-3.2, 3.2), s = std::sin(angle), t = std::cos(angle);
+  const double l = std::exp(random.real(-strength, strength)),
+               k = std::exp(random.real(-strength, strength));
   return {l * t * t + k * s * s, (l - k) * s * t, l * s * s + k * t * t};
 }
 
@@ -82,13 +82,13 @@ star_counts count_slowly(const mesh& m) {
 TEST_CASE("stars are judged as without any shortcut, however the metric varies") {
   const std::uint64_t seed = 31;
   CAPTURE(seed);
-  small_generator random(seed);
+  splitmix64 random(seed);
   std::size_t missing = 0, rejected = 0;
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
     patch p = make_patch(5, 0.1);
     for (int flips = 0; flips < round % 4; ++flips)
-      flip(p, flips, static_cast<int>(random.next() % 5));
+      flip(p, flips, static_cast<int>(random.bits() % 5));
     if (round % 5 == 4) p = stretched(p, 0x1p20);
     const double stretch = round % 5 == 4 ? 0x1p-20 : 1;
     const double strength = round % 3 == 0 ? 0 : round % 3 == 1 ? 0.3 : 2.3;
@@ -146,17 +146,17 @@ bool is_too_far(const site& v, double reach, const site& w) {
 TEST_CASE("the tree leaves out only sites that are too far") {
   const std::uint64_t seed = 32;
   CAPTURE(seed);
-  small_generator random(seed);
+  splitmix64 random(seed);
   std::size_t left_out = 0, wrong = 0;
   for (int round = 0; round < 24; ++round) {
     const double offset = round % 4 == 3 ? 1e8 : 0, scale = std::ldexp(1.0, 20 * (round % 5 - 2));
     std::vector<site> sites;
     for (int i = 0; i < 300; ++i)
-      sites.push_back({{(offset + random.between(-1, 1)) * scale, random.between(-1, 1) * scale},
+      sites.push_back({{(offset + random.real(-1, 1)) * scale, random.real(-1, 1) * scale},
                        random_metric(random, round % 3 * 3.0)});
     const audit_detail::site_tree tree(sites);
     for (const site& v : sites) {
-      const double reach = scale * std::exp(random.between(-5, 0));
+      const double reach = scale * std::exp(random.real(-5, 0));
       std::vector<char> seen(sites.size(), 0);
       tree.visit_near(v, reach, [&](auto w) { seen[w] = 1; });
       for (std::size_t w = 0; w < sites.size(); ++w) {
@@ -173,15 +173,15 @@ TEST_CASE("the tree leaves out only sites that are too far") {
 TEST_CASE("one descent for several stars leaves out only sites that are too far from each") {
   const std::uint64_t seed = 33;
   CAPTURE(seed);
-  small_generator random(seed);
+  splitmix64 random(seed);
   std::size_t left_out = 0, wrong = 0, together = 0, groups = 0;
   for (int round = 0; round < 36; ++round) {
     const double offset = round % 4 == 3 ? 1e8 : 0, scale = std::ldexp(1.0, 200 * (round % 5 - 2));
     // Stretched by up to 10^6 in one direction, nearly the same everywhere; or at random.
-    const double length = std::pow(10.0, round % 4 * 2), turn = random.between(0, 3);
+    const double length = std::pow(10.0, round % 4 * 2), turn = random.real(0, 3);
     std::vector<site> sites;
     for (int i = 0; i < 600; ++i) {
-      const double along = random.between(-1, 1) * length, across = random.between(-1, 1);
+      const double along = random.real(-1, 1) * length, across = random.real(-1, 1);
       const double angle = turn + 0.05 / length * across, c = std::cos(angle), s = std::sin(angle);
       const double thin = 1 / (length * length);
       const metric_tensor same = {thin * c * c + s * s, (thin - 1) * c * s, thin * s * s + c * c};
@@ -194,7 +194,7 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
     for (std::size_t g = 0; g + 1 < tree.groups().size(); ++g) {
       std::vector<audit_detail::site_tree::reaching> stars;
       for (std::size_t i = tree.groups()[g]; i < tree.groups()[g + 1]; ++i)
-        stars.push_back({sites[tree.order()[i]], scale * std::exp(random.between(-4, -2))});
+        stars.push_back({sites[tree.order()[i]], scale * std::exp(random.real(-4, -2))});
       ++groups;
       if (!tree.gather(stars, leaves)) continue;
       ++together;
@@ -331,15 +331,15 @@ TEST_CASE("a middle direction along which a neighbour is never met bounds no rea
 TEST_CASE("the quick exclusions, one by one and by distance, are never wrong") {
   const std::uint64_t seed = 20;
   CAPTURE(seed);
-  small_generator random(seed);
+  splitmix64 random(seed);
   const filtered_kernel kernel;
   const auto random_site = [&](double reach, double strength) {
     const metric_tensor metric = random_metric(random, strength);
-    return site{{random.between(-reach, reach), random.between(-reach, reach)}, metric};
+    return site{{random.real(-reach, reach), random.real(-reach, reach)}, metric};
   };
   int cases = 0, excluded = 0, distant = 0, accepted = 0;
   for (int i = 0; i < 15000; ++i) {
-    const double strength = i % 4 == 0 ? 0 : random.between(0, 3);
+    const double strength = i % 4 == 0 ? 0 : random.real(0, 3);
     site v = random_site(0.1, strength), x = random_site(1, strength), y = random_site(1, strength);
     const site w = random_site(i % 2 == 0 ? 1.5 : 6, strength);
     if (kernel.orientation(v.position, x.position, y.position) == sign::negative) std::swap(x, y);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "asterism/core/random.hpp"
 #include "asterism/mesh/audit/theorem_measures.hpp"
 #include "asterism/mesh/audit/theorem_table.hpp"
 #include "asterism/mesh/audit/voronoi_arc.hpp"
@@ -83,9 +84,9 @@ TEST_CASE("what is measured of the hypotheses is no better than it is") {
     const mesh m = meshed_square(metric, std::string(metric) == "linear" ? 1 : 0.2);
     const theorem_hypotheses h = measure_theorem_hypotheses(m, 1);
     INFO(metric << ": " << h.reason);
-    small_generator random(3);
+    splitmix64 random(3);
     for (int k = 0; k < 2000; ++k) {
-      const point q{random.between(-1, 1), random.between(-1, 1)};
+      const point q{random.real(-1, 1), random.real(-1, 1)};
       CHECK(nearest_distance(m, q) <= h.covering_radius);
     }
     if (Contains("metrics of").match(h.reason)) continue;  // measured in part
@@ -153,14 +154,14 @@ TEST_CASE("a variation or a spacing beyond the table proves no angle") {
 }
 
 TEST_CASE("the numbers of two sites are rounded to the side that is harder") {
-  small_generator random(11);
+  splitmix64 random(11);
   for (int k = 0; k < 20000; ++k) {
     const auto metric = [&] {
-      const double a = std::exp(random.between(-6, 6)), b = std::exp(random.between(-6, 6));
-      return metric_tensor{a, random.between(-0.999, 0.999) * std::sqrt(a * b), b};
+      const double a = std::exp(random.real(-6, 6)), b = std::exp(random.real(-6, 6));
+      return metric_tensor{a, random.real(-0.999, 0.999) * std::sqrt(a * b), b};
     };
-    const site p{{random.between(-1, 1), random.between(-1, 1)}, metric()};
-    site q{{random.between(-1, 1), random.between(-1, 1)}, metric()};
+    const site p{{random.real(-1, 1), random.real(-1, 1)}, metric()};
+    site q{{random.real(-1, 1), random.real(-1, 1)}, metric()};
     if (k % 2 == 0) q.metric = {p.metric.m11, p.metric.m12 * (1 + 1e-12), p.metric.m22};
     const theorem::pair_measures pair = theorem::measure_pair(p, q);
     const real from_p = distance(p, q.position), from_q = distance(q, p.position),
@@ -169,22 +170,21 @@ TEST_CASE("the numbers of two sites are rounded to the side that is harder") {
     CHECK(pair.larger_distance_below >= std::max(from_p, from_q) * (1 - 1e-10));
     CHECK(pair.distortion_above >= tau * (1 - 1e-18L));  // this one is rounded too
     CHECK(pair.distortion_above <= tau * (1 + 1e-6));
-    const double radius = random.between(0, 1);
+    const double radius = random.real(0, 1);
     const real midway = std::max(from_p, from_q) / 2;
     if (midway <= radius) CHECK_FALSE(theorem::certainly_apart(p, q, radius));
   }
 }
 
 TEST_CASE("a site is certainly farther than the nearer end only if it is at every point") {
-  small_generator random(12);
+  splitmix64 random(12);
   int certain = 0;
   for (int k = 0; k < 20000; ++k) {
     const auto metric = [&] {
-      return metric_tensor{random.between(0.5, 2), random.between(-0.4, 0.4),
-                           random.between(0.5, 2)};
+      return metric_tensor{random.real(0.5, 2), random.real(-0.4, 0.4), random.real(0.5, 2)};
     };
     const site a{{0, 0}, metric()}, b{{1, 0}, metric()},
-        w{{random.between(-1, 2), random.between(-1, 1)}, metric()};
+        w{{random.real(-1, 2), random.real(-1, 1)}, metric()};
     const bool farther = audit_detail::is_certainly_farther_than_nearer_end(a, b, w);
     real margin = std::numeric_limits<real>::infinity();
     for (int i = 0; i <= 256; ++i) {

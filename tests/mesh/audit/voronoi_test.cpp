@@ -106,10 +106,10 @@ mesh square_grid(int n, bool alternating, point origin = {0, 0}) {
   return make_mesh_of(points, triangles);
 }
 
-metric_tensor random_metric(small_generator& random, double strength) {
-  const double angle = random.between(-3.2, 3.2), s = std::sin(angle), t = std::cos(angle);
-  const double l = std::exp(random.between(-strength, strength)),
-               k = std::exp(random.between(-strength, strength));
+metric_tensor random_metric(splitmix64& random, double strength) {
+  const double angle = random.real(-3.2, 3.2), s = std::sin(angle), t = std::cos(angle);
+  const double l = std::exp(random.real(-strength, strength)),
+               k = std::exp(random.real(-strength, strength));
   return {l * t * t + k * s * s, (l - k) * s * t, l * s * s + k * t * t};
 }
 
@@ -362,12 +362,12 @@ TEST_CASE("scaled by powers of two, stretched and moved far away the verdict is 
 }
 
 TEST_CASE("enclosed vertices and arcs never contradict exact ones") {
-  small_generator random(4711);
+  splitmix64 random(4711);
   int decided = 0, asked = 0, nearer = 0, vertices = 0;
   for (int round = 0; round < 400; ++round) {
     const double strength = 0.1 + 0.9 * (round % 4);
     const auto make_site = [&](double x, double y) -> site {
-      return {{x + random.between(-0.2, 0.2), y + random.between(-0.2, 0.2)},
+      return {{x + random.real(-0.2, 0.2), y + random.real(-0.2, 0.2)},
               random_metric(random, strength)};
     };
     const site v = make_site(0, 0), u = make_site(1, 0), x = make_site(0.5, 0.8),
@@ -388,7 +388,7 @@ TEST_CASE("enclosed vertices and arcs never contradict exact ones") {
     if (!to || !from || exact_voronoi_arc::order(*to, *from) != sign::positive) continue;
     const enclosed_arc arc(v, u, exact.enclose(*from), exact.enclose(*to));
     for (int other = 0; other < 12; ++other) {
-      const double r = 2.5 * std::sqrt(random.between(0, 1)), a = random.between(-3.2, 3.2);
+      const double r = 2.5 * std::sqrt(random.real(0, 1)), a = random.real(-3.2, 3.2);
       const site w = other == 0   ? x
                      : other == 1 ? y
                                   : make_site(0.5 + r * std::cos(a), r * std::sin(a));
@@ -409,7 +409,7 @@ TEST_CASE("enclosed vertices and arcs never contradict exact ones") {
 
 TEST_CASE(
     "verdicts are those of the definition without any shortcut, however vertices are numbered") {
-  small_generator random(99);
+  splitmix64 random(99);
   int proved = 0, refused = 0;
   for (int round = 0; round < 10; ++round) {
     const double strength = 0.15 * round;

@@ -57,6 +57,7 @@ domain accepted(const domain& d, domain_repairs* repairs = nullptr) {
 std::string refusal(const domain& d) {
   const auto checked = check_domain(d);
   REQUIRE_FALSE(checked.ok());
+  CHECK(checked.failure().code == error_code::invalid_domain);
   return checked.failure().message;
 }
 

@@ -6,12 +6,12 @@
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/stars/visibility.hpp"
 #include "fixtures/audit_meshes.hpp"
 #include "fixtures/domain_kinds.hpp"
+#include "fixtures/judged_mesh.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -23,19 +23,19 @@ namespace {
 struct random_graph {
   explicit random_graph(std::uint64_t seed) : random(seed) {
     if (seed % 3 != 0) add_ring(d, box_ring(0, 0, grid, grid));
-    const std::size_t rings = random.next() % 3, segments = random.next() % 8;
+    const std::size_t rings = random.bits() % 3, segments = random.bits() % 8;
     for (std::size_t i = 0; i < rings; ++i) add_box();
     for (std::size_t i = 0; i < segments; ++i) add_segment(any_vertex(), any_vertex());
-    for (std::size_t i = random.next() % 3; i > 0; --i) d.vertices.push_back(grid_point());
-    for (std::size_t i = random.next() % 2; i > 0; --i) d.holes.push_back(loose_point());
-    for (std::size_t i = random.next() % 3; i > 0; --i)
-      d.regions.push_back({loose_point(), static_cast<int>(random.next() % 3)});
-    d.number_all_regions = random.next() % 2 == 0;
+    for (std::size_t i = random.bits() % 3; i > 0; --i) d.vertices.push_back(grid_point());
+    for (std::size_t i = random.bits() % 2; i > 0; --i) d.holes.push_back(loose_point());
+    for (std::size_t i = random.bits() % 3; i > 0; --i)
+      d.regions.push_back({loose_point(), static_cast<int>(random.bits() % 3)});
+    d.number_all_regions = random.bits() % 2 == 0;
   }
 
   point grid_point() {
-    return {static_cast<double>(random.next() % (grid + 1)),
-            static_cast<double>(random.next() % (grid + 1))};
+    return {static_cast<double>(random.bits() % (grid + 1)),
+            static_cast<double>(random.bits() % (grid + 1))};
   }
   // On no line through two points of the grid, whose slopes and offsets are small fractions.
   point loose_point() {
@@ -50,7 +50,7 @@ struct random_graph {
     for (const segment& s : d.segments)
       if (properly_cross(kernel, d.vertices[a], d.vertices[b], d.vertices[s.a], d.vertices[s.b]))
         return;
-    d.segments.push_back({a, b, static_cast<int>(random.next() % 3)});
+    d.segments.push_back({a, b, static_cast<int>(random.bits() % 3)});
   }
   void add_box() {
     const point p = grid_point(), q = grid_point();
@@ -61,9 +61,8 @@ struct random_graph {
   }
 
   static constexpr int grid = 5;
-  test::small_generator random;
-  filtered_kernel arithmetic;
-  star_predicates_on<filtered_kernel> kernel{arithmetic};
+  test::splitmix64 random;
+  star_predicates_on<filtered_kernel> kernel;
   domain d;
 };
 
@@ -108,20 +107,13 @@ fate fate_of(const domain& input) {
   mesh_options options;
   options.angle_bound = 15;
   options.max_sites = 2000;
-  const auto made = make_mesh(d, identity_field(), options);
-  REQUIRE(made.ok());
-  if (!made.value().complete) {
-    CHECK_FALSE(made.value().reason.empty());
+  const mesh_outcome made = testing::mesh_of(d, identity_field(), options);
+  if (!made.complete) {
+    CHECK_FALSE(ending_text(made).empty());
     return fate::stuck;
   }
-  audit_options asked;
-  asked.angle_bound = options.angle_bound;
-  asked.original = &d;
-  for (const exempt_corner& c : made.value().exempt) asked.exempt_corners.push_back(c.vertex);
-  const audit_report report = audit(made.value().result, asked);
-  for (const audit_finding& f : report.findings) UNSCOPED_INFO(f.witness);
-  CHECK(report.certified);
-  check_points(input, d, made.value().result);
+  testing::check_audit(d, made, options);
+  check_points(input, d, made.result);
   return fate::certified;
 }
 

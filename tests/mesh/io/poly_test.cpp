@@ -163,11 +163,14 @@ TEST_CASE("malformed .poly files are refused with file, line and token") {
     const std::string place = path.string() + (c.line.empty() ? "" : ":" + c.line + ": ");
     REQUIRE_THAT(d.failure().message, Catch::StartsWith(place) && Catch::Contains(c.what));
     REQUIRE(d.failure().message.find('\n') == std::string::npos);
+    CHECK((d.failure().code == error_code::malformed_file ||
+           d.failure().code == error_code::bad_number));
   }
 }
 
 TEST_CASE("what is no file is refused by name") {
   const temporary_directory here("no-poly");
+  CHECK(read_poly(here / "missing.poly").failure().code == error_code::unreadable_file);
   REQUIRE(read_poly(here / "missing.poly").failure().message ==
           (here / "missing.poly").string() + ": no such file");
   std::filesystem::create_directory(here / "folder.poly");

@@ -56,6 +56,8 @@ TEST_CASE("places where nothing can be written are refused beforehand") {
                Catch::Contains("not a regular file"));
   std::filesystem::create_directory(here / "m.sol");
   REQUIRE_THAT(check_output(here / "m.mesh").failure().message, Catch::Contains("m.sol"));
+  CHECK(check_output(here / "m.mesh").failure().code == error_code::unwritable_file);
+  CHECK(check_output(here / "none/m.mesh").failure().code == error_code::unwritable_file);
   REQUIRE(check_output(here / "m.png").ok());
   REQUIRE_FALSE(write_mesh(here / "m.mesh", sample_mesh(2)).ok());
   REQUIRE(here.files() == 2);
@@ -76,6 +78,7 @@ TEST_CASE("a mesh whose numbers are wrong is not written") {
   mesh m = sample_mesh(2);
   m.triangles[1][2] = 99;
   REQUIRE_THAT(write_mesh(here / "m.vtu", m).failure().message, Catch::Contains("missing site"));
+  CHECK(write_mesh(here / "m.vtu", m).failure().code == error_code::invalid_mesh);
   m = sample_mesh(2);
   m.sites[3].position.x = std::nan("");
   REQUIRE_FALSE(write_mesh(here / "m.png", m).ok());

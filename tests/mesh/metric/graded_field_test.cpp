@@ -192,7 +192,10 @@ TEST_CASE("limits that are met are told") {
 TEST_CASE("gradation ends when it is told, and does not ask again") {
   int asked = 0, last = -1;
   gradation_options options;
-  options.enough = [&] { return ++asked == last; };
+  options.stop = [&]() -> std::optional<std::string> {
+    if (++asked == last) return "enough";
+    return std::nullopt;
+  };
   REQUIRE(grade_metric(field("swirl:24", 0.3), unit_box, options).ok());
   const int in_all = asked;
   REQUIRE(in_all > 20);

@@ -26,8 +26,8 @@ mesh two_triangles() {
 
 TEST_CASE("a vertex has its own tensor, bit for bit") {
   patch p = make_patch(6);
-  small_generator random(3);
-  for (site& s : p.m.sites) s.metric = {random.between(1, 9), random.between(-1, 1), 2};
+  splitmix64 random(3);
+  for (site& s : p.m.sites) s.metric = {random.real(1, 9), random.real(-1, 1), 2};
   const auto field = make_sampled_field(p.m);
   for (const site& s : p.m.sites) {
     const auto m = field->at(s.position);

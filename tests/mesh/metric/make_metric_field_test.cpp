@@ -28,6 +28,8 @@ metric_tensor value(const std::string& specification, const point& q,
 std::string refusal(const std::string& specification, double size = 1) {
   const auto field = make_metric_field(specification, unit_box, size);
   REQUIRE_FALSE(field.ok());
+  CHECK((field.failure().code == error_code::invalid_metric ||
+         field.failure().code == error_code::bad_option));
   return field.failure().message;
 }
 
@@ -72,6 +74,7 @@ TEST_CASE("a tensor that is no metric is refused with point and numbers") {
   REQUIRE_THAT(semidefinite.failure().message, Catch::Contains("not positive definite"));
   const auto infinite = make_metric_field("expr:1/x;0;1", unit_box).value()->at({0, 1});
   REQUIRE_THAT(infinite.failure().message, Catch::Contains("not finite: m11 = inf"));
+  CHECK(infinite.failure().code == error_code::invalid_metric);
   const auto undefined = make_metric_field("expr:sqrt(x);0;1", unit_box).value()->at({-1, 1});
   REQUIRE_THAT(undefined.failure().message, Catch::Contains("not finite"));
 }

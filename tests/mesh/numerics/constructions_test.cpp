@@ -19,14 +19,14 @@ class site_generator {
  public:
   explicit site_generator(std::uint64_t seed) : random_(seed) {}
   site next() {
-    const double x = 2 * random_.uniform() - 1, y = 2 * random_.uniform() - 1;
-    const double stretch = 1 + 8 * random_.uniform(), turn = 3 * random_.uniform();
+    const double x = 2 * random_.real() - 1, y = 2 * random_.real() - 1;
+    const double stretch = 1 + 8 * random_.real(), turn = 3 * random_.real();
     const double c = std::cos(turn), s = std::sin(turn);
     return {{x, y}, {stretch * c * c + s * s, (stretch - 1) * c * s, stretch * s * s + c * c}};
   }
 
  private:
-  dart_generator random_;
+  splitmix64 random_;
 };
 
 bool nearly_equal(double a, double b) { return std::abs(a - b) <= 1e-7 * (a + b); }

@@ -14,7 +14,7 @@
 
 using namespace asterism;
 using namespace asterism::internal;
-using test::small_generator;
+using test::splitmix64;
 
 namespace {
 
@@ -57,10 +57,10 @@ TEST_CASE("thin: which metrics are") {
 }
 
 TEST_CASE("thin: determinants and lengths are those of the tensor as it is, to the last bits") {
-  small_generator random(11);
+  splitmix64 random(11);
   for (const double aspect : aspects)
     for (int i = 0; i < 300; ++i) {
-      const double degrees = random.between(0, 180);
+      const double degrees = random.real(0, 180);
       const metric_tensor m = turned(aspect, degrees);
       INFO("replay: aspect " << aspect << ", pair " << i << ", degrees " << degrees);
       const double det = exact_determinant(m);
@@ -81,13 +81,13 @@ TEST_CASE("thin: products of entries may leave the range of doubles") {
 }
 
 TEST_CASE("thin: in round coordinates the metric is the identity and lengths stay") {
-  small_generator random(12);
+  splitmix64 random(12);
   for (const double aspect : aspects)
     for (int i = 0; i < 300; ++i) {
-      const metric_tensor m = turned(aspect, random.between(0, 180));
+      const metric_tensor m = turned(aspect, random.real(0, 180));
       INFO("replay: aspect " << aspect << ", tensor " << i);
       const round_coordinates round({5, -3}, m);
-      const point u{random.between(-1, 1), random.between(-1, 1)};
+      const point u{random.real(-1, 1), random.real(-1, 1)};
       const point d = round.outward(u);
       const site back = round.inward({{5 + d.x, -3 + d.y}, m});
       const double off = 1e-14 * aspect;

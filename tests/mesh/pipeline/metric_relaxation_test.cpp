@@ -14,17 +14,12 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/domain_kinds.hpp"
+#include "fixtures/judged_mesh.hpp"
 
 using namespace asterism;
 using namespace asterism::testing;
 
 namespace {
-
-mesh_outcome mesh_of(const domain& d, const metric_field& field, const mesh_options& options) {
-  auto made = make_mesh(d, field, options);
-  REQUIRE(made.ok());
-  return std::move(made).value();
-}
 
 mesh_options with_size() {
   mesh_options options;
@@ -57,7 +52,7 @@ const mesh_outcome& checkered() {
 
 // Certified in its own metric, angles and stars, and of the whole domain.
 void check_conforming(const domain& d, const mesh_outcome& made, double angle_bound) {
-  INFO(made.reason);
+  INFO(ending_text(made));
   CHECK(made.disagreeing == 0);
   CHECK(made.result.disagreeing.empty());
   audit_options options;
@@ -118,7 +113,7 @@ TEST_CASE("relaxation: perpendicular stretchings side by side, with a size and w
     CHECK(made.relaxed->changed > 0);
     CHECK(made.relaxed->most_longer > 2);
     CHECK(made.relaxed->why.find("the metric varies faster than sites") != std::string::npos);
-    CHECK(made.reason.find("stars cannot agree in the metric given") == 0);
+    CHECK(ending_text(made).find("stars cannot agree in the metric given") == 0);
   }
 }
 
@@ -171,7 +166,7 @@ TEST_CASE("relaxation: agreement within a small limit on sites") {
     mesh_options options;
     options.max_sites = most;
     const mesh_outcome made = mesh_of(d, swirl(400, 1), options);
-    INFO(most << ": " << made.reason);
+    INFO(most << ": " << ending_text(made));
     CHECK(made.sites <= most);
     CHECK(made.disagreeing == 0);
     audit_options wanted;
@@ -206,7 +201,7 @@ TEST_CASE("relaxation: the same for any number of threads and at any scale") {
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     const mesh_outcome again = mesh_of(d, checkerboard(0.52, 0.8), with_size());
     CHECK(mesh_fingerprint(again.result) == mesh_fingerprint(first.result));
-    CHECK(again.reason == first.reason);
+    CHECK(ending_text(again) == ending_text(first));
     CHECK(again.relaxed->low_triangles == first.relaxed->low_triangles);
   }
   for (const int exponent : {-400, 400}) {
@@ -220,7 +215,7 @@ TEST_CASE("relaxation: the same for any number of threads and at any scale") {
                            std::ldexp(m.m22, -2 * exponent)};
     });
     const mesh_outcome made = mesh_of(accepted(scaled), field, with_size());
-    INFO(exponent << ": " << made.reason);
+    INFO(exponent << ": " << ending_text(made));
     // Logarithms are rounded otherwise there.
     CHECK(made.relaxed->kind == first.relaxed->kind);
     CHECK(static_cast<double>(made.triangles) == Approx(first.triangles).epsilon(0.1));
@@ -247,11 +242,11 @@ TEST_CASE("relaxation: a stop is kept to while the metric is relaxed") {
     return "enough";
   };
   const mesh_outcome made = mesh_of(d, checkerboard(0.52, 0.8), options);
-  INFO(made.reason);
+  INFO(ending_text(made));
   CHECK(made.stopped);
   CHECK_FALSE(made.complete);
   CHECK_FALSE(made.relaxed.has_value());
-  CHECK(made.reason.find("in the metric relaxed") != std::string::npos);
+  CHECK(ending_text(made).find("in the metric relaxed") != std::string::npos);
 }
 
 TEST_CASE("relaxation: gradation went on for a minute after the run was stopped") {
@@ -274,9 +269,9 @@ TEST_CASE("relaxation: gradation went on for a minute after the run was stopped"
   asked = 0;
   options.relax = true;
   const mesh_outcome made = mesh_of(d, field, options);
-  INFO(made.reason);
+  INFO(ending_text(made));
   CHECK(made.stopped);
-  CHECK(made.reason.find("stopped: enough, in the metric relaxed; before that") == 0);
+  CHECK(ending_text(made).find("stopped: enough, in the metric relaxed; before that") == 0);
   CHECK(evaluations - at_stop == 0);
 }
 

@@ -11,35 +11,16 @@
 #include <numbers>
 #include <random>
 
-#include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/domain_kinds.hpp"
+#include "fixtures/judged_mesh.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
 using namespace asterism::testing;
 
 namespace {
-
-mesh_outcome mesh_of(const domain& d, const metric_field& field, const mesh_options& options) {
-  auto made = make_mesh(d, field, options);
-  REQUIRE(made.ok());
-  return std::move(made).value();
-}
-
-void check_certified(const domain& d, const metric_field& field, const mesh_options& asked) {
-  const mesh_outcome made = mesh_of(d, field, asked);
-  INFO(made.reason);
-  CHECK(made.complete);
-  audit_options options;
-  options.angle_bound = asked.angle_bound;
-  options.original = &d;
-  for (const exempt_corner& c : made.exempt) options.exempt_corners.push_back(c.vertex);
-  const audit_report report = audit(made.result, options);
-  for (const audit_finding& f : report.findings) UNSCOPED_INFO(f.witness);
-  CHECK(report.certified);
-}
 
 // The field with unit length `size`.
 formula_field sized(const formula_field& field, double size) {
@@ -90,12 +71,12 @@ TEST_CASE("guaranteed: domains and smooth metrics, with and without a size, are 
                plain = accepted(square());
   for (const domain* d : {&plain, &hole, &slit}) {
     for (const formula_field& f : {identity_field(), swirl_field(3), layer_field()}) {
-      check_certified(*d, f, with_size(false));
-      check_certified(*d, sized(f, 0.25), with_size(true));
+      make_and_check(*d, f, with_size(false));
+      make_and_check(*d, sized(f, 0.25), with_size(true));
     }
     mesh_options modest = with_size(true);
     modest.angle_bound = 15;
-    check_certified(*d, sized(sink_field(3), 0.25), modest);
+    make_and_check(*d, sized(sink_field(3), 0.25), modest);
   }
 }
 
@@ -109,7 +90,7 @@ TEST_CASE("guaranteed: the same mesh with one thread and with two") {
   const mesh_outcome one = made_by(1), two = made_by(2);
   CHECK(one.sites > 1000);
   CHECK(same(one.result, two.result));
-  CHECK(one.reason == two.reason);
+  CHECK(ending_text(one) == ending_text(two));
 }
 
 // Vertices on opposite walls are level up to 1e-10 of their distance, so each four of them are
@@ -123,7 +104,7 @@ TEST_CASE("guaranteed: a ladder between slanted walls needs no site to be agreed
     domain d;
     add_ring(d, {{-lean, -0.8}, {0.1, -0.8}, {0.1 + lean, 0.8}, {0, 0.8}});
     const mesh_outcome made = mesh_of(accepted(d), linear, with_size(true));
-    INFO(lean << ": " << made.reason);
+    INFO(lean << ": " << ending_text(made));
     CHECK(made.complete);
     CHECK(made.sites < 120);
   }
@@ -135,7 +116,7 @@ TEST_CASE(
   for (const double height : {0.9, 0.2, 0.05}) {
     domain d;
     add_ring(d, {{0, 0}, {10, 0}, {10, height}});
-    check_certified(accepted(d), constant_field({4, 0, 4}), with_size(true));
+    make_and_check(accepted(d), constant_field({4, 0, 4}), with_size(true));
   }
 }
 
@@ -145,7 +126,7 @@ TEST_CASE("guaranteed: a steep metric that sites can resolve is not given up") {
     const double h = 0.25 + 0.75 * t * t;
     return metric_tensor{1, 0, 1 / (h * h)};
   });
-  check_certified(accepted(square()), shock, with_size(true));
+  make_and_check(accepted(square()), shock, with_size(true));
 }
 
 // The fraction of the way that belongs to the whole length came out one ulp short of 1.
@@ -189,11 +170,10 @@ TEST_CASE("guaranteed: jumps of the metric end quickly, with the place named") {
     mesh_options options = as_given(with_size(true));
     options.max_sites = 4000;
     const mesh_outcome made = mesh_of(accepted(square()), jump, options);
-    INFO(made.reason);
+    INFO(ending_text(made));
     CHECK_FALSE(made.complete);
     CHECK(made.sites <= options.max_sites);
-    const bool named = made.reason.find("the metric varies faster") != std::string::npos ||
-                       made.reason.find("the limit of") != std::string::npos;
+    const bool named = made.ended.steep || made.how() == ending::site_limit;
     CHECK(named);
   }
 }
@@ -204,41 +184,42 @@ TEST_CASE("guaranteed: a jump by 1e4 in size ends with the reason") {
     return metric_tensor{s, 0, s};
   });
   const mesh_outcome made = mesh_of(accepted(square()), jump, as_given(with_size(true)));
-  INFO(made.reason);
+  INFO(ending_text(made));
   CHECK_FALSE(made.complete);
   CHECK(made.sites < 12000);
-  CHECK(made.reason.find("bad triangles are left") != std::string::npos);
+  CHECK(ending_text(made).find("bad triangles are left") != std::string::npos);
 }
 
 // The fill went on for minutes, in which every site was a neighbour of a part of all others.
 TEST_CASE("guaranteed: a metric too wild for sites to be spread ends by count, with the place") {
   const formula_field wild = sized(swirl_field(1e8), 10);
   const mesh_outcome one = mesh_of(accepted(square()), wild, as_given(with_size(true)));
-  INFO(one.reason);
+  INFO(ending_text(one));
   CHECK_FALSE(one.complete);
   CHECK(one.sites == 4);
-  CHECK(one.reason.find("the metric varies too fast for sites to be spread: of ") == 0);
-  CHECK(one.stars_missing == 0);
+  CHECK(one.how() == ending::crowded);
+  CHECK(ending_text(one).find("the metric varies too fast for sites to be spread: of ") == 0);
+  CHECK(one.ended.stars_missing == 0);
 }
 
 // 200 units long and 0.0002 high: every site is in the influence of most subsegments.
 TEST_CASE("guaranteed: a domain far thinner than its units are apart ends by count") {
   const mesh_outcome made =
       mesh_of(accepted(square()), sized(constant_field({1e8, 0, 1e-4}), 100), with_size(true));
-  INFO(made.reason);
+  INFO(ending_text(made));
   CHECK_FALSE(made.complete);
   CHECK(made.sites < 20000);
-  CHECK(made.reason.find("the most work that is done for so many sites") != std::string::npos);
+  CHECK(made.how() == ending::overworked);
 }
 
 TEST_CASE("guaranteed: stars that were never made are counted where a run is stopped") {
   mesh_options options = with_size(true);
   options.stop = [] { return std::optional<std::string>("at once"); };
   const mesh_outcome made = mesh_of(accepted(square()), sized(identity_field(), 0.1), options);
-  INFO(made.reason);
+  INFO(ending_text(made));
   CHECK(made.stopped);
-  CHECK(made.stars_missing == made.sites);
-  CHECK(made.reason.find("were never made") != std::string::npos);
+  CHECK(made.ended.stars_missing == made.sites);
+  CHECK(ending_text(made).find("were never made") != std::string::npos);
 }
 
 TEST_CASE("guaranteed: polygons of many short segments, with a size and without") {
@@ -258,7 +239,7 @@ TEST_CASE("guaranteed: polygons of many short segments, with a size and without"
     options.max_sites = 100000;
     const formula_field coarse([](const point&) { return metric_tensor{400, 0, 400}; });
     const mesh_outcome made = mesh_of(d, coarse, options);
-    INFO(made.reason);
+    INFO(ending_text(made));
     CHECK(made.complete);
     CHECK(made.sites < most_sites);
     const auto asked =
@@ -287,7 +268,7 @@ TEST_CASE(
                             100 * (s * s * thin + c * c)};
       const formula_field undone([&m](const point&) { return m; });
       const mesh_outcome made = mesh_of(accepted(stretched), undone, with_size(true));
-      INFO(aspect << ", turned by " << turn << ": " << made.reason);
+      INFO(aspect << ", turned by " << turn << ": " << ending_text(made));
       CHECK(made.complete);
       CHECK(made.sites < 700);
     }
@@ -301,19 +282,19 @@ TEST_CASE("guaranteed: the limit on sites is kept and named") {
   for (const std::size_t most : {4, 5, 100, 500, 1000}) {
     options.max_sites = most;
     const mesh_outcome made = mesh_of(d, fine, options);
-    INFO(made.reason);
+    INFO(ending_text(made));
     CHECK_FALSE(made.complete);
     CHECK(made.sites <= most);
-    CHECK(made.reason.find("limit of " + std::to_string(most)) != std::string::npos);
+    CHECK(ending_text(made).find("limit of " + std::to_string(most)) != std::string::npos);
     if (most < 100) continue;
     // It was a failure where the segments alone needed more, and elsewhere fine in one part of the
     // domain and coarse in the rest. Now edges are longer everywhere, and all else is as asked.
     CHECK(made.disagreeing == 0);
     CHECK(made.low_angle == 0);
     CHECK(made.too_large > 0);
-    CHECK(made.length_factor > 1);
+    CHECK(made.ended.length_factor > 1);
     CHECK(made.sites > most / 4);
-    CHECK(made.sites_wanted == Approx(needed).epsilon(0.2));
+    CHECK(made.ended.sites_wanted == Approx(needed).epsilon(0.2));
     CHECK(made.result.sites[0].metric == fine.at(made.result.sites[0].position).value());
   }
 }
@@ -323,12 +304,12 @@ TEST_CASE("guaranteed: a size that takes 4e14 triangles ends soon, and says so")
   options.max_sites = 5000;
   for (const double size : {1e-7, 1e-30, 1e-100}) {
     const mesh_outcome made = mesh_of(accepted(square()), sized(identity_field(), size), options);
-    INFO(made.reason);
+    INFO(ending_text(made));
     CHECK_FALSE(made.complete);
     CHECK(made.sites <= options.max_sites);
     CHECK(made.sites > options.max_sites / 4);
     CHECK(made.disagreeing == 0);
-    CHECK(made.sites_wanted * size * size == Approx(4.6).epsilon(0.2));
+    CHECK(made.ended.sites_wanted * size * size == Approx(4.6).epsilon(0.2));
   }
 }
 
@@ -346,13 +327,13 @@ TEST_CASE(
   for (most = 0; most < 12; ++most) {
     asked = 0;
     const mesh_outcome made = mesh_of(accepted(square()), fine, options);
-    INFO(most << ": " << made.reason);
+    INFO(most << ": " << ending_text(made));
     CHECK(made.stopped);
-    if (made.length_factor == 1) continue;
+    if (made.ended.length_factor == 1) continue;
     ++length_factor;
-    CHECK((made.sites_wanted == 0 || made.sites_wanted > 2000));
-    CHECK((made.reason.find("the size wanted takes") == std::string::npos) ==
-          (made.sites_wanted == 0));
+    CHECK((made.ended.sites_wanted == 0 || made.ended.sites_wanted > 2000));
+    CHECK((ending_text(made).find("the size wanted takes") == std::string::npos) ==
+          (made.ended.sites_wanted == 0));
   }
   CHECK(length_factor > 0);
 }
@@ -360,7 +341,7 @@ TEST_CASE(
 TEST_CASE("guaranteed: far from the origin, sites a millionth apart") {
   domain d;
   add_ring(d, box_ring(1e8, 1e8, 1e8 + 1e-5, 1e8 + 1e-5));
-  check_certified(accepted(d), constant_field({1e12, 0, 1e12}), with_size(true));
+  make_and_check(accepted(d), constant_field({1e12, 0, 1e12}), with_size(true));
 }
 
 TEST_CASE("guaranteed: a symmetric grid of given points, every circle through four of them") {
@@ -368,8 +349,8 @@ TEST_CASE("guaranteed: a symmetric grid of given points, every circle through fo
   for (int i = -3; i <= 3; ++i)
     for (int j = -3; j <= 3; ++j) d.vertices.push_back({i * 0.25, j * 0.25});
   for (const bool limit : {false, true}) {
-    check_certified(accepted(d), constant_field({16, 0, 16}), with_size(limit));
-    check_certified(accepted(d), constant_field({16, 0, 64}), with_size(limit));
+    make_and_check(accepted(d), constant_field({16, 0, 16}), with_size(limit));
+    make_and_check(accepted(d), constant_field({16, 0, 64}), with_size(limit));
   }
 }
 
@@ -382,8 +363,8 @@ TEST_CASE(
   d.vertices.push_back({0.30000000000000004, 0.3000000000000001});
   d.vertices.push_back({0.20000000000000004, 0.2});
   const mesh_outcome made = mesh_of(accepted(d), sized(identity_field(), 0.1), with_size(true));
-  INFO(made.reason);
-  CHECK(made.tolerance > 0x1p-70);
+  INFO(ending_text(made));
+  CHECK(made.ended.tolerance > 0x1p-70);
   CHECK(made.disagreeing == 0);
   CHECK(made.low_angle <= 1);
 }

@@ -7,6 +7,7 @@
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/domain_kinds.hpp"
+#include "fixtures/judged_mesh.hpp"
 
 using namespace asterism;
 using namespace asterism::testing;
@@ -14,19 +15,7 @@ using namespace asterism::testing;
 namespace {
 
 void check_certified(const domain& d, const metric_field& field, const mesh_options& asked) {
-  const auto made = make_mesh(d, field, asked);
-  REQUIRE(made.ok());
-  const mesh_outcome& outcome = made.value();
-  INFO(outcome.reason);
-  CHECK(outcome.complete);
-  CHECK(outcome.disagreeing == 0);
-  audit_options options;
-  options.angle_bound = asked.angle_bound;
-  options.original = &d;
-  for (const exempt_corner& c : outcome.exempt) options.exempt_corners.push_back(c.vertex);
-  const audit_report report = audit(outcome.result, options);
-  for (const audit_finding& f : report.findings) UNSCOPED_INFO(f.witness);
-  CHECK(report.certified);
+  CHECK(make_and_check(d, field, asked).disagreeing == 0);
 }
 
 }  // namespace

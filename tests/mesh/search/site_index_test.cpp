@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/search/box_index.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
@@ -20,7 +21,7 @@
 using namespace asterism;
 using namespace asterism::internal;
 using asterism::vertex_index;
-using asterism::test::small_generator;
+using asterism::test::splitmix64;
 
 namespace {
 
@@ -30,9 +31,9 @@ struct site_cloud {
 };
 
 // Positive definite, of condition up to about `condition`, in units of length `unit`.
-metric_tensor random_tensor(small_generator& random, double condition, double unit) {
-  const double t = random.between(0, 3.2), c = std::cos(t), s = std::sin(t);
-  const double large = std::exp(random.between(0, std::log(condition))), small = 1;
+metric_tensor random_tensor(splitmix64& random, double condition, double unit) {
+  const double t = random.real(0, 3.2), c = std::cos(t), s = std::sin(t);
+  const double large = std::exp(random.real(0, std::log(condition))), small = 1;
   const double scale = 1 / (unit * unit);
   return {scale * (large * c * c + small * s * s), scale * (large - small) * c * s,
           scale * (large * s * s + small * c * c)};
@@ -40,7 +41,7 @@ metric_tensor random_tensor(small_generator& random, double condition, double un
 
 template <class Place>
 site_cloud cloud(const std::string& name, int count, double unit, Place&& place) {
-  small_generator random(11);
+  splitmix64 random(11);
   site_cloud made{name, {}};
   for (int i = 0; i < count; ++i) {
     const point q = place(random, i);
@@ -51,8 +52,8 @@ site_cloud cloud(const std::string& name, int count, double unit, Place&& place)
 
 std::vector<site_cloud> clouds() {
   constexpr int count = 400;
-  const auto uniform = [](small_generator& r, double scale, const point& offset) {
-    const double x = r.between(-1, 1), y = r.between(-1, 1);
+  const auto uniform = [](splitmix64& r, double scale, const point& offset) {
+    const double x = r.real(-1, 1), y = r.real(-1, 1);
     return point{offset.x + scale * x, offset.y + scale * y};
   };
   return {
@@ -71,7 +72,7 @@ std::vector<site_cloud> clouds() {
             }),
       cloud("repeated coordinates", count, 1,
             [](auto& r, int i) {
-              return point{double(i % 3), r.between(0, 1)};
+              return point{double(i % 3), r.real(0, 1)};
             }),
       cloud("an ulp apart", count, 1e-13,
             [](auto&, int i) {
@@ -90,15 +91,6 @@ std::vector<site_cloud> clouds() {
   };
 }
 
-bounding_box box_of_all(const std::vector<site>& sites) {
-  bounding_box box{sites[0].position, sites[0].position};
-  for (const site& s : sites) {
-    box.low = {std::min(box.low.x, s.position.x), std::min(box.low.y, s.position.y)};
-    box.high = {std::max(box.high.x, s.position.x), std::max(box.high.y, s.position.y)};
-  }
-  return box;
-}
-
 site_index index_of(const std::vector<site>& sites, const bounding_box& box) {
   site_index made(box);
   for (vertex_index w = 0; w < sites.size(); ++w) made.insert(sites, w);
@@ -109,9 +101,9 @@ double length(const site& from, const point& to) { return std::sqrt(squared_dist
 
 // Box corners are sites' own coordinates, so that closedness is put to the test.
 void check_boxes(const site_cloud& c, const site_index& tree) {
-  small_generator random(5);
+  splitmix64 random(5);
   for (int i = 0; i < 200; ++i) {
-    const auto any = [&] { return c.sites[random.next() % c.sites.size()].position; };
+    const auto any = [&] { return c.sites[random.bits() % c.sites.size()].position; };
     const bounding_box box = box_of(any(), any());
     std::vector<vertex_index> found, expected;
     CHECK(tree.visit_box(c.sites, box.low, box.high, [&](vertex_index w) {
@@ -128,10 +120,10 @@ void check_boxes(const site_cloud& c, const site_index& tree) {
 }
 
 void check_seeing(const site_cloud& c, const site_index& tree) {
-  small_generator random(6);
+  splitmix64 random(6);
   for (int i = 0; i < 200; ++i) {
-    const point q = c.sites[random.next() % c.sites.size()].position;
-    const site& other = c.sites[random.next() % c.sites.size()];
+    const point q = c.sites[random.bits() % c.sites.size()].position;
+    const site& other = c.sites[random.bits() % c.sites.size()];
     const double distance = length(other, q);  // the other one just sees it
     std::set<vertex_index> found;
     tree.visit_seeing(q, distance, [&](vertex_index w) { return found.insert(w).second; });
@@ -154,11 +146,11 @@ long double largest_ratio(const metric_tensor& v, const metric_tensor& w) {
 }
 
 void check_reach(const site_cloud& c, const site_index& tree) {
-  small_generator random(7);
+  splitmix64 random(7);
   for (int i = 0; i < 200; ++i) {
-    const site& v = c.sites[random.next() % c.sites.size()];
-    const double far = length(v, c.sites[random.next() % c.sites.size()].position);
-    const double reach = far * random.between(0, 0.5);
+    const site& v = c.sites[random.bits() % c.sites.size()];
+    const double far = length(v, c.sites[random.bits() % c.sites.size()].position);
+    const double reach = far * random.real(0, 0.5);
     std::set<vertex_index> found;
     tree.visit_reach(c.sites, v, reach, [&](vertex_index w) { return found.insert(w).second; });
     for (vertex_index w = 0; w < c.sites.size(); ++w) {
@@ -177,7 +169,7 @@ void check_reach(const site_cloud& c, const site_index& tree) {
 TEST_CASE("sites in a box, seeing a place, in reach of a star: none is missed") {
   for (const site_cloud& c : clouds()) {
     INFO(c.name);
-    const site_index tree = index_of(c.sites, box_of_all(c.sites));
+    const site_index tree = index_of(c.sites, box_of_sites(c.sites));
     CHECK(tree.size() == c.sites.size());
     check_boxes(c, tree);
     check_seeing(c, tree);
@@ -188,7 +180,7 @@ TEST_CASE("sites in a box, seeing a place, in reach of a star: none is missed") 
 TEST_CASE("an index made for a smaller box still finds the sites outside it") {
   for (const site_cloud& c : clouds()) {
     INFO(c.name);
-    const bounding_box whole = box_of_all(c.sites);
+    const bounding_box whole = box_of_sites(c.sites);
     const site_index tree =
         index_of(c.sites, {whole.low, {whole.low.x / 2 + whole.high.x / 2, whole.high.y}});
     check_boxes(c, tree);
@@ -198,13 +190,13 @@ TEST_CASE("an index made for a smaller box still finds the sites outside it") {
 
 TEST_CASE("an index narrows its answers, and stops when told to") {
   const site_cloud c = clouds().front();
-  const site_index tree = index_of(c.sites, box_of_all(c.sites));
+  const site_index tree = index_of(c.sites, box_of_sites(c.sites));
   std::size_t seen = 0;
   CHECK_FALSE(tree.visit_box(c.sites, {-1, -1}, {1, 1}, [&](vertex_index) { return ++seen < 3; }));
   CHECK(seen == 3);
   std::vector<site> round;
   for (const site& s : c.sites) round.push_back({s.position, {1, 0, 1}});
-  const site_index even = index_of(round, box_of_all(round));
+  const site_index even = index_of(round, box_of_sites(round));
   std::size_t near = 0, all = 0;
   for (const site& v : round)
     even.visit_reach(round, v, 0.1, [&](vertex_index) { return ++near > 0; });
@@ -220,11 +212,11 @@ TEST_CASE("an index narrows its answers, and stops when told to") {
 TEST_CASE("boxes are found after any insertions and removals") {
   for (const site_cloud& c : clouds()) {
     INFO(c.name);
-    small_generator random(9);
-    box_index tree(box_of_all(c.sites));
+    splitmix64 random(9);
+    box_index tree(box_of_sites(c.sites));
     std::vector<bounding_box> boxes;
     std::vector<char> there;
-    const auto any = [&] { return c.sites[random.next() % c.sites.size()].position; };
+    const auto any = [&] { return c.sites[random.bits() % c.sites.size()].position; };
     for (std::uint32_t i = 0; i < 600; ++i) {
       // Long, short and degenerate ones.
       const point p = any(), q = i % 3 == 0 ? any() : p;
@@ -232,7 +224,7 @@ TEST_CASE("boxes are found after any insertions and removals") {
       there.push_back(1);
       tree.insert(i, boxes[i]);
       if (i % 2 == 1) {
-        const auto gone = static_cast<std::uint32_t>(random.next() % boxes.size());
+        const auto gone = static_cast<std::uint32_t>(random.bits() % boxes.size());
         if (there[gone] != 0) tree.remove(gone, boxes[gone]);
         there[gone] = 0;
       }
@@ -260,7 +252,7 @@ TEST_CASE("the curve's order is a permutation, and goes from near to near") {
              std::array{b.position.x, b.position.y, b.metric.m11};
     };
     std::vector<site> sorted = c.sites;
-    sort_along_curve(sorted, box_of_all(c.sites));
+    sort_along_curve(sorted, box_of_sites(c.sites));
     std::vector<site> before = c.sites, after = sorted;
     std::sort(before.begin(), before.end(), less);
     std::sort(after.begin(), after.end(), less);
@@ -276,6 +268,6 @@ TEST_CASE("the curve's order is a permutation, and goes from near to near") {
     return sum;
   };
   const double before = travelled(random.sites);
-  sort_along_curve(random.sites, box_of_all(random.sites));
+  sort_along_curve(random.sites, box_of_sites(random.sites));
   CHECK(travelled(random.sites) < before / 4);
 }

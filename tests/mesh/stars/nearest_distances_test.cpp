@@ -19,7 +19,7 @@ using namespace asterism;
 using namespace asterism::internal;
 using namespace asterism::testing;
 using asterism::vertex_index;
-using asterism::test::small_generator;
+using asterism::test::splitmix64;
 
 namespace {
 
@@ -56,9 +56,9 @@ double median_of_all(const std::vector<site>& sites, double most) {
   return std::sqrt(nearest[nearest.size() / 2]);
 }
 
-metric_tensor random_tensor(small_generator& random, double condition, double unit) {
-  const double t = random.between(0, 3.2), c = std::cos(t), s = std::sin(t);
-  const double large = std::exp(random.between(0, std::log(condition)));
+metric_tensor random_tensor(splitmix64& random, double condition, double unit) {
+  const double t = random.real(0, 3.2), c = std::cos(t), s = std::sin(t);
+  const double large = std::exp(random.real(0, std::log(condition)));
   return {(large * c * c + s * s) / (unit * unit), (large - 1) * c * s / (unit * unit),
           (large * s * s + c * c) / (unit * unit)};
 }
@@ -69,11 +69,11 @@ struct scene {
 };
 
 std::vector<scene> scenes() {
-  small_generator random(31);
+  splitmix64 random(31);
   std::vector<scene> made = {{"square", square()}, {"hole", square_with_hole()}};
   domain scattered = square(), crowded = square(), grid = square();
   for (int i = 0; i < 300; ++i) {
-    const double x = random.between(-0.9, 0.9), y = random.between(-0.9, 0.9);
+    const double x = random.real(-0.9, 0.9), y = random.real(-0.9, 0.9);
     scattered.vertices.push_back({x, y});
     // Two thirds within a millionth of the middle.
     const double near = i % 3 == 0 ? 1 : 0x1p-20;
@@ -100,7 +100,7 @@ TEST_CASE("given distances are those of all pairs, bit for bit") {
       for (const double condition : {1.0, 1e3, 1e12})
         for (const bool varied : {false, true}) {
           INFO(now.name << ", scale " << scale << ", condition " << condition);
-          small_generator random(32);
+          splitmix64 random(32);
           const metric_tensor same = random_tensor(random, condition, scale);
           std::vector<site> sites;
           for (const point& q : now.shape.vertices)

@@ -21,7 +21,7 @@ using namespace asterism;
 using namespace asterism::internal;
 using namespace asterism::testing;
 using asterism::vertex_index;
-using asterism::test::small_generator;
+using asterism::test::splitmix64;
 
 namespace {
 
@@ -33,10 +33,10 @@ struct arrangement {
 
 domain filled_square(int count, std::uint64_t seed, double scale, const point& offset, bool grid) {
   domain d = square();
-  small_generator random(seed);
+  splitmix64 random(seed);
   for (int i = 0; i < count; ++i) {
-    const double x = grid ? (i % 5 - 2) / 2.5 : random.between(-0.99, 0.99);
-    const double y = grid ? (i / 5 - 2) / 2.5 : random.between(-0.99, 0.99);
+    const double x = grid ? (i % 5 - 2) / 2.5 : random.real(-0.99, 0.99);
+    const double y = grid ? (i / 5 - 2) / 2.5 : random.real(-0.99, 0.99);
     d.vertices.push_back({x, y});
   }
   for (point& q : d.vertices) q = {offset.x + scale * q.x, offset.y + scale * q.y};
@@ -77,8 +77,7 @@ struct setting {
   site_oracle oracle() const { return {sites, edges, kernel, nullptr, &near}; }
   site_oracle of_all() const { return {sites, edges, kernel}; }
 
-  filtered_kernel arithmetic;
-  star_predicates_on<filtered_kernel> kernel{arithmetic};
+  star_predicates_on<filtered_kernel> kernel;
   std::vector<site> sites;
   boundary edges;
   neighbourhood near;
@@ -135,12 +134,12 @@ TEST_CASE("a reach that was found keeps out what comes later from farther away")
       stars.push_back(construct_star(now.of_all(), v).content);
       reaches.push_back(final_reach(now.oracle(), v, stars.back()));
     }
-    small_generator random(21);
+    splitmix64 random(21);
     site_index later(now.near.box());
     const point& low = now.near.box().low;
     const point size{now.near.box().high.x - low.x, now.near.box().high.y - low.y};
     for (int i = 0; i < 30; ++i) {
-      const double x = random.between(0.01, 0.99), y = random.between(0.01, 0.99);
+      const double x = random.real(0.01, 0.99), y = random.real(0.01, 0.99);
       const point q{low.x + x * size.x, low.y + y * size.y};
       now.sites.push_back({q, a.field.at(q).value()});
       now.near.add_site(now.sites, now.oracle().size() - 1);
@@ -170,11 +169,11 @@ TEST_CASE("stars confirmed as sites come one by one are those of all sites at on
     setting now(a.shape, a.field);
     star_set stars;
     stars.construct_all(now.oracle());
-    small_generator random(22);
+    splitmix64 random(22);
     const point& low = now.near.box().low;
     const point size{now.near.box().high.x - low.x, now.near.box().high.y - low.y};
     for (int i = 0; i < 4; ++i) {
-      const double x = random.between(0.01, 0.99), y = random.between(0.01, 0.99);
+      const double x = random.real(0.01, 0.99), y = random.real(0.01, 0.99);
       const point q{low.x + x * size.x, low.y + y * size.y};
       now.sites.push_back({q, a.field.at(q).value()});
       now.near.add_site(now.sites, now.oracle().size() - 1);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// What a mesh job starts from: its domain, checked, and its metric.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "asterism/apps/mesh_job.hpp"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/metric/graded_field.hpp"
+
+namespace asterism::apps {
+
+struct prepared_input {
+  domain shape;
+  std::unique_ptr<metric_field> field;
+  std::optional<gradation_report> gradation;
+};
+
+// True if the job's domain is what a finished mesh covers.
+bool is_mesh(const mesh_job& job);
+
+// Reads and checks the domain, adds the random points, and makes the metric. Notes on repairs go to
+// standard error, unless the job is quiet.
+result<prepared_input> prepare(const mesh_job& job);
+
+}  // namespace asterism::apps

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+
+#include "asterism/apps/verdict_text.hpp"
+#include "asterism/core/elementary.hpp"
+#include "asterism/core/number_text.hpp"
+
+namespace asterism::apps {
+using namespace internal;
+namespace {
+
+void write_triangles(std::ostream& out, const certify_report& report, const mesh& m, bool all) {
+  const std::size_t most = std::min(findings_kept(all), report.not_in_all.size());
+  for (std::size_t i = 0; i < most; ++i) {
+    const triangle& t = m.triangles[report.not_in_all[i]];
+    out << "not of the stars: triangle " << report.not_in_all[i] + 1 << " of vertices " << t[0] + 1
+        << ", " << t[1] + 1 << ", " << t[2] + 1 << '\n';
+  }
+  if (report.not_in_all.size() > most)
+    out << "not of the stars: " << report.not_in_all.size() - most
+        << " more (--all-findings lists them)\n";
+}
+
+}  // namespace
+
+std::string worst_angle_text(double degrees) {
+  if (degrees >= 180) return "no angle to judge";
+  return fmt::format("worst angle {:.2f} degrees", degrees);
+}
+
+std::string text_of(const gradation_report& done) {
+  std::string text = std::to_string(done.changed) + " of " + std::to_string(done.nodes) +
+                     " nodes changed, density at most times " + number_text(done.largest_growth) +
+                     ", cells from " + number_text(done.smallest_cell) + " to " +
+                     number_text(done.largest_cell) + ", " + std::to_string(done.sweeps) +
+                     " sweeps";
+  if (!done.resolved) text += "; the grid could not be made as fine as it should be";
+  if (!done.settled) text += "; NOT settled";
+  return text;
+}
+
+std::string text_of(const improvement_report& done, std::size_t sites) {
+  return std::to_string(done.passes) + " passes of " + std::to_string(done.tries) + " tries, " +
+         std::to_string(done.removed) + " removed, " + std::to_string(done.moved) + " moved, " +
+         std::to_string(done.sites_before) + " to " + std::to_string(sites) +
+         " sites, mean quality " + number_text(done.mean_quality_before) + " to " +
+         number_text(done.mean_quality_after) + (done.stopped ? "; stopped" : "");
+}
+
+std::string text_of(const fitting_report& done, std::size_t too_large) {
+  return "from aspects to the power of " + number_text(done.power) + ", " +
+         std::to_string(done.low_before) + " triangles below the bound before, " +
+         std::to_string(done.rounds) + " rounds, " + std::to_string(done.moves) + " moves, " +
+         std::to_string(done.flips) + " flips, " + std::to_string(done.collapses) + " merged, " +
+         std::to_string(done.insertions) + " split, " + std::to_string(too_large) +
+         " larger than the size asks for";
+}
+
+std::string text_of(const delivered_report& done) {
+  return fmt::format(
+      "{:.1f} % of the sites have lengths changed by more than 10 %, median {:.1f} %, 90 % below "
+      "{:.1f} %, greatest {:.3g} times; complexity {:.6g} of {:.6g} wanted; {} triangles are below "
+      "the bound in the metric wanted",
+      100 * done.beyond_tenth, 100 * (elementary::exp(done.median) - 1),
+      100 * (elementary::exp(done.ninetieth) - 1), elementary::exp(done.greatest),
+      done.complexity_delivered, done.complexity_wanted, done.low_wanted.size());
+}
+
+void write_summary(std::ostream& out, const certified_mesh& made,
+                   std::optional<double> unit_edges) {
+  const mesh_outcome& outcome = made.outcome;
+  const audit_report& report = made.report;
+  out << report.sites << " sites, " << report.triangles << " triangles, " << angles_text(report)
+      << ", " << std::fixed << std::setprecision(2) << outcome.disagreeing << " disagreeing, "
+      << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle) << " low-angle";
+  if (outcome.too_large > 0) out << ", " << outcome.too_large << " too large";
+  if (outcome.ended.stars_missing > 0)
+    out << ", " << outcome.ended.stars_missing << " stars never made";
+  if (unit_edges) out << ", " << *unit_edges * 100 << "% unit edges";
+  if (report.voronoi != voronoi_verdict::not_asked)
+    out << ", dual of the Voronoi diagram: "
+        << voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)];
+  const char* relaxed = outcome.relaxed ? " in a relaxed metric" : "";
+  if (made.certified())
+    out << ": certified" << relaxed << '\n';
+  else if (outcome.relaxed && report.certified)
+    out << ": certified" << relaxed << ", NOT complete\n";
+  else
+    out << ": NOT certified, incomplete\n";
+}
+
+void write_report(std::ostream& out, const certify_report& report, const mesh& m,
+                  double angle_bound, bool all_findings) {
+  write_findings(out, report.audit);
+  write_triangles(out, report, m, all_findings);
+  out << m.sites.size() << " sites, " << m.triangles.size() << " triangles, " << m.boundary.size()
+      << " boundary edges\n";
+  if (report.compared)
+    out << "triangles in the stars of all three vertices: " << report.in_stars[3]
+        << ", of some: " << report.in_stars[1] + report.in_stars[2]
+        << ", of none: " << report.in_stars[0] << '\n';
+  else
+    out << "stars: not compared, "
+        << (!report.is_triangulation()   ? "this is no triangulation\n"
+            : report.audit.stars_checked ? "for this they are too far from agreeing\n"
+                                         : "there was no time\n");
+  if (report.unsettled > 0) out << "stars that did not settle: " << report.unsettled << '\n';
+  out << "inverted or flat: " << report.inverted << '\n'
+      << angles_text(report.audit) << ", triangles below " << angle_bound << ": "
+      << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size()
+      << ", collateral: " << report.audit.collateral_triangles.size() << ")\n"
+      << "edges of metric length 0.71 to 1.41: " << report.unit_edges << " of " << report.edges
+      << std::fixed << std::setprecision(1) << " ("
+      << 100.0 * static_cast<double>(report.unit_edges) / static_cast<double>(report.edges)
+      << "%)\n"
+      << std::defaultfloat;
+  if (report.audit.voronoi != voronoi_verdict::not_asked)
+    out << "dual of the Voronoi diagram: "
+        << voronoi_verdict_names[static_cast<std::size_t>(report.audit.voronoi)] << '\n';
+  out << (report.certified() ? "certified\n" : "NOT certified\n");
+}
+
+}  // namespace asterism::apps

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// What commands tell about a run, in lines for people; certificates hold some of them too.
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/metric/graded_field.hpp"
+#include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+
+namespace asterism::apps {
+
+// Tells the worst angle; `degrees` as an audit has it: 180 where no triangle is away from the
+// exempt corners.
+std::string worst_angle_text(double degrees);
+
+// Tells what gradation did, in one line.
+std::string text_of(const gradation_report& done);
+// Tells what the passes over the finished mesh did, in one line; `sites` are there now.
+std::string text_of(const improvement_report& done, std::size_t sites);
+// Tells what optimisation did, in one line; `too_large` triangles are larger than asked for.
+std::string text_of(const fitting_report& done, std::size_t too_large);
+
+// Tells how far the metric of the mesh is from the one wanted, in one line.
+std::string text_of(const delivered_report& done);
+
+// Writes the one line that a mesh job ends with. `unit_edges` is their part of all, if it is asked
+// about.
+void write_summary(std::ostream& out, const certified_mesh& made, std::optional<double> unit_edges);
+
+// Writes what was found about a mesh that came from elsewhere.
+void write_report(std::ostream& out, const certify_report& report, const mesh& m,
+                  double angle_bound, bool all_findings);
+
+}  // namespace asterism::apps

@@ -1,0 +1,27 @@
+# asterism_pkg_config(NAME LIBRARY DESCRIPTION NEEDS...): installs NAME.pc, which can be moved with the
+# prefix. NEEDS are the flags that the static library brings along; without a shared one there is
+# nothing else to link, so they stand where plain `pkg-config --libs` finds them.
+function(asterism_pkg_config pc_name library pc_description)
+  set(pc_folder ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig)
+  file(RELATIVE_PATH pc_to_prefix ${pc_folder} ${CMAKE_INSTALL_PREFIX})
+  string(REGEX REPLACE "/$" "" pc_to_prefix ${pc_to_prefix})
+  set(pc_libs -l${library})
+  list(JOIN ARGN " " pc_private)
+  if(NOT BUILD_SHARED_LIBS)
+    set(pc_libs "${pc_libs} ${pc_private}")
+    set(pc_private)
+  endif()
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/asterism.pc.in ${PROJECT_BINARY_DIR}/${pc_name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+set(of_predicates -lstdc++ -lm)
+if(ASTERISM_EXACT STREQUAL "gmp")
+  list(PREPEND of_predicates -lgmp)
+endif()
+asterism_pkg_config(asterism-predicates asterism_predicates
+                    "Exact predicates of anisotropic triangulation" ${of_predicates})
+if(TARGET asterism)
+  asterism_pkg_config(asterism asterism "Certified anisotropic triangle meshes"
+                      -lasterism_predicates -lfmt -ltbb -lmuparser -lcairo -lmpfr ${of_predicates})
+endif()

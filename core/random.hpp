@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Pseudorandom numbers that are the same on every machine, which the standard distributions are
+// not: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
+// For sampling and for tests; nothing that must be right depends on them.
+#pragma once
+
+#include <cstdint>
+
+namespace asterism::internal {
+
+// Mixes the bits of z so that each bit of the result depends on all of them. A bijection.
+constexpr std::uint64_t mixed_bits(std::uint64_t z) {
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31U);
+}
+
+// Returns the multiple of 2^-53 in [0, 1) that the upper 53 bits make.
+constexpr double unit_fraction(std::uint64_t bits) {
+  return static_cast<double>(bits >> 11U) * 0x1p-53;
+}
+
+// Returns a number in [0, 1) that depends on all bits of the two, and on nothing else: for numbers
+// that belong to a place or to an attempt, whatever was drawn before.
+constexpr double fraction_of(std::uint64_t a, std::uint64_t b) {
+  return unit_fraction(mixed_bits(a * 0x9e3779b97f4a7c15U + b * 0xd1342543de82ef95U + 1));
+}
+
+class splitmix64 {
+ public:
+  constexpr explicit splitmix64(std::uint64_t seed) : state_(seed) {}
+
+  // A generator made from it goes on where this one is.
+  constexpr std::uint64_t state() const { return state_; }
+
+  constexpr std::uint64_t bits() { return mixed_bits(state_ += 0x9e3779b97f4a7c15U); }
+  // Uniform on the multiples of 2^-53 in [0, 1).
+  constexpr double real() { return unit_fraction(bits()); }
+  constexpr double real(double low, double high) { return low + (high - low) * real(); }
+  // In [0, n). The bias is below n / 2^64.
+  constexpr std::uint64_t below(std::uint64_t n) { return bits() % n; }
+  // Both ends included.
+  constexpr int integer(int low, int high) {
+    const auto count = static_cast<std::uint64_t>(std::int64_t{high} - low) + 1;
+    return low + static_cast<int>(below(count));
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace asterism::internal

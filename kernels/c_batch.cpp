@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/kernels/c_batch.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "asterism/kernels/batch.hpp"
+#include "asterism/kernels/c_question.hpp"
+
+namespace {
+
+using namespace asterism;
+using namespace asterism::internal;
+
+// A batch as one row after another or as columns.
+class question_table {
+ public:
+  question_table(predicate question, std::span<const asterism_rows> arguments)
+      : question_(question), arguments_(arguments) {}
+
+  bool has_null() const {
+    return std::any_of(arguments_.begin(), arguments_.end(),
+                       [](const asterism_rows& rows) { return rows.first == nullptr; });
+  }
+
+  batch_record row(std::size_t k) const {
+    batch_record record{question_, {}};
+    visit_numbers(
+        k, [&record](std::size_t column, double number) { record.numbers[column] = number; });
+    return record;
+  }
+
+  // Calls visit(column, number) for the numbers of row k.
+  template <class Visit>
+  void visit_numbers(std::size_t k, Visit&& visit) const {
+    const record_shape shape = shape_of(question_);
+    std::size_t column = 0;
+    for (std::size_t a = 0; a < arguments_.size(); ++a) {
+      const std::size_t width = a < shape.metrics ? 3 : a < shape.metrics + shape.sites ? 5 : 2;
+      const double* const from = arguments_[a].first + k * arguments_[a].stride;
+      for (std::size_t i = 0; i < width; ++i) visit(column++, from[i]);
+    }
+  }
+
+ private:
+  predicate question_;
+  std::span<const asterism_rows> arguments_;
+};
+
+// Columns of some rows, as batch_kernel takes them.
+class column_block {
+ public:
+  static constexpr std::size_t capacity = 128;
+
+  void fill(const question_table& table, std::size_t first, std::size_t rows) {
+    rows_ = rows;
+    for (std::size_t k = 0; k < rows; ++k)
+      table.visit_numbers(first + k,
+                          [&](std::size_t column, double number) { numbers_[column][k] = number; });
+  }
+
+  // Every batch has as many rows as the columns: there is no mismatch to report.
+  bool answer(const batch_kernel& kernel, predicate question, std::span<signed char> to) const {
+    switch (question) {
+      case predicate::orientation:
+        return done(kernel.orientation(points(0), points(2), points(4), to));
+      case predicate::in_circle:
+        return done(kernel.in_circle({column(0), column(1), column(2)}, points(3), points(5),
+                                     points(7), points(9), to));
+      case predicate::compare_distance:
+        return done(kernel.compare_distance(sites(0), sites(5), points(10), to));
+      case predicate::in_wedge:
+        return done(kernel.in_wedge(sites(0), sites(5), points(10), to));
+      case predicate::dominates:
+        return done(kernel.dominates(sites(0), sites(5), points(10), to));
+      case predicate::edge_test:
+        return done(kernel.edge_test(sites(0), sites(5), sites(10), sites(15), to));
+      default:
+        return false;
+    }
+  }
+
+ private:
+  static bool done(batch_status status) { return status == batch_status::ok; }
+  std::span<const double> column(std::size_t c) const {
+    return std::span(numbers_[c]).first(rows_);
+  }
+  point_columns points(std::size_t c) const { return {column(c), column(c + 1)}; }
+  site_columns sites(std::size_t c) const {
+    return {column(c), column(c + 1), column(c + 2), column(c + 3), column(c + 4)};
+  }
+
+  std::size_t rows_ = 0;
+  std::array<std::array<double, capacity>, longest_record> numbers_;
+};
+
+void answer_checked(predicate question, const question_table& table, std::size_t count,
+                    signed char* answers, tier_counters& counters) {
+  const batch_kernel columns(counters);
+  const filtered_kernel rows(counters);
+  column_block block;
+  for (std::size_t first = 0; first < count; first += column_block::capacity) {
+    const std::size_t size = std::min(column_block::capacity, count - first);
+    block.fill(table, first, size);
+    if (block.answer(columns, question, {answers + first, size})) continue;
+    for (std::size_t k = first; k < first + size; ++k)
+      answers[k] = static_cast<signed char>(ask(rows, table.row(k)).value());
+  }
+}
+
+asterism_status answer_rows(predicate question, std::span<const asterism_rows> arguments,
+                            std::size_t count, signed char* answers,
+                            asterism_batch_report* report) noexcept {
+  asterism_batch_report found{};
+  const asterism_status status = without_exceptions([&] {
+    found.failed_row = count;
+    const question_table table(question, arguments);
+    if (count == 0) return ASTERISM_OK;
+    if (answers == nullptr || table.has_null()) return ASTERISM_NULL_POINTER;
+    const filtered_kernel checks;  // its own counters: these are no questions
+    for (std::size_t k = 0; k < count; ++k)
+      if (const asterism_status bad = check_record(checks, table.row(k)); bad != ASTERISM_OK) {
+        found.failed_row = k;
+        return bad;
+      }
+    tier_counters counters;
+    answer_checked(question, table, count, answers, counters);
+    found.by_semi_static = counters.at(question, tier::semi_static);
+    found.by_interval = counters.at(question, tier::interval);
+    found.by_exact = counters.at(question, tier::exact);
+    return ASTERISM_OK;
+  });
+  if (report != nullptr) *report = found;
+  return status;
+}
+
+}  // namespace
+
+asterism_status asterism_orientations(size_t count, asterism_rows p, asterism_rows q,
+                                      asterism_rows r, signed char* answers,
+                                      asterism_batch_report* report) {
+  return answer_rows(predicate::orientation, std::array{p, q, r}, count, answers, report);
+}
+
+asterism_status asterism_are_spd(size_t count, asterism_rows metric, signed char* answers,
+                                 asterism_batch_report* report) {
+  return answer_rows(predicate::is_positive_definite, std::array{metric}, count, answers, report);
+}
+
+asterism_status asterism_in_circles(size_t count, asterism_rows metric, asterism_rows a,
+                                    asterism_rows b, asterism_rows c, asterism_rows p,
+                                    signed char* answers, asterism_batch_report* report) {
+  return answer_rows(predicate::in_circle, std::array{metric, a, b, c, p}, count, answers, report);
+}
+
+asterism_status asterism_compare_distances(size_t count, asterism_rows v, asterism_rows w,
+                                           asterism_rows q, signed char* answers,
+                                           asterism_batch_report* report) {
+  return answer_rows(predicate::compare_distance, std::array{v, w, q}, count, answers, report);
+}
+
+asterism_status asterism_in_wedges(size_t count, asterism_rows v, asterism_rows w, asterism_rows q,
+                                   signed char* answers, asterism_batch_report* report) {
+  return answer_rows(predicate::in_wedge, std::array{v, w, q}, count, answers, report);
+}
+
+asterism_status asterism_dominations(size_t count, asterism_rows v, asterism_rows w,
+                                     asterism_rows p, signed char* answers,
+                                     asterism_batch_report* report) {
+  return answer_rows(predicate::dominates, std::array{v, w, p}, count, answers, report);
+}
+
+asterism_status asterism_voronoi_vertex_counts(size_t count, asterism_rows u, asterism_rows v,
+                                               asterism_rows w, signed char* answers,
+                                               asterism_batch_report* report) {
+  return answer_rows(predicate::voronoi_vertex_count, std::array{u, v, w}, count, answers, report);
+}
+
+asterism_status asterism_arc_intersection_counts(size_t count, asterism_rows v, asterism_rows w,
+                                                 asterism_rows x, signed char* answers,
+                                                 asterism_batch_report* report) {
+  return answer_rows(predicate::arc_intersection_count, std::array{v, w, x}, count, answers,
+                     report);
+}
+
+asterism_status asterism_encroachments(size_t count, asterism_rows a, asterism_rows b,
+                                       asterism_rows w, signed char* answers,
+                                       asterism_batch_report* report) {
+  return answer_rows(predicate::encroaches, std::array{a, b, w}, count, answers, report);
+}
+
+asterism_status asterism_insertion_tests(size_t count, asterism_rows v, asterism_rows w,
+                                         asterism_rows x, asterism_rows y, signed char* answers,
+                                         asterism_batch_report* report) {
+  return answer_rows(predicate::insertion_test, std::array{v, w, x, y}, count, answers, report);
+}
+
+asterism_status asterism_edge_tests(size_t count, asterism_rows v, asterism_rows w, asterism_rows x,
+                                    asterism_rows y, signed char* answers,
+                                    asterism_batch_report* report) {
+  return answer_rows(predicate::edge_test, std::array{v, w, x, y}, count, answers, report);
+}

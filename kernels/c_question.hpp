@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// What the C functions have in common: the checks of a question's numbers, and the border that no
+// exception crosses.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+#include "asterism/kernels/batch_question.hpp"
+#include "asterism/kernels/c_api.h"
+#include "asterism/kernels/filtered_kernel.hpp"
+
+namespace asterism::internal {
+
+// By the bits, because the caller may have switched subnormal numbers off, to which == then is
+// blind.
+inline bool is_finite(double x) {
+  constexpr std::uint64_t exponent = 0x7FF0000000000000U;
+  return (std::bit_cast<std::uint64_t>(x) & exponent) != exponent;
+}
+inline bool is_same(double x, double y) {
+  const auto a = std::bit_cast<std::uint64_t>(x), b = std::bit_cast<std::uint64_t>(y);
+  return a == b || ((a | b) << 1U) == 0;
+}
+
+inline asterism_status check_sites(const filtered_kernel& kernel, const batch_record& record) {
+  const std::size_t sites = shape_of(record.question).sites;
+  for (std::size_t i = 0; i < sites; ++i)
+    if (!kernel.is_positive_definite(site_at(record, i).metric))
+      return ASTERISM_NOT_POSITIVE_DEFINITE;
+  for (std::size_t i = 0; i < sites; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (is_same(record.numbers[5 * i], record.numbers[5 * j]) &&
+          is_same(record.numbers[5 * i + 1], record.numbers[5 * j + 1]))
+        return ASTERISM_EQUAL_SITES;
+  return ASTERISM_OK;
+}
+
+// Everything that can be wrong with the numbers of a question.
+inline asterism_status check_record(const filtered_kernel& kernel, const batch_record& record) {
+  const std::size_t count = numbers_of(record.question);
+  for (std::size_t k = 0; k < count; ++k)
+    if (!is_finite(record.numbers[k])) return ASTERISM_NOT_FINITE;
+  if (record.question == predicate::in_circle && !kernel.is_positive_definite(metric_at(record, 0)))
+    return ASTERISM_NOT_POSITIVE_DEFINITE;
+  return check_sites(kernel, record);
+}
+
+// The status of body(), which may throw; a caller that is not C++ must not see that.
+template <class Body>
+asterism_status without_exceptions(const Body& body) noexcept {
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+    return ASTERISM_OUT_OF_MEMORY;
+  } catch (...) {
+    return ASTERISM_INTERNAL_FAILURE;
+  }
+}
+
+}  // namespace asterism::internal

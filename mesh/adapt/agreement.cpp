@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/adapt/agreement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/kernels/vertex_hints.hpp"
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+
+namespace asterism::internal::adapting {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// By how much farther the site across has to be, as a part of the squared radius, and an angle
+// above the bound, in degrees: so that rounding cannot turn it.
+constexpr double margin = 1e-3, degrees_to_spare = 0.05, degrees_above = 4;
+
+// The Voronoi vertex of a face, relative to its first node.
+struct centre {
+  double x = 0, y = 0, squared_radius = -1;
+};
+
+centre find_centre(const node& a, const node& b, const node& c) {
+  const auto near = numeric::voronoi_vertex_near({a.position, a.metric}, {b.position, b.metric},
+                                                 {c.position, c.metric});
+  if (!near) return {};
+  return {near->x, near->y, squared(a.metric, near->x, near->y)};
+}
+
+// How much farther d is than the three, as a part of the squared radius.
+double clearance(const node& a, const node& b, const node& c, const node& d) {
+  const centre x = find_centre(a, b, c);
+  if (!(x.squared_radius > 0)) return -infinity;
+  const double dx = a.position.x + x.x - d.position.x, dy = a.position.y + x.y - d.position.y;
+  return squared(d.metric, dx, dy) / x.squared_radius - 1;
+}
+
+double greatest_cotangent(const metric_tensor& m, const node& a, const node& b, const node& c) {
+  const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
+  const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
+  const double uu = squared(m, ux, uy), ww = squared(m, wx, wy),
+               uw = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
+  const double across = 1 / (root_of_determinant(m) * (ux * wy - uy * wx));
+  return std::max({uw, uu - uw, ww - uw}) * across;
+}
+
+double cotangent_of(double degrees) {
+  return 1 / elementary::tan(std::max(1e-3, degrees) * std::numbers::pi / 180);
+}
+
+}  // namespace
+
+agreement::agreement(working_mesh& m, const agreement_options& options)
+    : m_(m),
+      options_(options),
+      cotangent_(cotangent_of(options.angle_bound + degrees_to_spare)),
+      aim_(cotangent_of(options.angle_bound + degrees_above)) {
+  slow_down();
+  active_.assign(m_.nodes().size(), 1);
+}
+
+void agreement::run() {
+  for (std::size_t i = 0; i < options_.most_rounds; ++i) {
+    if (options_.stop && options_.stop()) return;
+    if (!round()) return;
+    ++report_.rounds;
+  }
+}
+
+// The whole graph to the limit to begin with.
+void agreement::slow_down() {
+  std::vector<point> places;
+  std::vector<metric_tensor> tensors;
+  for (const node& n : m_.nodes()) {
+    places.push_back(n.position);
+    tensors.push_back(n.metric);
+  }
+  std::vector<graph_edge> edges;
+  for (const face& f : m_.faces()) {
+    if (!f.exists()) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+      if (f.next[i] == none || a < b) edges.push_back({a, b});
+    }
+  }
+  gradation_limit limit;
+  limit.distortion = options_.distortion;
+  limit.unit = options_.unit;
+  limit.shortest = 0.5;
+  grade(places, edges, limit, tensors);
+  for (vertex_index v = 0; v < tensors.size(); ++v)
+    if (m_.at(v).kind != node_kind::gone && !identical(tensors[v], m_.at(v).metric))
+      m_.set_metric(v, tensors[v]);
+}
+
+bool agreement::is_active(vertex_index t) const {
+  const face& f = m_.faces()[t];
+  return active_[f.v[0]] + active_[f.v[1]] + active_[f.v[2]] > 0;
+}
+
+// Whether there was anything to mend.
+bool agreement::round() {
+  next_.assign(m_.nodes().size(), 0);
+  report_.disagreeing = report_.low = 0;
+  for (vertex_index t = 0; t < m_.faces().size(); ++t)
+    for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i) {
+      const vertex_index s = m_.faces()[t].next[i];
+      if (s == none || s < t || m_.faces()[t].segment[i] != none) continue;
+      if (is_active(t) || is_active(s)) check_edge(t, i);
+    }
+  for (vertex_index t = 0; t < m_.faces().size(); ++t)
+    if (m_.faces()[t].exists() && is_active(t)) check_angles(t);
+  active_ = next_;
+  return report_.disagreeing + report_.low > 0;
+}
+
+void agreement::disagreed_at(const std::vector<vertex_index>& nodes) {
+  constexpr double part = 0.5;
+  next_.assign(m_.nodes().size(), 0);
+  make_alike_at(nodes, part);
+  for (const vertex_index v : nodes) active_[v] = 1;
+}
+
+agreement::quad agreement::quad_at(vertex_index t, std::size_t i) const {
+  const face& f = m_.faces()[t];
+  const face& g = m_.faces()[f.next[i]];
+  const vertex_index a = f.v[after(i)];
+  return {a, f.v[before(i)], f.v[i], g.v[after(g.corner_of(a))]};
+}
+
+double agreement::worst_clearance(const quad& q) const {
+  const node &a = m_.at(q.a), &b = m_.at(q.b), &c = m_.at(q.c), &d = m_.at(q.d);
+  return std::min(clearance(c, a, b, d), clearance(d, b, a, c));
+}
+
+void agreement::check_edge(vertex_index t, std::size_t i) {
+  const quad q = quad_at(t, i);
+  const double now = worst_clearance(q);
+  if (now > margin) return;
+  ++report_.disagreeing;
+  for (const vertex_index v : {q.a, q.b, q.c, q.d}) next_[v] = 1;
+  if (m_.can_flip(t, i)) {
+    const double then = worst_clearance({q.d, q.c, q.a, q.b});
+    if (then > now) {
+      m_.flip(t, i);
+      ++report_.flips;
+      if (then > margin) return;
+    }
+  }
+  constexpr double part = 0.7;
+  make_alike_at({q.a, q.b, q.c, q.d}, part);
+}
+
+bool agreement::is_low(vertex_index t) const {
+  const face& f = m_.faces()[t];
+  const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
+  for (const node* n : {&a, &b, &c})
+    if (!(greatest_cotangent(n->metric, a, b, c) <= cotangent_)) return true;
+  return false;
+}
+
+// Whether it is at a corner of the domain that is below the bound in its own metric.
+bool agreement::is_exempt(vertex_index t) const {
+  for (const vertex_index v : m_.faces()[t].v) {
+    if (m_.at(v).kind != node_kind::given) continue;
+    vertex_index first = t, last = t;
+    std::size_t steps = 0;
+    face_list at;
+    m_.around(v, at);
+    const auto subsegment_after = [&](vertex_index s) {
+      const face& f = m_.faces()[s];
+      return f.segment[after(f.corner_of(v))];
+    };
+    const auto subsegment_before = [&](vertex_index s) {
+      const face& f = m_.faces()[s];
+      return f.segment[before(f.corner_of(v))];
+    };
+    while (subsegment_after(last) == none && ++steps < at.size())
+      last = m_.faces()[last].next[after(m_.faces()[last].corner_of(v))];
+    while (subsegment_before(first) == none && ++steps < 2 * at.size())
+      first = m_.faces()[first].next[before(m_.faces()[first].corner_of(v))];
+    if (subsegment_after(last) == none || subsegment_before(first) == none) continue;
+    const point &o = m_.at(v).position,
+                &p = m_.at(m_.faces()[first].v[after(m_.faces()[first].corner_of(v))]).position,
+                &q = m_.at(m_.faces()[last].v[before(m_.faces()[last].corner_of(v))]).position;
+    const metric_tensor& m = m_.at(v).metric;
+    const double ux = p.x - o.x, uy = p.y - o.y, wx = q.x - o.x, wy = q.y - o.y;
+    const double turned = m_.at(v).root * (ux * wy - uy * wx);
+    const double inner = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
+    if (turned > 0 && inner > cotangent_of(options_.angle_bound) * turned) return true;
+  }
+  return false;
+}
+
+void agreement::check_angles(vertex_index t) {
+  if (options_.angle_bound <= 0 || !is_low(t) || is_exempt(t)) return;
+  ++report_.low;
+  const std::array<vertex_index, 3> at = m_.faces()[t].v;
+  for (const vertex_index v : at) next_[v] = 1;
+  constexpr double part = 0.7;
+  if (report_.rounds % 2 == 1)
+    make_alike_at({at[0], at[1], at[2]}, part);
+  else
+    for (const vertex_index v : at) move_away(v);
+  constexpr std::size_t patience = 6;
+  if (report_.rounds < patience || m_.faces()[t].v != at) return;
+  if (report_.rounds % 3 == 0 && merge_away(t)) return;
+  follow_shape(t);
+}
+
+double agreement::excess(const node& a, const node& b, const node& c) const {
+  if (!turns_left(a.position, b.position, c.position)) return infinity;
+  double sum = 0;
+  for (const node* n : {&a, &b, &c}) {
+    const double beyond = std::max(0.0, greatest_cotangent(n->metric, a, b, c) - aim_);
+    sum += beyond * beyond;
+  }
+  return sum;
+}
+
+// A node of a low triangle goes into its neighbour, where that leaves least trouble, if it leaves
+// much less.
+bool agreement::merge_away(vertex_index t) {
+  constexpr double enough = 0.5;
+  double best = 0;
+  vertex_index from = none, into = none;
+  face_list at, ring;
+  for (const vertex_index v : m_.faces()[t].v) {
+    const double now = trouble_around(v, at);
+    m_.neighbours(v, ring);
+    for (const vertex_index w : ring) {
+      if (!m_.can_merge(v, w)) continue;
+      double then = 0;
+      for (const vertex_index s : at) {
+        const face& f = m_.faces()[s];
+        const std::size_t i = f.corner_of(v);
+        const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+        if (a != w && b != w) then += excess(m_.at(w), m_.at(a), m_.at(b));
+      }
+      if (!(then < enough * now && now - then > best)) continue;
+      best = now - then;
+      from = v;
+      into = w;
+    }
+  }
+  if (from == none) return false;
+  m_.neighbours(from, ring);
+  m_.merge(from, into);
+  ++report_.merges;
+  for (const vertex_index u : ring) next_[u] = 1;
+  return true;
+}
+
+// The tensors of a low triangle's nodes towards the one in which it is equilateral, until that
+// measures its angles as much like theirs as is needed.
+void agreement::follow_shape(vertex_index t) {
+  constexpr double enough = 0.5;  // log 1.65: angles of 23 degrees and more
+  const face& f = m_.faces()[t];
+  const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
+  const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
+  const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
+  const double vx = wx - ux, vy = wy - uy;
+  // The inverse of the sum of e e^T over the edges is that tensor but for a factor.
+  const metric_tensor shape{uy * uy + wy * wy + vy * vy, -(ux * uy + wx * wy + vx * vy),
+                            ux * ux + wx * wx + vx * vx};
+  const double root = root_of_determinant(shape);
+  if (!(root > 0)) return;
+  for (const vertex_index v : f.v) {
+    const double factor = m_.at(v).root / root;
+    metric_tensor goal{factor * shape.m11, factor * shape.m12, factor * shape.m22},
+        own = m_.at(v).metric;
+    const double apart = log_distortion(own, goal);
+    if (!(apart > enough)) continue;
+    // Half of the excess from each side: twice as much, and this side counts.
+    if (!make_alike(own, goal, std::max(0.0, 2 * enough - apart))) continue;
+    m_.set_metric(v, own);
+    next_[v] = 1;
+    ++report_.alike;
+  }
+}
+
+// How far the angles at v's triangles are below a few degrees above the bound.
+double agreement::trouble_around(vertex_index v, face_list& at) const {
+  double sum = 0;
+  m_.around(v, at);
+  for (const vertex_index t : at) {
+    const face& f = m_.faces()[t];
+    sum += excess(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]));
+  }
+  return sum;
+}
+
+// To the place, of several around it, where there is least trouble.
+void agreement::move_away(vertex_index v) {
+  const node here = m_.at(v);
+  if (here.kind != node_kind::free && here.kind != node_kind::sliding) return;
+  face_list at;
+  double least = trouble_around(v, at);
+  node best = here;
+  const auto asked = options_.wanted(here.position);
+  const bool is_wanted = asked && identical(*asked, here.metric);
+  const unit_displacements unit = unit_circle(here.metric);
+  constexpr int directions = 8;
+  for (const double step : {0.3, 0.12, 0.04})
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * std::numbers::pi * k / directions, length = options_.unit * step;
+      const double x = length * elementary::cos(angle), y = length * elementary::sin(angle);
+      point to{here.position.x + x * unit.first.x + y * unit.second.x,
+               here.position.y + x * unit.first.y + y * unit.second.y};
+      m_.at(v) = here;
+      if (here.kind == node_kind::sliding) to = m_.on_segment(v, to);
+      m_.move(v, to);
+      if (is_wanted)
+        if (const auto there = options_.wanted(to)) m_.set_metric(v, *there);
+      const double trouble = trouble_around(v, at);
+      if (!(trouble < least)) continue;
+      least = trouble;
+      best = m_.at(v);
+    }
+  m_.at(v) = best;
+  if (best.position == here.position) return;
+  ++report_.moves;
+  face_list ring;
+  m_.neighbours(v, ring);
+  for (const vertex_index u : ring) next_[u] = 1;
+}
+
+// All pairs of these, to a part of the distortion they have now.
+void agreement::make_alike_at(const std::vector<vertex_index>& nodes, double part) {
+  double most = 0;
+  for (const vertex_index v : nodes)
+    for (const vertex_index w : nodes)
+      if (v < w) most = std::max(most, log_distortion(m_.at(v).metric, m_.at(w).metric));
+  if (!(most > 1e-9)) return;
+  for (const vertex_index v : nodes)
+    for (const vertex_index w : nodes) {
+      if (v >= w) continue;
+      metric_tensor p = m_.at(v).metric, q = m_.at(w).metric;
+      if (!make_alike(p, q, part * most)) continue;
+      m_.set_metric(v, p);
+      m_.set_metric(w, q);
+      ++report_.alike;
+    }
+}
+
+}  // namespace asterism::internal::adapting

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// The metric delivered: tensors of the nodes of a triangulation, changed as little as makes their
+// stars agree about it, as far as doubles can tell.
+//
+// In a triangle's Voronoi vertex, where its three sites are equally far, the site across each edge
+// must be farther; and no angle may be below the bound as any of the three measures it. Where that
+// fails edges are flipped, tensors of the nodes around it made more alike (nodal_gradation.hpp),
+// nodes moved, and it is asked again. Tensors that are equal give the edges of one Delaunay
+// triangulation, so making alike cannot go on for ever: docs/math/delivered-metric.md. The rounds
+// are bounded besides. Internal to mesh/adapt.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
+
+namespace asterism::internal::adapting {
+
+struct agreement_options {
+  double angle_bound = 20;
+  double unit = 1;        // the length wanted of an edge
+  double distortion = 2;  // over an edge of that length, to begin with
+  std::size_t most_rounds = 60;
+  // The metric wanted, of a node that has moved.
+  std::function<std::optional<metric_tensor>(const point&)> wanted;
+  std::function<bool()> stop;
+};
+
+struct agreement_report {
+  std::size_t rounds = 0, flips = 0, alike = 0, moves = 0, merges = 0;  // alike: pairs
+  std::size_t disagreeing = 0, low = 0;                                 // edges and triangles left
+};
+
+class agreement {
+ public:
+  // The tensors of the nodes are the ones wanted to begin with, and the ones delivered after.
+  agreement(working_mesh& m, const agreement_options& options);
+
+  // Until nothing is left to mend where something has changed, or the rounds are over.
+  void run();
+  // Somewhere stars disagree that was not seen to: these nodes, their tensors made more alike.
+  void disagreed_at(const std::vector<vertex_index>& nodes);
+  // What it came to so far.
+  const agreement_report& report() const { return report_; }
+
+ private:
+  struct quad {
+    vertex_index a, b, c, d;  // the edge from a to b with c on its left, d on its right
+  };
+
+  void slow_down();
+  bool round();
+  bool is_active(vertex_index t) const;
+  quad quad_at(vertex_index t, std::size_t i) const;
+  double worst_clearance(const quad& q) const;
+  void check_edge(vertex_index t, std::size_t i);
+  void check_angles(vertex_index t);
+  bool is_low(vertex_index t) const;
+  bool is_exempt(vertex_index t) const;
+  double excess(const node& a, const node& b, const node& c) const;
+  bool merge_away(vertex_index t);
+  void follow_shape(vertex_index t);
+  double trouble_around(vertex_index v, face_list& at) const;
+  void move_away(vertex_index v);
+  void make_alike_at(const std::vector<vertex_index>& nodes, double part);
+
+  working_mesh& m_;
+  const agreement_options& options_;
+  double cotangent_, aim_;  // of the least angle allowed, and of the one aimed at
+  std::vector<char> active_, next_;
+  agreement_report report_;
+};
+
+}  // namespace asterism::internal::adapting

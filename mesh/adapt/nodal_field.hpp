@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// Tensors at the vertices of a background mesh, logarithms interpolated between them, looked up by
+// walking from where one was before. Internal to mesh/adapt.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/search/box_index.hpp"
+
+namespace asterism::internal::adapting {
+
+class nodal_field {
+ public:
+  // Flat and clockwise triangles are left out; requires one that is neither.
+  explicit nodal_field(const mesh& background);
+
+  const std::vector<point>& places() const { return places_; }
+  const std::vector<metric_tensor>& tensors() const { return tensors_; }
+  void set_tensors(std::vector<metric_tensor> tensors);
+
+  // The triangle the point is in, or one near it; `hint` is where the walk begins, and where it
+  // ended.
+  metric_tensor at(const point& q, vertex_index& hint) const;
+
+  // The edges, each once.
+  std::vector<graph_edge> edges() const;
+  // The integral of the root of the determinant: the area as the metric measures it.
+  double complexity() const;
+
+ private:
+  struct cell {
+    triangle v;
+    triangle next;  // across from each vertex; its own number at the boundary
+  };
+
+  void link();
+  bool walk(const point& q, vertex_index& t, double (&w)[3]) const;
+  vertex_index search(const point& q, double (&w)[3]) const;
+  double least_weight(const point& q, vertex_index t, double (&w)[3]) const;
+
+  std::vector<point> places_;
+  std::vector<metric_tensor> tensors_;
+  std::vector<tensor_logarithm> logarithms_;
+  std::vector<cell> cells_;
+  box_index boxes_;
+  bounding_box box_;
+};
+
+}  // namespace asterism::internal::adapting

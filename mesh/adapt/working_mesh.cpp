@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/adapt/working_mesh.hpp"
+
+#include <algorithm>
+
+namespace asterism::internal::adapting {
+
+void working_mesh::around(vertex_index v, face_list& out) const {
+  out.clear();
+  const vertex_index start = nodes_[v].face;
+  vertex_index t = start;
+  do {
+    out.push_back(t);
+    t = faces_[t].next[after(faces_[t].corner_of(v))];
+  } while (t != none && t != start);
+  if (t == start) return;
+  face_list earlier;
+  for (t = faces_[start].next[before(faces_[start].corner_of(v))]; t != none;
+       t = faces_[t].next[before(faces_[t].corner_of(v))])
+    earlier.push_back(t);
+  std::reverse(earlier.begin(), earlier.end());
+  out.insert(out.begin(), earlier.begin(), earlier.end());
+}
+
+void working_mesh::neighbours(vertex_index v, face_list& out) const {
+  face_list at;
+  around(v, at);
+  out.clear();
+  for (const vertex_index t : at) out.push_back(faces_[t].v[after(faces_[t].corner_of(v))]);
+  const face& last = faces_[at.back()];
+  const std::size_t i = last.corner_of(v);
+  if (last.next[after(i)] == none) out.push_back(last.v[before(i)]);
+}
+
+vertex_index working_mesh::new_face() {
+  if (free_faces_.empty()) {
+    faces_.emplace_back();
+    return static_cast<vertex_index>(faces_.size() - 1);
+  }
+  const vertex_index t = free_faces_.back();
+  free_faces_.pop_back();
+  return t;
+}
+
+vertex_index working_mesh::new_node(const point& where, node_kind kind) {
+  node made;
+  made.position = where;
+  made.kind = kind;
+  nodes_.push_back(made);
+  ++count_;
+  return static_cast<vertex_index>(nodes_.size() - 1);
+}
+
+void working_mesh::set(vertex_index t, const std::array<vertex_index, 3>& v,
+                       const std::array<vertex_index, 3>& next,
+                       const std::array<vertex_index, 3>& segment) {
+  faces_[t] = {v, next, segment};
+  for (const vertex_index u : v) nodes_[u].face = t;
+}
+
+void working_mesh::replace_neighbour(vertex_index t, vertex_index old, vertex_index now) {
+  if (t == none) return;
+  for (vertex_index& n : faces_[t].next)
+    if (n == old) {
+      n = now;
+      return;
+    }
+}
+
+std::optional<vertex_index> working_mesh::split(vertex_index t, std::size_t edge,
+                                                const point& where) {
+  const face f = faces_[t];
+  const vertex_index c = f.v[edge], a = f.v[after(edge)], b = f.v[before(edge)], s = f.next[edge];
+  const auto fits = [&](vertex_index x, vertex_index y, vertex_index z) {
+    return turns_left(nodes_[x].position, nodes_[y].position, where) &&
+           turns_left(nodes_[y].position, nodes_[z].position, where);
+  };
+  // The faces around the new node: (c, a, m), (b, c, m), and across (d, b, m), (a, d, m).
+  if (!fits(b, c, a)) return std::nullopt;
+  vertex_index d = none;
+  std::size_t j = 0;
+  if (s != none) {
+    j = after(faces_[s].corner_of(a));
+    d = faces_[s].v[j];
+    if (!fits(a, d, b)) return std::nullopt;
+  }
+  const vertex_index subsegment = f.segment[edge];
+  const vertex_index m = new_node(where, subsegment == none ? node_kind::free : node_kind::sliding);
+  nodes_[m].segment = subsegment;
+  const vertex_index t2 = new_face();
+  const vertex_index ca = f.next[before(edge)], bc = f.next[after(edge)];
+  if (s == none) {
+    set(t, {c, a, m}, {none, t2, ca}, {subsegment, none, f.segment[before(edge)]});
+    set(t2, {c, m, b}, {none, bc, t}, {subsegment, f.segment[after(edge)], none});
+    replace_neighbour(bc, t, t2);
+    return m;
+  }
+  const face g = faces_[s];
+  const vertex_index s2 = new_face();
+  const vertex_index db = g.next[before(j)], ad = g.next[after(j)];
+  set(t, {c, a, m}, {s2, t2, ca}, {subsegment, none, f.segment[before(edge)]});
+  set(t2, {c, m, b}, {s, bc, t}, {subsegment, f.segment[after(edge)], none});
+  set(s, {d, b, m}, {t2, s2, db}, {subsegment, none, g.segment[before(j)]});
+  set(s2, {d, m, a}, {t, ad, s}, {subsegment, g.segment[after(j)], none});
+  replace_neighbour(bc, t, t2);
+  replace_neighbour(ad, s, s2);
+  return m;
+}
+
+std::optional<vertex_index> working_mesh::insert(vertex_index t, const point& where) {
+  const face f = faces_[t];
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!turns_left(nodes_[f.v[i]].position, nodes_[f.v[after(i)]].position, where))
+      return std::nullopt;
+  const vertex_index m = new_node(where, node_kind::free);
+  const vertex_index t1 = new_face(), t2 = new_face();
+  const auto [a, b, c] = f.v;
+  set(t, {a, b, m}, {t1, t2, f.next[2]}, {none, none, f.segment[2]});
+  set(t1, {b, c, m}, {t2, t, f.next[0]}, {none, none, f.segment[0]});
+  set(t2, {c, a, m}, {t, t1, f.next[1]}, {none, none, f.segment[1]});
+  replace_neighbour(f.next[0], t, t1);
+  replace_neighbour(f.next[1], t, t2);
+  return m;
+}
+
+bool working_mesh::can_flip(vertex_index t, std::size_t edge) const {
+  const face& f = faces_[t];
+  const vertex_index s = f.next[edge];
+  if (s == none || f.segment[edge] != none) return false;
+  const vertex_index c = f.v[edge], a = f.v[after(edge)], b = f.v[before(edge)];
+  const vertex_index d = faces_[s].v[after(faces_[s].corner_of(a))];
+  return turns_left(nodes_[c].position, nodes_[a].position, nodes_[d].position) &&
+         turns_left(nodes_[d].position, nodes_[b].position, nodes_[c].position);
+}
+
+void working_mesh::flip(vertex_index t, std::size_t edge) {
+  const face f = faces_[t];
+  const vertex_index s = f.next[edge];
+  const face g = faces_[s];
+  const vertex_index c = f.v[edge], a = f.v[after(edge)], b = f.v[before(edge)];
+  const std::size_t j = after(g.corner_of(a));
+  const vertex_index d = g.v[j];
+  const vertex_index bc = f.next[after(edge)], ca = f.next[before(edge)];
+  const vertex_index ad = g.next[after(j)], db = g.next[before(j)];
+  set(t, {c, a, d}, {ad, s, ca}, {g.segment[after(j)], none, f.segment[before(edge)]});
+  set(s, {d, b, c}, {bc, t, db}, {f.segment[after(edge)], none, g.segment[before(j)]});
+  replace_neighbour(ad, s, t);
+  replace_neighbour(bc, t, s);
+}
+
+// A sliding node goes along its segment only, and neither given nodes nor segments are lost.
+bool working_mesh::merge_is_allowed(vertex_index v, vertex_index w) const {
+  const node& from = nodes_[v];
+  if (from.kind == node_kind::free) return true;
+  if (from.kind != node_kind::sliding) return false;
+  face_list at;
+  around(v, at);
+  return std::any_of(at.begin(), at.end(), [&](vertex_index t) {
+    const face& f = faces_[t];
+    for (std::size_t i = 0; i < 3; ++i)
+      if (f.segment[i] != none && f.v[i] != v && f.v[i] != w &&
+          (f.v[after(i)] == w || f.v[before(i)] == w))
+        return true;
+    return false;
+  });
+}
+
+bool working_mesh::can_merge(vertex_index v, vertex_index w) const {
+  if (!merge_is_allowed(v, w)) return false;
+  face_list at;
+  around(v, at);
+  std::size_t stay = 0;
+  for (const vertex_index t : at) {
+    const face& f = faces_[t];
+    const std::size_t i = f.corner_of(v);
+    const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+    if (a == w || b == w) continue;
+    ++stay;
+    if (!turns_left(nodes_[w].position, nodes_[a].position, nodes_[b].position)) return false;
+  }
+  return stay > 0;
+}
+
+void working_mesh::merge(vertex_index v, vertex_index w) {
+  face_list at;
+  around(v, at);
+  for (const vertex_index t : at) {
+    const face f = faces_[t];
+    const std::size_t i = f.corner_of(v);
+    if (f.v[after(i)] != w && f.v[before(i)] != w) {
+      faces_[t].v[i] = w;
+      nodes_[w].face = t;
+      continue;
+    }
+    // The edge from v to the third node falls onto the one from w to it, across from v.
+    const std::size_t k = f.corner_of(w);
+    const vertex_index beyond_v = f.next[i], beyond_w = f.next[k];
+    const vertex_index third = f.v[3 - i - k];
+    const vertex_index subsegment = f.segment[i] != none ? f.segment[i] : f.segment[k];
+    for (const auto& [here, other] : {std::pair(beyond_v, beyond_w), {beyond_w, beyond_v}}) {
+      if (here == none) continue;
+      for (std::size_t e = 0; e < 3; ++e)
+        if (faces_[here].next[e] == t) {
+          faces_[here].next[e] = other;
+          faces_[here].segment[e] = subsegment;
+        }
+      nodes_[third].face = here;
+    }
+    if (beyond_v != none) nodes_[w].face = beyond_v;
+    faces_[t] = {};
+    free_faces_.push_back(t);
+  }
+  nodes_[v].kind = node_kind::gone;
+  --count_;
+}
+
+bool working_mesh::can_move(vertex_index v, const point& where) const {
+  face_list at;
+  around(v, at);
+  return std::all_of(at.begin(), at.end(), [&](vertex_index t) {
+    const face& f = faces_[t];
+    const std::size_t i = f.corner_of(v);
+    return turns_left(where, nodes_[f.v[after(i)]].position, nodes_[f.v[before(i)]].position);
+  });
+}
+
+point working_mesh::on_segment(vertex_index v, const point& where) const {
+  const segment& s = domain_->segments[nodes_[v].segment];
+  const point &a = domain_->vertices[s.a], &b = domain_->vertices[s.b];
+  const double x = b.x - a.x, y = b.y - a.y;
+  const double along = ((where.x - a.x) * x + (where.y - a.y) * y) / (x * x + y * y);
+  return {a.x + along * x, a.y + along * y};
+}
+
+mesh working_mesh::triangulation(std::vector<vertex_index>& renumbered) const {
+  mesh made;
+  made.given = static_cast<vertex_index>(domain_->vertices.size());
+  renumbered.assign(nodes_.size(), none);
+  for (vertex_index v = 0; v < nodes_.size(); ++v) {
+    if (nodes_[v].kind == node_kind::gone) continue;
+    renumbered[v] = static_cast<vertex_index>(made.sites.size());
+    made.sites.push_back({nodes_[v].position, nodes_[v].metric});
+  }
+  std::vector<std::pair<double, boundary_edge>> subsegments;
+  for (const face& f : faces_) {
+    if (!f.exists()) continue;
+    made.triangles.push_back({renumbered[f.v[0]], renumbered[f.v[1]], renumbered[f.v[2]]});
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (f.segment[i] == none) continue;
+      const segment& s = domain_->segments[f.segment[i]];
+      const point &a = domain_->vertices[s.a], &b = domain_->vertices[s.b];
+      const vertex_index u = f.v[after(i)], w = f.v[before(i)];
+      const point &p = nodes_[u].position, &q = nodes_[w].position;
+      const double x = b.x - a.x, y = b.y - a.y;
+      if ((q.x - p.x) * x + (q.y - p.y) * y < 0) continue;  // its twin will do
+      subsegments.push_back({(p.x - a.x) * x + (p.y - a.y) * y,
+                             {renumbered[u], renumbered[w], f.segment[i], s.marker, s.internal}});
+    }
+  }
+  std::sort(subsegments.begin(), subsegments.end(), [](const auto& a, const auto& b) {
+    return a.second.segment != b.second.segment ? a.second.segment < b.second.segment
+                                                : a.first < b.first;
+  });
+  for (const auto& p : subsegments) made.boundary.push_back(p.second);
+  return made;
+}
+
+}  // namespace asterism::internal::adapting

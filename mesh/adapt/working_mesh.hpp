@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+//
+// A triangulation that is being fitted to a metric: nodes with tensors, faces with their
+// neighbours, and elementary changes.
+//
+// Every face surely turns left in doubles, always: a change that would spoil that is refused. That
+// is all that holds; whether stars agree is asked elsewhere. Internal to mesh/adapt.
+#pragma once
+
+#include <array>
+#include <boost/container/small_vector.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal::adapting {
+
+inline constexpr vertex_index none = ~vertex_index{0};
+
+// A given node is a vertex of the domain, a sliding one divides a segment.
+enum class node_kind : unsigned char { given, sliding, free, gone };
+
+struct node {
+  point position;
+  metric_tensor metric;
+  double root = 0;              // of the determinant of the metric
+  vertex_index face = none;     // one of those at it
+  vertex_index segment = none;  // that a sliding node divides
+  vertex_index hint = none;     // where the field was looked up last (nodal_field.hpp)
+  node_kind kind = node_kind::free;
+};
+
+// Nodes counter-clockwise; edge i lies across from node i. A face that is gone has no nodes.
+struct face {
+  std::array<vertex_index, 3> v{none, none, none};
+  std::array<vertex_index, 3> next{none, none, none};     // across the edge
+  std::array<vertex_index, 3> segment{none, none, none};  // which the edge is a subsegment of
+
+  bool exists() const { return v[0] != none; }
+  std::size_t corner_of(vertex_index u) const { return v[0] == u ? 0 : v[1] == u ? 1 : 2; }
+};
+
+using face_list = boost::container::small_vector<vertex_index, 16>;
+
+inline constexpr std::size_t after(std::size_t i) { return i == 2 ? 0 : i + 1; }
+inline constexpr std::size_t before(std::size_t i) { return i == 0 ? 2 : i - 1; }
+
+// Whether doubles are sure that the three turn counter-clockwise. Differences, products and their
+// difference are each rounded once: 4 epsilon of the products covers it.
+inline bool turns_left(const point& a, const point& b, const point& c) {
+  constexpr double part = 4 * std::numeric_limits<double>::epsilon();
+  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
+  return left - right > part * (std::abs(left) + std::abs(right));
+}
+
+inline double squared(const metric_tensor& m, double x, double y) {
+  return x * (m.m11 * x + 2 * m.m12 * y) + m.m22 * y * y;
+}
+
+inline double root_of_determinant(const metric_tensor& m) {
+  return std::sqrt(std::max(0.0, std::fma(m.m11, m.m22, -m.m12 * m.m12)));
+}
+
+class working_mesh {
+ public:
+  // Of a mesh of `d` without disagreeing triangles; fails, naming what is wrong, where that is no
+  // triangulation in doubles. `d` must outlive it.
+  static result<working_mesh> build(const domain& d, const mesh& start);
+
+  const std::vector<node>& nodes() const { return nodes_; }
+  node& at(vertex_index v) { return nodes_[v]; }
+  const node& at(vertex_index v) const { return nodes_[v]; }
+  const std::vector<face>& faces() const { return faces_; }
+  std::size_t count() const { return count_; }  // of nodes that are not gone
+  const domain& shape() const { return *domain_; }
+
+  void set_metric(vertex_index v, const metric_tensor& m) {
+    nodes_[v].metric = m;
+    nodes_[v].root = root_of_determinant(m);
+  }
+
+  // The faces at v, counter-clockwise; at the boundary from its first to its last.
+  void around(vertex_index v, face_list& out) const;
+  // The nodes joined to v by an edge.
+  void neighbours(vertex_index v, face_list& out) const;
+
+  // The length of an edge: the mean of the ends' where they differ little, and about that of a
+  // metric that changes geometrically between them where they differ much.
+  double length(vertex_index a, vertex_index b) const {
+    const node &p = nodes_[a], &q = nodes_[b];
+    const double x = q.position.x - p.position.x, y = q.position.y - p.position.y;
+    const double s = std::sqrt(squared(p.metric, x, y)), t = std::sqrt(squared(q.metric, x, y));
+    return (s + t) / 6 + 2.0 / 3 * std::sqrt(s * t);
+  }
+
+  // A new node on edge i of t, which becomes a sliding one on a subsegment. Refused where a face
+  // would not turn left. Its metric is the caller's affair.
+  std::optional<vertex_index> split(vertex_index t, std::size_t edge, const point& where);
+  // A new node inside t.
+  std::optional<vertex_index> insert(vertex_index t, const point& where);
+  // Whether the edge has faces on both sides, is no subsegment, and the other diagonal gives faces
+  // that turn left.
+  bool can_flip(vertex_index t, std::size_t edge) const;
+  // Requires can_flip.
+  void flip(vertex_index t, std::size_t edge);
+  // Whether v may be merged into its neighbour w.
+  bool can_merge(vertex_index v, vertex_index w) const;
+  // Requires can_merge.
+  void merge(vertex_index v, vertex_index w);
+  // Whether all faces at v turn left with v there.
+  bool can_move(vertex_index v, const point& where) const;
+  void move(vertex_index v, const point& where) { nodes_[v].position = where; }
+  // A place on the segment of a sliding node: the one nearest to `where`.
+  point on_segment(vertex_index v, const point& where) const;
+
+  // The nodes in the order of the domain's vertices, then by number; faces as triangles;
+  // subsegments in the order of their segments. `renumbered` maps nodes to sites.
+  mesh triangulation(std::vector<vertex_index>& renumbered) const;
+
+ private:
+  explicit working_mesh(const domain& d) : domain_(&d) {}
+  std::optional<error> add(const mesh& start);
+  vertex_index new_face();
+  vertex_index new_node(const point& where, node_kind kind);
+  void set(vertex_index t, const std::array<vertex_index, 3>& v,
+           const std::array<vertex_index, 3>& next, const std::array<vertex_index, 3>& segment);
+  void replace_neighbour(vertex_index t, vertex_index old, vertex_index now);
+  bool merge_is_allowed(vertex_index v, vertex_index w) const;
+
+  const domain* domain_;
+  std::vector<node> nodes_;
+  std::vector<face> faces_;
+  std::vector<vertex_index> free_faces_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace asterism::internal::adapting

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/c_interface/arrays.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
+
+namespace asterism::internal {
+namespace {
+
+std::string text_of(std::initializer_list<double> numbers) {
+  std::string text;
+  for (const double x : numbers) {
+    if (!text.empty()) text.append(" ");
+    std::array<char, 32> buffer{};
+    text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr);
+  }
+  return text;
+}
+
+// A metric that the caller computes. One call at a time: the caller may be an interpreter.
+class called_field final : public metric_field {
+ public:
+  called_field(asterism_metric_function function, void* context, double size)
+      : function_(function), context_(context), divisor_(size * size) {}
+
+  result<metric_tensor> at(const point& q) const override {
+    double m[3] = {};
+    {
+      const std::lock_guard<std::mutex> alone(lock_);
+      if (function_(context_, q.x, q.y, m) != 0)
+        return error{"the metric's function failed at " + text_of({q.x, q.y})};
+    }
+    const metric_tensor tensor = {m[0] / divisor_, m[1] / divisor_, m[2] / divisor_};
+    const bool finite =
+        std::isfinite(tensor.m11) && std::isfinite(tensor.m12) && std::isfinite(tensor.m22);
+    if (!finite || !filtered_kernel().is_positive_definite(tensor))
+      return error{"the metric at " + text_of({q.x, q.y}) + " is " + text_of({m[0], m[1], m[2]}) +
+                   ", which is not positive definite"};
+    return tensor;
+  }
+
+ private:
+  asterism_metric_function function_;
+  void* context_;
+  double divisor_;
+  mutable std::mutex lock_;
+};
+
+using made_field = result<std::unique_ptr<metric_field>>;
+
+made_field sampled_field(const asterism_metric& metric, double size) {
+  if (metric.vertices == nullptr || metric.tensors == nullptr || metric.triangles == nullptr)
+    return error{"the metric's mesh has no vertices, tensors or triangles"};
+  const auto background =
+      mesh_of({metric.vertex_count, metric.vertices, 2}, {metric.vertex_count, metric.tensors, 3},
+              {metric.triangle_count, metric.triangles});
+  if (!background) return error{"the metric's mesh: " + background.failure().message};
+  audit_options options;
+  options.check_stars = false;
+  options.angle_bound = 0;
+  const audit_report found = audit(background.value().subject, options);
+  if (!found.certified)
+    return error{"the metric's mesh is no triangulation: " + found.findings.at(0).witness};
+  return make_sampled_field(background.value().subject, size);
+}
+
+}  // namespace
+
+result<domain> domain_of(const asterism_domain& arrays) {
+  const auto missing = [](std::size_t count, const void* array) {
+    return count > 0 && array == nullptr;
+  };
+  if (missing(arrays.vertex_count, arrays.vertices) ||
+      missing(arrays.segment_count, arrays.segments) || missing(arrays.hole_count, arrays.holes) ||
+      missing(arrays.region_count, arrays.regions) ||
+      missing(arrays.region_count, arrays.region_numbers))
+    return error{"an array of the domain is null although its count is not 0"};
+  if (arrays.vertex_count > std::numeric_limits<vertex_index>::max())
+    return error{"the domain has too many vertices"};
+  domain d;
+  d.origin.first_number = 0;
+  const auto point_at = [](const double* numbers, std::size_t k) {
+    return point{numbers[2 * k], numbers[2 * k + 1]};
+  };
+  for (std::size_t k = 0; k < arrays.vertex_count; ++k)
+    d.vertices.push_back(point_at(arrays.vertices, k));
+  for (std::size_t k = 0; k < arrays.segment_count; ++k)
+    d.segments.push_back({arrays.segments[2 * k], arrays.segments[2 * k + 1],
+                          arrays.segment_markers != nullptr ? arrays.segment_markers[k] : 0});
+  for (std::size_t k = 0; k < arrays.hole_count; ++k) d.holes.push_back(point_at(arrays.holes, k));
+  for (std::size_t k = 0; k < arrays.region_count; ++k)
+    d.regions.push_back({point_at(arrays.regions, k), arrays.region_numbers[k]});
+  return d;
+}
+
+made_field field_of(const asterism_metric& metric, const bounding_box& box) {
+  const int kinds = (metric.specification != nullptr) + (metric.function != nullptr) +
+                    (metric.triangle_count > 0);
+  if (kinds != 1)
+    return error{"the metric must be one of a specification, a function and a mesh with tensors"};
+  const double size = metric.size == 0 ? 1 : metric.size;
+  if (!(size > 0 && std::isfinite(size)))
+    return error{"the metric's size must be positive and finite"};
+  if (metric.specification != nullptr) return make_metric_field(metric.specification, box, size);
+  if (metric.triangle_count > 0) return sampled_field(metric, size);
+  std::unique_ptr<metric_field> field =
+      std::make_unique<called_field>(metric.function, metric.context, size);
+  return made_field(std::move(field));
+}
+
+result<adopted_mesh> mesh_of(const number_rows& places, const number_rows& tensors,
+                             const triangle_rows& triangles) {
+  if (places.count > std::numeric_limits<vertex_index>::max())
+    return error{"the mesh has too many vertices"};
+  mesh m;
+  for (std::size_t k = 0; k < places.count; ++k) {
+    const double* const at = places.first + k * places.stride;
+    const double* const tensor = tensors.first + k * tensors.stride;
+    m.sites.push_back({{at[0], at[1]}, {tensor[0], tensor[1], tensor[2]}});
+  }
+  m.given = static_cast<vertex_index>(places.count);
+  for (std::size_t k = 0; k < triangles.count; ++k) {
+    const unsigned* const corners = triangles.first + 3 * k;
+    m.triangles.push_back({corners[0], corners[1], corners[2]});
+  }
+  return adopt_mesh(std::move(m));
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Domains, meshes and metric fields from the arrays that C programs and Python bring.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/c_interface/mesh.h"
+#include "asterism/mesh/data/bounding_box.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+
+namespace asterism::internal {
+
+// Not checked beyond null pointers: check_domain does the rest.
+result<domain> domain_of(const asterism_domain& arrays);
+
+// `box` is that of the domain.
+result<std::unique_ptr<metric_field>> field_of(const asterism_metric& metric,
+                                               const bounding_box& box);
+
+// `count` rows of numbers, `stride` apart.
+struct number_rows {
+  std::size_t count;
+  const double* first;
+  std::size_t stride;
+};
+struct triangle_rows {
+  std::size_t count;
+  const unsigned* first;
+};
+
+// Fails, naming the offender, where adopt_mesh does. As many places as tensors.
+result<adopted_mesh> mesh_of(const number_rows& places, const number_rows& tensors,
+                             const triangle_rows& triangles);
+
+}  // namespace asterism::internal

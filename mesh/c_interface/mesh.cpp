@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/c_interface/mesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "asterism/kernels/c_question.hpp"
+#include "asterism/mesh/c_interface/arrays.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+
+static_assert(std::is_same_v<vertex_index, unsigned> && sizeof(site) == 5 * sizeof(double) &&
+              sizeof(triangle) == 3 * sizeof(unsigned));
+
+struct asterism_mesh {
+  certified_mesh made;
+  std::string certificate;
+  std::vector<int> regions, markers;
+  std::vector<unsigned> edges;
+
+  const mesh& content() const { return made.outcome.result; }
+};
+
+namespace {
+
+// Where a message goes; nowhere if there is no room.
+class message_buffer {
+ public:
+  message_buffer(char* text, size_t capacity)
+      : text_(capacity > 0 ? text : nullptr), capacity_(capacity) {
+    write("");
+  }
+  void write(const std::string& sentence) const {
+    if (text_ == nullptr) return;
+    const std::size_t length = std::min(sentence.size(), capacity_ - 1);
+    std::copy_n(sentence.data(), length, text_);
+    text_[length] = '\0';
+  }
+  asterism_status refuse(const error& failure) const {
+    write(failure.message);
+    return ASTERISM_REFUSED;
+  }
+
+ private:
+  char* text_;
+  size_t capacity_;
+};
+
+result<mesh_options> options_of(const asterism_mesh_options& given) {
+  mesh_options options;
+  options.angle_bound = given.angle_bound;
+  options.limit_size = given.limit_size != 0;
+  options.max_sites = given.max_sites;
+  options.relax = given.relax != 0;
+  options.prove_voronoi = given.prove_voronoi != 0;
+  if (!(given.angle_bound >= 0 && given.angle_bound < 60))
+    return error{"the angle bound must be at least 0 and below 60 degrees"};
+  if (given.stop != nullptr)
+    options.stop = [stop = given.stop, context = given.stop_context] {
+      return stop(context) != 0 ? std::optional<std::string>("the caller stopped it")
+                                : std::nullopt;
+    };
+  return options;
+}
+
+std::unique_ptr<asterism_mesh> package(certified_mesh made) {
+  auto mesh = std::make_unique<asterism_mesh>();
+  mesh->made = std::move(made);
+  mesh->certificate = certificate_text(mesh->made.claim);
+  mesh->regions = mesh->content().regions;
+  if (mesh->regions.empty()) mesh->regions.assign(mesh->content().triangles.size(), 1);
+  for (const boundary_edge& e : mesh->content().boundary) {
+    mesh->edges.insert(mesh->edges.end(), {e.a, e.b});
+    mesh->markers.push_back(e.marker);
+  }
+  return mesh;
+}
+
+asterism_status create(const asterism_domain& domain, const asterism_metric& metric,
+                       const asterism_mesh_options& wanted, asterism_mesh** out,
+                       const message_buffer& message) {
+  const auto options = options_of(wanted);
+  if (!options) return message.refuse(options.failure());
+  const auto drawn = domain_of(domain);
+  if (!drawn) return message.refuse(drawn.failure());
+  const auto shape = check_domain(drawn.value());
+  if (!shape) return message.refuse(shape.failure());
+  if (shape.value().vertices.size() > options.value().max_sites)
+    return message.refuse({"the domain has more vertices than max_sites allows"});
+  const auto field = field_of(metric, shape.value().box());
+  if (!field) return message.refuse(field.failure());
+  auto made = make_certified_mesh(shape.value(), *field.value(), options.value());
+  if (!made) return message.refuse(made.failure());
+  *out = package(std::move(made).value()).release();
+  return ASTERISM_OK;
+}
+
+// The first thing that speaks against a mesh.
+std::string first_reason(const verify_report& report) {
+  if (!report.contradictions.empty()) return report.contradictions.front();
+  if (!report.audit.findings.empty()) return report.audit.findings.front().witness;
+  return report.verified ? "" : "it is not certified";
+}
+
+std::string first_reason(const certify_report& report) {
+  if (report.certified()) return "";
+  if (!report.audit.findings.empty()) return report.audit.findings.front().witness;
+  if (!report.not_in_all.empty())
+    return "triangle " + std::to_string(report.not_in_all.front()) +
+           " is not in the stars of all its vertices; there are " +
+           std::to_string(report.not_in_all.size()) + " of them";
+  return std::to_string(report.unsettled) + " stars met the bound of their construction";
+}
+
+template <class T>
+const T* give(const std::vector<T>& values, size_t per_row, size_t* count) {
+  if (count != nullptr) *count = values.size() / per_row;
+  return values.data();
+}
+
+}  // namespace
+
+void asterism_domain_init(asterism_domain* domain) {
+  if (domain != nullptr) *domain = {};
+}
+void asterism_metric_init(asterism_metric* metric) {
+  if (metric != nullptr) *metric = {};
+}
+void asterism_mesh_options_init(asterism_mesh_options* options) {
+  if (options == nullptr) return;
+  const mesh_options defaults;
+  *options = {};
+  options->angle_bound = defaults.angle_bound;
+  options->max_sites = defaults.max_sites;
+  options->relax = defaults.relax ? 1 : 0;
+}
+
+asterism_status asterism_mesh_create(const asterism_domain* domain, const asterism_metric* metric,
+                                     const asterism_mesh_options* options, asterism_mesh** out,
+                                     char* message, size_t capacity) {
+  const message_buffer told(message, capacity);
+  if (domain == nullptr || metric == nullptr || out == nullptr) return ASTERISM_NULL_POINTER;
+  asterism_mesh_options wanted;
+  asterism_mesh_options_init(&wanted);
+  if (options != nullptr) wanted = *options;
+  return without_exceptions([&] { return create(*domain, *metric, wanted, out, told); });
+}
+
+void asterism_mesh_free(asterism_mesh* mesh) { delete mesh; }
+
+int asterism_mesh_is_complete(const asterism_mesh* mesh) { return mesh->made.outcome.complete; }
+const char* asterism_mesh_reason(const asterism_mesh* mesh) {
+  return mesh->made.claim.reason.c_str();
+}
+int asterism_mesh_is_certified(const asterism_mesh* mesh) { return mesh->made.certified(); }
+double asterism_mesh_worst_angle(const asterism_mesh* mesh) {
+  return mesh->made.report.worst().degrees;
+}
+const char* asterism_mesh_certificate(const asterism_mesh* mesh) {
+  return mesh->certificate.c_str();
+}
+
+const double* asterism_mesh_sites(const asterism_mesh* mesh, size_t* count) {
+  const std::vector<site>& sites = mesh->content().sites;
+  if (count != nullptr) *count = sites.size();
+  return sites.empty() ? nullptr : &sites.front().position.x;
+}
+const unsigned* asterism_mesh_triangles(const asterism_mesh* mesh, size_t* count) {
+  const std::vector<triangle>& triangles = mesh->content().triangles;
+  if (count != nullptr) *count = triangles.size();
+  return triangles.empty() ? nullptr : triangles.front().data();
+}
+const int* asterism_mesh_regions(const asterism_mesh* mesh, size_t* count) {
+  return give(mesh->regions, 1, count);
+}
+const unsigned* asterism_mesh_boundary(const asterism_mesh* mesh, size_t* count) {
+  return give(mesh->edges, 2, count);
+}
+const int* asterism_mesh_boundary_markers(const asterism_mesh* mesh, size_t* count) {
+  return give(mesh->markers, 1, count);
+}
+
+asterism_status asterism_mesh_verify(const asterism_mesh* mesh, const char* certificate,
+                                     int* verified, char* message, size_t capacity) {
+  const message_buffer told(message, capacity);
+  if (mesh == nullptr || verified == nullptr) return ASTERISM_NULL_POINTER;
+  return without_exceptions([&] {
+    const auto claim =
+        parse_certificate(certificate != nullptr ? certificate : mesh->certificate, "certificate");
+    if (!claim) return told.refuse(claim.failure());
+    const verify_report report = verify(mesh->content(), claim.value(), {});
+    *verified = report.verified ? 1 : 0;
+    told.write(first_reason(report));
+    return ASTERISM_OK;
+  });
+}
+
+asterism_status asterism_certify(size_t site_count, const double* sites, size_t triangle_count,
+                                 const unsigned* triangles, double angle_bound, int* certified,
+                                 char* message, size_t capacity) {
+  const message_buffer told(message, capacity);
+  if (certified == nullptr || (sites == nullptr && site_count > 0) ||
+      (triangles == nullptr && triangle_count > 0))
+    return ASTERISM_NULL_POINTER;
+  if (!(angle_bound >= 0 && angle_bound < 60)) return ASTERISM_OUT_OF_RANGE;
+  return without_exceptions([&] {
+    auto adopted =
+        mesh_of({site_count, sites, 5}, {site_count, sites + 2, 5}, {triangle_count, triangles});
+    if (!adopted) return told.refuse(adopted.failure());
+    const certify_report report = certify(adopted.value(), angle_bound);
+    *certified = report.certified() ? 1 : 0;
+    told.write(first_reason(report));
+    return ASTERISM_OK;
+  });
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// How far the metric a mesh is delivered in is from the one wanted, as plain data: the mesher fills
+// it in, certificates hold it, verify measures it again (pipeline/delivered_metric.hpp).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asterism/mesh/data/domain.hpp"
+
+namespace asterism {
+
+// Two tensors are as far apart as the logarithm of the greatest ratio in which they measure a
+// length: 0.095 is ten percent. It is half the greatest |ln| of an eigenvalue of A^-1 B, which is
+// at least as strict as half the difference of the logarithms of A and B.
+struct delivered_report {
+  std::size_t changed = 0;  // sites whose tensor is not, to the last bit, the one wanted there
+  double beyond_tenth = 0;  // the part of the sites where some length differs by more than 10 %
+  double median = 0, ninetieth = 0, greatest = 0;  // distances, of all sites
+  // The domain's area as either metric measures it, from the tensors at the vertices.
+  double complexity_wanted = 0, complexity_delivered = 0;
+  // Edges were made this many times as long as one, so that the number of sites came out as wanted.
+  double length_factor = 1;
+  // As the metric wanted measures them, away from corners that are sharp in it: the least angle,
+  // and the triangles below the bound, ascending.
+  double worst_angle_wanted = 180;
+  std::vector<vertex_index> low_wanted;
+};
+
+}  // namespace asterism

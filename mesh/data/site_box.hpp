@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// The box around sites.
+#pragma once
+
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/bounding_box.hpp"
+
+namespace asterism::internal {
+
+// Returns the smallest box around all sites; a box of the origin alone when there are none.
+inline bounding_box box_of_sites(const std::vector<site>& sites) {
+  if (sites.empty()) return {};
+  bounding_box box{sites.front().position, sites.front().position};
+  for (const site& s : sites) box.include(s.position);
+  return box;
+}
+
+}  // namespace asterism::internal

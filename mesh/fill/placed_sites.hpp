@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// The sites that a fill has placed so far, and where they are.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/search/site_index.hpp"
+
+namespace asterism::internal {
+
+class placed_sites {
+ public:
+  // For at most `most` sites in the box.
+  placed_sites(const bounding_box& box, std::size_t most) : index_(box), most_(most) {}
+
+  // In the order in which they were placed, the domain's vertices first.
+  const std::vector<site>& all() const { return sites_; }
+  const site& operator[](vertex_index v) const { return sites_[v]; }
+  std::size_t size() const { return sites_.size(); }
+  const site_index& index() const { return index_; }
+  // True for points that divide segments, and for the domain's vertices.
+  bool is_on_segment(vertex_index v) const { return on_segment_[v] != 0; }
+  std::size_t count_on_segments() const {
+    return static_cast<std::size_t>(std::count(on_segment_.begin(), on_segment_.end(), 1));
+  }
+
+  // Notes which of the domain's vertices are on no segment. To be called when they are all placed.
+  void mark_isolated(const domain& d) {
+    isolated_.assign(d.vertices.size(), 1);
+    for (const segment& one : d.segments) isolated_[one.a] = isolated_[one.b] = 0;
+  }
+  // True for vertices of the domain that are on no segment.
+  bool is_isolated(vertex_index v) const { return v < isolated_.size() && isolated_[v] != 0; }
+
+  // To be asked before a site is placed: true if there is room for another one. Remembers if not.
+  bool admits_another() {
+    exhausted_ = exhausted_ || sites_.size() >= most_;
+    return !exhausted_;
+  }
+  // True once a site was wanted for which there was no room.
+  bool is_exhausted() const { return exhausted_; }
+
+  vertex_index place(const site& s, bool on_segment) {
+    const auto w = static_cast<vertex_index>(sites_.size());
+    sites_.push_back(s);
+    on_segment_.push_back(on_segment ? 1 : 0);
+    index_.insert(sites_, w);
+    return w;
+  }
+
+ private:
+  std::vector<site> sites_;
+  std::vector<char> on_segment_;
+  std::vector<char> isolated_;  // by vertex of the domain
+  site_index index_;
+  std::size_t most_;
+  bool exhausted_ = false;
+};
+
+}  // namespace asterism::internal

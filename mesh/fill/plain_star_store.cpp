@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/fill/plain_star_store.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr std::size_t chunk = 256;
+
+}  // namespace
+
+bool plain_star_store::renew(double distance) {
+  // Stars made between two looks at the meter, once there was a quarter of the work that may be.
+  constexpr std::size_t block = 1024;
+  constexpr std::uint64_t quarter = 4;
+  const std::size_t count = sites_->size();
+  stars_.resize(count);
+  std::vector<disturbed> pairs;
+  for (std::size_t at = finished_; at < count;) {
+    const std::size_t end =
+        work_->is_overworked(count, quarter) ? std::min(count, at + block) : count;
+    const std::vector<disturbed> more = make_stars(at, end, distance);
+    pairs.insert(pairs.end(), more.begin(), more.end());
+    work_->count_disturbed(more.size());
+    at = end;
+    if (work_->is_overworked(count)) return false;
+  }
+  std::sort(pairs.begin(), pairs.end(), [](const disturbed& a, const disturbed& b) {
+    return a.star != b.star ? a.star < b.star : a.by < b.by;
+  });
+  changed_.clear();
+  renew_disturbed(pairs);
+  for (; finished_ < count; ++finished_) changed_.push_back(static_cast<vertex_index>(finished_));
+  return true;
+}
+
+void plain_star_store::mark_all_changed() {
+  changed_.resize(stars_.size());
+  std::iota(changed_.begin(), changed_.end(), vertex_index{0});
+}
+
+// Makes the stars of the sites from `first` to before `last`; returns which stars of older sites
+// they disturb.
+std::vector<plain_star_store::disturbed> plain_star_store::make_stars(std::size_t first,
+                                                                      std::size_t last,
+                                                                      double distance) {
+  return collect_chunks<disturbed>(
+      last - first, chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
+        std::vector<vertex_index> near;
+        std::uint64_t looked_at = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+          const auto w = static_cast<vertex_index>(first + i);
+          if (is_enough(i)) break;
+          make_star(w, distance, near, looked_at);
+          for (const vertex_index u : near)
+            if (u < finished_ && disturbs(sites_->all(), u, stars_[u], w)) out.push_back({u, w});
+        }
+        work_->count_candidates(looked_at);
+      });
+}
+
+// Makes each disturbed star anew from its neighbours and the sites that disturb it, and adds it to
+// changed_. The pairs are sorted by star.
+void plain_star_store::renew_disturbed(const std::vector<disturbed>& pairs) {
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (i == 0 || pairs[i].star != pairs[i - 1].star) starts.push_back(i);
+  starts.push_back(pairs.size());
+  parallel_chunks(starts.size() - 1, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    std::vector<vertex_index> candidates;
+    std::uint64_t looked_at = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_enough(i)) break;
+      const vertex_index v = pairs[starts[i]].star;
+      candidates.clear();
+      for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
+      for (std::size_t j = starts[i]; j < starts[i + 1]; ++j) candidates.push_back(pairs[j].by);
+      looked_at += candidates.size();
+      stars_[v] = build_plain_star(sites_->all(), v, candidates);
+    }
+    work_->count_candidates(looked_at);
+  });
+  for (std::size_t i = 0; i + 1 < starts.size(); ++i) changed_.push_back(pairs[starts[i]].star);
+}
+
+bool plain_star_store::is_enough(std::size_t i) const {
+  constexpr std::size_t at_a_time = 8;
+  return i % at_a_time == 0 && options_->stop.is_requested();
+}
+
+// Finds the sites within `reach` of w, as w measures; if that is about all the box, all of them.
+// Returns whether it is.
+bool plain_star_store::find_near(vertex_index w, double reach, std::vector<vertex_index>& near,
+                                 std::uint64_t& looked_at) const {
+  const site& s = (*sites_)[w];
+  near.clear();
+  const bounding_box box = box_around(s, reach);
+  const bool all = box.low.x <= box_.low.x && box.low.y <= box_.low.y &&
+                   box.high.x >= box_.high.x && box.high.y >= box_.high.y;
+  sites_->index().visit_box(sites_->all(), box.low, box.high, [&](vertex_index u) {
+    ++looked_at;
+    if (u != w && (all || squared_distance(s, (*sites_)[u].position) <= reach * reach))
+      near.push_back(u);
+    return true;
+  });
+  return all;
+}
+
+// Makes the star of w from all sites so near that no farther one could belong to it; `near` is left
+// holding them.
+//
+// A site that changes a star lies on the far side of one of its Voronoi vertices, at distance r, as
+// near to it as the centre is: within 2 r of the centre where metrics are equal. The 5 % beyond are
+// for metrics that vary, and the first reach holds a star whose vertices are all within
+// 1.05 times the distance, as most are when their level is done.
+void plain_star_store::make_star(vertex_index w, double distance, std::vector<vertex_index>& near,
+                                 std::uint64_t& looked_at) {
+  constexpr double diameters = 2.1, first_reach = 2.2;
+  // Fewer do not surround a site.
+  constexpr std::size_t least_neighbours = 3;
+  // Reaches double, so that they leave the range of doubles, or the box, long before.
+  constexpr int most_attempts = 64;
+  const double ordinary = first_reach * distance;
+  double reach = std::min(ordinary, first_reach_among_dense(w, distance));
+  for (int attempt = 1; attempt <= most_attempts; ++attempt, reach *= 2) {
+    const bool all = find_near(w, reach, near, looked_at);
+    if (near.size() < least_neighbours && !all) continue;
+    stars_[w] = build_plain_star(sites_->all(), w, near);
+    double widest = 0;
+    for (const plain_gap& gap : stars_[w]) widest = std::max(widest, gap.squared_radius);
+    const bool is_wide_enough = diameters * std::sqrt(widest) <= reach;
+    if (all || is_wide_enough || is_hopeless(w, attempt, reach >= ordinary, near.size())) return;
+  }
+}
+
+// True if looking farther around w is given up. At the boundary there may be no neighbour on the
+// outer side, however far one looks; nor, where lengths differ by large factors, behind sites for
+// which they count much more. At the rim of many given sites the way to the next ones is long, and
+// the number of sites looked at on it is bounded.
+bool plain_star_store::is_hopeless(vertex_index w, int attempt, bool is_ordinary,
+                                   std::size_t looked_at) const {
+  constexpr int enough_attempts = 3;
+  constexpr std::size_t many = 512;
+  const bool is_late = attempt >= enough_attempts;
+  if (!sites_->is_on_segment(w) && !(options_->is_uneven && is_late)) return false;
+  return is_ordinary || (is_late && looked_at > many);
+}
+
+// Returns some spacings of the sites around an isolated vertex w of the domain, where they are much
+// closer than the distance, so that no star is made from a large part of them all; infinite
+// elsewhere.
+double plain_star_store::first_reach_among_dense(vertex_index w, double distance) const {
+  if (!sites_->is_isolated(w)) return std::numeric_limits<double>::infinity();
+  constexpr double much_closer = 0.25, spacings = 2.2;
+  const double spacing = sites_->index().spacing_near((*sites_)[w]);
+  const bool is_dense = spacing > 0 && spacing < much_closer * distance;
+  return is_dense ? spacings * spacing : std::numeric_limits<double>::infinity();
+}
+
+std::optional<crowded_site> plain_star_store::most_crowded() const {
+  if (stars_.empty()) return std::nullopt;
+  const auto most = std::max_element(
+      stars_.begin(), stars_.end(),
+      [](const plain_star& a, const plain_star& b) { return a.size() < b.size(); });
+  const auto at = static_cast<vertex_index>(most - stars_.begin());
+  return crowded_site{(*sites_)[at].position, most->size(), sites_->size()};
+}
+
+}  // namespace asterism::internal

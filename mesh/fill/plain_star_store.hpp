@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// The plain stars (numerics/approximate_star.hpp) of the sites a fill has placed, kept up as sites
+// are added.
+#pragma once
+
+#include <boost/container/deque.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/fill/fill.hpp"
+#include "asterism/mesh/fill/placed_sites.hpp"
+#include "asterism/mesh/fill/work_meter.hpp"
+#include "asterism/mesh/numerics/approximate_star.hpp"
+
+namespace asterism::internal {
+
+class plain_star_store {
+ public:
+  // `box` holds all sites. All but the box must outlive it.
+  plain_star_store(const placed_sites& sites, const bounding_box& box, const fill_options& options,
+                   work_meter& work)
+      : sites_(&sites), box_(box), options_(&options), work_(&work) {}
+
+  // Makes the stars of the sites that have none yet, and renews those that they disturb.
+  // `distance` is how far from the nearest site points may be, where the sites are finished: near
+  // it most stars find their neighbours. False, leaving stars out, when the meter says that there
+  // was too much work.
+  bool renew(double distance);
+
+  const plain_star& operator[](vertex_index v) const { return stars_[v]; }
+  // The stars that the last renewal made anew, or all after mark_all_changed(): those that may
+  // leave room where they left none before.
+  const std::vector<vertex_index>& changed() const { return changed_; }
+  void mark_all_changed();
+
+  // The site whose star has most neighbours; of several, the first.
+  std::optional<crowded_site> most_crowded() const;
+
+ private:
+  struct disturbed {
+    vertex_index star, by;
+  };
+
+  std::vector<disturbed> make_stars(std::size_t first, std::size_t last, double distance);
+  void renew_disturbed(const std::vector<disturbed>& pairs);
+  void make_star(vertex_index w, double distance, std::vector<vertex_index>& near,
+                 std::uint64_t& looked_at);
+  bool find_near(vertex_index w, double reach, std::vector<vertex_index>& near,
+                 std::uint64_t& looked_at) const;
+  bool is_enough(std::size_t i) const;
+  bool is_hopeless(vertex_index w, int attempt, bool is_ordinary, std::size_t looked_at) const;
+  double first_reach_among_dense(vertex_index w, double distance) const;
+
+  const placed_sites* sites_;
+  bounding_box box_;
+  const fill_options* options_;
+  work_meter* work_;
+  // Many and large: a vector would hold them twice while it grows.
+  using star_blocks = boost::container::deque_options_t<boost::container::block_size<1024>>;
+  boost::container::deque<plain_star, void, star_blocks> stars_;
+  std::size_t finished_ = 0;  // sites whose stars are made and known to their neighbours
+  std::vector<vertex_index> changed_;
+};
+
+}  // namespace asterism::internal

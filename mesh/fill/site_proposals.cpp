@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/fill/site_proposals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/fill/scattered_places.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/search/site_index.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t chunk = 256;
+
+bool holds(const bounding_box& box, const point& q) {
+  return box.low.x <= q.x && q.x <= box.high.x && box.low.y <= q.y && q.y <= box.high.y;
+}
+
+}  // namespace
+
+// Twice as far from each other as sites will be: the rest goes farthest first, which makes better
+// triangles.
+void site_proposals::scatter(double distance) {
+  constexpr std::size_t for_each_site = 16, at_least = 4096;
+  const filtered_kernel kernel;
+  visit_scattered(
+      parts_.box, at_least + for_each_site * parts_.sites.size(),
+      [&](const point& q, const point& half) { return scatter_at(kernel, q, half, 2 * distance); });
+}
+
+// Places a site at q if there is room. Returns whether a cell with this half of its diagonal may
+// hold more.
+bool site_proposals::scatter_at(const filtered_kernel& kernel, const point& q, const point& half,
+                                double distance) {
+  const auto metric = parts_.field.at(q);
+  if (!metric || parts_.sites.is_exhausted()) return false;
+  const site s{q, metric.value()};
+  std::uint64_t looked_at = 0;
+  if (is_allowed(kernel, s, distance, looked_at) && parts_.sites.admits_another())
+    parts_.sites.place(s, false);
+  parts_.work.count_candidates(looked_at);
+  const double rising = squared_length(s.metric, half);
+  const double falling = squared_length(s.metric, {half.x, -half.y});
+  return std::max(rising, falling) > distance * distance;
+}
+
+result<std::vector<site_proposal>> site_proposals::collect(double distance) const {
+  const std::vector<vertex_index>& changed = parts_.stars.changed();
+  const std::vector<attempt> attempts = collect_chunks<attempt>(
+      changed.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<attempt>& out) {
+        const filtered_kernel kernel;
+        std::uint64_t looked_at = 0;
+        for (std::size_t i = begin; i < end; ++i)
+          propose(kernel, changed[i], distance, looked_at, out);
+        parts_.work.count_candidates(looked_at);
+      });
+  std::vector<site_proposal> proposals;
+  proposals.reserve(attempts.size());
+  for (const attempt& a : attempts) {
+    if (!a.has_metric) return parts_.field.at(a.made.where.position).failure();
+    proposals.push_back(a.made);
+  }
+  return proposals;
+}
+
+void site_proposals::propose(const filtered_kernel& kernel, vertex_index v, double distance,
+                             std::uint64_t& looked_at, std::vector<attempt>& out) const {
+  for (std::size_t i = 0; i < parts_.stars[v].size(); ++i) {
+    auto candidate = vertex_of_gap(v, i, distance);
+    if (!candidate) continue;
+    const point& q = candidate->where.position;
+    const auto metric = parts_.field.at(q);
+    if (!metric) {
+      if (locator_.contains(kernel, q)) out.push_back({*candidate, false});
+      continue;
+    }
+    candidate->where.metric = metric.value();
+    if (is_allowed(kernel, candidate->where, distance, looked_at)) out.push_back({*candidate});
+  }
+}
+
+// Returns the gap's Voronoi vertex if it is in the box, farther than `distance` from v, and for v
+// to propose: of the three stars that have it, the one of the first site does. The metric is left
+// out.
+std::optional<site_proposal> site_proposals::vertex_of_gap(vertex_index v, std::size_t i,
+                                                           double distance) const {
+  const plain_star& star = parts_.stars[v];
+  const plain_gap& gap = star[i];
+  const double squared = distance * distance;
+  const bool found = gap.squared_radius < infinity;
+  if (!(gap.squared_radius > squared) || !(found || uneven_)) return std::nullopt;
+  const vertex_index next = star[i + 1 < star.size() ? i + 1 : 0].neighbour;
+  if (v > gap.neighbour || (found && v > next)) return std::nullopt;
+  const site& centre = parts_.sites[v];
+  site_proposal made{{{centre.position.x + gap.vertex.x, centre.position.y + gap.vertex.y}, {}},
+                     gap.squared_radius};
+  if (!found) {
+    made.where.position = bisector_point(centre, parts_.sites[gap.neighbour]);
+    made.squared_radius = squared_distance(centre, made.where.position);
+    if (!(made.squared_radius > squared && made.squared_radius < infinity)) return std::nullopt;
+  }
+  if (!holds(parts_.box, made.where.position)) return std::nullopt;
+  return made;
+}
+
+bool site_proposals::is_allowed(const filtered_kernel& kernel, const site& s, double distance,
+                                std::uint64_t& looked_at) const {
+  return has_room(parts_.sites.index(), s, distance, looked_at) &&
+         parts_.segments.stays_clear(s, distance, looked_at) &&
+         locator_.contains(kernel, s.position);
+}
+
+// True if no site of the index is within `distance` of s as that site measures, or within a part of
+// it as s measures. Asking the whole of both leaves holes where the metric varies.
+bool site_proposals::has_room(const site_index& among, const site& s, double distance,
+                              std::uint64_t& looked_at) const {
+  constexpr double own_part = 0.6;
+  // Metrics that differ by more within the distance are beyond what plain stars can do.
+  constexpr double margin = 1.25;
+  const double squared = distance * distance, own = own_part * own_part * squared;
+  const bounding_box near = box_around(s, margin * distance);
+  const std::vector<site>& sites = parts_.sites.all();
+  return among.visit_box(sites, near.low, near.high, [&](vertex_index w) {
+    ++looked_at;
+    return squared_distance(sites[w], s.position) > squared &&
+           squared_distance(s, sites[w].position) > own;
+  });
+}
+
+// In bands, so that neighbours in memory stay neighbours; four for each doubling of the radius.
+void site_proposals::place(std::vector<site_proposal> proposals, double distance) {
+  constexpr double bands_in_doubled_square = 2;
+  const auto band = [squared = distance * distance](const site_proposal& p) {
+    return static_cast<int>(bands_in_doubled_square * elementary::log2(p.squared_radius / squared));
+  };
+  std::stable_sort(
+      proposals.begin(), proposals.end(),
+      [&](const site_proposal& a, const site_proposal& b) { return band(a) > band(b); });
+  site_index chosen(parts_.box);
+  std::uint64_t looked_at = 0;
+  for (const site_proposal& p : proposals) {
+    if (!has_room(chosen, p.where, distance, looked_at)) continue;
+    if (!parts_.sites.admits_another()) break;
+    chosen.insert(parts_.sites.all(), parts_.sites.place(p.where, false));
+  }
+  parts_.work.count_candidates(looked_at);
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Lengths of edges as the metric sees them. In doubles, for reports.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
+
+namespace asterism::internal {
+
+// Returns the distance from the site to q, as the site measures.
+inline double metric_distance(const site& from, const point& q) {
+  return std::sqrt(squared_distance(from, q));
+}
+
+// Returns the mean of what the two ends of an edge measure.
+inline double edge_length(const site& p, const site& q) {
+  return (metric_distance(p, q.position) + metric_distance(q, p.position)) / 2;
+}
+
+// True if an edge of this length is a unit edge: from 1/sqrt 2 to sqrt 2, between which halving or
+// doubling it would bring it no nearer to 1.
+inline bool is_unit_length(double length) {
+  return length >= 1 / std::numbers::sqrt2 && length <= std::numbers::sqrt2;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/delivered_metric.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+
+namespace asterism::internal {
+namespace {
+
+double area_in_metric(const mesh& m) {
+  double sum = 0;
+  for (const triangle& t : m.triangles) {
+    const point &a = m.sites[t[0]].position, &b = m.sites[t[1]].position,
+                &c = m.sites[t[2]].position;
+    const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    double roots = 0;
+    for (const vertex_index v : t) roots += adapting::root_of_determinant(m.sites[v].metric);
+    sum += twice * roots / 6;
+  }
+  return sum;
+}
+
+void note_distances(const mesh& delivered, const mesh& wanted, delivered_report& report) {
+  const double tenth = elementary::log(1.1);
+  std::vector<double> distances;
+  std::size_t beyond = 0;
+  for (std::size_t v = 0; v < wanted.sites.size(); ++v) {
+    const metric_tensor &a = wanted.sites[v].metric, &b = delivered.sites[v].metric;
+    const bool is_same = identical(a, b);
+    distances.push_back(is_same ? 0 : adapting::log_distortion(a, b));
+    if (!is_same) ++report.changed;
+    if (distances.back() > tenth) ++beyond;
+  }
+  if (distances.empty()) return;
+  std::sort(distances.begin(), distances.end());
+  report.beyond_tenth = static_cast<double>(beyond) / static_cast<double>(distances.size());
+  report.median = distances[distances.size() / 2];
+  report.ninetieth = distances[distances.size() * 9 / 10];
+  report.greatest = distances.back();
+}
+
+}  // namespace
+
+result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& wanted,
+                                             std::optional<double> angle_bound) {
+  mesh as_wanted = m;
+  for (site& s : as_wanted.sites) {
+    const auto there = wanted.at(s.position);
+    if (!there) return there.failure();
+    s.metric = there.value();
+  }
+  delivered_report report;
+  note_distances(m, as_wanted, report);
+  report.complexity_wanted = area_in_metric(as_wanted);
+  report.complexity_delivered = area_in_metric(m);
+  audit_options options;
+  options.angle_bound = angle_bound;
+  options.find_exempt_corners = true;
+  options.check_stars = false;
+  options.findings_kept = 0;
+  const audit_report found = audit(as_wanted, options);
+  report.worst_angle_wanted = found.worst().degrees;
+  report.low_wanted = found.refused_triangles();
+  return report;
+}
+
+std::vector<std::string> contradictions_in_delivered(const mesh& subject, const certificate& claim,
+                                                     const metric_field& wanted) {
+  std::vector<std::string> said;
+  if (!claim.delivered) return said;
+  const auto found = compare_with_wanted(subject, wanted, claim.angle_bound);
+  if (!found) return {"the metric wanted fails: " + found.failure().message};
+  const delivered_report &claimed = *claim.delivered, &measured = found.value();
+  if (claimed.changed != measured.changed)
+    said.push_back(
+        fmt::format("{} sites have another tensor than the one wanted, and the "
+                    "certificate says {}",
+                    measured.changed, claimed.changed));
+  const std::array<std::pair<const char*, double delivered_report::*>, 7> numbers = {
+      {{"beyond_tenth", &delivered_report::beyond_tenth},
+       {"median", &delivered_report::median},
+       {"ninetieth", &delivered_report::ninetieth},
+       {"greatest", &delivered_report::greatest},
+       {"complexity_wanted", &delivered_report::complexity_wanted},
+       {"complexity_delivered", &delivered_report::complexity_delivered},
+       {"worst_angle_wanted", &delivered_report::worst_angle_wanted}}};
+  for (const auto& [name, member] : numbers)
+    if (claimed.*member != measured.*member)
+      said.push_back(fmt::format("of the metric delivered, {} is {}, and the certificate says {}",
+                                 name, measured.*member, claimed.*member));
+  if (claimed.low_wanted != measured.low_wanted)
+    said.push_back(
+        fmt::format("as the metric wanted measures them {} triangles are below the "
+                    "bound, and the certificate lists {}, or others",
+                    measured.low_wanted.size(), claimed.low_wanted.size()));
+  return said;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// The metric of a mesh against the one wanted: the report, and what contradicts one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/data/delivered_report.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+
+namespace asterism::internal {
+
+// Everything but the length factor. Fails where `wanted` does at a site.
+result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& wanted,
+                                             std::optional<double> angle_bound);
+
+// A sentence for each number of claim.delivered that is another one, to the last bit; none where
+// the claim has no such report.
+std::vector<std::string> contradictions_in_delivered(const mesh& subject, const certificate& claim,
+                                                     const metric_field& wanted);
+
+}  // namespace asterism::internal

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/outcome_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
+
+namespace asterism {
+namespace {
+using internal::format_number;
+using internal::squared_distance;
+
+std::string place_text(const point& at) {
+  return fmt::format("({}, {})", format_number(at.x), format_number(at.y));
+}
+
+// Returns what is known of the places where bad triangles are; nothing where nothing is.
+std::string places_text(const refinement_ending& e) {
+  std::string text;
+  if (e.steep)
+    text += fmt::format(
+        "; at {} of them, one at {}, the metric varies faster than sites {} apart can resolve (a "
+        "gradation of it might do)",
+        e.steep->triangles, place_text(e.steep->at), format_number(e.steep->spacing));
+  if (e.sharpest)
+    text += fmt::format("; the sharpest corner beside them is vertex {} at {}, {} degrees",
+                        e.sharpest->vertex + 1, place_text(e.sharpest->at),
+                        format_number(e.sharpest->angle));
+  return text;
+}
+
+std::string stuck_text(const refinement_ending& e) {
+  const char* tried =
+      e.strategy == refinement_strategy::poisson_darts ? "darts" : "candidates on Voronoi arcs";
+  return fmt::format(
+      "stuck: {} bad triangles are left, and no {} farther than the tolerance {} from every site "
+      "can be inserted{}",
+      e.bad_triangles, tried, format_number(e.tolerance), places_text(e));
+}
+
+std::string crowded_text(const crowded_site& crowded) {
+  return fmt::format(
+      "the metric varies too fast for sites to be spread: of {} proposed, the one at {} has {} "
+      "neighbours (a gradation of it might do); only the given vertices are meshed",
+      crowded.sites, place_text(crowded.where), crowded.neighbours);
+}
+
+// Returns the ending alone, whatever size was delivered.
+std::string plain_text(const refinement_ending& e) {
+  switch (e.how) {
+    case ending::site_limit:
+      return fmt::format("the limit of {} sites was reached", e.max_sites);
+    case ending::stuck:
+      return stuck_text(e);
+    case ending::too_steep:
+      return fmt::format(
+          "given up: {} bad triangles are left after {} sites more than there were when the first "
+          "could not be mended{}",
+          e.bad_triangles, e.sites_since, places_text(e));
+    case ending::overworked:
+      return fmt::format(
+          "given up: {} bad triangles are left after the most work that is done for so many "
+          "sites{}",
+          e.bad_triangles, places_text(e));
+    case ending::stopped:
+      return "stopped: " + e.stopped_because;
+    default:
+      return "all stars agree and every triangle meets the bound";
+  }
+}
+
+// Returns that the limit on sites made edges longer than wanted; nothing where it did not.
+std::string size_text(const refinement_ending& e) {
+  if (!(e.length_factor > 1)) return "";
+  const std::string wanted =
+      e.sites_wanted > 0 ? fmt::format(": the size wanted takes about {:.3g}", e.sites_wanted) : "";
+  return fmt::format("the limit of {} sites was reached{}; with edges {:.3g} times as long, ",
+                     e.max_sites, wanted, e.length_factor);
+}
+
+std::string metric_text(const relaxation_report& report) {
+  switch (report.kind) {
+    case relaxation_kind::softened:
+      return fmt::format("the metric with aspects to the power of {}", report.power);
+    case relaxation_kind::graded:
+      return fmt::format("the metric graded with {} over the length {:.4g}", report.beta,
+                         report.reach);
+    case relaxation_kind::constant:
+      return "one metric for all";
+    case relaxation_kind::without_demands:
+      break;
+  }
+  return "one metric for all, with no demands on angles and sizes";
+}
+
+// Returns the count of low triangles and the worst angle; without that where no triangle is away
+// from the exempt corners.
+std::string low_text(const relaxation_report& report, double angle_bound) {
+  const std::string worst =
+      report.worst_angle < 180 ? fmt::format(", the worst {:.2f}", report.worst_angle) : "";
+  return fmt::format("{} triangles are below {} degrees{}", report.low_triangles.size(),
+                     angle_bound, worst);
+}
+
+// Returns the length of the shortest edge, as its first end measures it, and the place of that end.
+std::pair<double, point> shortest_edge(const mesh& m) {
+  std::pair<double, point> least{std::numeric_limits<double>::infinity(), {}};
+  for (const triangle& t : m.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const site &p = m.sites[t[i]], &q = m.sites[t[(i + 1) % 3]];
+      const double length = std::sqrt(squared_distance(p, q.position));
+      if (length < least.first) least = {length, p.position};
+    }
+  return least;
+}
+
+// Explains an outcome without demands in a constant metric. Relaxing it cannot help; the obstacle
+// is a limit, which `report.why` names, or details of the domain far smaller than the rest, near
+// which the shortest edge is.
+std::string text_without_relaxation(const mesh_outcome& outcome) {
+  const relaxation_report& report = *outcome.relaxed;
+  const auto [length, at] = shortest_edge(outcome.result);
+  return fmt::format(
+      "no mesh was found that meets the demands ({}), though the metric is the same everywhere; "
+      "the one delivered is made with no demands on angles and sizes, and its shortest edge, "
+      "{:.4g} long, is at {}: {}; {}",
+      report.why, length, place_text(at), ending_text(outcome.ended),
+      low_text(report, outcome.relaxed_details->angle_bound));
+}
+
+std::string relaxed_text(const mesh_outcome& outcome) {
+  const relaxation_report& report = *outcome.relaxed;
+  const relaxation_details& details = *outcome.relaxed_details;
+  if (details.metric_is_constant) return text_without_relaxation(outcome);
+  const std::string stopped = details.fitting_stopped
+                                  ? "; fitting it to that was stopped: " + *details.fitting_stopped
+                                  : "";
+  return fmt::format(
+      "stars cannot agree in the metric given ({}); they agree in {}, which differs from it at {} "
+      "of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as the "
+      "metric given measures them {}{}",
+      report.why, metric_text(report), report.changed, report.given.size(), report.most_longer,
+      report.most_shorter, ending_text(outcome.ended), low_text(report, details.angle_bound),
+      stopped);
+}
+
+std::string fitted_text(const mesh_outcome& outcome) {
+  return fmt::format(
+      "all stars agree and every triangle meets the bound, since the mesh of the metric with "
+      "aspects to the power of {} was fitted to the one given; {} triangles are larger than the "
+      "size asks for (before: {})",
+      outcome.fitted->power, outcome.too_large, outcome.fitted->why);
+}
+
+}  // namespace
+
+std::string ending_text(const refinement_ending& e) {
+  if (e.how == ending::crowded && e.crowded) return crowded_text(*e.crowded);
+  const std::string missing =
+      e.stars_missing > 0
+          ? fmt::format("; the stars of {} of {} sites were never made", e.stars_missing, e.sites)
+          : "";
+  return size_text(e) + (e.nothing_added ? "nothing to add: " : "") + plain_text(e) + missing;
+}
+
+std::string ending_text(const mesh_outcome& outcome) {
+  if (outcome.fitted) return fitted_text(outcome);
+  if (outcome.relaxed && outcome.relaxed_details) return relaxed_text(outcome);
+  const std::string ended = ending_text(outcome.ended);
+  if (outcome.complete && outcome.delivered && outcome.delivered->changed > 0)
+    return ended + ", in the metric delivered";
+  if (!outcome.stopped_relaxing) return ended;
+  return ending_text(*outcome.stopped_relaxing) +
+         ", in the metric relaxed; before that, in the metric given, " + ended;
+}
+
+}  // namespace asterism

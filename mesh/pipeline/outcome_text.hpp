@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// Sentences about how a run ended: outcomes are data, and this is the one place that words them.
+#pragma once
+
+#include <string>
+
+#include "asterism/core/export.h"
+#include "asterism/mesh/data/outcome.hpp"
+
+namespace asterism {
+
+// Returns half a sentence, without a full stop, on how one refinement ended and why:
+// "stuck: 3 bad triangles are left, and no candidates on Voronoi arcs farther than ...".
+ASTERISM_EXPORT std::string ending_text(const refinement_ending& ended);
+
+// Returns the same for a whole run: for a mesh of a relaxed metric also why the metric was relaxed,
+// how it differs from the one given, and what that one measures. Certificates hold this text as
+// their reason. For programs there is mesh_outcome::how().
+ASTERISM_EXPORT std::string ending_text(const mesh_outcome& outcome);
+
+}  // namespace asterism

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// The door between the caller's units and the unit frame: domain and field go in once, the outcome
+// comes out once.
+#pragma once
+
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/metric/unit_frame.hpp"
+
+namespace asterism::internal {
+
+// Domain and field as they are meshed. `field` must outlive it.
+class unit_image {
+ public:
+  unit_image(const domain& d, const metric_field& field, const mesh_options& options);
+  unit_image(const unit_image&) = delete;
+  unit_image& operator=(const unit_image&) = delete;
+
+  const unit_frame& frame() const { return frame_; }
+  const domain& shape() const { return shape_; }
+  const metric_field& field() const {
+    return frame_.is_identity() ? field_ : static_cast<const metric_field&>(framed_);
+  }
+  // Brings an outcome made of the image back into the caller's units.
+  void outward(mesh_outcome& outcome) const;
+
+ private:
+  const metric_field& field_;
+  unit_frame frame_;
+  domain shape_;
+  framed_field framed_;
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine/arc_insertion.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/refine/site_insertion.hpp"
+#include "asterism/mesh/refine/voronoi_arc_candidates.hpp"
+
+namespace asterism::internal {
+
+bool arc_insertion::insert() {
+  while (true) {
+    const pass_result result = insert_at_worst();
+    if (result != pass_result::exhausted) return result == pass_result::progressed;
+    // Those that failed may succeed where something has changed since.
+    failed_at_tolerance_.clear();
+    if (std::exchange(retry_, false)) continue;
+    if (tolerance_ <= range_.floor) return false;
+    if (cancelled_.is_requested()) return true;
+    tolerance_ = std::max(range_.floor, range_.shrink * tolerance_);
+  }
+}
+
+arc_insertion::pass_result arc_insertion::insert_at_worst() {
+  for (const bad_triangle& b : queue_.bad()) {
+    if (state_.is_overworked()) return pass_result::progressed;
+    if (is_set_aside(b) || steep_.gives_up(b)) continue;
+    const bool inserted = insert_at(b.where, tolerance_);
+    if (state_.field_failure()) return pass_result::field_failed;
+    if (!inserted) {
+      failed_at_tolerance_.insert(b);
+      continue;
+    }
+    retry_ = true;
+    if (b.why == badness::too_large) insert_for_large();
+    return pass_result::progressed;
+  }
+  return pass_result::exhausted;
+}
+
+bool arc_insertion::insert_at(const triangle& t, double tolerance) {
+  return shorten_tight_corner(state_, t, angle_, tolerance) ||
+         refine_by_arcs(state_, t, tolerance, rejected_);
+}
+
+// Where nothing but size is left to mend, the order matters little: one look at the mesh serves
+// many insertions. Triangles that have gone meanwhile are passed over.
+void arc_insertion::insert_for_large() {
+  for (const bad_triangle& b : queue_.bad()) {
+    if (state_.is_full() || state_.is_overworked() || state_.field_failure()) return;
+    const auto [v, y, x] = b.where;
+    if (!is_set_aside(b) && has_triangle(state_.oracle(), v, state_.stars()[v], y, x))
+      refine_by_arcs(state_, b.where, tolerance_, rejected_);
+  }
+}
+
+bool arc_insertion::insert_in_bulk() {
+  constexpr std::size_t fewest = 32;
+  if (queue_.bad().size() < fewest) return false;
+  std::vector<char> busy(state_.sites().size(), 0);
+  bool any = false;
+  for (const bad_triangle& b : queue_.bad()) {
+    if (state_.is_full() || state_.is_overworked()) break;
+    if (is_set_aside(b)) continue;
+    if (std::any_of(b.where.begin(), b.where.end(), [&](vertex_index v) { return busy[v] != 0; }))
+      continue;
+    if (steep_.gives_up(b)) continue;
+    const auto s = find_place(state_, b.where, tolerance_, rejected_);
+    if (state_.field_failure()) break;
+    if (!s) continue;
+    state_.add_interior_later(*s);
+    any = true;
+    for (const vertex_index v : b.where) {
+      busy[v] = 1;
+      for (const sector& part : state_.stars()[v].sectors)
+        for (const vertex_index u : part.neighbours) busy[u] = 1;
+    }
+  }
+  if (any) state_.add_stars();
+  retry_ = retry_ || any;
+  return any && !state_.field_failure();
+}
+
+bool arc_insertion::insert_at_exempt_corners() {
+  if (state_.is_full()) return false;
+  constexpr double modest = 0x1p-4;
+  const double tolerance = std::max(range_.floor, modest * range_.start);
+  const std::set<bad_triangle>& improvable = queue_.improvable();
+  return std::any_of(improvable.begin(), improvable.end(),
+                     [&](const bad_triangle& b) { return insert_at(b.where, tolerance); });
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// Sites inserted at candidates on Voronoi arcs, for one bad triangle after the other or for many at
+// once, with a tolerance that shrinks when nothing else can be inserted.
+#pragma once
+
+#include <cstddef>
+#include <set>
+
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/refine/bad_triangle_queue.hpp"
+#include "asterism/mesh/refine/insertion_tolerance.hpp"
+#include "asterism/mesh/refine/refine_state.hpp"
+#include "asterism/mesh/refine/steepness.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
+
+namespace asterism::internal {
+
+class arc_insertion {
+ public:
+  // All references must outlive it.
+  arc_insertion(refine_state& state, const bad_triangle_queue& queue, steepness& steep,
+                const angle_requirement& angle, const tolerance_range& range,
+                const cancellation& cancelled)
+      : state_(state),
+        queue_(queue),
+        steep_(steep),
+        angle_(angle),
+        range_(range),
+        cancelled_(cancelled),
+        tolerance_(range.start) {}
+
+  // Mends the worst triangle that can be mended, shrinking the tolerance where none can. False when
+  // it is at its floor and nothing can be inserted, or the field failed. True without any insertion
+  // where the run is cancelled or overworked, for the loop to see.
+  bool insert();
+  // Gives many bad triangles a site each, except those one of whose sites, or a neighbour of one,
+  // already was in a triangle that got one; what comes of it is then looked at anew. Subsegments
+  // are split one by one, by insert(). False when nothing was inserted.
+  bool insert_in_bulk();
+  // Mends the angles of triangles at sharp corners, other than the corner's own, which it excuses,
+  // where the arcs offer something not far below the first tolerance, so that this cannot run away.
+  bool insert_at_exempt_corners();
+
+  double tolerance() const { return tolerance_; }  // in force
+  // Returns how many candidates were tried in vain.
+  std::size_t rejected() const { return rejected_; }
+
+ private:
+  enum class pass_result { progressed, field_failed, exhausted };
+
+  pass_result insert_at_worst();
+  void insert_for_large();
+  bool insert_at(const triangle& t, double tolerance);
+  bool is_set_aside(const bad_triangle& b) const {
+    return failed_at_tolerance_.count(b) != 0 || steep_.is_given_up(b.where);
+  }
+
+  refine_state& state_;
+  const bad_triangle_queue& queue_;
+  steepness& steep_;
+  angle_requirement angle_;
+  tolerance_range range_;
+  const cancellation& cancelled_;
+  double tolerance_;
+  std::set<bad_triangle> failed_at_tolerance_;  // tried in vain with the tolerance in force
+  bool retry_ = false;                          // something was inserted since one of them failed
+  std::size_t rejected_ = 0;
+};
+
+}  // namespace asterism::internal

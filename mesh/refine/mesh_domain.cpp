@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine/mesh_domain.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/refine/coarsening_pass.hpp"
+#include "asterism/mesh/refine/coarser_mesh.hpp"
+#include "asterism/mesh/refine/refinement_loop.hpp"
+
+namespace asterism::internal {
+namespace {
+
+std::optional<error> check_options(const domain& d, const mesh_options& o) {
+  const auto refuse = [](const std::string& what, const std::string& got) {
+    return error{what + ", not " + got, error_code::bad_option};
+  };
+  if (!(o.angle_bound >= 0 && o.angle_bound < 60))
+    return refuse("the angle bound must be at least 0 and less than 60 degrees",
+                  format_number(o.angle_bound));
+  if (o.tolerance && !(*o.tolerance > 0 && std::isfinite(*o.tolerance)))
+    return refuse("the tolerance must be positive and finite", format_number(*o.tolerance));
+  if (o.max_rejected < 1)
+    return refuse("the number of rejected darts must be at least 1",
+                  std::to_string(o.max_rejected));
+  if (o.max_sites < d.vertices.size())
+    return refuse("the limit on sites must be at least " + std::to_string(d.vertices.size()) +
+                      ", the number of the domain's vertices",
+                  std::to_string(o.max_sites));
+  return std::nullopt;
+}
+
+// Improves the mesh too, if that is asked for.
+result<mesh_outcome> refine_and_improve(const meshing_context& job, const filled_domain& proposed) {
+  auto made = refine(job, proposed);
+  if (!made) return made;
+  improve(
+      job,
+      [&job](const filled_domain& other, std::size_t most_sites) {
+        const auto own_kernel = job.kernel.fork();  // work for one mesh is counted from zero
+        mesh_options limited = job.options;
+        limited.max_sites = most_sites;
+        auto tried = refine(job.on(*own_kernel).with(limited), other);
+        job.kernel.count(own_kernel->counters());
+        return tried;
+      },
+      made.value());
+  return made;
+}
+
+// One that was made coarser than asked for is not complete, whatever it says of itself, and is not
+// improved.
+result<mesh_outcome> refine_coarser(const meshing_context& job, const filled_domain& proposed,
+                                    int halvings) {
+  if (halvings == 0) return refine_and_improve(job, proposed);
+  const coarser_field coarser(job.field, halvings);
+  auto made = refine(job.in(coarser), proposed);
+  if (made) restore_lengths(halvings, made.value());
+  return made;
+}
+
+// Returns the mesh of the given vertices alone, without room for another site: complete if there is
+// nothing to mend.
+result<mesh_outcome> mesh_as_given(const meshing_context& job, int halvings) {
+  mesh_options options = job.options;
+  options.max_sites = job.shape.vertices.size();
+  options.improve_passes = 0;  // what is given stays
+  filled_domain nothing;
+  nothing.divisions.resize(job.shape.segments.size());
+  auto made = refine_coarser(job.with(options), nothing, halvings);
+  if (!made || !made.value().complete) return made;
+  made.value().ended.nothing_added = true;
+  report_coarser(halvings, false, job.options, made.value());
+  return made;
+}
+
+bool is_final(const result<mesh_outcome>& kept) {
+  return !kept || kept.value().ended.sites_wanted > 0 || kept.value().complete ||
+         kept.value().stopped;
+}
+
+// Its sites are each in reach of most others: exact stars of them would take hours.
+result<mesh_outcome> mesh_without(const crowded_site& crowded, const meshing_context& job) {
+  auto kept = mesh_as_given(job, 0);
+  if (!kept || kept.value().complete) return kept;
+  kept.value().ended.how = ending::crowded;
+  kept.value().ended.crowded = crowded;
+  return kept;
+}
+
+}  // namespace
+
+result<mesh_outcome> mesh_domain(const meshing_context& job) {
+  if (const auto refused = check_options(job.shape, job.options)) return *refused;
+  const bool keep = job.options.keep_if_complete;
+  if (keep)
+    if (auto kept = mesh_as_given(job, 0); is_final(kept)) return kept;
+  const auto filled = fill_within_budget(job);
+  if (!filled) return filled.failure();
+  if (const auto& crowded = filled.value().proposed.crowded) return mesh_without(*crowded, job);
+  // What the limit allows may be there already. A mesh made under the same limit is filled anew
+  // with all its vertices given, which may come out finer: by less than edges half as long.
+  const int halvings = filled.value().halvings;
+  const int coarsest = halvings > 0 && keep ? halvings + 2 : 0;
+  for (int fewer = 1; fewer <= coarsest; ++fewer)
+    if (auto kept = mesh_as_given(job, fewer); is_final(kept)) return kept;
+  return mesh_from_sites(job, filled.value());
+}
+
+result<mesh_outcome> mesh_from_sites(const meshing_context& job, const budgeted_filling& filled) {
+  auto made = refine_coarser(job, filled.proposed, filled.halvings);
+  if (made) report_coarser(filled.halvings, filled.proposed.stopped, job.options, made.value());
+  return made;
+}
+
+}  // namespace asterism::internal

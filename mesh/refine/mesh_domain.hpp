@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// A mesh within the limit on sites: what is given, what the fill proposes, refined, and improved.
+#pragma once
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/refine/meshing_context.hpp"
+#include "asterism/mesh/refine/site_budget.hpp"
+
+namespace asterism::internal {
+
+// Makes the mesh that make_mesh promises, on any kernel and without relaxing the metric, in the
+// unit frame; fills in everything of the outcome but the counters. Fails for options out of range,
+// and where the field does. With a kernel that is not exact the outcome claims what that kernel
+// believes.
+result<mesh_outcome> mesh_domain(const meshing_context& job);
+
+// Does the same from sites proposed already, which must not be crowded.
+result<mesh_outcome> mesh_from_sites(const meshing_context& job, const budgeted_filling& filled);
+
+}  // namespace asterism::internal

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// All that one refinement is given, in one value.
+#pragma once
+
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/stars/star_predicates.hpp"
+
+namespace asterism::internal {
+
+// The domain and the field are in the unit frame (metric/unit_frame.hpp), and so is whatever comes
+// of them: the pipeline scales in, and out again. What is referred to must outlive the context.
+struct meshing_context {
+  const star_predicates& kernel;
+  const domain& shape;  // accepted by check_domain
+  const metric_field& field;
+  const mesh_options& options;  // with the cancellation, options.stop
+  progress_listener progress = {};
+
+  // Returns the same job with one thing changed.
+  meshing_context on(const star_predicates& other) const {
+    return {other, shape, field, options, progress};
+  }
+  meshing_context in(const metric_field& other) const {
+    return {kernel, shape, other, options, progress};
+  }
+  meshing_context with(const mesh_options& other) const {
+    return {kernel, shape, field, other, progress};
+  }
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// When stars are made anew during refinement: the stale ones, and those that a search of what is
+// near may have got wrong.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asterism/mesh/refine/bad_triangle_queue.hpp"
+#include "asterism/mesh/refine/refine_state.hpp"
+#include "asterism/mesh/refine/steepness.hpp"
+
+namespace asterism::internal {
+
+// Each function returns whether anything new came of it.
+class stale_stars {
+ public:
+  // Both must outlive it.
+  stale_stars(refine_state& state, steepness& steep) : state_(state), steep_(steep) {}
+
+  // Makes the stars in disagreeing triangles anew, and holds them against all sites, before a site
+  // is inserted there: coarse stars keep neighbours they should not, and near searches miss some.
+  bool rebuild_disagreeing(const bad_triangle_queue& queue);
+  bool rebuild_all();
+  // Holds every star against all sites that are not certainly out of its reach, since a local
+  // search can have missed some. Sites that were there the last time need not be looked at again
+  // only because others came, so this is done once for each number of sites.
+  bool repair();
+  // Lets rebuild_disagreeing() hold stars against all sites once more before refinement gives up.
+  bool confirm_again();
+
+  // Returns how many stars repair() changed.
+  std::size_t repairs() const { return repairs_; }
+
+ private:
+  bool rebuild(std::vector<vertex_index> stale, star_search search);
+
+  refine_state& state_;
+  steepness& steep_;
+  std::size_t repairs_ = 0;
+  std::size_t repaired_at_ = 0, confirmed_at_ = 0;  // numbers of sites
+};
+
+}  // namespace asterism::internal

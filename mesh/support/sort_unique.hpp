@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// Sorted lists without repetitions.
+#pragma once
+
+#include <algorithm>
+
+namespace asterism::internal {
+
+// Sorts the items and removes all but one of those that are equal.
+template <class Container>
+void sort_unique(Container& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// The parts of the module asterism._asterism, a source file each.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace asterism::python {
+
+void define_predicates(pybind11::module_& m);
+void define_domain(pybind11::module_& m);
+void define_mesh(pybind11::module_& m);
+void define_meshing(pybind11::module_& m);
+
+}  // namespace asterism::python

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+//
+// Meshes as numpy sees them: views of the library's own arrays, which live as long as a view does.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <filesystem>
+
+#include "arguments.hpp"
+#include "asterism/mesh/draw/picture.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "bindings.hpp"
+#include "py_mesh.hpp"
+
+namespace asterism::python {
+namespace {
+
+template <class Number, class Row>
+py::array_t<Number> view(const py::object& self, const std::vector<Row>& rows, py::ssize_t offset,
+                         py::ssize_t width) {
+  const auto* const first =
+      rows.empty() ? nullptr : reinterpret_cast<const Number*>(rows.data()) + offset;
+  py::array_t<Number> seen(
+      {static_cast<py::ssize_t>(rows.size()), width},
+      {static_cast<py::ssize_t>(sizeof(Row)), static_cast<py::ssize_t>(sizeof(Number))}, first,
+      self);
+  seen.attr("setflags")(py::arg("write") = false);
+  return seen;
+}
+
+const mesh& content_of(const py::object& self) { return self.cast<const py_mesh&>().content; }
+
+py::array_t<std::int32_t> edges_of(const mesh& m) {
+  py::array_t<std::int32_t> edges({static_cast<py::ssize_t>(m.boundary.size()), py::ssize_t{2}});
+  auto to = edges.mutable_unchecked<2>();
+  for (std::size_t k = 0; k < m.boundary.size(); ++k) {
+    to(static_cast<py::ssize_t>(k), 0) = static_cast<std::int32_t>(m.boundary[k].a);
+    to(static_cast<py::ssize_t>(k), 1) = static_cast<std::int32_t>(m.boundary[k].b);
+  }
+  return edges;
+}
+
+template <class Value>
+py::array_t<int> one_each(std::size_t count, const Value& value) {
+  py::array_t<int> column(static_cast<py::ssize_t>(count));
+  for (std::size_t k = 0; k < count; ++k) column.mutable_data()[k] = value(k);
+  return column;
+}
+
+std::string svg_of(const py_mesh& m, int width, bool ellipses) {
+  picture_options options;
+  options.width = width;
+  options.ellipses = ellipses;
+  options.sites = m.content.sites.size() <= 5000;
+  options.angle_bound = m.angle_bound;
+  const py::gil_scoped_release unlocked;
+  return value_or_raise(draw_picture(m.content, picture_format::svg, options));
+}
+
+std::vector<std::string> save(const py_mesh& m, const std::string& name) {
+  const std::filesystem::path path = name;
+  const py::gil_scoped_release unlocked;
+  write_options options;
+  options.picture.angle_bound = m.angle_bound;
+  if (m.claim && !m.certified) options.note = "Incomplete, not certified: " + m.reason;
+  std::vector<std::string> names;
+  for (const auto& file : value_or_raise(write_mesh(path, m.content, options)))
+    names.push_back(file.string());
+  if (m.claim) {
+    auto beside = path;
+    beside.replace_extension(".certificate.json");
+    names.push_back(value_or_raise(write_certificate(beside, *m.claim)).string());
+  }
+  return names;
+}
+
+// From elsewhere: nothing is known of how it was made.
+py_mesh from_arrays(const py::object& points, const py::object& triangles,
+                    const py::object& metric) {
+  using index_array = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+  const number_table at(points, 2, "points"), tensors(metric, 3, "metric");
+  const auto corners = triangles.cast<index_array>();
+  if (corners.ndim() != 2 || corners.shape(1) != 3)
+    throw input_error("triangles: the shape (n, 3) is wanted");
+  if (!tensors.is_single() && tensors.rows() != at.rows())
+    throw input_error("metric: one tensor for each point, or one for all, is wanted");
+  mesh m;
+  for (std::size_t k = 0; k < at.rows(); ++k) {
+    const double* const t = tensors.row(tensors.is_single() ? 0 : k);
+    m.sites.push_back({{at.row(k)[0], at.row(k)[1]}, {t[0], t[1], t[2]}});
+  }
+  m.given = static_cast<vertex_index>(m.sites.size());
+  for (py::ssize_t k = 0; k < corners.shape(0); ++k) {
+    triangle t;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::int64_t v = corners.data()[3 * k + static_cast<py::ssize_t>(c)];
+      if (v < 0 || v >= static_cast<std::int64_t>(m.sites.size()))
+        throw input_error("triangles: row " + std::to_string(k) + " names point " +
+                          std::to_string(v) + " of " + std::to_string(m.sites.size()));
+      t[c] = static_cast<vertex_index>(v);
+    }
+    m.triangles.push_back(t);
+  }
+  py_mesh made;
+  made.content = value_or_raise(adopt_mesh(std::move(m))).subject;
+  made.reason = "it came from elsewhere";
+  return made;
+}
+
+py_mesh read(const std::string& name) {
+  const std::filesystem::path path = name;
+  const py::gil_scoped_release unlocked;
+  medit_read_options options;
+  options.identity_without_solution = !std::filesystem::exists(solution_path(path));
+  py_mesh made;
+  made.content = value_or_raise(read_medit(path, options));
+  made.reason = "it was read from " + path.string();
+  auto beside = path;
+  beside.replace_extension(".certificate.json");
+  if (!std::filesystem::exists(beside)) return made;
+  made.claim = value_or_raise(read_certificate(beside));
+  made.angle_bound = made.claim->angle_bound.value_or(0);
+  made.complete = made.claim->complete;
+  made.reason = made.claim->reason;
+  return made;
+}
+
+py::dict statistics(const py_mesh& m) {
+  py::dict named;
+  std::map<std::string, double> values;
+  {
+    const py::gil_scoped_release unlocked;
+    values = by_name(measure(m.content));
+  }
+  for (const auto& [name, value] : values) named[py::str(name)] = value;
+  return named;
+}
+
+}  // namespace
+
+void define_mesh(py::module_& m) {
+  py::class_<py_mesh>(m, "_Mesh")
+      .def_static("from_arrays", &from_arrays)
+      .def_static("read", &read)
+      .def_property_readonly(
+          "points",
+          [](const py::object& self) { return view<double>(self, content_of(self).sites, 0, 2); })
+      .def_property_readonly(
+          "metric",
+          [](const py::object& self) { return view<double>(self, content_of(self).sites, 2, 3); })
+      .def_property_readonly(
+          "sites",
+          [](const py::object& self) { return view<double>(self, content_of(self).sites, 0, 5); })
+      .def_property_readonly("triangles",
+                             [](const py::object& self) {
+                               return view<std::int32_t>(self, content_of(self).triangles, 0, 3);
+                             })
+      .def_property_readonly("disagreeing",
+                             [](const py::object& self) {
+                               return view<std::int32_t>(self, content_of(self).disagreeing, 0, 3);
+                             })
+      .def_property_readonly("regions",
+                             [](const py_mesh& self) {
+                               const auto& r = self.content.regions;
+                               return one_each(self.content.triangles.size(),
+                                               [&](std::size_t k) { return r.empty() ? 1 : r[k]; });
+                             })
+      .def_property_readonly("edges", [](const py_mesh& self) { return edges_of(self.content); })
+      .def_property_readonly("edge_markers",
+                             [](const py_mesh& self) {
+                               const auto& b = self.content.boundary;
+                               return one_each(b.size(),
+                                               [&](std::size_t k) { return b[k].marker; });
+                             })
+      .def_property_readonly("given", [](const py_mesh& self) { return self.content.given; })
+      .def_readonly("complete", &py_mesh::complete)
+      .def_readonly("certified", &py_mesh::certified)
+      .def_readonly("reason", &py_mesh::reason)
+      .def_property_readonly("certificate_text",
+                             [](const py_mesh& self) -> std::optional<std::string> {
+                               if (!self.claim) return std::nullopt;
+                               return certificate_text(*self.claim);
+                             })
+      .def("statistics", &statistics)
+      .def("svg", &svg_of, py::arg("width") = 600, py::arg("ellipses") = false)
+      .def("save", &save, py::arg("path"));
+}
+
+}  // namespace asterism::python

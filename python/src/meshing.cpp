@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+//
+// Runs of the mesher and of the auditor. The interpreter's lock is free meanwhile, and taken for
+// the metric, progress and interrupts.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <mutex>
+
+#include "arguments.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/c_interface/arrays.hpp"
+#include "asterism/mesh/metric/graded_field.hpp"
+#include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "bindings.hpp"
+#include "py_mesh.hpp"
+
+namespace asterism::python {
+namespace {
+
+// What Python raised in a callback, kept until the run has ended.
+class raised_error {
+ public:
+  void keep() {
+    const std::lock_guard<std::mutex> alone(lock_);
+    if (!error_) error_ = std::current_exception();
+  }
+  bool any() const {
+    const std::lock_guard<std::mutex> alone(lock_);
+    return error_ != nullptr;
+  }
+  // With the interpreter's lock.
+  void raise() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  mutable std::mutex lock_;
+  std::exception_ptr error_;
+};
+
+// A callable (n, 2) -> (n, 3), asked for one point at a time.
+class called_field {
+ public:
+  called_field(py::function function, raised_error& errors)
+      : function_(std::move(function)), errors_(&errors) {}
+
+  static int ask(void* context, double x, double y, double metric[3]) {
+    return static_cast<called_field*>(context)->at(x, y, metric);
+  }
+
+ private:
+  int at(double x, double y, double metric[3]) {
+    const py::gil_scoped_acquire locked;
+    try {
+      py::array_t<double> places({1, 2});
+      places.mutable_data()[0] = x;
+      places.mutable_data()[1] = y;
+      const number_table tensor(function_(places), 3, "the metric's answer");
+      if (tensor.rows() != 1) throw input_error("the metric's answer: one row is wanted");
+      std::copy_n(tensor.row(0), 3, metric);
+      return 0;
+    } catch (...) {
+      errors_->keep();
+      return 1;
+    }
+  }
+
+  py::function function_;
+  raised_error* errors_;
+};
+
+using field_pointer = std::unique_ptr<metric_field>;
+
+// A metric as Python gives it: text, callable, or a mesh with a tensor at each point.
+struct python_metric {
+  std::string name;
+  field_pointer field;
+  std::unique_ptr<called_field> callable;  // used by the field
+};
+
+field_pointer sampled(const py::object& background, const py::object& tensors, double size) {
+  mesh copy = background.cast<const py_mesh&>().content;
+  const number_table given(tensors, 3, "metric");
+  if (given.rows() != copy.sites.size() && !given.is_single())
+    throw input_error("metric: " + std::to_string(given.rows()) + " tensors for " +
+                      std::to_string(copy.sites.size()) + " points");
+  for (std::size_t k = 0; k < copy.sites.size(); ++k) {
+    const double* const t = given.row(given.is_single() ? 0 : k);
+    copy.sites[k].metric = {t[0], t[1], t[2]};
+  }
+  const py::gil_scoped_release unlocked;
+  const auto adopted = value_or_raise(adopt_mesh(std::move(copy)));
+  audit_options options;
+  options.check_stars = false;
+  options.angle_bound = 0;
+  const audit_report found = audit(adopted.subject, options);
+  if (!found.certified)
+    throw input_error("metric: its mesh is no triangulation: " + found.findings.at(0).witness);
+  return make_sampled_field(adopted.subject, size);
+}
+
+python_metric metric_of(const py::object& metric, const domain& d, double size,
+                        raised_error& errors) {
+  if (py::isinstance<py::str>(metric)) {
+    const auto text = metric.cast<std::string>();
+    return {text, value_or_raise(make_metric_field(text, d.box(), size)), nullptr};
+  }
+  if (py::isinstance<py::tuple>(metric) && py::len(metric) == 2) {
+    const auto pair = metric.cast<py::tuple>();
+    if (!py::isinstance<py_mesh>(pair[0]))
+      throw input_error("metric: a pair must be a mesh and its tensors");
+    return {"given at the vertices of a mesh", sampled(pair[0], pair[1], size), nullptr};
+  }
+  if (!PyCallable_Check(metric.ptr()))
+    throw input_error("metric: a text, a callable or a pair of a mesh and tensors is wanted");
+  python_metric made{"a callable", nullptr, nullptr};
+  made.callable = std::make_unique<called_field>(metric.cast<py::function>(), errors);
+  asterism_metric asked{};
+  asked.function = &called_field::ask;
+  asked.context = made.callable.get();
+  asked.size = size;
+  made.field = value_or_raise(internal::field_of(asked, d.box()));
+  return made;
+}
+
+struct mesh_arguments {
+  std::optional<double> size, gradation;
+  mesh_options options;
+  py::object progress;
+};
+
+mesh_arguments arguments_of(const std::optional<double>& size, double angle_bound,
+                            std::size_t max_sites, const std::optional<double>& gradation,
+                            bool relax, bool prove_voronoi, std::size_t improve,
+                            const py::object& progress) {
+  mesh_arguments a{size, gradation, {}, progress};
+  if (size && !(*size > 0 && std::isfinite(*size)))
+    throw input_error("size: a positive finite number is wanted");
+  if (!(angle_bound >= 0 && angle_bound < 60))
+    throw input_error("angle_bound: at least 0 and below 60 degrees is wanted");
+  if (gradation && !(*gradation > 1 && std::isfinite(*gradation)))
+    throw input_error("gradation: a finite number above 1 is wanted");
+  a.options.angle_bound = angle_bound;
+  a.options.limit_size = size.has_value();
+  a.options.max_sites = max_sites;
+  a.options.relax = relax;
+  a.options.prove_voronoi = prove_voronoi;
+  a.options.improve_passes = improve;
+  return a;
+}
+
+// Ctrl-C, seen where the mesher asks whether to stop; an error in a callback ends the run, too.
+std::optional<std::string> reason_to_stop(raised_error& errors) {
+  if (errors.any()) return "a callback failed";
+  const py::gil_scoped_acquire locked;
+  try {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    return std::nullopt;
+  } catch (...) {
+    errors.keep();
+    return "interrupted";
+  }
+}
+
+void tell(const py::object& progress, const mesh_progress& now, raised_error& errors) {
+  const py::gil_scoped_acquire locked;
+  try {
+    constexpr const char* phases[] = {"filling", "refining", "auditing"};
+    py::dict state;
+    state["phase"] = phases[static_cast<std::size_t>(now.phase)];
+    state["sites"] = now.sites;
+    state["disagreeing"] = now.disagreeing;
+    state["low_angle"] = now.low_angle;
+    state["too_large"] = now.too_large;
+    progress(state);
+  } catch (...) {
+    errors.keep();
+  }
+}
+
+std::string text_of(double x) {
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr};
+}
+
+py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_arguments& a) {
+  made.claim.metric = metric;
+  made.claim.options = {{"angle-bound", text_of(a.options.angle_bound)},
+                        {"size", a.size ? text_of(*a.size) : "none"},
+                        {"gradation", a.gradation ? text_of(*a.gradation) : "none"},
+                        {"max-sites", std::to_string(a.options.max_sites)},
+                        {"improve", std::to_string(a.options.improve_passes)},
+                        {"relax", a.options.relax ? "where needed" : "no"}};
+  py_mesh m;
+  m.complete = made.outcome.complete;
+  m.certified = made.certified();
+  m.reason = made.outcome.reason;
+  m.angle_bound = a.options.angle_bound;
+  m.claim = std::move(made.claim);
+  m.content = std::move(made.outcome.result);
+  return m;
+}
+
+py_mesh run(const domain& d, const py::object& metric, mesh_arguments a) {
+  if (d.vertices.size() > a.options.max_sites)
+    throw input_error("max_sites: the domain has " + std::to_string(d.vertices.size()) +
+                      " vertices already");
+  raised_error errors;
+  python_metric wanted = metric_of(metric, d, a.size.value_or(1), errors);
+  a.options.stop = [&errors] { return reason_to_stop(errors); };
+  std::function<void(const mesh_progress&)> progress;
+  if (!a.progress.is_none())
+    progress = [&](const mesh_progress& now) { tell(a.progress, now, errors); };
+  std::optional<result<certified_mesh>> made;
+  std::optional<error> refused;
+  {
+    const py::gil_scoped_release unlocked;
+    if (a.gradation) {
+      gradation_options how;
+      how.beta = *a.gradation;
+      how.enough = [&errors] { return errors.any(); };
+      auto graded = grade_metric(std::move(wanted.field), d.box(), how);
+      if (graded)
+        wanted.field = std::move(graded.value().field);
+      else
+        refused = graded.failure();
+    }
+    if (!refused) made = make_certified_mesh(d, *wanted.field, a.options, progress);
+  }
+  errors.raise();
+  if (refused) throw input_error(refused->message);
+  return packaged(value_or_raise(std::move(*made)), wanted.name, a);
+}
+
+// What the auditor found, as Python reads it.
+py::dict findings_of(const audit_report& audit) {
+  py::list witnesses;
+  for (const audit_finding& f : audit.findings)
+    witnesses.append(py::make_tuple(
+        std::string(finding_kind_names[static_cast<std::size_t>(f.kind)]), f.witness));
+  py::dict d;
+  d["sites"] = audit.sites;
+  d["triangles"] = audit.triangles;
+  d["worst_angle"] = audit.worst.degrees;
+  d["low_triangles"] = audit.low_triangles;
+  d["exempt_corners"] = audit.exempt_corners;
+  d["findings"] = witnesses;
+  return d;
+}
+
+py::dict verify_mesh(const py_mesh& m, const std::optional<std::string>& text,
+                     const std::optional<double>& angle_bound) {
+  std::optional<certificate> claim = m.claim;
+  if (text) claim = value_or_raise(parse_certificate(*text, "certificate"));
+  verify_report report;
+  {
+    const py::gil_scoped_release unlocked;
+    audit_options options;
+    options.angle_bound = angle_bound;
+    report = verify(m.content, claim, options);
+  }
+  py::dict d = findings_of(report.audit);
+  d["verified"] = report.verified;
+  d["contradictions"] = report.contradictions;
+  return d;
+}
+
+py::dict certify_mesh(const py_mesh& m, double angle_bound, bool prove_voronoi) {
+  if (!(angle_bound >= 0 && angle_bound < 60))
+    throw input_error("angle_bound: at least 0 and below 60 degrees is wanted");
+  certify_report report;
+  {
+    const py::gil_scoped_release unlocked;
+    const auto adopted = value_or_raise(adopt_mesh(m.content));
+    report = certify(adopted, angle_bound, prove_voronoi);
+  }
+  py::dict d = findings_of(report.audit);
+  d["certified"] = report.certified();
+  d["inverted"] = report.inverted;
+  d["in_stars"] = report.in_stars;
+  d["not_in_all_stars"] = report.not_in_all;
+  d["below_bound"] = report.below_bound;
+  d["edges"] = report.edges;
+  d["unit_edges"] = report.unit_edges;
+  d["voronoi"] = std::string(voronoi_verdict_names[static_cast<std::size_t>(report.audit.voronoi)]);
+  return d;
+}
+
+}  // namespace
+
+void define_meshing(py::module_& m) {
+  m.def("_mesh",
+        [](const domain& d, const py::object& metric, const std::optional<double>& size,
+           double angle_bound, std::size_t max_sites, const std::optional<double>& gradation,
+           bool relax, bool prove_voronoi, std::size_t improve, const py::object& progress) {
+          return run(d, metric,
+                     arguments_of(size, angle_bound, max_sites, gradation, relax, prove_voronoi,
+                                  improve, progress));
+        });
+  m.def("_verify", &verify_mesh);
+  m.def("_certify", &certify_mesh);
+}
+
+}  // namespace asterism::python

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// What Python holds of a mesh.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::python {
+
+struct py_mesh {
+  mesh content;
+  bool complete = false, certified = false;
+  std::string reason;
+  double angle_bound = 0;            // degrees, for pictures
+  std::optional<certificate> claim;  // of a mesh that was made, or that came with one
+};
+
+}  // namespace asterism::python

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: MIT
+"""Domains, meshes, certificates: what comes back, what is refused, what interrupts."""
+import gc
+import os
+import signal
+import threading
+
+import numpy as np
+import pytest
+
+import asterism
+
+CORNERS = [(0, 0), (2, 0), (2, 1), (0, 1)]
+SIDES = [(0, 1), (1, 2), (2, 3), (3, 0)]
+
+
+@pytest.fixture(scope="module")
+def made():
+    return asterism.mesh(asterism.Domain.square(), metric="swirl:12", size=0.25)
+
+
+def areas(mesh):
+    a, b, c = (mesh.points[mesh.triangles[:, k]] for k in range(3))
+    return 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+
+
+def test_a_mesh_is_certified_and_covers_its_domain(made):
+    assert made.complete and made.certified and made.reason
+    assert made.certificate.worst_angle >= 20
+    assert (areas(made) > 0).all() and abs(areas(made).sum() - 4) < 1e-12
+    assert made.verify()["verified"] and not made.verify()["contradictions"]
+    assert asterism.certify(made)["certified"]
+    assert made.statistics()["mean_quality"] > 0.5
+    assert "certified" in repr(made)
+
+
+def test_arrays_are_views_that_live_as_long_as_needed():
+    mesh = asterism.mesh(asterism.Domain.square())
+    points, metric, triangles = mesh.points, mesh.metric, mesh.triangles
+    assert points.shape[1:] == (2,) and metric.shape[1:] == (3,) and triangles.dtype == np.int32
+    assert points.strides == (40, 8) and not points.flags.owndata
+    with pytest.raises(ValueError):
+        points[0, 0] = 9
+    copy = np.array(points)
+    del mesh
+    gc.collect()
+    assert (points == copy).all()
+
+
+def test_the_metric_in_every_form_gives_the_same_mesh(made):
+    def swirl(p):
+        x, y = p[:, 0], p[:, 1]
+        return np.column_stack([1 + 12 * y * y, -12 * x * y, 1 + 12 * x * x])
+
+    formula = asterism.mesh(asterism.Domain.square(), "expr:1+12*y*y;-12*x*y;1+12*x*x", 0.25)
+    called = asterism.mesh(asterism.Domain.square(), swirl, 0.25)
+    assert np.array_equal(formula.points, called.points)
+    assert np.array_equal(formula.triangles, called.triangles)
+    on = asterism.mesh(asterism.Domain.square(), (made, made.metric), 0.3)
+    same = asterism.mesh(asterism.Domain.square(), np.array(made.metric), 0.3, on=made)
+    assert on.certified and np.array_equal(on.points, same.points)
+
+
+def test_domains_from_arrays_and_shapes():
+    hole = [(0.5, 0.25), (1.5, 0.25), (1.0, 0.75)]
+    by_arrays = asterism.Domain(CORNERS + hole, SIDES + [(4, 5), (5, 6), (6, 4)],
+                                markers=[1, 1, 1, 1, 2, 2, 2], holes=[(1, 0.5)])
+    by_shape = asterism.Domain.from_geo({"type": "Polygon", "coordinates": [
+        CORNERS + [CORNERS[0]], hole + [hole[0]]]})
+    assert len(by_arrays.points) == 7 and by_arrays.box == (0, 0, 2, 1)
+    assert sorted(by_arrays.markers) == [1] * 4 + [2] * 3
+    for domain in (by_arrays, by_shape):
+        mesh = asterism.mesh(domain)
+        assert mesh.certified and abs(areas(mesh).sum() - 1.75) < 1e-12
+    assert set(asterism.mesh(by_arrays).edge_markers) == {1, 2}
+
+
+def test_polygons_that_touch_share_an_edge_inside():
+    pair = {"type": "MultiPolygon", "coordinates": [
+        [[(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)]], [[(1, 0), (2, 0), (2, 1), (1, 1), (1, 0)]]]}
+    mesh = asterism.mesh(asterism.Domain.from_geo(pair))
+    assert mesh.certified and abs(areas(mesh).sum() - 2) < 1e-12
+
+
+def test_shapely_polygons():
+    geometry = pytest.importorskip("shapely.geometry")
+    disc = geometry.Point(0, 0).buffer(1).difference(geometry.Point(0, 0).buffer(0.3))
+    mesh = asterism.mesh(asterism.Domain.from_shapely(disc))
+    assert mesh.certified and abs(areas(mesh).sum() - disc.area) < 1e-9
+
+
+@pytest.mark.parametrize("arguments, message", [
+    ((CORNERS, [(0, 1), (1, 2), (2, 3), (3, 4)]), "row 3 names vertex 4 of 4"),
+    ((CORNERS, [(0, 1), (1, 2), (2, 3)]), "."),
+    ((CORNERS, [(0, 2), (1, 3)]), "cross"),
+    (([(0, 0), (1, 0), (np.inf, 1)], [(0, 1), (1, 2), (2, 0)]), "finite"),
+    ((CORNERS, SIDES, [1, 2]), "markers"),
+])
+def test_domains_that_cannot_be_meant(arguments, message):
+    with pytest.raises(asterism.InputError, match=message):
+        asterism.Domain(*arguments)
+
+
+@pytest.mark.parametrize("options, message", [
+    ({"metric": "whirl"}, "whirl"), ({"size": -1}, "size"), ({"angle_bound": 60}, "angle_bound"),
+    ({"metric": 7}, "metric"), ({"metric": lambda p: [1, 5, 1]}, "not positive definite"),
+    ({"metric": lambda p: [1, 1]}, "the metric's answer"), ({"max_sites": 3}, "max_sites"),
+    ({"gradation": 0.5}, "gradation"),
+])
+def test_meshes_that_cannot_be_meant(options, message):
+    with pytest.raises(asterism.InputError, match=message):
+        asterism.mesh(asterism.Domain.square(), **options)
+    with pytest.raises(asterism.InputError, match="no-such-file"):
+        asterism.Domain.read("/no-such-file.poly")
+
+
+def test_what_a_callback_raises_comes_back():
+    def broken(points):
+        raise ZeroDivisionError("mine")
+
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        asterism.mesh(asterism.Domain.square(), broken)
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        asterism.mesh(asterism.Domain.square(), "swirl:40", 0.05, progress=broken)
+
+
+def test_not_reached_is_a_warning_and_a_reason():
+    with pytest.warns(asterism.NotReachedWarning, match="sites"):
+        mesh = asterism.mesh(asterism.Domain.square(), "swirl:40", 0.05, max_sites=50)
+    assert not mesh.complete and not mesh.certified and "sites" in mesh.reason
+
+
+def test_ctrl_c_ends_a_run():
+    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        while True:
+            asterism.mesh(asterism.Domain.square(), "swirl:400", 0.02)
+
+
+def test_other_threads_run_meanwhile():
+    ticks, done = [0], threading.Event()
+
+    def count():
+        while not done.is_set():
+            ticks[0] += 1
+            done.wait(0.001)
+
+    other = threading.Thread(target=count)
+    other.start()
+    states = []
+    asterism.mesh(asterism.Domain.square(), "swirl:40", 0.06, progress=states.append)
+    done.set()
+    other.join()
+    assert ticks[0] > 3
+    assert all(s["sites"] >= 0 and s["phase"] in ("filling", "refining", "auditing") for s in states)
+
+
+def test_files_come_back_and_verify(made, tmp_path):
+    files = made.save(tmp_path / "swirl.mesh")
+    assert [os.path.basename(f) for f in files] == ["swirl.mesh", "swirl.sol", "swirl.certificate.json"]
+    again = asterism.read(tmp_path / "swirl.mesh")
+    assert np.array_equal(again.sites, made.sites) and np.array_equal(again.triangles, made.triangles)
+    assert asterism.verify(tmp_path / "swirl.mesh")["verified"]
+    forged = made.certificate.text.replace(f'"triangles": {len(made.triangles)}', '"triangles": 3')
+    judged = made.verify(forged)
+    assert not judged["verified"] and judged["contradictions"]
+    with pytest.raises(asterism.InputError):
+        made.save(tmp_path / "swirl.unknown")
+
+
+def test_a_mesh_from_elsewhere():
+    crossed = asterism.certify([(0, 0), (4, 0), (2, 0.5), (2, -0.5)], [(0, 1, 2), (1, 0, 3)])
+    assert not crossed["certified"]  # the long diagonal
+    right = asterism.certify([(0, 0), (1, 0), (0, 1)], [(0, 1, 2)], angle_bound=40)
+    assert right["certified"] and abs(right["worst_angle"] - 45) < 1e-9
+    with pytest.raises(asterism.InputError, match="row 0 names point 7"):
+        asterism.Mesh([(0, 0), (1, 0), (0, 1)], [(0, 1, 7)])
+
+
+def test_pictures_and_other_packages(made):
+    assert made._repr_svg_().lstrip().startswith("<?xml") and "<svg" in made.svg(ellipses=True)
+    meshio = pytest.importorskip("meshio")
+    outside = made.to_meshio()
+    assert isinstance(outside, meshio.Mesh) and len(outside.cells[0].data) == len(made.triangles)
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    axes = made.plot(plt.figure().gca())
+    assert axes.lines

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""Installs the build tree, moves it, and compiles a C program with the flags of pkg-config, once
+against the shared and once against the static library.  pkg_config.py BUILD SOURCE WORK CC"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+
+def run(*command, **options):
+    return subprocess.run([str(c) for c in command], check=True, text=True,
+                          stdout=subprocess.PIPE, **options).stdout
+
+
+def install(build, work):
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    run("cmake", "--install", build, "--prefix", work / "first")
+    (work / "first").rename(work / "moved")
+    return work / "moved"
+
+
+def flags(prefix, package, *options):
+    folder = next(prefix.rglob("pkgconfig"))
+    environment = dict(os.environ, PKG_CONFIG_PATH=str(folder))
+    return run("pkg-config", *options, package, env=environment).split()
+
+
+def main():
+    build, source, work = (pathlib.Path(a) for a in sys.argv[1:4])
+    compiler = [sys.argv[4], "-std=c89", "-pedantic", "-Wall", "-Wextra", "-Werror"]
+    prefix = install(build, work)
+    package = "asterism-predicates"
+    cflags = flags(prefix, package, "--cflags")
+    program = source / "tests/abuse/c_api_test.c"
+
+    libraries = flags(prefix, package, "--libs")
+    folder = next(f[2:] for f in libraries if f.startswith("-L"))
+    run(*compiler, *cflags, program, "-o", work / "shared", *libraries, f"-Wl,-rpath,{folder}")
+    run(work / "shared")
+    needed = run("readelf", "-d", work / "shared")
+    assert "libasterism_predicates.so.0" in needed and "libstdc++" not in needed, needed
+
+    libraries = ["-l:libasterism_predicates.a" if f == "-lasterism_predicates" else f
+                 for f in flags(prefix, package, "--libs", "--static")]
+    run(*compiler, *cflags, program, "-o", work / "static", *libraries)
+    run(work / "static")
+    assert "libasterism" not in run("readelf", "-d", work / "static")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/outcome_text.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+using namespace asterism;
+
+namespace {
+
+refinement_ending ended(ending how) {
+  refinement_ending e;
+  e.how = how;
+  e.max_sites = 500;
+  e.sites = 40;
+  e.bad_triangles = 3;
+  e.tolerance = 0.25;
+  return e;
+}
+
+std::string text_of(ending how) { return ending_text(ended(how)); }
+
+const std::string agree = "all stars agree and every triangle meets the bound";
+
+}  // namespace
+
+TEST_CASE("outcome text: each way a refinement ends has its sentence") {
+  CHECK(text_of(ending::complete) == agree);
+  CHECK(text_of(ending::site_limit) == "the limit of 500 sites was reached");
+  CHECK(text_of(ending::stuck) ==
+        "stuck: 3 bad triangles are left, and no candidates on Voronoi arcs farther than the "
+        "tolerance 0.25 from every site can be inserted");
+  CHECK(text_of(ending::overworked) ==
+        "given up: 3 bad triangles are left after the most work that is done for so many sites");
+  refinement_ending e = ended(ending::too_steep);
+  e.sites_since = 17;
+  CHECK(ending_text(e) ==
+        "given up: 3 bad triangles are left after 17 sites more than there were when the first "
+        "could not be mended");
+  e = ended(ending::stopped);
+  e.stopped_because = "interrupted";
+  CHECK(ending_text(e) == "stopped: interrupted");
+  e = ended(ending::crowded);
+  e.crowded = crowded_site{{0.5, -2}, 30, 90};
+  CHECK(ending_text(e) ==
+        "the metric varies too fast for sites to be spread: of 90 proposed, the one at (0.5, -2) "
+        "has 30 neighbours (a gradation of it might do); only the given vertices are meshed");
+}
+
+TEST_CASE("outcome text: places are named where they are known") {
+  refinement_ending e = ended(ending::stuck);
+  e.strategy = refinement_strategy::poisson_darts;
+  e.steep = steep_place{2, {1, 1e-7}, 0.001};
+  e.sharpest = sharp_corner{4, {0, 0}, 14};
+  CHECK(ending_text(e) ==
+        "stuck: 3 bad triangles are left, and no darts farther than the tolerance 0.25 from every "
+        "site can be inserted; at 2 of them, one at (1, 1e-07), the metric varies faster than "
+        "sites 0.001 apart can resolve (a gradation of it might do); the sharpest corner beside "
+        "them is vertex 5 at (0, 0), 14 degrees");
+}
+
+TEST_CASE("outcome text: what came before and what is missing stand around the ending") {
+  refinement_ending e = ended(ending::complete);
+  e.nothing_added = true;
+  CHECK(ending_text(e) == "nothing to add: " + agree);
+  e.length_factor = 2;
+  CHECK(ending_text(e) ==
+        "the limit of 500 sites was reached; with edges 2 times as long, nothing to add: " + agree);
+  e.sites_wanted = 1234;
+  e.nothing_added = false;
+  e.stars_missing = 7;
+  CHECK(ending_text(e) ==
+        "the limit of 500 sites was reached: the size wanted takes about 1.23e+03; with edges 2 "
+        "times as long, " +
+            agree + "; the stars of 7 of 40 sites were never made");
+}
+
+TEST_CASE("outcome text: a run is told by what it delivers") {
+  mesh_outcome made;
+  made.ended = ended(ending::stuck);
+  CHECK(made.how() == ending::stuck);
+  CHECK(ending_text(made) == ending_text(made.ended));
+  SECTION("stopped while a relaxed metric was meshed") {
+    made.stopped = true;
+    made.stopped_relaxing = ended(ending::stopped);
+    made.stopped_relaxing->stopped_because = "enough";
+    CHECK(made.how() == ending::stopped);
+    CHECK(ending_text(made) ==
+          "stopped: enough, in the metric relaxed; before that, in the metric given, " +
+              text_of(ending::stuck));
+  }
+  SECTION("longer edges than wanted are the doing of the limit, whatever came of them") {
+    made.ended = ended(ending::complete);
+    made.ended.length_factor = 4;
+    CHECK(made.how() == ending::site_limit);
+  }
+  SECTION("relaxed") {
+    made.ended = ended(ending::complete);
+    made.relaxed.emplace();
+    made.relaxed->why = "stuck";
+    made.relaxed->power = 0.7;
+    made.relaxed->given.resize(9);
+    made.relaxed->changed = 4;
+    made.relaxed->most_longer = 1.5;
+    made.relaxed->low_triangles = {1, 2};
+    made.relaxed->worst_angle = 12.344;
+    made.relaxed_details = relaxation_details{20, false, "enough"};
+    CHECK(made.how() == ending::relaxed);
+    CHECK(ending_text(made) ==
+          "stars cannot agree in the metric given (stuck); they agree in the metric with aspects "
+          "to the power of 0.7, which differs from it at 4 of 9 sites, with lengths up to 1.5 "
+          "times as long and 1 times as short: " +
+              agree +
+              "; as the metric given measures them 2 triangles are below 20 degrees, the worst "
+              "12.34; fitting it to that was stopped: enough");
+  }
+  SECTION("without demands, the metric not being to blame, the shortest edge is named") {
+    made.ended = ended(ending::complete);
+    made.result.sites = {{{0, 0}, {4, 0, 4}}, {{1, 0}, {1, 0, 1}}, {{0, 3}, {1, 0, 1}}};
+    made.result.triangles = {{0, 1, 2}};
+    made.relaxed.emplace();
+    made.relaxed->why = "the limit of 500 sites was reached";
+    made.relaxed->kind = relaxation_kind::without_demands;
+    made.relaxed_details = relaxation_details{20, true, {}};
+    CHECK(ending_text(made) ==
+          "no mesh was found that meets the demands (the limit of 500 sites was reached), though "
+          "the metric is the same everywhere; the one delivered is made with no demands on angles "
+          "and sizes, and its shortest edge, 2 long, is at (0, 0): " +
+              agree + "; 0 triangles are below 20 degrees");
+  }
+  SECTION("fitted") {
+    made.too_large = 5;
+    made.fitted.emplace();
+    made.fitted->why = "stuck";
+    made.fitted->power = 0.5;
+    CHECK(made.how() == ending::fitted);
+    CHECK(ending_text(made) == agree +
+                                   ", since the mesh of the metric with aspects to the power of "
+                                   "0.5 was fitted to the one given; 5 triangles are larger than "
+                                   "the size asks for (before: stuck)");
+  }
+}
