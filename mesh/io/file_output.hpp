@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Files that appear complete or not at all.
+// Writes files that appear complete or not at all.
 #pragma once
 
 #include <filesystem>
@@ -24,8 +24,8 @@ struct output_file {
 // some new files and some old. Returns the paths.
 result<std::vector<std::filesystem::path>> write_files(const std::vector<output_file>& files);
 
-// The directory of `path` exists and can be written to, and `path` itself is free or a regular
-// file. Returns `path`.
+// Checks that the directory of `path` exists and can be written to, and that `path` itself is free
+// or a regular file. Returns `path`.
 result<std::filesystem::path> check_writable(const std::filesystem::path& path);
 
 }  // namespace asterism::internal

@@ -18,7 +18,7 @@ namespace {
 
 using text = std::back_insert_iterator<std::string>;
 
-// The given vertices at which the boundary is not one straight line.
+// Returns the given vertices at which the boundary is not one straight line.
 std::vector<vertex_index> corners(const mesh& m) {
   std::vector<std::vector<const boundary_edge*>> arriving(m.given), leaving(m.given);
   for (const boundary_edge& e : m.boundary) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -98,7 +99,11 @@ void compare_with_stars(const adopted_mesh& adopted, const std::function<bool()>
   const site_oracle oracle(m.sites, edges.value(), kernel, nullptr, &near);
   star_set stars;
   stars.bound_work(0);
-  if (enough) stars.ask_between_stars(enough);
+  if (enough)
+    stars.cancel_by([&enough]() -> std::optional<std::string> {
+      if (enough()) return "there is no time left";
+      return std::nullopt;
+    });
   stars.construct_all(oracle);
   std::vector<vertex_index> all(m.sites.size());
   std::iota(all.begin(), all.end(), vertex_index{0});

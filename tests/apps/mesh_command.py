@@ -54,6 +54,31 @@ class Mesh(command.CommandTest):
         start, count = section(lines, "RequiredVertices")
         self.assertEqual(lines[start:start + count], [str(v + 1) for v in range(14)])
 
+    def test_a_metric_at_the_vertices_of_a_mesh(self):
+        """Made by local changes; how far the metric is from the one wanted is said, written down
+        and measured again, until the file with the one wanted changes."""
+        done = self.run_command("mesh", "square", "--metric", "shock:20", "--size", "0.6", "--quiet",
+                                "-o", "first.mesh")
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        done = self.run_command("mesh", "square", "--metric", "first.mesh", "--size", "1", "-o",
+                                "second.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("delivered: ", done.stdout)
+        path = self.folder / "second.certificate.json"
+        claim = json.loads(path.read_text())
+        self.assertLess(claim["outcome"]["delivered"]["beyond_tenth"], 1)
+        done = self.run_command("verify", "second.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertNotIn("note:", done.stdout)
+        claim["outcome"]["delivered"]["greatest"] = 0.5
+        path.write_text(json.dumps(claim))
+        done = self.run_command("verify", "second.mesh")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("greatest", done.stdout)
+        (self.folder / "first.mesh").unlink()
+        done = self.run_command("verify", "second.mesh")
+        self.assertIn("note: the metric wanted", done.stdout)
+
     def test_the_same_arguments_give_the_same_bytes(self):
         names = ["m.mesh", "m.sol", "m.svg", "m.vtu", "m.certificate.json"]
         seen = []
