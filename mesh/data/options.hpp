@@ -12,15 +12,15 @@
 
 namespace asterism {
 
-// The thesis's two heuristics, and `guaranteed`: with a size limit the domain is filled first
+// The thesis's two heuristics, and `fill`: with a size limit the domain is filled first
 // (fill/fill.hpp), then defects are mended at the points the arcs offer, and in the end every star
 // is held against all sites.
-enum class refinement_strategy { voronoi_arcs, poisson_darts, guaranteed };
+enum class refinement_strategy { voronoi_arcs, poisson_darts, fill };
 
 // Options of a meshing run.
 struct mesh_options {
   double angle_bound = 20;  // degrees, 0 <= bound < 60; measured from all three vertices
-  refinement_strategy strategy = refinement_strategy::guaranteed;
+  refinement_strategy strategy = refinement_strategy::fill;
   // Least metric length from a new site to any other, as both measure it. Darts start from it and
   // shrink it. Default: chosen from the domain (refine/insertion_tolerance.hpp) and reported in the
   // outcome.
@@ -40,7 +40,7 @@ struct mesh_options {
   // refines anew. Default 0.
   std::size_t improve_passes = 0;
   // Lets the metric vary more slowly where stars cannot agree in it as given, until they do
-  // (pipeline/metric_relaxation.hpp); the outcome says so. Only for `guaranteed`. If false, a run
+  // (pipeline/metric_relaxation.hpp); the outcome says so. Only for `fill`. If false, a run
   // ends with disagreeing triangles there.
   bool relax = true;
   // Has make_certified_mesh prove or refuse that the mesh is the dual of the anisotropic Voronoi

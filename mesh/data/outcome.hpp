@@ -63,7 +63,7 @@ struct crowded_site {
 // How one refinement ended, with the numbers that explain it.
 struct refinement_ending {
   ending how = ending::complete;  // neither `relaxed` nor `fitted`
-  refinement_strategy strategy = refinement_strategy::guaranteed;
+  refinement_strategy strategy = refinement_strategy::fill;
   std::size_t max_sites = 0;      // the limit in force
   std::size_t sites = 0;          // there were in the end
   std::size_t bad_triangles = 0;  // left, those too large among them

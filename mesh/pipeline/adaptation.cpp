@@ -247,7 +247,7 @@ class adaptation {
 }  // namespace
 
 bool wants_adaptation(const metric_field& field, const mesh_options& options) {
-  return options.limit_size && options.strategy == refinement_strategy::guaranteed &&
+  return options.limit_size && options.strategy == refinement_strategy::fill &&
          !options.keep_if_complete && !options.tolerance && field.background() != nullptr;
 }
 

@@ -62,7 +62,7 @@ tolerance_range choose_tolerance(const refine_state& state, vertex_index vertice
     const double given = *options.tolerance;
     return {given, darts ? given / dart_ladder : given};
   }
-  if (options.strategy == refinement_strategy::guaranteed && options.limit_size) {
+  if (options.strategy == refinement_strategy::fill && options.limit_size) {
     const double start = fill_fraction * largest_circumradius, finest = start / finest_part;
     return {start, std::min(start, smallest_feature(state, vertices, start)) / fill_ladder,
             fill_shrink, finest};

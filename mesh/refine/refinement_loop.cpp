@@ -128,7 +128,7 @@ class refinement_loop {
     switch (options_.strategy) {
       case refinement_strategy::poisson_darts:
         return insert_by_darts();
-      case refinement_strategy::guaranteed:
+      case refinement_strategy::fill:
         return (options_.limit_size && arcs_.insert_in_bulk()) || arcs_.insert();
       case refinement_strategy::voronoi_arcs:
         break;
