@@ -10,6 +10,8 @@ packages=(
   libcgal-dev libgmp-dev libmpfr-dev libboost-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libcairo2-dev libtbb-dev
   catch2 doxygen python3 python3-meshio python3-numpy freefem++
+  pybind11-dev python3-dev python3-pytest python3-skbuild python3-setuptools mypy
+  python3-matplotlib python3-shapely
 )
 
 installed() { dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }

@@ -24,7 +24,7 @@ constexpr std::string_view format_name = "asterism certificate 1";
 
 constexpr double no_angle_to_judge = 180;
 
-// In the order of relaxation_kind.
+// Names in the order of relaxation_kind.
 constexpr std::array<std::string_view, 4> relaxation_kind_names = {"softened", "graded", "constant",
                                                                    "without demands"};
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Files that appear complete or not at all.
+// Writes files that appear complete or not at all.
 #pragma once
 
 #include <filesystem>
@@ -16,14 +16,14 @@ struct output_file {
   std::string bytes;
 };
 
-// Writes every file under a temporary name beside its place (`.part` appended,
-// and a number if that is taken), then renames them in order; existing files are replaced. When
-// anything fails before the first renaming nothing is changed and nothing stays behind; the error
-// names the file and the system's reason. Returns the paths.
+// Writes every file under a temporary name beside its place (`.part` appended, and a number if that
+// is taken), then renames them in order; existing files are replaced. When anything fails before
+// the first renaming nothing is changed and nothing stays behind; the error names the file and the
+// system's reason. Returns the paths.
 result<std::vector<std::filesystem::path>> write_files(const std::vector<output_file>& files);
 
-// The directory of `path` exists and can be written to, and `path` itself is free or a regular
-// file. Returns `path`.
+// Checks that the directory of `path` exists and can be written to, and that `path` itself is free
+// or a regular file. Returns `path`.
 result<std::filesystem::path> check_writable(const std::filesystem::path& path);
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Medit's ASCII formats: a mesh in NAME.mesh and its metric in NAME.sol.
+// Reads and writes Medit's ASCII formats: a mesh in NAME.mesh and its metric in NAME.sol.
 //
 // Written: MeshVersionFormatted 2 (doubles), Dimension 2, Vertices (reference: marker of the
 // boundary there, 0 inside), Triangles (reference: the region), Edges (the boundary subsegments,
@@ -27,13 +27,13 @@
 
 namespace asterism {
 
-// Where the metric is read from.
+// The place of the metric.
 struct medit_read_options {
-  // Without it a missing .sol is an error; with it every vertex gets the identity.
+  // Gives every vertex the identity if there is no .sol. Default: a missing .sol is an error.
   bool identity_without_solution = false;
-  // No .sol is looked for: every vertex gets the identity.
+  // Gives every vertex the identity without looking for a .sol.
   bool without_solution = false;
-  // Where the metric is; empty: beside the mesh.
+  // File of the metric. Default: beside the mesh.
   std::filesystem::path solution = {};
 };
 

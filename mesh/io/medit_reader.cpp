@@ -49,7 +49,7 @@ constexpr std::array<skipped_section, 20> skipped_sections = {{
     {"VertexOnSupportTriangle", 4, 4},
 }};
 
-// Those of BAMG's that hold one text in quotation marks, or one number and no count.
+// Keywords of BAMG's that hold one text in quotation marks, or one number and no count.
 constexpr std::array<std::string_view, 4> texts = {
     "Identifier", "Geometry", "MeshSupportOfVertices", "IdentityOfMeshSupport"};
 constexpr std::array<std::string_view, 2> single_numbers = {"MaximalAngleOfCorner",

@@ -17,7 +17,7 @@ namespace {
 
 using text = std::back_insert_iterator<std::string>;
 
-// The marker of a boundary subsegment at each vertex, 0 for vertices on none.
+// Returns the marker of a boundary subsegment at each vertex, 0 for vertices on none.
 std::vector<int> vertex_references(const mesh& m) {
   std::vector<int> references(m.sites.size(), 0);
   for (const boundary_edge& e : m.boundary)
@@ -26,7 +26,7 @@ std::vector<int> vertex_references(const mesh& m) {
   return references;
 }
 
-// The given vertices at which the boundary is not one straight line.
+// Returns the given vertices at which the boundary is not one straight line.
 std::vector<vertex_index> corners(const mesh& m) {
   std::vector<std::vector<const boundary_edge*>> arriving(m.given), leaving(m.given);
   for (const boundary_edge& e : m.boundary) {

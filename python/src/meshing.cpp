@@ -203,7 +203,7 @@ py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_argu
   py_mesh m;
   m.complete = made.outcome.complete;
   m.certified = made.certified();
-  m.reason = made.outcome.reason;
+  m.reason = made.claim.reason;
   m.angle_bound = a.options.angle_bound;
   m.claim = std::move(made.claim);
   m.content = std::move(made.outcome.result);
@@ -227,7 +227,7 @@ py_mesh run(const domain& d, const py::object& metric, mesh_arguments a) {
     if (a.gradation) {
       gradation_options how;
       how.beta = *a.gradation;
-      how.enough = [&errors] { return errors.any(); };
+      how.stop = a.options.stop;
       auto graded = grade_metric(std::move(wanted.field), d.box(), how);
       if (graded)
         wanted.field = std::move(graded.value().field);

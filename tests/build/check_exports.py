@@ -11,6 +11,12 @@ FUNCTION = re.compile(rf"^(?!{INLINE}|ASTERISM_|#|//| |\}}|/\*)[\w:<>,&*\[\] ]+\
 CLASS = re.compile(r"^class (?!ASTERISM_EXPORT)(\w+)(?!.*;)")
 
 
+# Declared in the class that begins here, and defined in a source file.
+def has_function_elsewhere(after):
+    body = after[:after.index("};")]
+    return any(re.search(r"\)( const)?( noexcept)?;$", line) for line in body)
+
+
 def problems_of(top, header):
     lines = (top / header).read_text(encoding="utf-8").splitlines()
     for number, line in enumerate(lines, 1):
@@ -18,7 +24,7 @@ def problems_of(top, header):
         template = before.startswith("template") or line.startswith("class [[nodiscard]]")
         if template or (FUNCTION.match(before) and not before.rstrip().endswith((";", "}"))):
             continue
-        if FUNCTION.match(line) or CLASS.match(line):
+        if FUNCTION.match(line) or (CLASS.match(line) and has_function_elsewhere(lines[number:])):
             yield f"{header}:{number}: not marked ASTERISM_EXPORT: {line.strip()}"
 
 

@@ -254,7 +254,7 @@ TEST_CASE("altered numbers of a certificate passed") {
   refused_for("audit.findings", [](certificate& c) { c.found["orientation"] = 1; });
   refused_for("audit.witnesses", [](certificate& c) { c.witnesses = {"orientation: none"}; });
   refused_for("asked.angle_bound", [](certificate& c) { c.options["angle-bound"] = "31"; });
-  // Of another question the auditor's answers may be others.
+  // The auditor may answer another question otherwise.
   audit_options lower;
   lower.angle_bound = 10;
   CHECK(verify(made.p.m, made.c, lower).verified);

@@ -3,6 +3,7 @@
 // Metrics at the vertices of a mesh: as many sites as they ask for, certified in the metric that is
 // delivered, which says how far it is from the one wanted and is that one, bit for bit, where
 // nothing had to change.
+#include "asterism/mesh/pipeline/outcome_text.hpp"
 #include "asterism/mesh/pipeline/adaptation.hpp"
 
 #include <catch2/catch.hpp>
@@ -70,7 +71,7 @@ TEST_CASE(
     INFO("pass " << pass);
     const auto field = make_sampled_field(given, 1);
     const certified_mesh made = adapted(*field);
-    INFO(made.outcome.reason);
+    INFO(ending_text(made.outcome));
     REQUIRE(made.certified());
     CHECK(made.report.worst.degrees >= 20);
     REQUIRE(made.outcome.delivered.has_value());
