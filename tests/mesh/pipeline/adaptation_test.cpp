@@ -73,7 +73,7 @@ TEST_CASE(
     const certified_mesh made = adapted(*field);
     INFO(ending_text(made.outcome));
     REQUIRE(made.certified());
-    CHECK(made.report.worst.degrees >= 20);
+    CHECK(made.report.worst().degrees >= 20);
     REQUIRE(made.outcome.delivered.has_value());
     CHECK(static_cast<double>(made.outcome.sites) == Approx(wanted_sites(given)).epsilon(0.05));
     CHECK(made.outcome.delivered->beyond_tenth < 0.5);
