@@ -12,19 +12,23 @@
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
+#include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
+#include "asterism/apps/verdict_text.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/io/medit.hpp"
-#include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 
@@ -42,15 +46,19 @@ struct certify_options {
   bool repair = false;
   bool prove_voronoi = false;
   std::optional<std::size_t> max_sites;
+  std::optional<double> max_seconds;  // of the judgement, not of the repair
+  bool all_findings = false, all_edges = false;
 };
 
 constexpr const char* examples =
     R"(MESH is a Medit file with triangles, from any program; SOL holds its metric, a symmetric tensor
 m11 m12 m22 at each vertex (default: NAME.sol beside NAME.mesh), or is BAMG's NAME.mtr; --metric and
 --size give it by a formula instead, as for 'asterism mesh'. The domain is what the file's Edges
-enclose, or, when it lists none, the edges with one triangle. Certified means: every triangle is in
+enclose, or, when it lists none, the edges with one triangle. An edge listed with triangles on both
+sides is a segment if the file requires it (RequiredEdges), or gives it a reference other than 0 in
+a list that leaves inner edges out. Certified means: every triangle is in
 the stars of its three vertices, none is inverted, none is below the bound as any of the three
-measures it, but at corners that are sharper themselves.
+measures it, but the domain's own angle at corners that are sharper themselves.
 
 With --repair sites are added, in the metric of the formula or interpolated from the vertices, until
 that holds. Whatever is certified is written to OUT, with a certificate; anything else only after
@@ -87,18 +95,22 @@ std::optional<error> write_result(const certify_options& options, const mesh& m,
   write_options how;
   how.picture.angle_bound = options.angle_bound;
   if (!claim.complete || !claim.certified) how.note = "Incomplete, not certified: " + claim.reason;
-  const auto written = write_mesh(*options.output, m, how);
+  auto files = render_mesh(*options.output, m, how);
+  if (!files) return files.failure();
+  files.value().push_back({certificate_path(*options.output), certificate_text(claim)});
+  const held_signals held;
+  const auto written = write_files(files.value());
   if (!written) return written.failure();
-  const auto certified = write_certificate(certificate_path(*options.output), claim);
-  if (!certified) return certified.failure();
   return std::nullopt;
 }
 
 // Adds to the certificate what only the command knows: how the job was worded.
 void describe(certificate& claim, const certify_options& options) {
   claim.metric = options.metric.value_or("of " + options.solution.string());
-  claim.options = {{"mesh", options.mesh.string()}, {"repair", options.repair ? "yes" : "no"}};
-  if (options.metric) claim.options["size"] = format_number(options.size);
+  claim.options = {{"mesh", options.mesh.string()},
+                   {"repair", options.repair ? "yes" : "no"},
+                   {"angle-bound", format_number(options.angle_bound)},
+                   {"size", options.metric ? format_number(options.size) : "none"}};
 }
 
 bool is_dual_as_asked(const certify_options& options, const audit_report& report) {
@@ -109,10 +121,10 @@ int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
                    const certify_report& report) {
   const exit_status status = is_dual_as_asked(options, report.audit) ? done : not_reached;
   if (!options.output) return status;
-  audit_options asked;
+  audit_options asked = questions_for(adopted);
   asked.angle_bound = options.angle_bound;
-  asked.original = &adopted.shape;
   certificate claim = make_certificate(adopted.subject, asked, report.audit);
+  claim.measured = by_name(measure(adopted.subject));
   describe(claim, options);
   claim.complete = true;
   claim.reason = "the mesh as it came is certified";
@@ -123,7 +135,7 @@ int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
 
 int repair(const certify_options& options, const adopted_mesh& adopted, const metric_field& field,
            const certify_report& before) {
-  if (!before.compared)
+  if (!before.is_triangulation())
     return complain({"--repair: " + options.mesh.string() +
                      " is no triangulation, so that it has no domain to go on from"},
                     not_reached);
@@ -148,7 +160,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   const bool reached = made.value().certified();
   std::cout << "repaired: " << outcome.sites << " sites, "
             << outcome.sites - adopted.subject.sites.size() << " of them new, " << outcome.triangles
-            << " triangles, " << worst_angle_text(judged.worst.degrees) << ": "
+            << " triangles, " << worst_angle_text(judged.worst().degrees) << ": "
             << (reached ? "certified\n" : "NOT certified\n");
   if (reached && is_dual_as_asked(options, judged)) return done;
   return complain({reached ? "not proved to be the dual of the Voronoi diagram: " +
@@ -183,6 +195,7 @@ result<measured_mesh> read_measured(const certify_options& options) {
   medit_read_options how;
   how.solution = options.solution;
   how.without_solution = options.metric.has_value();
+  how.all_edges = options.all_edges;
   auto read = read_medit(options.mesh, how);
   if (!read) return read.failure();
   std::unique_ptr<metric_field> formula;
@@ -207,8 +220,15 @@ int run_certify(certify_options options) {
     return complain({"--max-sites " + std::to_string(*options.max_sites) + ": the mesh has " +
                      std::to_string(sites) + " vertices already"},
                     refused);
-  const certify_report report = certify(adopted, options.angle_bound, options.prove_voronoi);
-  write_report(std::cout, report, adopted.subject, options.angle_bound);
+  const certify_report report = [&] {
+    const run_limits limits(options.max_seconds, std::nullopt);
+    progress_line line(true);
+    line.show({.phase = mesh_phase::auditing, .sites = sites});
+    return certify(adopted, options.angle_bound, options.prove_voronoi,
+                   findings_kept(options.all_findings),
+                   [&limits] { return limits.reason().has_value(); });
+  }();
+  write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
   if (report.certified()) return write_as_it_is(options, adopted, report);
   if (!options.repair) return not_reached;
   if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);
@@ -245,6 +265,14 @@ void add_certify_command(CLI::App& program, command& chosen) {
       [options](std::uint64_t n) { options->max_sites = static_cast<std::size_t>(n); },
       "Repair ends at this many (default: ten times as many as there are, at least 100000)")
       ->type_name("N");
+  add_real(
+      *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
+      "Judging ends after this time: NOT certified, unless it was done; repair is not counted")
+      ->type_name("S");
+  app->add_flag("--all-findings", options->all_findings,
+                "List every finding, not the first ten of each kind");
+  app->add_flag("--all-edges", options->all_edges,
+                "Every edge the mesh lists is a segment of its domain, marked or not");
   app->footer(examples);
   app->callback([options, &chosen] { chosen = [options] { return run_certify(*options); }; });
 }

@@ -31,7 +31,7 @@ Examples:
   asterism mesh part.poly --refine darts --angle-bound 10 -o part.mesh --certificate part.json)";
 
 const std::map<std::string, refinement_strategy> strategies = {
-    {"guaranteed", refinement_strategy::guaranteed},
+    {"fill", refinement_strategy::fill},
     {"voronoi", refinement_strategy::voronoi_arcs},
     {"darts", refinement_strategy::poisson_darts}};
 
@@ -66,8 +66,12 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
   app.add_option_function<std::string>(
          "--refine",
          [&options](const std::string& name) { options.strategy = strategies.at(name); },
-         "guaranteed (default): fill to the size, then mend; voronoi: vertices and ends of Voronoi "
+         "fill (default): fill to the size, then mend; voronoi: vertices and ends of Voronoi "
          "arcs; darts: random points")
+      ->check([](const std::string& name) {
+        return name == "guaranteed" ? "it is called 'fill' now: it guarantees nothing of the result"
+                                    : std::string();
+      })
       ->check(CLI::IsMember(strategies))
       ->type_name("HOW");
   app.add_flag("--no-relaxation{false}", options.relax,

@@ -6,11 +6,13 @@
 
 #include <array>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <system_error>
 #include <utility>
 
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/job_input.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
@@ -20,6 +22,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 
@@ -64,7 +67,7 @@ std::string text_of_size_delivered(const mesh_job& job, const mesh_outcome& outc
 std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
                                               const mesh_outcome& outcome) {
   const mesh_options& asked = job.refinement;
-  const std::array<const char*, 3> strategies = {"voronoi", "darts", "guaranteed"};
+  const std::array<const char*, 3> strategies = {"voronoi", "darts", "fill"};
   return {{"domain", job.domain},
           {"angle-bound", number_text(asked.angle_bound)},
           {"size", job.size ? number_text(*job.size) : "none"},
@@ -99,7 +102,8 @@ std::string text_of_low(const relaxation_report& relaxed, double angle_bound) {
          number_text(angle_bound) + " degrees as the metric given measures them";
 }
 
-// The certificate comes last: where it is, everything else is too.
+// All files are written before the first gets its name, the certificate last: where it is,
+// everything else is too.
 std::optional<error> write_files(const mesh_job& job, const fs::path& certificate_path,
                                  const mesh& made, const certificate& claim) {
   write_options options;
@@ -110,11 +114,15 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
                        ? "Incomplete, certified in a relaxed metric: " +
                              text_of_low(*claim.relaxed, job.refinement.angle_bound)
                        : "Incomplete, not certified: " + claim.reason;
+  std::vector<output_file> files;
   for (const fs::path& output : job.outputs) {
-    const auto written = write_mesh(output, made, options);
-    if (!written) return written.failure();
+    auto rendered = render_mesh(output, made, options);
+    if (!rendered) return rendered.failure();
+    std::move(rendered.value().begin(), rendered.value().end(), std::back_inserter(files));
   }
-  const auto written = write_certificate(certificate_path, claim);
+  files.push_back({certificate_path, certificate_text(claim)});
+  const held_signals held;
+  const auto written = asterism::internal::write_files(files);
   if (!written) return written.failure();
   return std::nullopt;
 }

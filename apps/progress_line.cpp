@@ -14,7 +14,9 @@ constexpr const char* wipe = "\r\033[K";
 
 progress_line::progress_line(bool wanted) : shown_(wanted && isatty(STDERR_FILENO) != 0) {}
 
-progress_line::~progress_line() {
+progress_line::~progress_line() { clear(); }
+
+void progress_line::clear() {
   if (shown_) std::cerr << wipe << std::flush;
 }
 

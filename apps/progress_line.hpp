@@ -17,6 +17,9 @@ class progress_line {
   progress_line(const progress_line&) = delete;
   progress_line& operator=(const progress_line&) = delete;
 
+  // Wipes the line; what is written next begins at its start.
+  void clear();
+
   // At most ten times a second.
   void show(const mesh_progress& progress);
 

@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <ostream>
 
+#include "asterism/apps/verdict_text.hpp"
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 
@@ -15,23 +16,16 @@ namespace asterism::apps {
 using namespace internal;
 namespace {
 
-void write_triangles(std::ostream& out, const certify_report& report, const mesh& m) {
-  constexpr std::size_t most = 20;
-  for (std::size_t i = 0; i < std::min(most, report.not_in_all.size()); ++i) {
+void write_triangles(std::ostream& out, const certify_report& report, const mesh& m, bool all) {
+  const std::size_t most = std::min(findings_kept(all), report.not_in_all.size());
+  for (std::size_t i = 0; i < most; ++i) {
     const triangle& t = m.triangles[report.not_in_all[i]];
     out << "not of the stars: triangle " << report.not_in_all[i] + 1 << " of vertices " << t[0] + 1
         << ", " << t[1] + 1 << ", " << t[2] + 1 << '\n';
   }
   if (report.not_in_all.size() > most)
-    out << report.not_in_all.size() - most << " more are not listed\n";
-}
-
-// Writes what the audit found that the other lines do not say already.
-void write_findings(std::ostream& out, const audit_report& audit) {
-  for (const audit_finding& f : audit.findings)
-    if (f.kind != finding_kind::star_site_missing &&
-        f.kind != finding_kind::star_neighbour_rejected)
-      out << finding_kind_names[static_cast<std::size_t>(f.kind)] << ": " << f.witness << '\n';
+    out << "not of the stars: " << report.not_in_all.size() - most
+        << " more (--all-findings lists them)\n";
 }
 
 }  // namespace
@@ -83,16 +77,12 @@ void write_summary(std::ostream& out, const certified_mesh& made,
                    std::optional<double> unit_edges) {
   const mesh_outcome& outcome = made.outcome;
   const audit_report& report = made.report;
-  out << report.sites << " sites, " << report.triangles << " triangles, "
-      << worst_angle_text(report.worst.degrees) << ", " << std::fixed << std::setprecision(2)
-      << outcome.disagreeing << " disagreeing, "
+  out << report.sites << " sites, " << report.triangles << " triangles, " << angles_text(report)
+      << ", " << std::fixed << std::setprecision(2) << outcome.disagreeing << " disagreeing, "
       << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle) << " low-angle";
   if (outcome.too_large > 0) out << ", " << outcome.too_large << " too large";
   if (outcome.ended.stars_missing > 0)
     out << ", " << outcome.ended.stars_missing << " stars never made";
-  if (!report.exempt_corners.empty())
-    out << ", " << report.exempt_triangles.size() << " exempt at " << report.exempt_corners.size()
-        << " corners";
   if (unit_edges) out << ", " << *unit_edges * 100 << "% unit edges";
   if (report.voronoi != voronoi_verdict::not_asked)
     out << ", dual of the Voronoi diagram: "
@@ -107,9 +97,9 @@ void write_summary(std::ostream& out, const certified_mesh& made,
 }
 
 void write_report(std::ostream& out, const certify_report& report, const mesh& m,
-                  double angle_bound) {
+                  double angle_bound, bool all_findings) {
   write_findings(out, report.audit);
-  write_triangles(out, report, m);
+  write_triangles(out, report, m, all_findings);
   out << m.sites.size() << " sites, " << m.triangles.size() << " triangles, " << m.boundary.size()
       << " boundary edges\n";
   if (report.compared)
@@ -117,11 +107,15 @@ void write_report(std::ostream& out, const certify_report& report, const mesh& m
         << ", of some: " << report.in_stars[1] + report.in_stars[2]
         << ", of none: " << report.in_stars[0] << '\n';
   else
-    out << "stars: not compared, this is no triangulation\n";
+    out << "stars: not compared, "
+        << (!report.is_triangulation()   ? "this is no triangulation\n"
+            : report.audit.stars_checked ? "for this they are too far from agreeing\n"
+                                         : "there was no time\n");
   if (report.unsettled > 0) out << "stars that did not settle: " << report.unsettled << '\n';
   out << "inverted or flat: " << report.inverted << '\n'
-      << worst_angle_text(report.audit.worst.degrees) << ", triangles below " << angle_bound << ": "
-      << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size() << ")\n"
+      << angles_text(report.audit) << ", triangles below " << angle_bound << ": "
+      << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size()
+      << ", collateral: " << report.audit.collateral_triangles.size() << ")\n"
       << "edges of metric length 0.71 to 1.41: " << report.unit_edges << " of " << report.edges
       << std::fixed << std::setprecision(1) << " ("
       << 100.0 * static_cast<double>(report.unit_edges) / static_cast<double>(report.edges)

@@ -37,6 +37,6 @@ void write_summary(std::ostream& out, const certified_mesh& made, std::optional<
 
 // Writes what was found about a mesh that came from elsewhere.
 void write_report(std::ostream& out, const certify_report& report, const mesh& m,
-                  double angle_bound);
+                  double angle_bound, bool all_findings);
 
 }  // namespace asterism::apps

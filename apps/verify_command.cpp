@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,18 +13,18 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/option_values.hpp"
+#include "asterism/apps/progress_line.hpp"
+#include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
+#include "asterism/apps/verdict_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
-#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
-#include "asterism/mesh/metric/interpolated_field.hpp"
-#include "asterism/mesh/metric/make_metric_field.hpp"
-#include "asterism/mesh/pipeline/delivered_metric.hpp"
+#include "asterism/mesh/pipeline/field_claims.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
 
@@ -38,6 +39,8 @@ struct verify_options {
   std::string domain;
   bool number_regions = false;
   bool prove_voronoi = false;
+  bool all_findings = false, all_edges = false;
+  std::optional<double> max_seconds;
 };
 
 constexpr const char* examples =
@@ -46,7 +49,8 @@ files, in exact arithmetic. NAME.certificate.json beside the mesh is used when t
 is named. The domain is the certificate's unless --domain names it; random points added to it
 need not be named.
 
-Exit status: 0 certified; 1 refused, with witnesses (numbers count from 1); 2 unreadable.
+Exit status: 0 certified; 1 refused, with witnesses (numbers count from 1), or no angle bound is
+known, from a certificate or --angle-bound, and nothing is certified; 2 unreadable.
 
 Examples:
   asterism verify swirl.mesh
@@ -83,65 +87,20 @@ result<std::optional<domain>> find_domain(const verify_options& options, const m
   return std::optional<domain>(std::move(checked).value());
 }
 
-// The metric a certificate says was asked for, where it is a formula or a file that is still there,
-// and was not graded: another is not made again from what the certificate holds.
-std::unique_ptr<metric_field> field_asked_for(const certificate& claim) {
-  const auto option = [&claim](const char* name) {
-    const auto found = claim.options.find(name);
-    return found == claim.options.end() ? std::string("none") : found->second;
-  };
-  if (!claim.original || option("gradation") != "none") return nullptr;
-  double size = 1;
-  const std::string text = option("size");
-  if (text != "none") {
-    const auto end = std::from_chars(text.data(), text.data() + text.size(), size);
-    if (end.ec != std::errc() || end.ptr != text.data() + text.size()) return nullptr;
-  }
-  if (has_ending(claim.metric, ".mesh")) {
-    auto background = read_medit(claim.metric);
-    if (!background) return nullptr;
-    const auto adopted = adopt_mesh(std::move(background).value());
-    if (!adopted) return nullptr;
-    auto field = make_sampled_field(adopted.value().subject, size);
-    const bool is_same =
-        option("metric-fingerprint") == std::to_string(mesh_fingerprint(*field->background()));
-    return is_same ? std::move(field) : nullptr;
-  }
-  auto made = make_metric_field(claim.metric, claim.original->box(), size);
-  return made ? std::move(made).value() : nullptr;
-}
-
-// What it lists as low in the metric asked for is measured again, where that metric can be had.
-void check_relaxed(const mesh& subject, const certificate& claim, verify_report& verdict) {
-  const bool is_of_it =
-      claim.sites == subject.sites.size() && claim.triangles == subject.triangles.size();
-  if (!claim.relaxed || !is_of_it) return;
-  const auto asked = field_asked_for(claim);
-  if (!asked) {
-    std::cout << "note: the metric asked for was graded or read from a file; what the certificate "
-                 "lists as low in it is not checked\n";
-    return;
-  }
-  const auto said = contradiction_in_low_triangles(subject, claim, *asked);
-  if (!said) return;
-  verdict.contradictions.push_back(*said);
-  verdict.verified = false;
-}
-
-// How far the metric delivered is from the one wanted is measured again, where that can be had.
-void check_delivered(const mesh& subject, const certificate& claim, verify_report& verdict) {
-  if (!claim.delivered || claim.fingerprint != mesh_fingerprint(subject)) return;
-  const auto wanted = field_asked_for(claim);
-  if (!wanted) {
-    std::cout << "note: the metric wanted was graded, or is in a file that has changed or gone; "
-                 "how far the one delivered "
-                 "is from it is not checked\n";
-    return;
-  }
-  for (std::string& said : contradictions_in_delivered(subject, claim, *wanted)) {
-    verdict.contradictions.push_back(std::move(said));
+// Whether the tensors are those of the metric asked for: in words, and into the verdict.
+std::string check_metric(const mesh& subject, const certificate& claim, verify_report& verdict) {
+  const field_check check = check_field(subject, claim);
+  for (const std::string& said : check.contradictions) {
+    verdict.contradictions.push_back(said);
     verdict.verified = false;
   }
+  const bool is_another = claim.relaxed || claim.delivered;
+  const std::string name = is_another ? "another than asked for, " + claim.metric : claim.metric;
+  if (!check.made) return name + ": field not checked, " + check.why_not;
+  if (!check.contradictions.empty()) return name + ": REFUSED";
+  return name + (claim.delivered ? ", whose distance was measured again"
+                 : claim.relaxed ? ", in which the angles were measured again"
+                                 : ", held against it at every vertex");
 }
 
 void check_measured(const mesh& subject, const certificate& claim, verify_report& verdict) {
@@ -151,49 +110,103 @@ void check_measured(const mesh& subject, const certificate& claim, verify_report
   }
 }
 
-void write_verdict(const verify_report& verdict) {
+std::string bound_text(const audit_report& audit, const audit_options& asked,
+                       const std::optional<certificate>& claim) {
+  if (!audit.angles_checked) return "no bound asked for";
+  const double bound = asked.angle_bound ? *asked.angle_bound : *claim->angle_bound;
+  return fmt::format("bound {} degrees", bound);
+}
+
+std::string domain_text(const verify_options& options, const std::optional<certificate>& claim) {
+  if (!options.domain.empty()) return "domain " + options.domain;
+  if (claim && claim->original) return "the certificate's domain";
+  return "no domain to compare with but what the boundary encloses";
+}
+
+// What is claimed, what was checked, and against what.
+std::string scope_text(const verify_options& options, const audit_options& asked,
+                       const std::optional<certificate>& claim, const verify_report& verdict,
+                       const std::string& metric) {
+  std::string text = "; " + bound_text(verdict.audit, asked, claim) + "; " +
+                     domain_text(options, claim) + "; metric: " + metric;
+  if (!verdict.audit.stars_checked) text += "; stars not checked";
+  if (claim) {
+    const auto size = claim->options.find("size");
+    if (size != claim->options.end() && size->second != "none") {
+      const auto delivered = claim->options.find("size-delivered");
+      text += "; size asked for " + size->second + ", not checked";
+      if (delivered != claim->options.end() && delivered->second != size->second)
+        text += ", delivered " + delivered->second;
+      const auto fitted = claim->options.find("fit-done");
+      if (fitted != claim->options.end() && fitted->second != "none")
+        text += ", fitted: triangles may be larger";
+    }
+  }
+  return text + voronoi_text(verdict.audit);
+}
+
+void write_verdict(const verify_report& verdict, const std::string& scope) {
   const audit_report& audit = verdict.audit;
   for (const std::string& contradiction : verdict.contradictions)
     std::cout << "certificate: " << contradiction << '\n';
-  for (const audit_finding& finding : audit.findings)
-    std::cout << finding_kind_names[static_cast<std::size_t>(finding.kind)] << ": "
-              << finding.witness << '\n';
-  if (audit.total_found() > audit.findings.size())
-    std::cout << audit.total_found() << " findings in all\n";
-  std::cout << (verdict.verified ? "certified: " : "REFUSED: ") << audit.sites << " sites, "
-            << audit.triangles << " triangles, " << worst_angle_text(audit.worst.degrees);
-  if (!audit.exempt_corners.empty())
-    std::cout << ", " << audit.exempt_triangles.size() << " exempt at "
-              << audit.exempt_corners.size() << " corners";
-  if (!audit.domain_checked) std::cout << "; no domain to compare with";
-  if (!audit.angles_checked) std::cout << "; no angle bound asked for";
-  if (!audit.stars_checked) std::cout << "; stars not checked";
-  if (audit.voronoi != voronoi_verdict::not_asked)
-    std::cout << "; dual of the Voronoi diagram: "
-              << voronoi_verdict_names[static_cast<std::size_t>(audit.voronoi)];
-  std::cout << '\n';
+  write_findings(std::cout, audit);
+  const bool unasked = audit.certified && verdict.contradictions.empty() && !audit.angles_checked;
+  std::cout << (verdict.verified ? "certified: "
+                : unasked        ? "no bound asked for: not certified: "
+                                 : "REFUSED: ")
+            << audit.sites << " sites, " << audit.triangles << " triangles, " << angles_text(audit)
+            << scope << '\n';
+}
+
+// A mesh that comes without certificate and domain is judged as `certify` judges it.
+verify_report verify_alone(adopted_mesh& adopted, const audit_options& asked) {
+  audit_options questions = questions_for(adopted);
+  questions.angle_bound = asked.angle_bound;
+  questions.check_voronoi = asked.check_voronoi;
+  questions.findings_kept = asked.findings_kept;
+  questions.enough = asked.enough;
+  return verify(adopted.subject, std::nullopt, questions);
+}
+
+int judge(const verify_options& options, mesh subject, const std::optional<certificate>& claim,
+          const std::optional<domain>& original) {
+  audit_options asked;
+  asked.angle_bound = options.angle_bound;
+  asked.check_voronoi = options.prove_voronoi;
+  asked.findings_kept = findings_kept(options.all_findings);
+  const run_limits limits(options.max_seconds, std::nullopt);
+  asked.enough = [&limits] { return limits.reason().has_value(); };
+  progress_line line(true);
+  line.show({.phase = mesh_phase::auditing, .sites = subject.sites.size()});
+  if (original) asked.original = &*original;
+  verify_report verdict;
+  std::string metric = "the file's, field not checked";
+  if (!claim && !original) {
+    auto adopted = adopt_mesh(std::move(subject));
+    if (!adopted) return complain(adopted.failure().at(options.mesh.string()), refused);
+    verdict = verify_alone(adopted.value(), asked);
+  } else {
+    verdict = verify(subject, claim, asked);
+    if (claim) {
+      metric = check_metric(subject, *claim, verdict);
+      check_measured(subject, *claim, verdict);
+    }
+  }
+  line.clear();
+  write_verdict(verdict, scope_text(options, asked, claim, verdict, metric));
+  return verdict.verified ? done : not_reached;
 }
 
 int run_verify(const verify_options& options) {
-  const auto subject = read_medit(options.mesh);
+  medit_read_options how;
+  how.all_edges = options.all_edges;
+  auto subject = read_medit(options.mesh, how);
   if (!subject) return complain(subject.failure(), refused);
   const auto claim = find_certificate(options);
   if (!claim) return complain(claim.failure(), refused);
   const auto original = find_domain(options, subject.value());
   if (!original) return complain(original.failure(), refused);
-
-  audit_options asked;
-  asked.angle_bound = options.angle_bound;
-  asked.check_voronoi = options.prove_voronoi;
-  if (original.value()) asked.original = &*original.value();
-  verify_report verdict = verify(subject.value(), claim.value(), asked);
-  if (claim.value()) {
-    check_relaxed(subject.value(), *claim.value(), verdict);
-    check_delivered(subject.value(), *claim.value(), verdict);
-    check_measured(subject.value(), *claim.value(), verdict);
-  }
-  write_verdict(verdict);
-  return verdict.verified ? done : not_reached;
+  return judge(options, std::move(subject).value(), claim.value(), original.value());
 }
 
 }  // namespace
@@ -214,6 +227,14 @@ void add_verify_command(CLI::App& program, command& chosen) {
   app->add_flag("--voronoi", options->prove_voronoi,
                 "Prove it the dual of the anisotropic Voronoi diagram (done without, too, when "
                 "the certificate claims it)");
+  add_real(
+      *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
+      "Checking ends after this time, with status 1 if it was not done")
+      ->type_name("S");
+  app->add_flag("--all-findings", options->all_findings,
+                "List every finding, not the first ten of each kind");
+  app->add_flag("--all-edges", options->all_edges,
+                "Every edge the mesh lists is a segment of its domain, marked or not");
   app->footer(examples);
   app->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The same questions asked of CGAL: its filtered kernel for orientation and in-circle, its
+// Asks CGAL the same questions: its filtered kernel for orientation and in-circle, its
 // algebraic kernel for the one sign that an edge test needs at a Voronoi vertex.
 #pragma once
 
@@ -17,7 +17,8 @@ using epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 inline epick::Point_2 to_epick(const point& p) { return {p.x, p.y}; }
 
-// Of the four sites v, w, x, y of a question: the curves f_v = f_w, f_v = f_x and f_v = f_y.
+// Builds, from the four sites v, w, x, y of a question, the curves f_v = f_w, f_v = f_x and f_v =
+// f_y.
 class algebraic_rival {
  public:
   explicit algebraic_rival(const edge_question& sites);

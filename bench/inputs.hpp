@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the benchmarks ask: questions of every input class, the same on every machine and in every
-// run (a seed names a list for ever).
+// Generates the questions of the benchmarks, every input class, the same on every machine and in
+// every run (a seed names a list for ever).
 //
 // Classes. uniform: random in [-1,1]^2, metrics of a smooth field. one ulp: a question whose answer
 // changes, moved there as well as doubles can. degenerate: exactly on the border between two

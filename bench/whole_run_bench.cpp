@@ -54,8 +54,9 @@ void add_grid(domain& shape, int n, double angle) {
     }
 }
 
-// The same grid in a square that is a million times thinner across, turned, and the metric in which
-// it is a square again: of condition number 10^12, in which doubles lose twelve of sixteen digits.
+// Builds the grid in a square that is a million times thinner across, turned, and the metric in
+// which it is a square again: of condition number 10^12, in which doubles lose twelve of sixteen
+// digits.
 constexpr double thinness = 0x1p-20;
 
 point thin(const point& p, double angle) {

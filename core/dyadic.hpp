@@ -23,7 +23,7 @@ class dyadic {
  public:
   dyadic() = default;
   dyadic(int value) : mantissa_(value) {}
-  // Exact, whatever the floating-point environment. Requires a finite value.
+  // Converts exactly, whatever the floating-point environment. Requires a finite value.
   dyadic(double value);
   dyadic(integer mantissa, long exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
 
@@ -41,11 +41,11 @@ class dyadic {
     return negated;
   }
 
-  // this * 2^shift
+  // Returns *this * 2^shift.
   dyadic scaled(long shift) const { return {mantissa_, exponent_ + shift}; }
   bool is_zero() const { return mantissa_.is_zero(); }
   sign sign_value() const { return mantissa_.sign_value(); }
-  // e with 2^(e-1) <= |value| < 2^e. Requires a value that is not zero.
+  // Returns e with 2^(e-1) <= |value| < 2^e. Requires a value that is not zero.
   long magnitude() const { return mantissa_.bit_length() + exponent_; }
   // Drops trailing zero bits of the mantissa: the same value in the shortest form.
   void shorten();

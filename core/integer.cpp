@@ -85,7 +85,7 @@ void integer::shift_up(unsigned long shift) {
 
 void integer::shift_down(unsigned long shift) {
   if (size_ == 0) return;
-  // Of a negative number with bits to lose the magnitude grows to the next multiple.
+  // Rounds down: the magnitude of a negative number that loses bits grows to the next multiple.
   const bool away = negative_ && trailing_zeros() < shift;
   const std::size_t whole = shift / limb_bits;
   const auto part = static_cast<unsigned>(shift % limb_bits);

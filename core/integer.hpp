@@ -55,9 +55,9 @@ class integer {
     return size_ == 0 ? sign::zero : negative_ ? sign::negative : sign::positive;
   }
   void negate() { negative_ = !negative_; }
-  // Of the magnitude, the least significant first; the last one is not zero.
+  // Returns the limbs of the magnitude, least significant first; the last one is not zero.
   std::span<const limb> limbs() const { return {data(), size_}; }
-  // b with 2^(b-1) <= |value| < 2^b; 0 for 0.
+  // Returns b with 2^(b-1) <= |value| < 2^b; 0 for 0.
   long bit_length() const {
     return size_ == 0 ? 0
                       : static_cast<long>(size_ * limb_bits) - std::countl_zero(data()[size_ - 1]);
@@ -69,7 +69,7 @@ class integer {
     return k * limb_bits + static_cast<unsigned long>(std::countr_zero(data()[k]));
   }
 
-  // *this becomes a * b. It must be neither.
+  // Sets *this to a * b. It must be neither.
   void set_product(const integer& a, const integer& b) {
     negative_ = a.negative_ != b.negative_;
     if (a.size_ <= 1 && b.size_ <= 1)
@@ -78,7 +78,7 @@ class integer {
       set_long_product(a, b);
   }
 
-  // *this becomes a * 2^shift + b, or - b. It must be neither.
+  // Sets *this to a * 2^shift + b, or - b. It must be neither.
   void set_sum(const integer& a, unsigned long shift, const integer& b, bool subtract) {
     // Both below 2^126: the sum is one of __int128.
     if (a.size_ <= 1 && b.size_ <= 1 && shift <= largest_short_shift) {
@@ -95,14 +95,14 @@ class integer {
     set_long_sum(a, shift, b, subtract);
   }
 
-  // The largest integer that is not above value / 2^shift.
+  // Divides by 2^shift and rounds down.
   void shift_down(unsigned long shift);
   void shift_up(unsigned long shift);
-  // Requires that b divides a and is not zero.
+  // Returns a / b. Requires that b divides a and is not zero.
   friend integer exact_quotient(const integer& a, const integer& b);
-  // Positive. Requires numbers that are odd.
+  // Returns the greatest common divisor, which is positive. Requires odd numbers.
   friend integer greatest_common_divisor_of_odd(const integer& a, const integer& b);
-  // The whole part of the root of a > 0; `exact` when nothing is left.
+  // Returns the whole part of the root of a > 0; `exact` when nothing is left.
   friend integer square_root(const integer& a, bool& exact);
 
  private:

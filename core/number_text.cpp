@@ -25,8 +25,8 @@ std::string format_number(double value) {
 
 namespace {
 
-// Is a number that no double holds (so: of exponent far from 0) large rather than small? `digits`
-// has no sign and no base prefix and was read by from_chars; `base` is 10 or 16.
+// True if a number that no double holds is too large rather than too small. `digits` has no sign
+// and no base prefix and was read by from_chars; `base` is 10 or 16.
 bool is_huge(std::string_view digits, int base) {
   const std::string_view exponent_mark = base == 16 ? "pP" : "eE";
   const std::size_t mark = std::min(digits.find_first_of(exponent_mark), digits.size());

@@ -10,13 +10,13 @@
 
 namespace asterism::internal {
 
-// The double nearest to all of `token` (ties to even): decimal, or hexadecimal as in C99
+// Returns the double nearest to all of `token` (ties to even): decimal, or hexadecimal as in C99
 // (0x1.8p-3), with an optional sign. Too small for a double is the nearest subnormal number or a
 // zero of the same sign. Fails, quoting the token, if it is no number or not finite.
 result<double> parse_number(std::string_view token);
 
-// The token in quotes, fit for one line of a message whatever it holds: cut when long, anything but
-// printable ASCII shown as '?'.
+// Returns the token in quotes, fit for one line of a message whatever it holds: cut when long,
+// anything but printable ASCII shown as '?'.
 std::string quoted_token(std::string_view token);
 
 // Returns the shortest decimal that parse_number reads back as the same double.

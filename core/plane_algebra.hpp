@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Displacements and what a metric tensor says of them, over any number type.
+// Displacements and their lengths in a metric tensor, over any number type.
 #pragma once
 
 #include "asterism/core/interval.hpp"
@@ -26,20 +26,20 @@ displacement<Number> operator*(const Number& factor, const displacement<Number>&
   return {factor * u.x, factor * u.y};
 }
 
-// b - a
+// Returns b - a.
 template <class Number>
 displacement<Number> between(const basic_point<Number>& a, const basic_point<Number>& b) {
   return {b.x - a.x, b.y - a.y};
 }
 
-// An interval that straddles zero has a square that does not.
+// Squares a number. The square of an interval that straddles zero does not.
 inline interval square(const interval& x) { return squared(x); }
 template <class Number>
 Number square(const Number& x) {
   return x * x;
 }
 
-// M u
+// Returns M u.
 template <class Number>
 displacement<Number> apply(const basic_metric_tensor<Number>& m, const displacement<Number>& u) {
   return {m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
@@ -55,7 +55,7 @@ Number cross(const displacement<Number>& u, const displacement<Number>& w) {
   return u.x * w.y - u.y * w.x;
 }
 
-// u^T M u
+// Returns u^T M u.
 template <class Number>
 Number squared_length(const basic_metric_tensor<Number>& m, const displacement<Number>& u) {
   const Number mixed = m.m12 * (u.x * u.y);
@@ -68,7 +68,7 @@ basic_metric_tensor<Number> operator-(const basic_metric_tensor<Number>& a,
   return {a.m11 - b.m11, a.m12 - b.m12, a.m22 - b.m22};
 }
 
-// The same site over another number type; exact for every type that holds the doubles.
+// Converts points and sites to another number type; exact for every type that holds the doubles.
 template <class Number>
 basic_point<Number> convert(const point& p) {
   return {Number(p.x), Number(p.y)};

@@ -44,7 +44,8 @@ dyadic_range greatest(const dyadic_range& a, const dyadic_range& b) {
   return {greatest(a.low, b.low), greatest(a.high, b.high), a.exact && b.exact};
 }
 
-// Of x > 0: within one unit of a whole number of at least 400 bits, or exact.
+// Returns the square root of x > 0: exact, or within one unit of a whole number of at least 400
+// bits.
 dyadic_range square_root(const dyadic& x) {
   constexpr long bits = 800;
   long shift = std::max(0L, bits - (x.magnitude() - x.exponent()));
@@ -59,7 +60,7 @@ dyadic_range square_root(const dyadic& x) {
   return {low, low + dyadic(1).scaled(exponent), false};
 }
 
-// Of x, or of 0 where it is negative.
+// Returns the square root of x, or of 0 where x is negative.
 dyadic_range root_of_non_negative(const dyadic_range& x) {
   const auto positive = [](const dyadic& y) { return y.sign_value() == sign::positive; };
   const dyadic_range low = positive(x.low) ? square_root(x.low) : exactly(dyadic(0));

@@ -47,9 +47,9 @@ class shadowed_interval {
   friend shadowed_interval operator*(const shadowed_interval& a, const shadowed_interval& b);
   shadowed_interval operator-() const;
 
-  // [0, ...] at least, also where the interval straddles zero.
+  // Returns the squares: none is negative, also where the interval straddles zero.
   friend shadowed_interval squared(const shadowed_interval& a);
-  // Of the part of the interval that is not negative.
+  // Returns the square roots of the part of the interval that is not negative.
   friend shadowed_interval root_of_non_negative(const shadowed_interval& a);
 
  private:

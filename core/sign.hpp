@@ -26,7 +26,7 @@ constexpr sign to_sign(int value) {
   return value > 0 ? sign::positive : value < 0 ? sign::negative : sign::zero;
 }
 
-// An answer, or the knowledge that there is none.
+// Holds an answer, or the knowledge that there is none.
 template <class T>
 class uncertain {
  public:
@@ -46,11 +46,11 @@ class uncertain {
   bool certain_ = false;
 };
 
-// Answers of a kernel that may be undecided.
+// A sign that may be undecided.
 using uncertain_sign = uncertain<sign>;
-// As above, for yes and no.
+// A yes or no that may be undecided.
 using uncertain_bool = uncertain<bool>;
-// As above, for a count.
+// A count that may be undecided.
 using uncertain_int = uncertain<int>;
 
 // Kleene's three-valued "not".

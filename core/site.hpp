@@ -37,11 +37,11 @@ struct basic_site {
   friend bool operator==(const basic_site&, const basic_site&) = default;
 };
 
-// The types of input and output.
+// A point of input or output.
 using point = basic_point<double>;
-// As above.
+// A metric tensor of input or output.
 using metric_tensor = basic_metric_tensor<double>;
-// As above.
+// A site of input or output.
 using site = basic_site<double>;
 
 // True if the tensors are equal bit for bit, whatever the floating-point environment: to a

@@ -41,14 +41,14 @@ class two_lanes {
   friend two_lanes product(const two_lanes& a, const two_lanes& b) {
     return two_lanes(_mm_mul_pd(a.lanes_, b.lanes_));
   }
-  // Of two numbers of which one is NaN, and of two zeros, these two return the second.
+  // These two return the second of two numbers if one is NaN or both are zeros.
   friend two_lanes greatest(const two_lanes& a, const two_lanes& b) {
     return two_lanes(_mm_max_pd(a.lanes_, b.lanes_));
   }
   friend two_lanes smallest(const two_lanes& a, const two_lanes& b) {
     return two_lanes(_mm_min_pd(a.lanes_, b.lanes_));
   }
-  // The first lane of a and the second of b.
+  // Returns the first lane of a and the second of b.
   friend two_lanes first_then_second(const two_lanes& a, const two_lanes& b) {
     return two_lanes(_mm_move_sd(b.lanes_, a.lanes_));
   }
@@ -102,7 +102,7 @@ class two_lanes {
   friend two_lanes product(const two_lanes& a, const two_lanes& b) {
     return {a.first_ * b.first_, a.second_ * b.second_};
   }
-  // Of two numbers of which one is NaN, and of two zeros, these two return the second.
+  // These two return the second of two numbers if one is NaN or both are zeros.
   friend two_lanes greatest(const two_lanes& a, const two_lanes& b) {
     return {a.first_ > b.first_ ? a.first_ : b.first_,
             a.second_ > b.second_ ? a.second_ : b.second_};
@@ -111,7 +111,7 @@ class two_lanes {
     return {a.first_ < b.first_ ? a.first_ : b.first_,
             a.second_ < b.second_ ? a.second_ : b.second_};
   }
-  // The first lane of a and the second of b.
+  // Returns the first lane of a and the second of b.
   friend two_lanes first_then_second(const two_lanes& a, const two_lanes& b) {
     return {a.first_, b.second_};
   }

@@ -40,7 +40,7 @@ int main() {
   const asterism::audit_report& report = made.value().report;
   for (const auto& finding : report.findings) std::cout << finding.witness << '\n';
   std::cout << (made.value().certified() ? "certified" : "not certified") << ", worst angle "
-            << report.worst.degrees << " degrees\n";
+            << report.worst().degrees << " degrees\n";
 
   const auto files = asterism::write_mesh("l_shape.svg", outcome.result);
   if (!files) return complain(files.failure());

@@ -24,6 +24,7 @@ struct point_columns {
   std::span<const double> x, y;
 };
 
+// Metric tensors, one a row.
 struct metric_columns {
   std::span<const double> m11, m12, m22;
 };

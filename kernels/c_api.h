@@ -45,8 +45,9 @@ typedef enum asterism_status { /* NOLINT(modernize-use-using): C */
  */
 ASTERISM_EXPORT const char* asterism_status_message(asterism_status status);
 
-/* ASTERISM_VERSION and ASTERISM_VERSION_TEXT as the library was compiled. */
+/* Returns ASTERISM_VERSION as the library was compiled. */
 ASTERISM_EXPORT int asterism_version(void);
+/* Returns ASTERISM_VERSION_TEXT as the library was compiled. */
 ASTERISM_EXPORT const char* asterism_version_text(void);
 
 /* Does r lie to the left (1) or right (-1) of the directed line from p to q, or on it (0)?

@@ -24,55 +24,68 @@
 extern "C" {
 #endif
 
+/* A table of numbers, a record a row: row i begins at first + i * stride. */
 typedef struct asterism_rows { /* NOLINT(modernize-use-using): C */
   const double* first;
   size_t stride; /* in numbers */
 } asterism_rows;
 
+/* What a batch tells beside its answers. */
 typedef struct asterism_batch_report { /* NOLINT(modernize-use-using): C */
   size_t failed_row;                   /* of the status, if it is about a row; else the count */
   /* How many questions each tier decided (docs/math/tiers.md). */
   size_t by_semi_static, by_interval, by_exact;
 } asterism_batch_report;
 
+/* Answers asterism_orientation for each row. */
 ASTERISM_EXPORT asterism_status asterism_orientations(size_t count, asterism_rows p,
                                                       asterism_rows q, asterism_rows r,
                                                       signed char* answers,
                                                       asterism_batch_report* report);
+/* Answers asterism_is_spd for each row. */
 ASTERISM_EXPORT asterism_status asterism_are_spd(size_t count, asterism_rows metric,
                                                  signed char* answers,
                                                  asterism_batch_report* report);
+/* Answers asterism_in_circle for each row. */
 ASTERISM_EXPORT asterism_status asterism_in_circles(size_t count, asterism_rows metric,
                                                     asterism_rows a, asterism_rows b,
                                                     asterism_rows c, asterism_rows p,
                                                     signed char* answers,
                                                     asterism_batch_report* report);
+/* Answers asterism_compare_distance for each row. */
 ASTERISM_EXPORT asterism_status asterism_compare_distances(size_t count, asterism_rows v,
                                                            asterism_rows w, asterism_rows q,
                                                            signed char* answers,
                                                            asterism_batch_report* report);
+/* Answers asterism_in_wedge for each row. */
 ASTERISM_EXPORT asterism_status asterism_in_wedges(size_t count, asterism_rows v, asterism_rows w,
                                                    asterism_rows q, signed char* answers,
                                                    asterism_batch_report* report);
+/* Answers asterism_dominates for each row. */
 ASTERISM_EXPORT asterism_status asterism_dominations(size_t count, asterism_rows v, asterism_rows w,
                                                      asterism_rows p, signed char* answers,
                                                      asterism_batch_report* report);
+/* Answers asterism_voronoi_vertex_count for each row. */
 ASTERISM_EXPORT asterism_status asterism_voronoi_vertex_counts(size_t count, asterism_rows u,
                                                                asterism_rows v, asterism_rows w,
                                                                signed char* answers,
                                                                asterism_batch_report* report);
+/* Answers asterism_arc_intersection_count for each row. */
 ASTERISM_EXPORT asterism_status asterism_arc_intersection_counts(size_t count, asterism_rows v,
                                                                  asterism_rows w, asterism_rows x,
                                                                  signed char* answers,
                                                                  asterism_batch_report* report);
+/* Answers asterism_encroaches for each row. */
 ASTERISM_EXPORT asterism_status asterism_encroachments(size_t count, asterism_rows a,
                                                        asterism_rows b, asterism_rows w,
                                                        signed char* answers,
                                                        asterism_batch_report* report);
+/* Answers asterism_insertion_test for each row. */
 ASTERISM_EXPORT asterism_status asterism_insertion_tests(size_t count, asterism_rows v,
                                                          asterism_rows w, asterism_rows x,
                                                          asterism_rows y, signed char* answers,
                                                          asterism_batch_report* report);
+/* Answers asterism_edge_test for each row. */
 ASTERISM_EXPORT asterism_status asterism_edge_tests(size_t count, asterism_rows v, asterism_rows w,
                                                     asterism_rows x, asterism_rows y,
                                                     signed char* answers,

@@ -17,7 +17,7 @@
 
 namespace asterism::internal {
 
-// Is the value P + beta sqrt E zero where the norm P^2 - beta^2 E is known to be?
+// True if the value P + beta sqrt E is zero, given that the norm P^2 - beta^2 E is.
 inline uncertain_bool conjugate_vanishes(uncertain_sign rational_part, uncertain_sign beta) {
   if (!rational_part.certain() || !beta.certain()) return {};
   return rational_part.value() * beta.value() != sign::positive;

@@ -34,7 +34,7 @@ struct encroachment_question {
     against_b = {{at_a - squared_length(b.metric, d), mixed + mixed, at_b}};
   }
 
-  // At m = mu / lambda.
+  // True if the condition holds at m = mu / lambda.
   uncertain_bool holds(const Number& lambda, const Number& mu) const {
     const uncertain_bool inside = is_positive(sign_of(lambda)) & is_positive(sign_of(mu));
     return inside & is_negative(sign_of(evaluate(against_a, lambda, mu))) &

@@ -41,8 +41,8 @@ Number angle_value(const basic_metric_tensor<Number>& m, const basic_point<Numbe
   return dot(between(v, x), apply(m, between(w, x)));
 }
 
-// The same polynomial as in_circle_value, for who already has the orientations of v, w, x and of
-// v, w, y: opposite angles, whose cotangents add up to zero on a circle.
+// Computes the polynomial of in_circle_value from the orientations of v, w, x and of v, w, y, which
+// the caller has already: opposite angles, whose cotangents add up to zero on a circle.
 template <class Number>
 Number opposite_angles_value(const basic_metric_tensor<Number>& m, const basic_point<Number>& v,
                              const basic_point<Number>& w, const basic_point<Number>& x,

@@ -21,7 +21,7 @@
 
 namespace asterism::internal {
 
-// What makes a neighbour's condition hold at a point, one by one.
+// Holds each part of a neighbour's condition at a point.
 struct neighbour_verdict {
   uncertain_sign x_farther;  // sign of f_x - f_v
   uncertain_bool v_dominates, w_dominates, contains_x;
@@ -29,7 +29,7 @@ struct neighbour_verdict {
   uncertain_bool holds() const { return v_dominates & w_dominates & !contains_x; }
 };
 
-// What one of the two neighbours demands of a point of the arc.
+// Evaluates the condition that one of the two neighbours puts on a point of the arc.
 template <class Number>
 struct neighbour_condition {
   const visible_arc<Number>* arc;
@@ -68,7 +68,8 @@ struct neighbour_condition {
     visit(arc->restrict(line_through(origin, w.position, x.position)));
   }
 
-  // At the point with weighted displacement from_v = weight (p - v); Surd holds sqrt E.
+  // Returns the verdict at the point with weighted displacement from_v = weight (p - v); Surd holds
+  // sqrt E.
   template <class Surd>
   neighbour_verdict examine(const displacement<Surd>& from_v, const Surd& weight) const {
     const basic_site<Surd> v = lift<Surd>(arc->v), w = lift<Surd>(arc->w), at = lift<Surd>(x);
@@ -105,7 +106,7 @@ struct neighbour_condition {
             {Surd(s.metric.m11), Surd(s.metric.m12), Surd(s.metric.m22)}};
   }
 
-  // Is x in the closed triangle v, w, p?
+  // True if x is in the closed triangle v, w, p.
   template <class Surd>
   uncertain_bool x_in_triangle(const displacement<Surd>& from_v,
                                const displacement<Surd>& from_x) const {

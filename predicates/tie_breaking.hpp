@@ -90,8 +90,8 @@ bool tie_goes_to_edge(const std::array<basic_site<Number>, 4>& sites,
   return false;
 }
 
-// The same for equal metrics, where no cofactor vanishes: det[D, 1] is the orientation of the
-// sites up to a positive factor, and the four are in convex position.
+// Decides the tie for equal metrics, where no cofactor vanishes: det[D, 1] is the orientation of
+// the sites up to a positive factor, and the four are in convex position.
 inline bool equal_metric_tie_goes_to_edge(const point& v, const point& w, const point& x,
                                           const point& y) {
   const point& of_edge = lexicographically_less(v, w) ? w : v;

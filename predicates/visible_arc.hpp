@@ -23,7 +23,7 @@
 
 namespace asterism::internal {
 
-// The value of p at m = mu / lambda, times lambda^Degree.
+// Returns the value of p at m = mu / lambda, times lambda^Degree.
 template <class Number, std::size_t Degree>
 Number evaluate(const polynomial<Number, Degree>& p, const Number& lambda, const Number& mu) {
   Number value = p.coefficient[Degree], power = lambda;
@@ -40,7 +40,7 @@ bool is_certainly_zero(const basic_metric_tensor<Number>& m) {
          sign_of(m.m22).certainly(sign::zero);
 }
 
-// Is p the zero polynomial?
+// True if p is the zero polynomial.
 template <class Number, std::size_t Degree>
 uncertain_bool vanishes(const polynomial<Number, Degree>& p) {
   uncertain_bool all = true;
@@ -106,7 +106,7 @@ struct visible_arc {
     return {c * restrict_form(q.form) + q.constant * a, c * linear + (q.constant + q.constant) * h};
   }
 
-  // The part of C (alpha + beta s) = P + beta sqrt E that has no root.
+  // Returns the part of C (alpha + beta s) = P + beta sqrt E that has no root.
   polynomial<Number, 2> rational_part(const arc_function<Number>& f) const {
     return c * f.alpha + f.beta * h;
   }
@@ -116,7 +116,7 @@ struct visible_arc {
     return c * (f.alpha * f.alpha) + (mixed + mixed) - a * (f.beta * f.beta);
   }
 
-  // Is p(mu / lambda) a point of the arc?
+  // True if p(mu / lambda) is a point of the arc.
   uncertain_bool contains(const Number& lambda, const Number& mu) const {
     const uncertain_bool real = is_positive(sign_of(evaluate(e, lambda, mu)));
     if (real.certainly(false)) return false;
@@ -146,7 +146,7 @@ plane_quadratic<Number> distance_difference(const basic_point<Number>& origin,
   return {i.metric - j.metric, half + half, dot(to_i, metric_i) - dot(to_j, metric_j)};
 }
 
-// The two lines through site i that touch Vor{i,j}, as one quadratic about `origin`: the
+// Returns the two lines through site i that touch Vor{i,j}, as one quadratic about `origin`: the
 // discriminant of f_i - f_j on the line from i through p. Positive: the line meets the bisector
 // twice, on whichever side of i.
 template <class Number>
@@ -197,7 +197,7 @@ plane_quadratic<Number> ray_approach(const basic_point<Number>& origin, const ba
   return {{zero, zero, zero}, t, zero - dot(t, between(origin, i.position))};
 }
 
-// The line through i and j, as orientation(i, j, p) about `origin`.
+// Returns the line through i and j, as orientation(i, j, p) about `origin`.
 template <class Number>
 plane_quadratic<Number> line_through(const basic_point<Number>& origin,
                                      const basic_point<Number>& i, const basic_point<Number>& j) {

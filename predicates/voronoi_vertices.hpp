@@ -85,7 +85,8 @@ uncertain_int count_common_points(const conic_in_y<Number>& g1, const conic_in_y
                            : sum_over_roots(Arithmetic::real_roots(resultant));
 }
 
-// One conic is the line linear . r + constant = 0 (the two metrics are equal).
+// Counts the vertices where one conic is the line linear . r + constant = 0, two metrics being
+// equal.
 template <class Arithmetic, class Number>
 uncertain_int count_points_on_line(const plane_quadratic<Number>& line,
                                    const plane_quadratic<Number>& conic) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/audit/audit.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "asterism/mesh/audit/context.hpp"
@@ -36,9 +38,12 @@ const std::array<std::string_view, finding_kind_count> finding_kind_names = {
     "boundary_deviation",
     "wrong_region",
     "angle_below_bound",
+    "collateral_angle_below_bound",
     "exemption_not_proven",
+    "nothing_judged",
     "star_neighbour_rejected",
     "star_site_missing",
+    "stopped",
     "voronoi_vertex_missing",
     "voronoi_arc_reversed",
     "voronoi_site_nearer",
@@ -50,6 +55,13 @@ const std::array<std::string_view, 4> voronoi_verdict_names = {"not asked", "not
 
 std::size_t audit_report::total_found() const {
   return std::accumulate(found.begin(), found.end(), std::size_t{0});
+}
+
+std::vector<vertex_index> audit_report::refused_triangles() const {
+  std::vector<vertex_index> all;
+  std::set_union(low_triangles.begin(), low_triangles.end(), collateral_triangles.begin(),
+                 collateral_triangles.end(), std::back_inserter(all));
+  return all;
 }
 
 audit_report audit(const mesh& subject, const audit_options& options) {
@@ -75,6 +87,7 @@ audit_report audit(const mesh& subject, const audit_options& options) {
   if (options.original != nullptr) check_domain_kept(context);
   check_regions(context);
   check_angles(context);
+  if (options.domain_is_the_mesh) check_something_judged(context);
   if (options.check_stars && triangulation) check_stars(context);
 
   report.certified = report.total_found() == 0;

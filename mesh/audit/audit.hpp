@@ -10,8 +10,8 @@
 //     domain is given, of that domain with its segments split, those inside it being edges with a
 //     triangle on each side; and every triangle has the number of its region;
 //  3. have no angle below the bound, at any corner, in the metric of any of the triangle's three
-//     vertices, hence of any convex combination of them; triangles at an exempt corner,
-//     or across a narrow internal wedge, excepted;
+//     vertices, hence of any convex combination of them, but the domain's own angle at corners
+//     that are sharper, in metrics that measure it so;
 //  4. have every triangle in the star of each of its vertices: each star is a fixed point of the
 //     incremental insertion among the sites visible from its centre.
 // When asked for, it is moreover proven or refused that the mesh
@@ -30,6 +30,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -66,15 +67,19 @@ enum class finding_kind : std::size_t {
   unused_vertex,                 // a site in no triangle
   broken_fan,                    // the triangles at a vertex do not surround it once
   given_changed,                 // sites[0 .. given) are not the domain's vertices
-  segment_not_covered,      // the subsegments of a segment do not lead from its start to its end
-  marker_changed,           // a subsegment has another marker than its segment
-  side_changed,             // a subsegment is internal and its segment is not, or the reverse
-  boundary_deviation,       // a split point too far from its segment for rounding
-  wrong_region,             // a triangle does not have the number of its region
-  angle_below_bound,        //
-  exemption_not_proven,     // the corner's own angle is not below the bound
-  star_neighbour_rejected,  // a neighbour the star would not accept again
-  star_site_missing,        // a visible site the star would accept
+  segment_not_covered,  // the subsegments of a segment do not lead from its start to its end
+  marker_changed,       // a subsegment has another marker than its segment
+  side_changed,         // a subsegment is internal and its segment is not, or the reverse
+  boundary_deviation,   // a split point too far from its segment for rounding
+  wrong_region,         // a triangle does not have the number of its region
+  angle_below_bound,    //
+  collateral_angle_below_bound,  // of a triangle at a sharp corner or across a narrow wedge, and
+                                 // not the corner's own
+  exemption_not_proven,          // the corner's own angle is not below the bound
+  nothing_judged,                // every edge is a segment, and corners are exempt
+  star_neighbour_rejected,       // a neighbour the star would not accept again
+  star_site_missing,             // a visible site the star would accept
+  stopped,                       // the stars were not all looked at
   // The last four refuse point 5 alone.
   voronoi_vertex_missing,       // a triangle without a Voronoi vertex that its corners all see
   voronoi_arc_reversed,         // Voronoi vertices in the wrong order around an edge
@@ -82,7 +87,7 @@ enum class finding_kind : std::size_t {
   voronoi_boundary_encroached,  // a third site nearer to a point of a boundary edge
 };
 // Number of kinds.
-inline constexpr std::size_t finding_kind_count = 34;
+inline constexpr std::size_t finding_kind_count = 37;
 // The kinds as certificates spell them, in the order of `finding_kind`.
 ASTERISM_EXPORT extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
 
@@ -100,20 +105,25 @@ struct audit_finding {
 struct audit_options {
   // Degrees, 0 <= bound < 90. Empty: angles are measured but none is asked for.
   std::optional<double> angle_bound;
-  // Corners (indices from 0) whose triangles may be below the bound. Each must be proven: the angle
-  // of the domain at it, in its own metric, is below the bound.
+  // Corners (indices from 0) at which the domain may be sharper than the bound. Each must be
+  // proven: the angle of the domain at it, in its own metric, is below the bound.
   std::vector<vertex_index> exempt_corners;
   // Exempt every corner for which that can be proven, without a claim.
   bool find_exempt_corners = false;
   // The domain as it was meshed (after check_domain); not owned, may be null.
   const domain* original = nullptr;
-  // How far a split point may be from its segment, as a multiple of the largest coordinate of the
-  // segment's ends. Rounding is about 2^-53 a split; it decides no topology.
-  double deviation_limit = 0x1p-40;
+  // The domain is what the mesh itself says: then a mesh of which every inner edge is a segment is
+  // refused where an angle is exempt. Nothing of it would be judged.
+  bool domain_is_the_mesh = false;
   bool check_stars = true;
+  // Stars are checked with the auditor's own filter and edge_test alone. Otherwise the kernel's
+  // prepared gaps are asked first, which the mesher asks too, and which are faster.
+  bool own_filter_alone = false;
   bool check_voronoi = false;
+  // Asked now and then while stars are checked: true ends that, and the stars count as not checked.
+  std::function<bool()> enough = {};
   // Findings kept of each kind; all are counted.
-  std::size_t findings_kept = 20;
+  std::size_t findings_kept = 10;
 };
 
 // The verdict on point 5.
@@ -145,14 +155,26 @@ struct audit_report {
   bool domain_checked = false;  // false: no domain was given
   bool angles_checked = false;  // false: no bound was given
   bool stars_checked = false;   // false: not asked for, or the mesh is no triangulation
+  // The first certain reasons against its stars were found, and the rest was not looked for.
+  bool stars_cut_short = false;
 
-  audited_angle worst;                         // over the triangles away from exempt corners
-  audited_angle worst_exempt;                  // over those at them, below the bound or not
-  std::vector<vertex_index> exempt_corners;    // proven, ascending
-  std::vector<vertex_index> exempt_triangles;  // those below the bound at or across them, ascending
-  std::vector<vertex_index> low_triangles;     // all others below the bound, ascending
-  // Upper bound of the distance of a split point from its segment, in units of the domain.
-  double largest_deviation = 0;
+  // Every angle in each of three metrics is of one kind. Exempt are those at a sharp corner in a
+  // metric that measures the domain's own angle there below the bound, as the corner's does;
+  // collateral all others of triangles at a sharp corner, or across a narrow wedge of which one
+  // side is internal; ordinary the rest. The bound is asked of the last two.
+  audited_angle worst_ordinary, worst_collateral, worst_exempt;
+  // The lesser of ordinary and collateral: of all that the bound is asked of.
+  const audited_angle& worst() const {
+    return worst_collateral.degrees < worst_ordinary.degrees ? worst_collateral : worst_ordinary;
+  }
+  std::vector<vertex_index> exempt_corners;  // proven, ascending
+  // Triangles with an angle of the kind below the bound, ascending; one can be in several.
+  std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
+  // Those of the last two lists, ascending, each once.
+  ASTERISM_EXPORT std::vector<vertex_index> refused_triangles() const;
+  // Upper bound of the distance of a split point from its segment, in units of the domain, and in
+  // units in the last place of the largest coordinate of the segment's ends.
+  double largest_deviation = 0, largest_deviation_ulps = 0;
 
   // Decisions of the auditor's own arithmetic, and those of them that needed rationals; the
   // kernel's are in `counters`.

@@ -46,7 +46,9 @@ std::uint64_t mesh_fingerprint(const mesh& subject) {
     hash.add(std::uint64_t{e.a});
     hash.add(std::uint64_t{e.b});
     hash.add(static_cast<std::uint64_t>(e.marker));
+    hash.add(std::uint64_t{e.internal});
   }
+  for (const int reference : subject.references) hash.add(static_cast<std::uint64_t>(reference));
   if (has_regions(subject))
     for (const int region : subject.regions) hash.add(static_cast<std::uint64_t>(region));
   return hash.value();
@@ -62,9 +64,12 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.given = report.given;
   c.fingerprint = mesh_fingerprint(subject);
   c.angle_bound = options.angle_bound;
-  c.worst_angle = report.worst.degrees;
+  c.worst_angle = report.worst().degrees;
+  c.worst_collateral = report.worst_collateral.degrees;
+  c.worst_exempt = report.worst_exempt.degrees;
   c.exempt_corners = report.exempt_corners;
   c.exempt_triangles = report.exempt_triangles;
+  c.collateral_triangles = report.collateral_triangles;
   c.low_triangles = report.low_triangles;
   c.largest_deviation = report.largest_deviation;
   c.domain_checked = report.domain_checked;
@@ -74,9 +79,13 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.voronoi = report.voronoi;
   for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
     if (report.found[kind] != 0) c.found.emplace(finding_kind_names[kind], report.found[kind]);
-  for (const audit_finding& f : report.findings)
-    c.witnesses.push_back(std::string(finding_kind_names[static_cast<std::size_t>(f.kind)]) + ": " +
-                          f.witness);
+  // As many as an audit keeps, however many this one did.
+  std::array<std::size_t, finding_kind_count> kept{};
+  for (const audit_finding& f : report.findings) {
+    const auto kind = static_cast<std::size_t>(f.kind);
+    if (kept[kind]++ < audit_options{}.findings_kept)
+      c.witnesses.push_back(std::string(finding_kind_names[kind]) + ": " + f.witness);
+  }
   c.audit_counters = report.counters;
   if (options.original != nullptr) c.original = *options.original;
   return c;

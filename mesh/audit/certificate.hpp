@@ -49,11 +49,12 @@ struct certificate {
   // What numerics/mesh_statistics.hpp measures, by the names there; those that are finite.
   std::map<std::string, double> measured;
   std::optional<double> angle_bound;  // degrees
-  // Away from exempt corners; 180 where no triangle is, in the file null.
-  double worst_angle = 180;
+  // The least angle that the bound is asked of, the least of those that are collateral, and the
+  // least exempt (audit_report); 180 where there is none, in the file null.
+  double worst_angle = 180, worst_collateral = 180, worst_exempt = 180;
   std::vector<vertex_index> exempt_corners;
-  std::vector<vertex_index> exempt_triangles;
-  std::vector<vertex_index> low_triangles;  // below the bound, and not exempt
+  // With an angle of the kind below the bound.
+  std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
   double largest_deviation = 0;
   bool domain_checked = false, angles_checked = false, stars_checked = false;
   bool certified = false;
@@ -94,10 +95,10 @@ struct verify_report {
   std::vector<std::string> contradictions;  // one sentence each, claim against mesh
 };
 
-// Audits again, from the mesh and the certificate alone. From the certificate come the domain, the
-// exempt corners and the angle bound where `options` has none of its own, and what it says is the
-// dual of the Voronoi diagram is checked to be; without a certificate
-// exempt corners are looked for, and nothing is known of the domain.
+// Audits again, from the mesh and the certificate alone. From the certificate come the domain and
+// the angle bound where `options` has none of its own, and what it says of the Voronoi diagram is
+// checked. Sharp corners are looked for. Without an angle bound from either nothing is certified,
+// and `verified` is false.
 ASTERISM_EXPORT verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
                                      audit_options options);
 

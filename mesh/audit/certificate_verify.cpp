@@ -7,8 +7,10 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/audit/certificate_options.hpp"
 
 namespace asterism {
+using namespace internal;
 namespace {
 
 std::string text_of(bool yes) { return yes ? "true" : "false"; }
@@ -51,13 +53,17 @@ void compare_audit(contradictions& all, const certificate& claim, const certific
   all.compare("audit.angles_checked", claim.angles_checked, found.angles_checked);
   all.compare("audit.worst_angle", claim.worst_angle, found.worst_angle);
   all.compare("audit.exempt_corners", claim.exempt_corners, found.exempt_corners);
+  all.compare("audit.worst_collateral_angle", claim.worst_collateral, found.worst_collateral);
+  all.compare("audit.worst_exempt_angle", claim.worst_exempt, found.worst_exempt);
   all.compare("audit.exempt_triangles", claim.exempt_triangles, found.exempt_triangles);
+  all.compare("audit.collateral_triangles", claim.collateral_triangles, found.collateral_triangles);
   all.compare("audit.low_triangles", claim.low_triangles, found.low_triangles);
   all.compare("audit.largest_boundary_deviation", claim.largest_deviation, found.largest_deviation);
-  if (claim.voronoi == voronoi_verdict::proved)
+  if (claim.voronoi != voronoi_verdict::not_asked)
     all.compare("audit.voronoi", claim.voronoi, found.voronoi);
   // Of a mesh that was not finished the stars may not have been looked at, nor what they tell.
   if (!claim.certified) return;
+  all.compare("audit.certified", claim.certified, found.certified);
   all.compare("audit.stars_checked", claim.stars_checked, found.stars_checked);
   // What is found of the diagram counts among the findings: they are the same where it was asked
   // for in both, or in neither.
@@ -68,17 +74,55 @@ void compare_audit(contradictions& all, const certificate& claim, const certific
     all.add("\"audit.witnesses\" are others in the certificate than those of this mesh");
 }
 
+std::optional<double> number_of(const std::string& text) {
+  double value = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
 // The bound is written twice: as the number that is audited, and among the options.
 void compare_bounds(contradictions& all, const certificate& claim) {
   const auto option = claim.options.find("angle-bound");
-  if (option == claim.options.end() || !claim.angle_bound) return;
-  const std::string& text = option->second;
-  double bound = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), bound);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size() ||
-      bound != *claim.angle_bound)
-    all.add("\"asked.angle_bound\" is " + text_of(*claim.angle_bound) +
-            " in the certificate, and \"asked.options.angle-bound\" is " + text);
+  if (option == claim.options.end()) return;
+  const auto bound = number_of(option->second);
+  if (bound && claim.angle_bound == bound) return;
+  all.add("\"asked.angle_bound\" is " +
+          (claim.angle_bound ? text_of(*claim.angle_bound) : std::string("null")) +
+          " in the certificate, and \"asked.options.angle-bound\" is " + option->second);
+}
+
+template <class Names>
+void compare_names(contradictions& all, const certificate& claim, const Names& names) {
+  for (const std::string_view name : names)
+    if (claim.options.count(std::string(name)) == 0)
+      all.add("\"asked.options." + std::string(name) + "\" is missing");
+  for (const auto& [name, value] : claim.options)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      all.add("\"asked.options." + name + "\" is nothing that is asked");
+}
+
+// Whoever calls the library may leave the options away, but not some of them.
+void compare_options(contradictions& all, const certificate& claim) {
+  compare_bounds(all, claim);
+  if (claim.options.empty()) return;
+  if (claim.options.count("mesh") != 0) return compare_names(all, claim, certify_option_names);
+  compare_names(all, claim, mesh_option_names);
+  const auto option = [&claim](const char* name) {
+    const auto place = claim.options.find(name);
+    return place == claim.options.end() ? std::string() : place->second;
+  };
+  if (claim.complete && !claim.relaxed && option("size") != option("size-delivered"))
+    all.add(
+        "the certificate says that its mesh was completed, and \"asked.options.size\" is not "
+        "\"asked.options.size-delivered\"");
+  if ((option("gradation") == "none") != (option("gradation-done") == "none"))
+    all.add(
+        "\"asked.options.gradation\" and \"asked.options.gradation-done\" contradict each other");
+  const bool is_verdict = option("certify") == "voronoi" || option("certify") == "stars";
+  if (!is_verdict ||
+      (option("certify") == "voronoi") != (claim.voronoi != voronoi_verdict::not_asked))
+    all.add("\"asked.options.certify\" and \"audit.voronoi\" contradict each other");
 }
 
 // `as_claimed`: the audit answered the question that the certificate answers.
@@ -95,7 +139,7 @@ std::vector<std::string> contradictions_of(const mesh& subject, const certificat
   // Numbers of another mesh say nothing.
   if (all.none() && as_claimed)
     compare_audit(all, claim, make_certificate(subject, options, audited));
-  compare_bounds(all, claim);
+  compare_options(all, claim);
   if (!claim.certified) all.add("the certificate itself says that its mesh was not certified");
   if (!claim.complete)
     all.add("the certificate itself says that its mesh was not completed: " + claim.reason);
@@ -111,22 +155,24 @@ std::vector<std::string> contradictions_of(const mesh& subject, const certificat
 verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
                      audit_options options) {
   bool as_claimed = false;
+  const bool must_be_dual =
+      options.check_voronoi || (claim && claim->voronoi == voronoi_verdict::proved);
   if (claim) {
     as_claimed = (!options.angle_bound || options.angle_bound == claim->angle_bound) &&
                  options.original == nullptr && options.exempt_corners.empty();
     if (!options.angle_bound) options.angle_bound = claim->angle_bound;
     if (options.original == nullptr && claim->original) options.original = &*claim->original;
-    if (options.exempt_corners.empty()) options.exempt_corners = claim->exempt_corners;
-    if (claim->voronoi == voronoi_verdict::proved) options.check_voronoi = true;
-  } else {
-    options.find_exempt_corners = true;
+    if (claim->voronoi != voronoi_verdict::not_asked) options.check_voronoi = true;
   }
+  options.find_exempt_corners = true;
+  options.own_filter_alone = true;
   verify_report report;
   report.audit = audit(subject, options);
   if (claim)
     report.contradictions = contradictions_of(subject, *claim, options, report.audit, as_claimed);
-  report.verified = report.audit.certified && report.contradictions.empty() &&
-                    (!options.check_voronoi || report.audit.voronoi == voronoi_verdict::proved);
+  report.verified = report.audit.certified && report.audit.angles_checked &&
+                    report.contradictions.empty() &&
+                    (!must_be_dual || report.audit.voronoi == voronoi_verdict::proved);
   return report;
 }
 
@@ -144,7 +190,7 @@ std::optional<std::string> contradiction_in_low_triangles(const mesh& subject,
   options.angle_bound = claim.angle_bound;
   options.find_exempt_corners = true;
   options.check_stars = false;
-  const std::vector<vertex_index> low = audit(as_asked, options).low_triangles;
+  const std::vector<vertex_index> low = audit(as_asked, options).refused_triangles();
   if (low == claim.relaxed->low_triangles) return std::nullopt;
   std::vector<vertex_index> in_one;
   std::set_symmetric_difference(low.begin(), low.end(), claim.relaxed->low_triangles.begin(),

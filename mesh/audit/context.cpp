@@ -16,6 +16,10 @@ void keep_least(audited_angle& least, const audited_angle& other) {
   if (other.degrees < least.degrees) least = other;
 }
 
+void append(std::vector<vertex_index>& list, const std::vector<vertex_index>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
 // The first place of a -> b in `list`, sorted, whose members that leave a start at start[a]; or its
 // size.
 template <class Item>
@@ -49,12 +53,12 @@ void audit_context::take(audit_tally&& tally) {
   }
   for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
     report.found[kind] += tally.part.found[kind];
-  keep_least(report.worst, tally.part.worst);
+  keep_least(report.worst_ordinary, tally.part.worst_ordinary);
+  keep_least(report.worst_collateral, tally.part.worst_collateral);
   keep_least(report.worst_exempt, tally.part.worst_exempt);
-  report.exempt_triangles.insert(report.exempt_triangles.end(), tally.part.exempt_triangles.begin(),
-                                 tally.part.exempt_triangles.end());
-  report.low_triangles.insert(report.low_triangles.end(), tally.part.low_triangles.begin(),
-                              tally.part.low_triangles.end());
+  append(report.exempt_triangles, tally.part.exempt_triangles);
+  append(report.collateral_triangles, tally.part.collateral_triangles);
+  append(report.low_triangles, tally.part.low_triangles);
   report.decisions += tally.part.decisions;
   report.exact_decisions += tally.part.exact_decisions;
   report.star_pairs += tally.part.star_pairs;

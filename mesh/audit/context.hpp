@@ -119,6 +119,7 @@ void check_fans(audit_context& context);
 void check_domain_kept(audit_context& context);
 void check_regions(audit_context& context);
 void check_angles(audit_context& context);
+void check_something_judged(audit_context& context);
 void check_stars(audit_context& context);
 void check_voronoi(audit_context& context);
 

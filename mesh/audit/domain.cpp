@@ -78,11 +78,31 @@ double root_rounded_up(const rational& square) {
   return result;
 }
 
+// The distance of two doubles next to each other, of this size.
+double unit_in_last_place(double size) {
+  constexpr int least = -1074;
+  return size > 0 ? std::ldexp(1.0, std::max(std::ilogb(size) - 52, least)) : 0x1p-1074;
+}
+
+// Can rounding explain that a split point is so far from its segment? Each coordinate of a point
+// that is computed on the line of two others and rounded once or twice is off by less than one and
+// a half units in the last place, whatever the segment's length: two units for both. Where these
+// two were split points themselves their distances add up, a unit for each of at most sixteen
+// levels; that much is allowed where it is next to nothing of the segment's length as well, so that
+// it cannot take the place of a side.
+bool is_explained(double distance, double ulp, const vector2<rational>& along) {
+  constexpr double always = 2, at_most = 16, part_of_length = 0x1p-10;
+  if (distance <= always * ulp) return true;
+  const rational part = rational(part_of_length) * rational(part_of_length) * dot(along, along);
+  return distance <= at_most * ulp && rational(distance) * rational(distance) <= part;
+}
+
 void check_split_points(audit_context& context, const chain& c) {
   const point& a = context.at(c.start);
   const point& b = context.at(c.end);
   const vector2<rational> along = difference<rational>(b, a);
   const double reach = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+  const double ulp = unit_in_last_place(reach);
   for (const vertex_index subsegment : c.subsegments) {
     const boundary_edge& e = context.subject.boundary[subsegment];
     const vector2<rational> forward = difference<rational>(context.at(e.b), context.at(e.a));
@@ -96,11 +116,14 @@ void check_split_points(audit_context& context, const chain& c) {
     context.report.decisions += 1;
     context.report.exact_decisions += 1;
     context.report.largest_deviation = std::max(context.report.largest_deviation, distance);
-    if (!(distance <= context.options.deviation_limit * reach))
+    context.report.largest_deviation_ulps =
+        std::max(context.report.largest_deviation_ulps, distance / ulp);
+    if (!is_explained(distance, ulp, along))
       context.found(finding_kind::boundary_deviation,
-                    vertex_text(context, e.b) + " is up to " + number_text(distance) +
-                        " away from the segment from " + vertex_text(context, c.start) + " to " +
-                        vertex_text(context, c.end));
+                    vertex_text(context, e.b) + " is up to " + number_text(distance) + ", " +
+                        number_text(distance / ulp) +
+                        " units in the last place, away from the segment from " +
+                        vertex_text(context, c.start) + " to " + vertex_text(context, c.end));
   }
 }
 

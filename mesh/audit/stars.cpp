@@ -10,6 +10,12 @@
 //
 // Nearly every question is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
 // for a gap; what it does not know by the auditor's own filter of wider range, and then edge_test.
+// The mesher asks prepared gaps too. Where the two are not to share that, as in verify(), they are
+// left out (audit_options::own_filter_alone).
+//
+// A mesh whose metric varies much over an edge has stars that see far, and thousands of sites to
+// hold against each. It also has edges that are refused at once, by the site across them. So these
+// are asked first, and where some are refused the mesh is, without the rest.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -111,7 +117,7 @@ class visibility_test {
 struct fan_gap {
   vertex_index x = 0, y = 0;
   bool on_boundary = false;          // x -> y is a subsegment: nothing beyond it is seen
-  std::optional<star_gap> prepared;  // unless on the boundary
+  std::optional<star_gap> prepared;  // unless on the boundary, or not to be shared
   mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
 };
 
@@ -134,13 +140,12 @@ class star_check {
         sight_(context, around.subsegments, tally.kernel()) {}
 
   // Of vertices near each other: the sites around are looked for once for all of them.
-  void run(const vertex_index* begin, const vertex_index* end) {
+  void run(const vertex_index* begin, const vertex_index* end, bool neighbours_alone) {
     used_ = 0;
     for (const vertex_index* v = begin; v != end; ++v)
-      for (const vertex_fan& fan : context_.fans[*v]) {
-        check_neighbours(*v, fan);
-        prepare(*v, fan);
-      }
+      for (const vertex_fan& fan : context_.fans[*v])
+        neighbours_alone ? check_neighbours(*v, fan) : prepare(*v, fan);
+    if (neighbours_alone) return;
     reaching_.clear();
     for (std::size_t i = 0; i < used_; ++i)
       if (is_finite(prepared_[i].reach))
@@ -221,9 +226,12 @@ class star_check {
   }
 
   double prepare(vertex_index v, fan_gap& gap) const {
-    gap.prepared.emplace(at(v), at(gap.x), at(gap.y));
-    const double reach = gap.prepared->reach();
-    if (reach < std::numeric_limits<double>::infinity()) return reach;
+    gap.prepared.reset();
+    if (!context_.options.own_filter_alone) {
+      gap.prepared.emplace(at(v), at(gap.x), at(gap.y));
+      const double reach = gap.prepared->reach();
+      if (reach < std::numeric_limits<double>::infinity()) return reach;
+    }
     return gap.filter.emplace(at(v), at(gap.x), at(gap.y)).reach();
   }
 
@@ -268,14 +276,18 @@ class star_check {
   }
 
   bool is_accepted(vertex_index v, vertex_index w, const fan_gap& gap) {
-    const uncertain_bool by_v = gap.prepared->accepts(at(w));
-    if (by_v.certain()) return by_v.value();
+    if (gap.prepared) {
+      const uncertain_bool by_v = gap.prepared->accepts(at(w));
+      if (by_v.certain()) return by_v.value();
+    }
     // Made once for a gap, and cheaper than a gap of w's.
     if (!gap.filter) gap.filter.emplace(at(v), at(gap.x), at(gap.y));
     if (gap.filter->excludes(at(w))) return false;
-    // The question is the same to w, who often sees it more clearly.
-    const uncertain_bool by_w = star_gap(at(w), at(gap.y), at(gap.x)).accepts(at(v));
-    if (by_w.certain()) return by_w.value();
+    if (gap.prepared) {
+      // The question is the same to w, who often sees it more clearly.
+      const uncertain_bool by_w = star_gap(at(w), at(gap.y), at(gap.x)).accepts(at(v));
+      if (by_w.certain()) return by_w.value();
+    }
     // Slower than both, and worth it: edge_test takes thirty times as long when it comes to
     // intervals.
     if (star_gap_filter(at(w), at(gap.y), at(gap.x)).excludes(at(v))) return false;
@@ -294,20 +306,41 @@ class star_check {
   std::vector<std::size_t> leaves_;
 };
 
+// True if all was looked at: the work ends, at a place that does not depend on threads, where it
+// has found something, and wherever `enough` says so.
+bool check_in_turn(audit_context& context, const star_surroundings& around, bool neighbours_alone) {
+  const std::vector<vertex_index>& order = around.sites.order();
+  const std::vector<std::size_t>& groups = around.sites.groups();
+  constexpr std::size_t at_a_time = 128, in_turn = 32 * at_a_time;
+  const std::size_t before = context.report.total_found();
+  for (std::size_t first = 0; first + 1 < groups.size(); first += in_turn) {
+    if (context.report.total_found() > before) {
+      context.report.stars_cut_short = true;
+      return false;
+    }
+    if (context.options.enough && context.options.enough()) {
+      context.report.stars_checked = false;
+      context.found(finding_kind::stopped, "the stars were not all looked at");
+      return false;
+    }
+    const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+      star_check part(context, tally, around);
+      for (std::size_t i = first + begin; i < first + end; ++i)
+        part.run(order.data() + groups[i], order.data() + groups[i + 1], neighbours_alone);
+    };
+    check_in_parallel(context, std::min(in_turn, groups.size() - 1 - first), check, at_a_time);
+  }
+  return context.report.total_found() == before;
+}
+
 }  // namespace
 
 void check_stars(audit_context& context) {
   context.report.stars_checked = true;
   const star_surroundings around(context);
-  const std::vector<vertex_index>& order = around.sites.order();
-  const std::vector<std::size_t>& groups = around.sites.groups();
-  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
-    star_check part(context, tally, around);
-    for (std::size_t i = begin; i < end; ++i)
-      part.run(order.data() + groups[i], order.data() + groups[i + 1]);
-  };
-  constexpr std::size_t at_a_time = 128;
-  check_in_parallel(context, groups.size() - 1, check, at_a_time);
+  const bool stay = check_in_turn(context, around, true);
+  if (stay) check_in_turn(context, around, false);
+  if (!stay && context.report.stars_checked) context.report.stars_cut_short = true;
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -164,7 +164,7 @@ const char* asterism_mesh_reason(const asterism_mesh* mesh) {
 }
 int asterism_mesh_is_certified(const asterism_mesh* mesh) { return mesh->made.certified(); }
 double asterism_mesh_worst_angle(const asterism_mesh* mesh) {
-  return mesh->made.report.worst.degrees;
+  return mesh->made.report.worst().degrees;
 }
 const char* asterism_mesh_certificate(const asterism_mesh* mesh) {
   return mesh->certificate.c_str();

@@ -61,6 +61,7 @@ typedef struct asterism_metric {
   double size;               /* 0: 1. All tensors are divided by its square. */
 } asterism_metric;
 
+/* Options of a run; each comment ends with what init sets. */
 typedef struct asterism_mesh_options {
   double angle_bound; /* degrees, at least 0 and below 60; 20 */
   int limit_size;     /* 1: triangles are to be as large as the metric says; 0 */
@@ -73,13 +74,15 @@ typedef struct asterism_mesh_options {
   void* stop_context;
 } asterism_mesh_options;
 
+/* A mesh with its certificate. */
 typedef struct asterism_mesh asterism_mesh;
 /* NOLINTEND(modernize-use-using) */
 
-/* All null and 0. */
+/* Sets all to null and 0. */
 ASTERISM_EXPORT void asterism_domain_init(asterism_domain* domain);
+/* Sets all to null and 0. */
 ASTERISM_EXPORT void asterism_metric_init(asterism_metric* metric);
-/* What the comments above say last. */
+/* Sets what the comments above say last. */
 ASTERISM_EXPORT void asterism_mesh_options_init(asterism_mesh_options* options);
 
 /* Makes a mesh and audits it. `options` null: as after init. */
@@ -88,10 +91,12 @@ ASTERISM_EXPORT asterism_status asterism_mesh_create(const asterism_domain* doma
                                                      const asterism_mesh_options* options,
                                                      asterism_mesh** out, char* message,
                                                      size_t capacity);
+/* Frees a mesh; null is allowed. */
 ASTERISM_EXPORT void asterism_mesh_free(asterism_mesh* mesh);
 
-/* The mesher reached its goal, in its own opinion; why it ended, one sentence. */
+/* 1 if the mesher reached its goal, in its own opinion. */
 ASTERISM_EXPORT int asterism_mesh_is_complete(const asterism_mesh* mesh);
+/* Returns why the run ended: one sentence. */
 ASTERISM_EXPORT const char* asterism_mesh_reason(const asterism_mesh* mesh);
 /* It is complete, and the auditor found nothing against it. */
 ASTERISM_EXPORT int asterism_mesh_is_certified(const asterism_mesh* mesh);
@@ -107,8 +112,9 @@ ASTERISM_EXPORT const double* asterism_mesh_sites(const asterism_mesh* mesh, siz
 ASTERISM_EXPORT const unsigned* asterism_mesh_triangles(const asterism_mesh* mesh, size_t* count);
 /* The region of each triangle. */
 ASTERISM_EXPORT const int* asterism_mesh_regions(const asterism_mesh* mesh, size_t* count);
-/* Two sites each, the domain on the left, and the segment's marker. */
+/* Two sites each, the domain on the left. */
 ASTERISM_EXPORT const unsigned* asterism_mesh_boundary(const asterism_mesh* mesh, size_t* count);
+/* The marker of each boundary edge's segment. */
 ASTERISM_EXPORT const int* asterism_mesh_boundary_markers(const asterism_mesh* mesh, size_t* count);
 
 /* Audits the mesh again, from its arrays and the text of a certificate (null: its own). *verified

@@ -27,14 +27,18 @@ extern "C" {
 #endif
 
 /* NOLINTBEGIN(modernize-use-using): C */
+/* Sites in an index. */
 typedef struct asterism_sites asterism_sites;
+/* The star of one site. */
 typedef struct asterism_star asterism_star;
 /* NOLINTEND(modernize-use-using) */
 
 /* Copies `count` sites. */
 ASTERISM_EXPORT asterism_status asterism_sites_create(size_t count, asterism_rows sites,
                                                       asterism_sites** out);
+/* Frees the sites; null is allowed. Their stars must not be offered anything afterwards. */
 ASTERISM_EXPORT void asterism_sites_free(asterism_sites* sites);
+/* Returns how many sites there are. */
 ASTERISM_EXPORT size_t asterism_sites_count(const asterism_sites* sites);
 
 /* Adds a site, whose number is the count before. Fast inside the smallest box around the sites
@@ -45,6 +49,7 @@ ASTERISM_EXPORT asterism_status asterism_sites_add(asterism_sites* sites, const 
 /* Builds the star of site v from all others. A function of the sites alone. */
 ASTERISM_EXPORT asterism_status asterism_star_build(const asterism_sites* sites, size_t v,
                                                     asterism_star** out);
+/* Frees a star; null is allowed. */
 ASTERISM_EXPORT void asterism_star_free(asterism_star* star);
 
 /* Offers site w to a star of these sites: inserts it if it belongs there, and removes the

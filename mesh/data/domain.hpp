@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is to be meshed: a planar straight-line graph. Its segments bound the domain, with holes, or
-// lie inside it and become edges of the mesh.
+// The domain to be meshed: a planar straight-line graph. Its segments bound the domain, with holes,
+// or lie inside it and become edges of the mesh.
 //
 // Source: the thesis's "input domain" (chapter 4), in the shape of Triangle's .poly files.
 #pragma once
@@ -20,8 +20,8 @@ namespace asterism {
 // The number of a vertex, site or triangle, from 0.
 using vertex_index = std::uint32_t;
 
-// Vertices of `domain::vertices`; `marker` is carried to the mesh's boundary edges. The rest is
-// found by check_domain, whatever it was before.
+// A segment between two vertices of `domain::vertices`. `marker` is carried to the mesh's boundary
+// edges. The rest is found by check_domain, whatever it was before.
 struct segment {
   vertex_index a = 0, b = 0;
   int marker = 0;
@@ -36,8 +36,9 @@ struct region_point {
   double largest_area = 0;  // wanted of a triangle there, 0: no limit; check_domain drops it
 };
 
-// Where a domain was read, so that messages about it can use its author's numbers and lines.
-// Default-constructed for a domain that did not come from a file: numbers then start at 1.
+// The files and lines that a domain was read from, so that messages about it can use its author's
+// numbers and lines. Default-constructed for a domain that did not come from a file: numbers then
+// start at 1.
 struct domain_origin {
   std::string file;         // with the segments and holes
   std::string vertex_file;  // the same one, or Triangle's separate .node file
@@ -45,7 +46,7 @@ struct domain_origin {
   std::vector<std::size_t> vertex_lines, segment_lines, hole_lines, region_lines = {};
 };
 
-// After `check_domain` (mesh/domain/check_domain.hpp) accepted it:
+// A domain. After `check_domain` (mesh/domain/check_domain.hpp) accepted it:
 //  - segments meet only at common vertices, no two vertices coincide;
 //  - every segment has the domain on its left: on no other side when it is part of the boundary,
 //    on both when it is internal (it may dangle, divide the domain or be a closed curve inside);

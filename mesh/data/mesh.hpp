@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The result of meshing, as plain data: what io/ writes, draw/ paints and the auditor certifies.
+// The result of meshing as plain data, which io/ writes, draw/ paints and the auditor certifies.
 #pragma once
 
 #include <array>
@@ -23,18 +23,21 @@ struct boundary_edge {
 using triangle = std::array<vertex_index, 3>;  // counter-clockwise
 using triangle_sites = std::array<site, 3>;    // the sites of one
 
-// Every index refers to `sites`. `sites[0 .. given)` are the domain's vertices in their order,
-// bit for bit. `triangles` holds only what is certain: triangles on which all three stars agree.
+// A mesh. Every index refers to `sites`. `sites[0 .. given)` are the domain's vertices in their
+// order, bit for bit. `triangles` holds only triangles on which all three stars agree.
 struct mesh {
   std::vector<site> sites;
   vertex_index given = 0;
   std::vector<triangle> triangles;
-  // Of each triangle; empty: all are in region 1. 0 is also the number of a triangle which no
-  // others join to a segment, in a mesh with gaps.
+  // The region of each triangle; empty if all are in region 1. 0 is also the number of a triangle
+  // which no others join to a segment, in a mesh with gaps.
   std::vector<int> regions;
   // Each subsegment once, internal ones in the direction of their segment.
   std::vector<boundary_edge> boundary;
   std::vector<triangle> disagreeing;  // empty when refinement was complete
+  // Of each vertex, where a file gives others than the markers of its edges; else empty. Carried
+  // along and part of the fingerprint, and without any other use.
+  std::vector<int> references;
 };
 
 }  // namespace asterism

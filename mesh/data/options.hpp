@@ -12,39 +12,39 @@
 
 namespace asterism {
 
-// The thesis's two heuristics, and `guaranteed`: with a size limit the domain is filled first
+// The thesis's two heuristics, and `fill`: with a size limit the domain is filled first
 // (fill/fill.hpp), then defects are mended at the points the arcs offer, and in the end every star
 // is held against all sites.
-enum class refinement_strategy { voronoi_arcs, poisson_darts, guaranteed };
+enum class refinement_strategy { voronoi_arcs, poisson_darts, fill };
 
 // Options of a meshing run.
 struct mesh_options {
   double angle_bound = 20;  // degrees, 0 <= bound < 60; measured from all three vertices
-  refinement_strategy strategy = refinement_strategy::guaranteed;
-  // No site is inserted nearer than this to another one, in metric length, both ways. Darts start
-  // from it and shrink it. Empty: chosen from the domain (refine/insertion_tolerance.hpp) and
-  // reported in the outcome.
+  refinement_strategy strategy = refinement_strategy::fill;
+  // Least metric length from a new site to any other, as both measure it. Darts start from it and
+  // shrink it. Default: chosen from the domain (refine/insertion_tolerance.hpp) and reported in the
+  // outcome.
   std::optional<double> tolerance = {};
   // A triangle is too large when its sites are farther than 0.75 metric units from their nearest
   // common Voronoi vertex, a boundary subsegment when it is longer than 1.2: edges then come out
   // around length 1. Checked only when set (the command line sets it when --size is given).
   bool limit_size = false;
   std::size_t max_sites = 100000;
-  // The domain's vertices are the sites of a mesh: if no triangle of their stars is left to mend,
-  // no site is added and no subsegment divided, whatever else could still be improved.
+  // Keeps the domain's vertices as the only sites, and its segments whole, if no triangle of their
+  // stars has to be mended. For a domain that is a mesh already.
   bool keep_if_complete = false;
-  cancellation stop;       // polled during the run; what it says becomes part of the outcome
+  cancellation stop = {};  // polled during the run; what it says becomes part of the outcome
   int max_rejected = 100;  // darts in a row before the tolerance shrinks
   std::uint64_t seed = 1;  // darts
-  // What is complete is improved in so many passes at most (refine/coarsening_pass.hpp); each
-  // refines anew.
+  // Largest number of passes that improve a complete mesh (refine/coarsening_pass.hpp). Each pass
+  // refines anew. Default 0.
   std::size_t improve_passes = 0;
-  // Where the stars cannot agree in the metric as given, it is made to vary more slowly until they
-  // do (pipeline/metric_relaxation.hpp), and the outcome says so; `guaranteed` alone. Without this
-  // a run ends with disagreeing triangles there.
+  // Lets the metric vary more slowly where stars cannot agree in it as given, until they do
+  // (pipeline/metric_relaxation.hpp); the outcome says so. Only for `fill`. If false, a run
+  // ends with disagreeing triangles there.
   bool relax = true;
-  // make_certified_mesh has the mesh proved, or refused, as the dual of the anisotropic Voronoi
-  // diagram of its sites. make_mesh does not look at this.
+  // Has make_certified_mesh prove or refuse that the mesh is the dual of the anisotropic Voronoi
+  // diagram of its sites. make_mesh ignores it.
   bool prove_voronoi = false;
 };
 

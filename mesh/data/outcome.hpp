@@ -63,7 +63,7 @@ struct crowded_site {
 // How one refinement ended, with the numbers that explain it.
 struct refinement_ending {
   ending how = ending::complete;  // neither `relaxed` nor `fitted`
-  refinement_strategy strategy = refinement_strategy::guaranteed;
+  refinement_strategy strategy = refinement_strategy::fill;
   std::size_t max_sites = 0;      // the limit in force
   std::size_t sites = 0;          // there were in the end
   std::size_t bad_triangles = 0;  // left, those too large among them
@@ -93,10 +93,10 @@ struct improvement_report {
   bool stopped = false;  // by options.stop; the mesh is the last one that was accepted
 };
 
-// The metric given turns by so much over an edge that refinement did not make stars agree; a mesh
-// of the metric softened was fitted to the one given (optimize/optimize_mesh.hpp), and in that they
-// do. It keeps to the density wanted, with triangles of other shapes: outcome.too_large has those
-// whose sites are farther from their Voronoi vertex than the size asks for.
+// How a mesh of a softened metric was fitted to the metric given (optimize/optimize_mesh.hpp),
+// because that turns so much over an edge that refinement did not make stars agree. After fitting
+// they do. The mesh has the density wanted and triangles of other shapes: outcome.too_large counts
+// those whose sites are farther from their Voronoi vertex than the size asks for.
 struct fitting_report {
   std::string why;             // how refinement ended before, one sentence
   double power = 1;            // the aspects of the metric whose mesh was fitted, to this
@@ -112,6 +112,7 @@ struct relaxation_details {
   std::optional<std::string> fitting_stopped;  // what mesh_options::stop said during fitting
 };
 
+// Mesh that a run made, how the run ended, and what it took.
 struct mesh_outcome {
   // True if the mesh meets the demands, as the mesher believes; the auditor decides.
   bool complete = false;
@@ -127,8 +128,8 @@ struct mesh_outcome {
   std::vector<triangle> exempt_triangles;  // of result.triangles, below the bound at or across them
   tier_counters counters;
   std::optional<improvement_report> improved;  // where passes were asked for and it is complete
-  // Complete, if the mesh is of a relaxed metric, means that the angle bound is met in the metric
-  // given as well.
+  // Present if the mesh is of a relaxed metric. `complete` then means that the angle bound is met
+  // in the metric given as well.
   std::optional<relaxation_report> relaxed;
   std::optional<relaxation_details> relaxed_details;  // together with `relaxed`
   std::optional<fitting_report> fitted;               // then it is not relaxed

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How the metric of a mesh differs from the one asked for, as plain data: the mesher fills it in
-// (pipeline/metric_relaxation.hpp), certificates hold it.
+// Describes how the metric of a mesh differs from the one asked for. Plain data: the mesher fills
+// it in (pipeline/metric_relaxation.hpp), and certificates hold it.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,8 @@ struct relaxation_report {
   std::vector<metric_tensor> given;  // of each site, what the field says there
   std::size_t changed = 0;           // sites with another tensor than that
   double most_longer = 1, most_shorter = 1;  // by which some length at a site is measured so
-  // As the tensors given measure them, away from corners that are sharp in these.
+  // Smallest angle, degrees, as the tensors given measure it, away from corners that are sharp in
+  // these.
   double worst_angle = 180;
   std::vector<vertex_index> low_triangles;  // below the bound, ascending
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a mesher may rely on in a domain, established by exact signs alone: a planar straight-line
+// Establishes by exact signs alone what a mesher relies on in a domain. A planar straight-line
 // graph is put in order where that changes no point set, and refused where it cannot be meant.
 //
 // Put in order, and counted in the report:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The faces of a plane graph, and which of them a point lies in. Works inside check_domain.
+// Builds the faces of a plane graph and finds the face that a point lies in. Works inside
+// check_domain.
 //
 // Half-edge 2e runs along edge e from a to b, 2e + 1 the other way. Walking with the face on the
 // left gives closed walks; a face has one walk for each connected part of its border. The walk
@@ -24,9 +25,9 @@ class face_map {
 
   static constexpr std::size_t outside = 0;  // the unbounded face
   std::size_t left_of(std::size_t half_edge) const { return face_of_[half_edge]; }
-  // The face around `q`, which must be on no edge.
+  // Returns the face around `q`, which must be on no edge.
   std::size_t face_around(const point& q) const;
-  // The edge that `q` lies on, ends included; edges.size() when there is none.
+  // Returns the edge that `q` lies on, ends included; edges.size() when there is none.
   std::size_t edge_through(const point& q) const;
 
  private:
@@ -34,8 +35,8 @@ class face_map {
   void sort_around_vertices();
   void walk_faces();
   void join_walks();
-  // The half-edge that passes below `q` nearest to it, a hair to the left of q, running to the
-  // right; no_half_edge when nothing is below.
+  // Returns the half-edge that passes below `q` nearest to it, a hair to the left of q, running to
+  // the right; no_half_edge when nothing is below.
   std::size_t half_edge_below(const point& q) const;
   bool is_above(std::size_t e, std::size_t f) const;
 

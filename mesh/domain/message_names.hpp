@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How messages call the parts of a domain: by the numbers and lines of the file it came from, or by
+// Names the parts of a domain in messages: by the numbers and lines of the file it came from, or by
 // numbers from 1 when it came from none.
 #pragma once
 
@@ -15,28 +15,29 @@ class domain_names {
  public:
   explicit domain_names(const domain& d) : d_(d) {}
 
-  // "vertex 5 (0.25, 1)", "segment 3 (vertices 5-6)", "hole 1 (0.5, 0)", "region 2 (3, 3)".
-  // Indices in range.
+  // Return names such as "vertex 5 (0.25, 1)", "segment 3 (vertices 5-6)", "hole 1 (0.5, 0)",
+  // "region 2 (3, 3)". Require indices in range.
   std::string vertex(std::size_t v) const;
   std::string segment(std::size_t s) const;
   std::string hole(std::size_t h) const;
   std::string region(std::size_t r) const;
 
-  // "file:line: ", or "name: " where no line is known: what a message starts with.
+  // Returns "file:line: ", or "name: " where no line is known: what a message starts with.
   std::string at_vertex(std::size_t v) const;
   std::string at_segment(std::size_t s) const;
   std::string at_hole(std::size_t h) const;
   std::string at_region(std::size_t r) const;
   std::string at_start() const;
 
-  // " on line 12", or nothing.
+  // Returns " on line 12", or nothing.
   std::string line_of_segment(std::size_t s) const;
 
  private:
   const domain& d_;
 };
 
-// "(x, y)" with 17 significant digits at most: the digits that tell the double from all others.
+// Returns "(x, y)" with 17 significant digits at most: the digits that tell the double from all
+// others.
 std::string coordinates(const point& p);
 
 }  // namespace asterism::internal

@@ -25,7 +25,7 @@ std::vector<vertex_index> vertices_by_place(const domain& d) {
   return order;
 }
 
-// The first index of each run of equal points; `order` is cut down to these.
+// Returns the first index of each run of equal points; `order` is cut down to these.
 std::vector<vertex_index> merge_vertices(const domain& d, std::vector<vertex_index>& order) {
   std::vector<vertex_index> first_alike(d.vertices.size());
   std::vector<vertex_index> distinct;
@@ -53,7 +53,7 @@ bool in_box_of(const point& a, const point& b, const point& q) {
          q.y <= std::max(a.y, b.y);
 }
 
-// The vertices on the segment between a and b, ends included, from a to b.
+// Returns the vertices on the segment between a and b, ends included, from a to b.
 std::vector<vertex_index> vertices_along(const domain& d, const std::vector<vertex_index>& by_place,
                                          vertex_index a, vertex_index b,
                                          const filtered_kernel& kernel) {
@@ -140,7 +140,7 @@ bool cross(const domain& d, const graph_edge& e, const graph_edge& f,
          kernel.orientation(c, g, a) * kernel.orientation(c, g, b) == sign::negative;
 }
 
-// The two crossing edges whose sources come first.
+// Returns the two crossing edges whose sources come first.
 std::optional<std::pair<std::size_t, std::size_t>> find_crossing(
     const domain& d, const std::vector<graph_edge>& edges) {
   const filtered_kernel kernel;

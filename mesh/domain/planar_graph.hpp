@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// From the segments of a domain, which may overlap, repeat and touch, to a plane graph whose edges
-// meet only at vertices. Works inside check_domain.
+// Turns the segments of a domain, which may overlap, repeat and touch, into a plane graph whose
+// edges meet only at vertices. Works inside check_domain.
 #pragma once
 
 #include <cstddef>
@@ -22,13 +22,14 @@ struct graph_edge {
 };
 
 struct plane_graph {
-  // For each vertex of the domain the first one with the same coordinates. Edges use only these.
+  // For each vertex of the domain, the first vertex with the same coordinates. Edges use only
+  // these.
   std::vector<vertex_index> first_alike;
   std::vector<graph_edge> edges;
 };
 
-// All coordinates finite, all indices in range. Counts and messages go to `repairs`. Fails where
-// two segments cross in a point inside both.
+// Builds the graph. Requires finite coordinates and indices in range. Counts and messages go to
+// `repairs`. Fails where two segments cross in a point inside both.
 result<plane_graph> build_plane_graph(const domain& d, domain_repairs& repairs);
 
 }  // namespace asterism::internal

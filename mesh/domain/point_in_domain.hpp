@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Is a point strictly inside a domain? Decided by exact signs.
+// Decides by exact signs whether a point is strictly inside a domain.
 #pragma once
 
 #include "asterism/core/site.hpp"
@@ -8,9 +8,10 @@
 
 namespace asterism::internal {
 
-// `d` must have been accepted by check_domain: only then does the number of segments on the way to
-// infinity, internal ones apart, tell inside from outside. A point on a segment, internal or not,
-// or on a vertex of one is not inside. `q` finite. Time: O(number of segments).
+// True if q is strictly inside. `d` must have been accepted by check_domain: only then does the
+// number of segments on the way to infinity, internal ones apart, tell inside from outside. A point
+// on a segment, internal or not, or on a vertex of one is not inside. `q` finite. Time: O(number of
+// segments).
 bool contains(const domain& d, const point& q);
 
 }  // namespace asterism::internal

@@ -16,7 +16,7 @@ namespace {
 
 using failure = std::optional<error>;
 
-// The face around q. `place` and `name` are what messages call it.
+// Returns the face around q. `place` and `name` are what messages call it.
 result<std::size_t> bounded_face(const domain& d, const plane_graph& graph, const face_map& faces,
                                  const point& q, const std::string& place,
                                  const std::string& name) {
@@ -42,7 +42,7 @@ failure remove_holes(const domain& d, const plane_graph& graph, const face_map& 
   return {};
 }
 
-// From each face with a region point to the first of them.
+// Maps each face with a region point to the first of its points.
 using named_faces = std::map<std::size_t, std::size_t>;
 
 failure name_faces(const domain& d, const plane_graph& graph, const face_map& faces,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which faces of a plane graph are the domain, and what numbers its regions have. Works inside
+// Finds which faces of a plane graph are the domain, and the numbers of its regions. Works inside
 // check_domain.
 #pragma once
 
@@ -20,8 +20,8 @@ struct domain_parts {
   std::vector<int> region;    // of the others
 };
 
-// `faces` are those of `graph`, whose edges came from `d`. Fails for a hole or region point that
-// does not say which face is meant, or contradicts another one.
+// Classifies the faces. `faces` are those of `graph`, whose edges came from `d`. Fails for a hole
+// or region point that does not say which face is meant, or contradicts another one.
 result<domain_parts> find_parts(const domain& d, const plane_graph& graph, const face_map& faces);
 
 }  // namespace asterism::internal

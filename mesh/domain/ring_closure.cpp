@@ -26,7 +26,8 @@ struct chain_end {
   std::size_t edge = 0;
 };
 
-// From the free end `start` to the next vertex that does not have exactly two edges.
+// Follows the chain from the free end `start` to the next vertex that does not have exactly two
+// edges.
 chain_end other_end(const plane_graph& graph, const edges_at& around, vertex_index start) {
   chain_end at{start, around[start].front()};
   while (true) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Are the rings of a domain closed? Works inside check_domain.
+// Checks that the rings of a domain are closed. Works inside check_domain.
 //
 // A chain of segments that ends alone is no ring. Inside the domain it is an internal segment; in a
 // face that is removed it can only be a ring that was meant to be closed, whose hole has run out
@@ -18,7 +18,8 @@
 
 namespace asterism::internal {
 
-// `faces` are those of `graph`, whose edges came from `d`; `removed`, by face.
+// Returns an error for the first ring that is not closed. `faces` are those of `graph`, whose edges
+// came from `d`; `removed`, by face.
 std::optional<error> check_closed(const domain& d, const plane_graph& graph, const face_map& faces,
                                   const std::vector<bool>& removed);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A cairo surface that collects the bytes of an SVG, PDF or PNG file. Works inside draw_picture.
+// Collects what is drawn on a cairo surface as the bytes of an SVG, PDF or PNG file. Works inside
+// draw_picture.
 #pragma once
 
 #include <functional>
@@ -14,8 +15,9 @@ struct _cairo;  // NOLINT(bugprone-reserved-identifier)
 
 namespace asterism::internal {
 
-// The bytes of a file of `width` by `height` (pixels or points) that `paint` has drawn on. The same
-// drawing gives the same bytes: no dates, no counters of the process. Fails when cairo does.
+// Returns the bytes of a file of `width` by `height` (pixels or points) that `paint` has drawn on.
+// The same drawing gives the same bytes: no dates, no counters of the process. Fails when cairo
+// does.
 result<std::string> paint_file(picture_format format, int width, int height,
                                const std::function<void(_cairo*)>& paint);
 

@@ -40,7 +40,7 @@ void use(cairo_t* cairo, const colour& c) {
   cairo_set_source_rgba(cairo, c.red, c.green, c.blue, c.alpha);
 }
 
-// From the plane, y upwards, to the page, y downwards.
+// Maps the plane, y upwards, to the page, y downwards.
 struct page {
   bounding_box box;
   double scale = 1, margin = 0;
@@ -209,7 +209,7 @@ void draw_dot(cairo_t* cairo, const point& at, double radius, const colour& c) {
   cairo_fill(cairo);
 }
 
-// On the page; infinite for sites of no triangle.
+// Returns the shortest edge at each site on the page; infinite for sites of no triangle.
 std::vector<double> shortest_edges(const page& p, const mesh& m) {
   std::vector<double> shortest(m.sites.size(), std::numeric_limits<double>::infinity());
   for (const triangle& t : m.triangles)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A mesh as a figure: one drawing for SVG, PDF and PNG.
+// Draws a mesh: one drawing for SVG, PDF and PNG.
 //
-// Triangles in thin lines, the boundary in a bold one, internal segments in
-// between, disagreeing triangles filled red, triangles
-// with an angle below the bound tinted, sites as dots with the given ones marked, and the unit
-// circles of the metric, thinned out so that they stay readable and all drawn to one scale.
+// Triangles are drawn in thin lines, the boundary in a bold one, internal segments in between.
+// Disagreeing triangles are red, triangles with an angle below the bound tinted. Sites are dots,
+// with the given ones marked. Unit circles of the metric are thinned out so that they stay
+// readable, all drawn to one scale.
 #pragma once
 
 #include <string>

@@ -4,10 +4,10 @@
 // from the nearest, and no two sites are nearer than that.
 //
 // Farthest first, from coarse to fine: on each level the segments are divided, and Voronoi vertices
-// of a net of plain stars (plain_net.hpp) that are farther than the level's distance from all sites
-// become sites, many in a round. It ends because sites of one level keep their distance: at most
-// about (4/pi) eps^-2 of the metric area (docs/math/refinement.md). The rounds are bounded besides,
-// and so is the work for each site, by counts.
+// of a net of plain stars (numerics/approximate_star.hpp) that are farther than the level's
+// distance from all sites become sites, many in a round. It ends because sites of one level keep
+// their distance: at most about (4/pi) eps^-2 of the metric area (docs/math/refinement.md). The
+// rounds are bounded besides, and so is the work for each site, by counts.
 //
 // What comes out is a proposal, in doubles. That each site is strictly inside the domain is exact,
 // as are the given vertices; everything else is for exact stars to judge.

@@ -120,7 +120,8 @@ bool plain_star_store::find_near(vertex_index w, double reach, std::vector<verte
 // A site that changes a star lies on the far side of one of its Voronoi vertices, at distance r, as
 // near to it as the centre is: within 2 r of the centre where metrics are equal. The 5 % beyond are
 // for metrics that vary, and the first reach holds a star whose vertices are all within
-// 1.05 times the distance, as most are when their level is done.
+// 1.05 times the distance, as most are when their level is done. Reaches of 1.5 and 3
+// and 2 and 2.5 diameters were tried: up to 0.2 % fewer and 4 % more sites.
 void plain_star_store::make_star(vertex_index w, double distance, std::vector<vertex_index>& near,
                                  std::uint64_t& looked_at) {
   constexpr double diameters = 2.1, first_reach = 2.2;

@@ -117,11 +117,14 @@ bool site_proposals::is_allowed(const filtered_kernel& kernel, const site& s, do
 }
 
 // True if no site of the index is within `distance` of s as that site measures, or within a part of
-// it as s measures. Asking the whole of both leaves holes where the metric varies.
+// it as s measures. Asking the whole of both leaves holes where the metric varies: the square in
+// swirl:12 with size 0.1 gets a mesh of 1485 sites then, of 1504 with 0.8, and of 1519 with 0.6 as
+// with 0.4. Of four more metrics two get up to 2 % more or fewer, two the same.
 bool site_proposals::has_room(const site_index& among, const site& s, double distance,
                               std::uint64_t& looked_at) const {
   constexpr double own_part = 0.6;
-  // Metrics that differ by more within the distance are beyond what plain stars can do.
+  // Metrics that differ by more within the distance are beyond what plain stars can do: a margin of
+  // 1.5 changes nothing, none at all lets some sites come too near.
   constexpr double margin = 1.25;
   const double squared = distance * distance, own = own_part * own_part * squared;
   const bounding_box near = box_around(s, margin * distance);

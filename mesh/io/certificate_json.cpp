@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Certificates as JSON. nlohmann's library reports by exceptions; none leaves this file.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -13,6 +15,7 @@
 
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/json_places.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -20,17 +23,19 @@ namespace {
 
 using json = nlohmann::ordered_json;  // keys in the order written: the text is deterministic
 
-constexpr std::string_view format_name = "asterism certificate 1";
+constexpr std::string_view format_name = "asterism certificate 2";
 
 constexpr double no_angle_to_judge = 180;
 
-// In the order of relaxation_kind.
+// Names in the order of relaxation_kind.
 constexpr std::array<std::string_view, 4> relaxation_kind_names = {"softened", "graded", "constant",
                                                                    "without demands"};
 
 // Thrown by the readers below, inside parse_certificate alone.
 struct malformed : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  malformed(std::string field, const std::string& what)
+      : std::runtime_error(what), name(std::move(field)) {}
+  std::string name;  // of the field
 };
 
 std::vector<std::size_t> from_one(const std::vector<vertex_index>& numbers) {
@@ -69,10 +74,7 @@ json segment_json(const segment& s) {
 json domain_json(const domain& d) {
   json segments = json::array();
   for (const segment& s : d.segments) segments.push_back(segment_json(s));
-  return {{"name", d.name},
-          {"vertices", points_json(d.vertices)},
-          {"segments", std::move(segments)},
-          {"holes", points_json(d.holes)}};
+  return {{"vertices", points_json(d.vertices)}, {"segments", std::move(segments)}};
 }
 
 std::string hexadecimal(std::uint64_t value) {
@@ -144,8 +146,11 @@ json audit_json(const certificate& c) {
           {"stars_checked", c.stars_checked},
           {"voronoi", voronoi_verdict_names[static_cast<std::size_t>(c.voronoi)]},
           {"worst_angle", worst_angle_json(c.worst_angle)},
+          {"worst_collateral_angle", worst_angle_json(c.worst_collateral)},
+          {"worst_exempt_angle", worst_angle_json(c.worst_exempt)},
           {"exempt_corners", from_one(c.exempt_corners)},
           {"exempt_triangles", from_one(c.exempt_triangles)},
+          {"collateral_triangles", from_one(c.collateral_triangles)},
           {"low_triangles", from_one(c.low_triangles)},
           {"largest_boundary_deviation",
            std::isfinite(c.largest_deviation) ? json(c.largest_deviation) : json(nullptr)},
@@ -157,7 +162,7 @@ json audit_json(const certificate& c) {
 // The readers: each names the key it wanted.
 const json& member(const json& object, const std::string& key) {
   const auto place = object.find(key);
-  if (place == object.end()) throw malformed("\"" + key + "\" is missing");
+  if (place == object.end()) throw malformed(key, "\"" + key + "\" is missing");
   return *place;
 }
 
@@ -166,7 +171,7 @@ T read(const json& object, const std::string& key) {
   try {
     return member(object, key).get<T>();
   } catch (const json::exception&) {
-    throw malformed("\"" + key + "\" is not what it should be");
+    throw malformed(key, "\"" + key + "\" is not what it should be");
   }
 }
 
@@ -176,20 +181,22 @@ double worst_angle_of(const json& object, const std::string& key) {
 }
 
 std::size_t count_of(const json& object, const std::string& key) {
-  if (!member(object, key).is_number_unsigned()) throw malformed("\"" + key + "\" is not a count");
+  if (!member(object, key).is_number_unsigned())
+    throw malformed(key, "\"" + key + "\" is not a count");
   return read<std::size_t>(object, key);
 }
 
 vertex_index index_of(const json& number, const std::string& key) {
   if (!number.is_number_unsigned() || number.get<std::uint64_t>() < 1 ||
       number.get<std::uint64_t>() > std::numeric_limits<vertex_index>::max())
-    throw malformed("\"" + key + "\" holds " + number.dump() + ", which counts nothing from 1");
+    throw malformed(key,
+                    "\"" + key + "\" holds " + number.dump() + ", which counts nothing from 1");
   return static_cast<vertex_index>(number.get<std::uint64_t>() - 1);
 }
 
 const json& array_of(const json& object, const std::string& key) {
   const json& list = member(object, key);
-  if (!list.is_array()) throw malformed("\"" + key + "\" is not a list");
+  if (!list.is_array()) throw malformed(key, "\"" + key + "\" is not a list");
   return list;
 }
 
@@ -203,7 +210,7 @@ std::vector<point> points_of(const json& object, const std::string& key) {
   std::vector<point> result;
   for (const json& p : array_of(object, key)) {
     if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
-      throw malformed("\"" + key + "\" holds " + p.dump() + ", which is no point");
+      throw malformed(key, "\"" + key + "\" holds " + p.dump() + ", which is no point");
     result.push_back({p[0].get<double>(), p[1].get<double>()});
   }
   return result;
@@ -213,7 +220,8 @@ segment segment_of(const json& s) {
   const bool usable = s.is_array() && (s.size() == 3 || s.size() == 6) &&
                       std::all_of(s.begin(), s.end(),
                                   [](const json& number) { return number.is_number_integer(); });
-  if (!usable) throw malformed("\"segments\" holds " + s.dump() + ", which is no segment");
+  if (!usable)
+    throw malformed("segments", "\"segments\" holds " + s.dump() + ", which is no segment");
   segment made{index_of(s[0], "segments"), index_of(s[1], "segments"), s[2].get<int>()};
   if (s.size() == 3) return made;
   made.internal = s[3].get<int>() != 0;
@@ -224,13 +232,12 @@ segment segment_of(const json& s) {
 
 domain domain_of(const json& object) {
   domain d;
-  d.name = read<std::string>(object, "name");
   d.vertices = points_of(object, "vertices");
-  d.holes = points_of(object, "holes");
   for (const json& s : array_of(object, "segments")) {
     const segment read_segment = segment_of(s);
     if (read_segment.a >= d.vertices.size() || read_segment.b >= d.vertices.size())
-      throw malformed("segment " + s.dump() + " names a vertex the domain does not have");
+      throw malformed("segments",
+                      "segment " + s.dump() + " names a vertex the domain does not have");
     d.segments.push_back(read_segment);
   }
   return d;
@@ -252,7 +259,7 @@ std::uint64_t fingerprint_of(const json& object) {
   std::uint64_t value = 0;
   const auto end = std::from_chars(text.data(), text.data() + text.size(), value, 16);
   if (text.size() != 16 || end.ec != std::errc() || end.ptr != text.data() + text.size())
-    throw malformed("\"fingerprint\" is not sixteen hexadecimal digits");
+    throw malformed("fingerprint", "\"fingerprint\" is not sixteen hexadecimal digits");
   return value;
 }
 
@@ -270,7 +277,7 @@ voronoi_verdict voronoi_of(const json& object) {
   const auto text = read<std::string>(object, "voronoi");
   const auto place = std::find(voronoi_verdict_names.begin(), voronoi_verdict_names.end(), text);
   if (place == voronoi_verdict_names.end())
-    throw malformed("\"voronoi\" holds \"" + text + "\", which is no verdict");
+    throw malformed("voronoi", "\"voronoi\" holds \"" + text + "\", which is no verdict");
   return static_cast<voronoi_verdict>(place - voronoi_verdict_names.begin());
 }
 
@@ -283,7 +290,7 @@ std::optional<relaxation_report> relaxed_of(const json& outcome) {
   const auto kind = read<std::string>(object, "kind");
   const auto place = std::find(relaxation_kind_names.begin(), relaxation_kind_names.end(), kind);
   if (place == relaxation_kind_names.end())
-    throw malformed("\"kind\" holds \"" + kind + "\", which is no way to relax a metric");
+    throw malformed("kind", "\"kind\" holds \"" + kind + "\", which is no way to relax a metric");
   r.kind = static_cast<relaxation_kind>(place - relaxation_kind_names.begin());
   r.power = read<double>(object, "power");
   r.beta = read<double>(object, "beta");
@@ -321,9 +328,12 @@ void read_audit(const json& object, certificate& c) {
   c.stars_checked = read<bool>(object, "stars_checked");
   c.voronoi = voronoi_of(object);
   c.worst_angle = worst_angle_of(object, "worst_angle");
+  c.worst_collateral = worst_angle_of(object, "worst_collateral_angle");
+  c.worst_exempt = worst_angle_of(object, "worst_exempt_angle");
   c.exempt_corners = indices_of(object, "exempt_corners");
   c.exempt_triangles = indices_of(object, "exempt_triangles");
-  if (object.contains("low_triangles")) c.low_triangles = indices_of(object, "low_triangles");
+  c.collateral_triangles = indices_of(object, "collateral_triangles");
+  c.low_triangles = indices_of(object, "low_triangles");
   const json& deviation = member(object, "largest_boundary_deviation");
   c.largest_deviation = deviation.is_null() ? std::numeric_limits<double>::infinity()
                                             : read<double>(object, "largest_boundary_deviation");
@@ -333,8 +343,9 @@ void read_audit(const json& object, certificate& c) {
 }
 
 certificate certificate_of(const json& root) {
-  if (!root.is_object() || root.value("format", "") != format_name)
-    throw malformed("this is not an \"" + std::string(format_name) + "\"");
+  const bool is_named = root.is_object() && root.contains("format") && root["format"].is_string();
+  if (!is_named || root["format"].get<std::string>() != format_name)
+    throw malformed("format", "this is not an \"" + std::string(format_name) + "\"");
   certificate c;
   c.version = read<std::string>(root, "version");
   const json& asked = member(root, "asked");
@@ -355,40 +366,98 @@ certificate certificate_of(const json& root) {
   return c;
 }
 
+json json_of(const certificate& c) {
+  json options = json::object();
+  for (const auto& [name, value] : c.options) options[name] = value;
+  return {{"format", format_name},
+          {"version", c.version},
+          {"numbering", "from 1"},
+          {"asked",
+           {{"metric", c.metric},
+            {"angle_bound", c.angle_bound ? json(*c.angle_bound) : json(nullptr)},
+            {"options", std::move(options)}}},
+          {"outcome",
+           {{"complete", c.complete},
+            {"reason", c.reason},
+            {"star_repairs", c.star_repairs},
+            {"relaxed", relaxed_json(c)},
+            {"delivered", delivered_json(c)},
+            {"decided", counters_json(c.mesher_counters)}}},
+          {"mesh", mesh_json(c)},
+          {"measured", measured_json(c)},
+          {"audit", audit_json(c)},
+          {"domain", c.original ? domain_json(*c.original) : json(nullptr)}};
+}
+
+std::string quoted(const std::string& name) { return fmt::format("\"{}\"", name); }
+
+struct difference {
+  std::string name, what;
+};
+
+std::string joined(const std::string& name, const std::string& member) {
+  return name.empty() ? member : name + "." + member;
+}
+
+// The first field of `read` that is not one of `written`, the reverse, or another value.
+std::optional<difference> first_difference(const json& read, const json& written,
+                                           const std::string& name) {
+  if (read.is_object() && written.is_object()) {
+    for (const auto& [key, value] : written.items()) {
+      if (!read.contains(key)) return difference{joined(name, key), "is missing"};
+      if (auto inner = first_difference(read[key], value, joined(name, key))) return inner;
+    }
+    for (const auto& [key, value] : read.items())
+      if (!written.contains(key))
+        return difference{joined(name, key), "is no field of a certificate"};
+    return std::nullopt;
+  }
+  if (read.type_name() == std::string_view(written.type_name()) && read == written)
+    return std::nullopt;
+  return difference{name, "is not what it should be"};
+}
+
+// Of the first field with this name, or that ends in it; 0 if there is none.
+std::size_t line_of(const json_places& places, const std::string& name) {
+  const auto whole = places.lines.find(name);
+  if (whole != places.lines.end()) return whole->second;
+  for (const auto& [path, line] : places.lines)
+    if (path.ends_with("." + name)) return line;
+  return 0;
+}
+
 }  // namespace
 
 std::string certificate_text(const certificate& c) {
-  json options = json::object();
-  for (const auto& [name, value] : c.options) options[name] = value;
-  const json root = {{"format", format_name},
-                     {"version", c.version},
-                     {"numbering", "from 1"},
-                     {"asked",
-                      {{"metric", c.metric},
-                       {"angle_bound", c.angle_bound ? json(*c.angle_bound) : json(nullptr)},
-                       {"options", std::move(options)}}},
-                     {"outcome",
-                      {{"complete", c.complete},
-                       {"reason", c.reason},
-                       {"star_repairs", c.star_repairs},
-                       {"relaxed", relaxed_json(c)},
-                       {"delivered", delivered_json(c)},
-                       {"decided", counters_json(c.mesher_counters)}}},
-                     {"mesh", mesh_json(c)},
-                     {"measured", measured_json(c)},
-                     {"audit", audit_json(c)},
-                     {"domain", c.original ? domain_json(*c.original) : json(nullptr)}};
   // Text that is not UTF-8 (a file's name may be anything) is replaced, not refused.
-  return root.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  return json_of(c).dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 result<certificate> parse_certificate(const std::string& text, const std::string& name) {
+  const json_places places = find_json_places(text);
+  const auto refuse = [&name](std::size_t line, const std::string& what) {
+    return error{
+        line > 0 ? fmt::format("{}:{}: {}", name, line, what) : fmt::format("{}: {}", name, what),
+        error_code::malformed_file};
+  };
+  if (const auto& deep = places.too_deep) return refuse(deep->line, "this is no certificate");
+  if (const auto& large = places.beyond_doubles)
+    return refuse(large->line, quoted(large->name) + " is beyond the range of doubles");
+  if (const auto& twice = places.repeated)
+    return refuse(twice->line, quoted(twice->name) + " is there twice");
   try {
-    return certificate_of(json::parse(text));
+    const json root = json::parse(text);
+    certificate read = certificate_of(root);
+    // Whatever is not read, or not as it is written, differs from what is written of it.
+    if (const auto odd = first_difference(root, json_of(read), ""))
+      return refuse(line_of(places, odd->name), quoted(odd->name) + " " + odd->what);
+    return read;
   } catch (const malformed& e) {
-    return error{name + ": " + e.what(), error_code::malformed_file};
-  } catch (const json::exception& e) {
-    return error{name + ": " + e.what(), error_code::malformed_file};
+    return refuse(line_of(places, e.name), e.what());
+  } catch (const json::parse_error& e) {
+    return refuse(line_of_byte(text, e.byte), "this is not JSON");
+  } catch (const json::exception&) {
+    return refuse(0, "this is no certificate");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The kind of a file by the end of its name, in any case: PART.POLY is a .poly file.
+// Tells the kind of a file by the end of its name, in any case: PART.POLY is a .poly file.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline char lower_case(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-// `ending` is in lower case, with its dot.
+// True if the name ends so. `ending` is in lower case, with its dot.
 inline bool has_ending(std::string_view name, std::string_view ending) {
   return name.size() >= ending.size() &&
          std::equal(ending.begin(), ending.end(),

@@ -40,15 +40,15 @@ std::optional<error> write_bytes(const fs::path& path, const std::string& bytes,
 }
 
 // A name beside `path` that nothing has; it is not ours to replace what is there.
-fs::path temporary_path(const fs::path& path) {
+fs::path temporary_path(const fs::path& path, const std::string& ending) {
   std::error_code status;
   fs::path part = path;
-  part += ".part";
+  part += ending;
   constexpr int most = 1000;
   for (int i = 2; i <= most && fs::symlink_status(part, status).type() != fs::file_type::not_found;
        ++i) {
     part = path;
-    part += ".part" + std::to_string(i);
+    part += ending + std::to_string(i);
   }
   return part;
 }
@@ -63,22 +63,65 @@ class temporary_files {
   std::vector<fs::path> paths;
 };
 
+// Renames temporary files to their places, or none.
+class replacement {
+ public:
+  explicit replacement(std::vector<fs::path> temporary) : temporary_(std::move(temporary)) {}
+
+  std::optional<error> run(const std::vector<output_file>& files) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      std::error_code status;
+      keep_old(files[i].path, status);
+      if (!status) fs::rename(temporary_[i], files[i].path, status);
+      if (!status) continue;
+      put_back(files, i);
+      return error{files[i].path.string() + ": " + status.message(), error_code::unwritable_file};
+    }
+    std::error_code ignored;
+    for (const std::optional<fs::path>& old : old_)
+      if (old) fs::remove(*old, ignored);
+    return std::nullopt;
+  }
+
+ private:
+  // A second name, or where there are no such links another one.
+  void keep_old(const fs::path& path, std::error_code& status) {
+    old_.emplace_back();
+    std::error_code linked;
+    if (!fs::exists(fs::symlink_status(path, linked))) return;
+    old_.back() = temporary_path(path, ".old");
+    fs::create_hard_link(path, *old_.back(), linked);
+    if (linked) fs::rename(path, *old_.back(), status);
+    if (status) old_.back().reset();
+  }
+
+  void put_back(const std::vector<output_file>& files, std::size_t failed) {
+    std::error_code ignored;
+    for (std::size_t i = 0; i < old_.size(); ++i)
+      if (old_[i]) {
+        // Renaming one name of a file to another of its names does nothing.
+        fs::rename(*old_[i], files[i].path, ignored);
+        fs::remove(*old_[i], ignored);
+      } else if (i < failed) {
+        fs::remove(files[i].path, ignored);
+      }
+  }
+
+  std::vector<fs::path> temporary_;
+  std::vector<std::optional<fs::path>> old_;
+};
+
 }  // namespace
 
 result<std::vector<fs::path>> write_files(const std::vector<output_file>& files) {
   temporary_files temporary;
   for (const output_file& file : files) {
-    const fs::path part = temporary_path(file.path);
+    const fs::path part = temporary_path(file.path, ".part");
     if (auto failed = write_bytes(part, file.bytes, temporary.paths)) return std::move(*failed);
   }
+  if (auto failed = replacement(temporary.paths).run(files)) return std::move(*failed);
   std::vector<fs::path> written;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    std::error_code status;
-    fs::rename(temporary.paths[i], files[i].path, status);
-    if (status)
-      return error{files[i].path.string() + ": " + status.message(), error_code::unwritable_file};
-    written.push_back(files[i].path);
-  }
+  for (const output_file& file : files) written.push_back(file.path);
   return written;
 }
 

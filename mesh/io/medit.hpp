@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Medit's ASCII formats: a mesh in NAME.mesh and its metric in NAME.sol.
+// Reads and writes Medit's ASCII formats: a mesh in NAME.mesh and its metric in NAME.sol.
 //
 // Written: MeshVersionFormatted 2 (doubles), Dimension 2, Vertices (reference: marker of the
 // boundary there, 0 inside), Triangles (reference: the region), Edges (the boundary subsegments,
-// domain on the left, and those of internal segments; reference: the marker), Corners (given
-// vertices where the boundary turns), RequiredVertices (the given vertices); SolAtVertices, one
-// symmetric tensor a vertex as `m11 m12 m22`. All numbers have 17 significant digits, so that the
-// same doubles are read back. Medit has no place for the input segment a boundary subsegment
-// belongs to: it is kept in comments (`#segments`, numbers from 1), which other programs skip.
+// domain on the left, and those of internal segments; reference: the marker), RequiredEdges (those
+// of internal segments, by number), Corners (given vertices where the boundary turns),
+// RequiredVertices (the given vertices); SolAtVertices, one symmetric tensor a vertex as `m11 m12
+// m22`. All numbers have 17 significant digits, so that the same doubles are read back. Medit has
+// no place for the input segment a boundary subsegment belongs to: it is kept in comments
+// (`#segments`, numbers from 1), which other programs skip.
 //
 // Read: versions 1 to 3, keywords in any order and any number to a line; comments; sections of
 // known shape that mean nothing here, BAMG's among them, are skipped by their counts. Refused:
@@ -27,21 +28,25 @@
 
 namespace asterism {
 
-// Where the metric is read from.
+// The place of the metric.
 struct medit_read_options {
-  // Without it a missing .sol is an error; with it every vertex gets the identity.
+  // Gives every vertex the identity if there is no .sol. Default: a missing .sol is an error.
   bool identity_without_solution = false;
-  // No .sol is looked for: every vertex gets the identity.
+  // Gives every vertex the identity without looking for a .sol.
   bool without_solution = false;
-  // Where the metric is; empty: beside the mesh.
+  // True if every edge listed is a segment, marked or not (mesh/io/medit_edges.hpp).
+  bool all_edges = false;
+  // File of the metric. Default: beside the mesh.
   std::filesystem::path solution = {};
 };
 
-// `NAME.mesh`, and `NAME.sol` beside it. An edge is internal when there are triangles on both its
-// sides. References of triangles that are all 1 say nothing of regions. `given` is the number of
-// required vertices if these are the first ones, else 0. Subsegments without `#segments` comments
-// are numbered each as its own segment. Nothing is assumed or checked about the geometry, nor that
-// the tensors are positive definite: that is the auditor's.
+// Returns `NAME.mesh`, with the tensors of `NAME.sol` beside it. Edges are a set, turned so that a
+// triangle is on their left; those with triangles on both sides are internal where the file marks
+// them as segments (mesh/io/medit_edges.hpp), and left out elsewhere. References of triangles that
+// are all 1 say nothing of regions. `given` is the number of required vertices if these are the
+// first ones, else 0. Subsegments without `#segments` comments are numbered each as its own
+// segment. Tensors are checked to be positive definite, exactly. Nothing is assumed or checked
+// about the geometry: that is the auditor's.
 ASTERISM_EXPORT result<mesh> read_medit(const std::filesystem::path& path,
                                         const medit_read_options& options = {});
 

@@ -10,6 +10,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
@@ -26,10 +27,8 @@ struct skipped_section {
   std::string_view keyword;
   int words_in_2d, words_in_3d;
 };
-constexpr std::array<skipped_section, 20> skipped_sections = {{
-    {"Corners", 1, 1},
+constexpr std::array<skipped_section, 18> skipped_sections = {{
     {"Ridges", 1, 1},
-    {"RequiredEdges", 1, 1},
     {"RequiredTriangles", 1, 1},
     {"Normals", 2, 3},
     {"NormalAtVertices", 2, 2},
@@ -49,7 +48,7 @@ constexpr std::array<skipped_section, 20> skipped_sections = {{
     {"VertexOnSupportTriangle", 4, 4},
 }};
 
-// Those of BAMG's that hold one text in quotation marks, or one number and no count.
+// Keywords of BAMG's that hold one text in quotation marks, or one number and no count.
 constexpr std::array<std::string_view, 4> texts = {
     "Identifier", "Geometry", "MeshSupportOfVertices", "IdentityOfMeshSupport"};
 constexpr std::array<std::string_view, 2> single_numbers = {"MaximalAngleOfCorner",
@@ -62,7 +61,8 @@ bool is_among(const std::array<std::string_view, N>& all, std::string_view text)
 
 class medit_reader {
  public:
-  medit_reader(text_scanner& source, mesh& m) : source_(source), m_(m) {}
+  medit_reader(text_scanner& source, mesh& m, bool all_edges)
+      : source_(source), m_(m), all_edges_(all_edges) {}
 
   // Header, then sections until End or the end of the file.
   failure read_mesh();
@@ -73,6 +73,8 @@ class medit_reader {
   failure read_triangles();
   failure read_edges();
   failure read_required();
+  failure read_corners();
+  failure read_required_edges();
   failure skip(const word& keyword, int words);
   failure skip_text(const word& keyword);
 
@@ -87,8 +89,9 @@ class medit_reader {
   // A vertex number of the file. Whether it exists is known when all sections have been read.
   result<vertex_index> read_vertex(std::string_view meaning);
   failure check_vertices();
-  void take_segment_numbers();
-  void find_internal_edges();
+  failure check_required_edges();
+  bool take_segment_numbers();
+  void find_segments(bool is_own);
 
   struct use {
     vertex_index vertex;
@@ -99,9 +102,16 @@ class medit_reader {
   text_scanner& source_;
   mesh& m_;
   int dimension_ = 2;
-  bool vertices_seen_ = false, triangles_seen_ = false, edges_seen_ = false, required_seen_ = false;
+  bool all_edges_;
+  bool vertices_seen_ = false, triangles_seen_ = false, edges_seen_ = false, required_seen_ = false,
+       corners_seen_ = false, required_edges_seen_ = false;
   std::vector<use> uses_;
   std::vector<vertex_index> required_;
+  struct named_edge {
+    std::size_t number;  // from 0
+    std::size_t line;
+  };
+  std::vector<named_edge> required_edges_;
 };
 
 failure medit_reader::read_mesh() {
@@ -116,8 +126,9 @@ failure medit_reader::read_mesh() {
   if (!vertices_seen_) return source_.failure(source_.line(), "there is no section Vertices");
   if (!triangles_seen_) return source_.failure(source_.line(), "there is no section Triangles");
   if (auto failed = check_vertices()) return failed;
-  take_segment_numbers();
-  find_internal_edges();
+  if (auto failed = check_required_edges()) return failed;
+  find_segments(take_segment_numbers());
+  if (m_.references == vertex_references(m_)) m_.references.clear();
   if (std::all_of(m_.regions.begin(), m_.regions.end(), [](int region) { return region == 1; }))
     m_.regions.clear();
   // Ours are the first ones, in order; what other programs require are no vertices of a domain
@@ -133,6 +144,8 @@ failure medit_reader::read_section(const word& keyword) {
   if (keyword.text == "Triangles") return read_triangles();
   if (keyword.text == "Edges") return read_edges();
   if (keyword.text == "RequiredVertices") return read_required();
+  if (keyword.text == "Corners") return read_corners();
+  if (keyword.text == "RequiredEdges") return read_required_edges();
   for (const skipped_section& s : skipped_sections)
     if (keyword.text == s.keyword)
       return skip(keyword, dimension_ == 2 ? s.words_in_2d : s.words_in_3d);
@@ -195,6 +208,7 @@ failure medit_reader::read_vertices() {
     const auto reference = read_reference("reference of a vertex");
     if (!reference.ok()) return reference.failure();
     m_.sites.push_back({{x.value(), y.value()}, {}});
+    m_.references.push_back(reference.value());
   }
   return {};
 }
@@ -245,6 +259,30 @@ failure medit_reader::read_required() {
   return {};
 }
 
+// Read as they have to be, and not used.
+failure medit_reader::read_corners() {
+  const auto count = read_count("Corners", corners_seen_);
+  if (!count.ok()) return count.failure();
+  for (std::size_t i = 0; i < count.value(); ++i)
+    if (const auto v = read_vertex("corner"); !v.ok()) return v.failure();
+  return {};
+}
+
+failure medit_reader::read_required_edges() {
+  const auto count = read_count("RequiredEdges", required_edges_seen_);
+  if (!count.ok()) return count.failure();
+  for (std::size_t i = 0; i < count.value(); ++i) {
+    const word w = source_.next();
+    const auto number = to_integer(source_, w, "required edge");
+    if (!number.ok()) return number.failure();
+    if (number.value() < 1)
+      return source_.failure(w.line,
+                             "required edge: edge " + quoted_token(w.text) + " does not exist");
+    required_edges_.push_back({static_cast<std::size_t>(number.value() - 1), w.line});
+  }
+  return {};
+}
+
 failure medit_reader::skip(const word& keyword, int words) {
   const auto count = to_count(source_, source_.next(), keyword.text);
   if (!count.ok()) return count.failure();
@@ -268,15 +306,20 @@ failure medit_reader::skip_text(const word& keyword) {
   return {};
 }
 
-void medit_reader::find_internal_edges() {
-  std::vector<std::array<vertex_index, 2>> sides;
-  for (const triangle& t : m_.triangles)
-    for (std::size_t i = 0; i < 3; ++i) sides.push_back({t[i], t[(i + 1) % 3]});
-  std::sort(sides.begin(), sides.end());
-  const auto has = [&](vertex_index a, vertex_index b) {
-    return std::binary_search(sides.begin(), sides.end(), std::array{a, b});
-  };
-  for (boundary_edge& e : m_.boundary) e.internal = has(e.a, e.b) && has(e.b, e.a);
+// A file of ours lists subsegments alone.
+void medit_reader::find_segments(bool is_own) {
+  edge_marks marks{std::vector<char>(m_.boundary.size(), 0), all_edges_ || is_own};
+  for (const named_edge& e : required_edges_) marks.required[e.number] = 1;
+  keep_segments(m_, marks);
+}
+
+failure medit_reader::check_required_edges() {
+  for (const named_edge& e : required_edges_)
+    if (e.number >= m_.boundary.size())
+      return source_.failure(e.line, "required edge: edge " + std::to_string(e.number + 1) +
+                                         " does not exist; there are " +
+                                         std::to_string(m_.boundary.size()));
+  return {};
 }
 
 failure medit_reader::check_vertices() {
@@ -288,8 +331,9 @@ failure medit_reader::check_vertices() {
   return {};
 }
 
-// Comments are only believed when they fit: one number from 1 for every edge.
-void medit_reader::take_segment_numbers() {
+// Comments are only believed when they fit: one number from 1 for every edge. Returns whether they
+// are there and do.
+bool medit_reader::take_segment_numbers() {
   constexpr std::string_view mark = "segments";
   std::vector<vertex_index> numbers;
   for (const std::string_view comment : source_.comments()) {
@@ -299,12 +343,13 @@ void medit_reader::take_segment_numbers() {
       const auto number = to_integer(words, w, "");
       if (!number.ok() || number.value() < 1 ||
           number.value() > std::numeric_limits<vertex_index>::max())
-        return;
+        return false;
       numbers.push_back(static_cast<vertex_index>(number.value() - 1));
     }
   }
-  if (numbers.size() != m_.boundary.size()) return;
+  if (numbers.size() != m_.boundary.size()) return false;
   for (std::size_t i = 0; i < numbers.size(); ++i) m_.boundary[i].segment = numbers[i];
+  return true;
 }
 
 }  // namespace
@@ -314,7 +359,8 @@ result<mesh> read_medit(const std::filesystem::path& path, const medit_read_opti
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
   mesh m;
-  if (auto failed = medit_reader(source, m).read_mesh()) return std::move(*failed);
+  if (auto failed = medit_reader(source, m, options.all_edges).read_mesh())
+    return std::move(*failed);
   const std::filesystem::path beside = solution_path(path);
   const auto& solution = options.solution.empty() ? beside : options.solution;
   if (auto failed = read_medit_solution(solution, m, options)) return std::move(*failed);

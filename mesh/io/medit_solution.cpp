@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/io/medit_solution.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <string>
 #include <system_error>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 
 namespace asterism::internal {
@@ -13,6 +16,15 @@ namespace asterism::internal {
 namespace {
 
 using failure = std::optional<error>;
+
+failure take_tensor(const text_scanner& source, std::size_t line, const metric_tensor& metric,
+                    std::size_t v, mesh& m) {
+  m.sites[v].metric = metric;
+  if (filtered_kernel().is_positive_definite(metric)) return {};
+  return source.failure(line, fmt::format("the metric tensor {} {} {} of vertex {} is not positive "
+                                          "definite",
+                                          metric.m11, metric.m12, metric.m22, v + 1));
+}
 
 failure read_tensors(text_scanner& source, int dimension, mesh& m) {
   const word w = source.next();
@@ -26,14 +38,18 @@ failure read_tensors(text_scanner& source, int dimension, mesh& m) {
   if (fields.text != "1" || type.text != "3")
     return source.failure(type.line, "SolAtVertices: '1 3' wanted, one symmetric tensor, not " +
                                          quoted_token(fields.text) + " " + quoted_token(type.text));
-  for (site& s : m.sites) {
+  for (std::size_t v = 0; v < m.sites.size(); ++v) {
     std::array<double, 6> entries{1, 0, 1, 0, 0, 0};
+    std::size_t line = 0;
     for (std::size_t i = 0; i < (dimension == 2 ? 3U : 6U); ++i) {
-      const auto value = to_number(source, source.next(), "entry of a tensor");
+      const word entry = source.next();
+      const auto value = to_number(source, entry, "entry of a tensor");
       if (!value.ok()) return value.failure();
       entries[i] = value.value();
+      if (i == 0) line = entry.line;
     }
-    s.metric = {entries[0], entries[1], entries[2]};
+    if (auto failed = take_tensor(source, line, {entries[0], entries[1], entries[2]}, v, m))
+      return failed;
   }
   return {};
 }
@@ -65,7 +81,7 @@ failure read_bamg_metric(text_scanner& source, mesh& m) {
   if (entries.text != "1" && entries.text != "3")
     return source.failure(entries.line,
                           "1 or 3 numbers a vertex wanted, not " + quoted_token(entries.text));
-  for (site& s : m.sites) {
+  for (std::size_t v = 0; v < m.sites.size(); ++v) {
     std::array<double, 3> tensor{};
     const std::size_t wanted = entries.text == "1" ? 1 : 3;
     const word first = source.next();
@@ -78,8 +94,9 @@ failure read_bamg_metric(text_scanner& source, mesh& m) {
       return source.failure(first.line,
                             "a length must be positive, not " + quoted_token(first.text));
     const double round = 1 / (tensor[0] * tensor[0]);
-    s.metric = wanted == 1 ? metric_tensor{round, 0, round}
-                           : metric_tensor{tensor[0], tensor[1], tensor[2]};
+    const metric_tensor metric = wanted == 1 ? metric_tensor{round, 0, round}
+                                             : metric_tensor{tensor[0], tensor[1], tensor[2]};
+    if (auto failed = take_tensor(source, first.line, metric, v, m)) return failed;
   }
   const word more = source.next();
   if (!more.empty())

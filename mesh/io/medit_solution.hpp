@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the files NAME.mesh and NAME.sol have in common, and the reader of the second. Works inside
-// read_medit.
+// Reads NAME.sol, and has what it shares with NAME.mesh. Works inside read_medit.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +13,10 @@
 
 namespace asterism::internal {
 
-// `MeshVersionFormatted 1..3`, `Dimension 2 or 3`: returns the dimension.
+// Reads `MeshVersionFormatted 1..3`, `Dimension 2 or 3`. Returns the dimension.
 result<int> read_medit_header(text_scanner& source);
 
-// One tensor a site of `m`, from a .sol file, or from one of BAMG's, NAME.mtr: the number of
+// Reads one tensor a site of `m` from a .sol file, or from one of BAMG's, NAME.mtr: the number of
 // vertices, 1 or 3, and for each a length h, meaning the tensor I/h^2, or m11 m12 m22. Nothing is
 // returned when all went well.
 std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh& m,

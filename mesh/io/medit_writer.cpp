@@ -8,6 +8,7 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 
 namespace asterism {
@@ -17,16 +18,7 @@ namespace {
 
 using text = std::back_insert_iterator<std::string>;
 
-// The marker of a boundary subsegment at each vertex, 0 for vertices on none.
-std::vector<int> vertex_references(const mesh& m) {
-  std::vector<int> references(m.sites.size(), 0);
-  for (const boundary_edge& e : m.boundary)
-    for (const vertex_index v : {e.a, e.b})
-      if (v < references.size() && references[v] == 0) references[v] = e.marker;
-  return references;
-}
-
-// The given vertices at which the boundary is not one straight line.
+// Returns the given vertices at which the boundary is not one straight line.
 std::vector<vertex_index> corners(const mesh& m) {
   std::vector<std::vector<const boundary_edge*>> arriving(m.given), leaving(m.given);
   for (const boundary_edge& e : m.boundary) {
@@ -47,10 +39,10 @@ std::vector<vertex_index> corners(const mesh& m) {
   return found;
 }
 
-void write_list(text out, const char* keyword, const std::vector<vertex_index>& vertices) {
-  if (vertices.empty()) return;
-  fmt::format_to(out, "\n{}\n{}\n", keyword, vertices.size());
-  for (const vertex_index v : vertices) fmt::format_to(out, "{}\n", v + 1);
+void write_list(text out, const char* keyword, const std::vector<vertex_index>& numbers) {
+  if (numbers.empty()) return;
+  fmt::format_to(out, "\n{}\n{}\n", keyword, numbers.size());
+  for (const vertex_index v : numbers) fmt::format_to(out, "{}\n", v + 1);
 }
 
 // Comments of at most 80 characters: some readers take lines in subsegments of a fixed length.
@@ -73,6 +65,10 @@ void write_boundary(text out, const mesh& m) {
   for (const boundary_edge& e : m.boundary)
     fmt::format_to(out, "{} {} {}\n", e.a + 1, e.b + 1, e.marker);
   write_segments(out, m);
+  std::vector<vertex_index> internal;
+  for (vertex_index i = 0; i < m.boundary.size(); ++i)
+    if (m.boundary[i].internal) internal.push_back(i);
+  write_list(out, "RequiredEdges", internal);
 }
 
 }  // namespace
@@ -81,7 +77,8 @@ std::string medit_mesh_text(const mesh& m) {
   std::string contents = "MeshVersionFormatted 2\n\nDimension 2\n";
   const text out(contents);
   fmt::format_to(out, "\nVertices\n{}\n", m.sites.size());
-  const std::vector<int> references = vertex_references(m);
+  const bool has_own = m.references.size() == m.sites.size();
+  const std::vector<int> references = has_own ? m.references : vertex_references(m);
   append_lines(contents, m.sites.size(), [&](std::size_t v, std::string& line) {
     append_number(line, m.sites[v].position.x);
     append_number(line += ' ', m.sites[v].position.y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangle's .poly files.
+// Reads Triangle's .poly files.
 //
 //   # comments run to the end of the line; blank lines do not count
 //   <vertices> <dimension: 2> <attributes> <markers: 0 or 1>
@@ -28,7 +28,7 @@
 
 namespace asterism::internal {
 
-// As written: check_domain has yet to accept it. `name` is the path as given.
+// Reads the domain as written: check_domain has yet to accept it. `name` is the path as given.
 result<domain> read_poly(const std::filesystem::path& path);
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Text of many lines, made in parallel: the same for any number of threads.
+// Makes text of many lines in parallel, the same for any number of threads.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Text files as words with line numbers, for the readers of this folder. Errors say
+// Splits text files into words with line numbers, for the readers of this folder. Errors say
 // `file:line: what`.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace asterism::internal {
 
-// The whole file, without the byte order mark some editors put before UTF-8; fails naming it when
-// it is missing, no regular file, or unreadable.
+// Reads the whole file, without the byte order mark some editors put before UTF-8; fails naming it
+// when it is missing, no regular file, or unreadable.
 result<std::string> read_text_file(const std::filesystem::path& path);
 
 struct word {
@@ -31,11 +31,11 @@ class text_scanner {
  public:
   text_scanner(std::string file, std::string_view text) : file_(std::move(file)), text_(text) {}
 
-  // The next word, or an empty one (with the last line's number) at the end of the text.
+  // Returns the next word, or an empty one (with the last line's number) at the end of the text.
   word next();
-  // The words of the next line that has any; empty at the end of the text.
+  // Returns the words of the next line that has any; empty at the end of the text.
   std::vector<word> next_line();
-  // The comments passed so far, without their `#`.
+  // Returns the comments passed so far, without their `#`.
   const std::vector<std::string_view>& comments() const { return comments_; }
 
   std::size_t line() const { return line_; }
@@ -56,13 +56,13 @@ class text_scanner {
   std::vector<std::string_view> comments_;
 };
 
-// The value of a word, or the error `file:line: <meaning>: ...`.
+// Returns the value of a word, or the error `file:line: <meaning>: ...`.
 result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning);
 result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning);
-// The same for what is kept as an int: markers, references.
+// Reads a marker or reference, which is kept as an int.
 result<int> to_marker(const text_scanner& source, const word& w, std::string_view meaning);
-// A number of records to come: not negative, and no more than the rest of the file can hold when
-// each takes at least two bytes.
+// Reads a number of records to come: not negative, and no more than the rest of the file can hold
+// when each takes at least two bytes.
 result<std::size_t> to_count(const text_scanner& source, const word& w, std::string_view meaning);
 
 }  // namespace asterism::internal

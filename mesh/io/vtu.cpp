@@ -16,7 +16,7 @@ namespace {
 
 using text = std::back_insert_iterator<std::string>;
 
-// One array: `print(item)` for each item, then the end tag.
+// Writes one array: `print(item)` for each item, then the end tag.
 template <class Range, class Print>
 void write_array(text out, std::string_view type, std::string_view name, int components,
                  const Range& items, const Print& print) {

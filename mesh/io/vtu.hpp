@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// VTK unstructured grids (.vtu), ASCII, for ParaView and VTK.
+// Writes VTK unstructured grids (.vtu), ASCII, for ParaView and VTK.
 //
 // Cells: the triangles, then the disagreeing triangles. Point data: `metric` (m11 m12 m22),
 // `metric_tensor` (3x3, rows one after the other, 1 for z), `star_size` (triangles at the vertex),

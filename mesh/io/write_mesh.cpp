@@ -12,6 +12,7 @@
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/vtu.hpp"
 
 namespace asterism {
@@ -102,12 +103,21 @@ result<mesh_format> check_output(const std::filesystem::path& path) {
   return format;
 }
 
-result<std::vector<std::filesystem::path>> write_mesh(const std::filesystem::path& path,
-                                                      const mesh& m, const write_options& options) {
+namespace internal {
+
+result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, const mesh& m,
+                                             const write_options& options) {
   const auto format = check_output(path);
   if (!format.ok()) return format.failure();
   if (auto failed = check_indices(m)) return failed->at(path.string());
-  const auto files = render(path, format.value(), m, options);
+  return render(path, format.value(), m, options);
+}
+
+}  // namespace internal
+
+result<std::vector<std::filesystem::path>> write_mesh(const std::filesystem::path& path,
+                                                      const mesh& m, const write_options& options) {
+  const auto files = render_mesh(path, m, options);
   if (!files.ok()) return files.failure();
   return write_files(files.value());
 }

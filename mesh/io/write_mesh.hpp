@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One way to write a mesh: the extension says in which format.
+// Writes a mesh in the format that the extension names.
 //
 //   .mesh              Medit, and the metric in .sol beside it (mesh/io/medit.hpp)
 //   .vtu               VTK unstructured grid for ParaView (mesh/io/vtu.hpp)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a domain has many vertices, sites are first spread as its short segments will need them:
-// near together there, farther apart inside. Triangles of 20 degrees grow about so; without this
-// every vertex sees a good part of all others until refinement has put sites between them, one by
-// one. It decides where sites are proposed and nothing else: they are given the field's own metric.
+// Spreads the first sites of a domain with many vertices as its short segments will need them: near
+// together there, farther apart inside, about as triangles of 20 degrees grow. Without this every
+// vertex sees a good part of all others until refinement has put sites between them, one by one.
+// The field decides only where sites are proposed; the sites have the metric as given.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ class featured_field : public metric_field {
   // `d` as accepted by check_domain; `field` must outlive this. Fails where the field does.
   static result<featured_field> make(const domain& d, const metric_field& field, double longest);
 
-  // From any thread.
+  // May be called from any thread.
   result<metric_tensor> at(const point& q) const override;
 
  private:

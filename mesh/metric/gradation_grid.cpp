@@ -22,10 +22,10 @@ std::uint32_t cells_of(double side, double longer) {
   return std::max(1U, static_cast<std::uint32_t>(n));
 }
 
-// Between the ends as t goes from 0 to 1, without overflow and equal to them there.
+// Goes from one end to the other with t from 0 to 1, without overflow and exact at the ends.
 double between(double low, double high, double t) { return low * (1 - t) + high * t; }
 
-// The fraction of the way from low to high, kept within [0,1].
+// Returns the fraction of the way from low to high, kept within [0,1].
 double fraction(double low, double high, double x) {
   if (!(high > low)) return 0;
   return std::clamp((x / 2 - low / 2) / (high / 2 - low / 2), 0.0, 1.0);

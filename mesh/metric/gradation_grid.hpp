@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Points of a box at which a metric field is sampled, dense where asked for, and the interpolation
-// between them.
+// Chooses the points of a box at which a metric field is sampled, densely where asked for, and
+// interpolates between them.
 //
 // A quadtree of cells. Sides of cells that share an edge differ by a factor of two at most, so that
 // an edge has at most one node between its ends; every cell is cut into triangles from its middle
@@ -21,7 +21,7 @@ namespace asterism::internal {
 
 class gradation_grid {
  public:
-  // About square cells, 16 along the longer side of the box, which must have an extent.
+  // Makes about square cells, 16 along the longer side of the box, which must have an extent.
   explicit gradation_grid(const bounding_box& box);
 
   static constexpr int deepest = 20;  // halvings below the 16 cells
@@ -39,21 +39,22 @@ class gradation_grid {
   // Nodes are numbered in the order in which they came up; they never go.
   std::size_t nodes() const { return positions_.size(); }
   const point& position(std::uint32_t node) const { return positions_[node]; }
-  // The displacement from the lower left to the upper right corner.
+  // Returns the displacement from the lower left to the upper right corner.
   point diagonal(const cell& c) const;
 
   // Cuts leaf `c` in four, and others as far as needed. False at the deepest level.
   bool split(std::uint32_t c);
 
-  // The nodes on the boundary of a leaf, counter-clockwise from the lower left corner: 4 to 8.
+  // Lists the nodes on the boundary of a leaf, counter-clockwise from the lower left corner: 4
+  // to 8.
   struct rim {
     std::array<std::uint32_t, 8> node;
     std::size_t size = 0;
   };
   rim rim_of(const cell& leaf) const;
 
-  // The triangle around a point (outside the box: around the nearest point of it), and the weights
-  // of its nodes: not negative, with sum 1.
+  // Finds the triangle around a point (outside the box: around the nearest point of it), and the
+  // weights of its nodes: not negative, with sum 1.
   struct place {
     std::array<std::uint32_t, 3> node;
     std::array<double, 3> weight;

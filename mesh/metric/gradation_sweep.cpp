@@ -14,15 +14,15 @@ namespace asterism::internal {
 namespace {
 
 // A leaf is fine enough when logarithms of tensors are linear over it up to 0.1 (lengths up to 5
-// percent)
-// and vary by at most 1 from its middle (lengths by 1.65), or when it is no longer than an edge.
+// percent) and vary by at most 1 from its middle (lengths by 1.65), or when it is no longer than an
+// edge.
 constexpr double largest_defect = 0.1, largest_variation = 1, longest_diagonal = 1;
 
 // A leaf with an altered node in which the field as given varies more than this (in logarithms)
 // may hold a jump of it, which must not come back between the nodes.
 constexpr double largest_mixed = 0.2;
 
-// What is less than this is not passed on: squares of lengths, relative. A unit of length allows a
+// Relative excess of a squared length below which it is not passed on. A unit of length allows a
 // growth of 2 sigma, 0.19 for beta = 1.1; the larger slack is for interpolated metrics, whose error
 // is about a quarter of the largest defect.
 constexpr double slack_at_nodes = 0.005, slack_between_nodes = 0.03;
@@ -49,7 +49,7 @@ tensor_logarithm mean(const tensor_logarithm& a, const tensor_logarithm& b) {
   return {(a.l11 + b.l11) / 2, (a.l12 + b.l12) / 2, (a.l22 + b.l22) / 2};
 }
 
-// How much of `d` does not lead from q, which is in the box, out of it: at most 1.
+// Returns the part of `d`, at most 1, that leads from q to the border of the box around q.
 double part_inside(const point& q, const point& d, const bounding_box& box) {
   double t = 1;
   if (d.x > 0) t = std::min(t, (box.high.x - q.x) / d.x);

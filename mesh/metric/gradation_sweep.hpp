@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The metrics at the nodes of a gradation grid, and what they take over from each other.
+// Holds the metrics at the nodes of a gradation grid and sweeps over them until none has to take
+// over more from its neighbours.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +33,7 @@ class gradation_sweep {
   std::optional<error> run();
 
   const std::vector<node>& nodes() const { return nodes_; }
-  // For each node whether the field as given may stand for it, in its surroundings too.
+  // Returns for each node whether the field as given may stand for it and its surroundings.
   std::vector<bool> kept() const;
   const gradation_report& report() const { return report_; }
 

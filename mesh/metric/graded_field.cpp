@@ -18,8 +18,9 @@ using namespace internal;
 
 namespace {
 
-// Between nodes that are kept, the field as given; between others, the mean of their logarithms; at
-// the transition the former takes the place of the kept nodes' logarithms, so that nothing jumps.
+// Evaluates to the field as given between nodes that are kept, and to the mean of logarithms
+// between others. At the transition the former takes the place of the kept nodes' logarithms, so
+// that nothing jumps.
 class graded_field : public metric_field {
  public:
   graded_field(std::unique_ptr<metric_field> given, gradation_grid grid,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Metric gradation: a field made to change slowly, as measured by itself.
+// Makes a metric field change slowly, as measured by itself (metric gradation).
 //
 // With sigma = ln(beta), each metric is intersected with what every other allows at its place,
 //     M_q <- M_q ∩ (1 + sigma d_p(q))^-2 M_p,   d_p(q) the distance from p to q as p measures it
@@ -17,9 +17,9 @@
 // nodes logarithms are interpolated. Metrics only grow, and no eigenvalue grows above the largest
 // in the box: the sweeps come to an end, and there is a bound on their number besides.
 //
-// What holds: no node is coarser than the field as given, every value is positive definite, the
+// Guaranteed: no node is coarser than the field as given, every value is positive definite, the
 // same input gives the same field, and where no node of a triangle of the grid was changed the
-// field as given is returned itself. What does not: the growth is bounded up to the slack of the
+// field as given is returned itself. Not guaranteed: the growth is bounded up to the slack of the
 // sweeps and the resolution of the grid (a fifth more than sigma in all but some pairs of points in
 // a thousand, the tests measure it); between nodes a length may come out some percent longer than
 // given; a feature narrower than a 32nd of the box that no sample hits is not seen. For beta below
@@ -46,7 +46,7 @@ struct gradation_options {
   cancellation stop = {};          // polled now and then
 };
 
-// What gradation did.
+// The work and effect of gradation.
 struct gradation_report {
   double beta = 0;
   std::size_t nodes = 0, changed = 0;          // of the grid

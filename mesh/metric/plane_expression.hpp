@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A formula in x and y, read from text and evaluated in doubles.
+// Reads a formula in x and y from text and evaluates it in doubles.
 //
 // The language is muparser's: + - * / ^, comparisons and `a ? b : c`, sin, cos, exp, sqrt, abs,
 // min, max and so on, case sensitive, decimal points in any locale; `pi` and `e` are constants.
@@ -17,14 +17,15 @@ namespace asterism::internal {
 
 class plane_expression {
  public:
-  // Fails with the parser's words and the position (from 1) in `text`.
+  // Reads the formula. Fails with the parser's words and the position (from 1) in `text`.
   static result<plane_expression> parse(const std::string& text);
 
   plane_expression(plane_expression&&) noexcept;
   plane_expression& operator=(plane_expression&&) noexcept;
   ~plane_expression();
 
-  // The value may be infinite or not a number. Not safe to call from two threads at once.
+  // Evaluates the formula. The value may be infinite or not a number. Not safe to call from two
+  // threads at once.
   result<double> operator()(const point& q) const;
 
  private:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the fields with a formula have in common: the size, and a check of every tensor. Not part of
-// the public interface.
+// Common base of the fields with a formula: applies the size and checks every tensor.
 #pragma once
 
 #include <memory>
@@ -14,7 +13,7 @@
 
 namespace asterism::internal {
 
-// Divides by size^2 and lets no tensor pass that no metric is.
+// A field that divides by size^2 and refuses every tensor that is no metric.
 class sized_field : public metric_field {
  public:
   explicit sized_field(double size) : size_squared_(size * size) {}
@@ -31,13 +30,14 @@ class sized_field : public metric_field {
 
 using made_field = result<std::unique_ptr<metric_field>>;
 
-// "metric 'SPECIFICATION': WHAT".
+// Returns an error "metric 'SPECIFICATION': WHAT".
 error bad_metric(std::string_view specification, const std::string& what);
 
-// `m` if it is finite and positive definite (exactly tested); else an error that names q and m.
+// Returns `m` if it is finite and positive definite (exactly tested); else an error that names q
+// and m.
 result<metric_tensor> checked_tensor(const point& q, const metric_tensor& m);
 
-// The coordinates in which a field is round or layered: u = (q - origin) / unit. Computed from
+// Coordinates in which a field is round or layered: u = (q - origin) / unit. Computed from
 // halves, since the extent of a box may overflow.
 struct field_frame {
   point origin;
@@ -48,9 +48,10 @@ struct field_frame {
   }
 };
 
-// From the middle of the box, in halves of its longer side; empty when the box has no extent.
+// Returns coordinates from the middle of the box, in halves of its longer side; empty when the box
+// has no extent.
 std::optional<field_frame> frame_in_the_middle(const bounding_box& box);
-// From the lower left corner, in longer sides.
+// Returns coordinates from the lower left corner, in longer sides.
 std::optional<field_frame> frame_at_the_corner(const bounding_box& box);
 
 }  // namespace asterism::internal

@@ -41,8 +41,8 @@ class constant_field : public metric_field {
   metric_tensor m_;
 };
 
-// In other units of length. Where the field fails it says nothing: `elsewhere` is so weak that no
-// intersection takes notice of it.
+// Rescales a field to other units of length. Where the field fails it returns `elsewhere`, which is
+// so weak that no intersection takes notice of it.
 class rescaled_field : public metric_field {
  public:
   rescaled_field(const metric_field& field, double factor, const metric_tensor& elsewhere)

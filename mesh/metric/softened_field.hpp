@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Fields that vary more slowly than one given, for pipeline/metric_relaxation.hpp. Not part of the
-// public interface.
+// Makes fields that vary more slowly than a given one, for pipeline/metric_relaxation.hpp.
 //
 // All are positive definite wherever they do not fail; tensors as numerics/metric_algebra.hpp takes
 // them.
@@ -17,8 +16,8 @@
 
 namespace asterism::internal {
 
-// As many sites everywhere, with triangles less thin: the aspect raised to a power from 0 to 1.
-// `field` must outlive it, and fails where it does.
+// Returns a field with as many sites everywhere and less thin triangles: the aspects are raised to
+// a power from 0 to 1. `field` must outlive it, and fails where it does.
 std::unique_ptr<metric_field> soften(const metric_field& field, double power);
 
 // grade_metric (metric/graded_field.hpp) for lengths wanted to differ by `beta` at most over the
@@ -31,7 +30,7 @@ std::unique_ptr<metric_field> grade_over(const metric_field& field, const boundi
 
 std::unique_ptr<metric_field> same_everywhere(const metric_tensor& m);
 
-// The log-Euclidean mean; of one tensor at least.
+// Returns the log-Euclidean mean; of one tensor at least.
 metric_tensor mean_of(const std::vector<metric_tensor>& tensors);
 
 // Returns the field with a check that its tensors are finite and positive definite.

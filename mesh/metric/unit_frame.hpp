@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Very large and very small domains are meshed as their image of about unit size, under a scaling
-// by a power of two that loses nothing: the same mesh comes out as for a domain of ordinary size,
-// and as fast, since no product leaves the range in which doubles decide. Where a length in the
-// metric means nothing in itself (no size is wanted), the metric is scaled to unit size as well.
+// Maps very large and very small domains to images of about unit size, by a power of two that loses
+// nothing. The same mesh comes out as for a domain of ordinary size, and as fast, since no product
+// leaves the range in which doubles decide. If no size is wanted, so that a length in the metric
+// means nothing in itself, the metric is scaled to unit size as well.
 #pragma once
 
 #include "asterism/core/site.hpp"
@@ -17,9 +17,9 @@ namespace asterism::internal {
 class unit_frame {
  public:
   unit_frame() = default;
-  // No scaling for a domain of ordinary size (sides from 2^-32 to 2^32 and, when lengths are free,
-  // 2^-64 to 2^64 long in the metric), and none where it would not be exact: a vertex or a metric
-  // at a vertex would leave the range of normal doubles.
+  // Chooses the frame: no scaling for a domain of ordinary size (sides from 2^-32 to 2^32 and, when
+  // lengths are free, 2^-64 to 2^64 long in the metric), and none where it would not be exact: a
+  // vertex or a metric at a vertex would leave the range of normal doubles.
   static unit_frame choose(const domain& d, const metric_field& field, bool lengths_are_free);
 
   bool is_identity() const { return coordinates_ == 0 && squares_ == 0; }

@@ -27,7 +27,7 @@ double turn_of(const displacement<double>& d) {
   return d.y < 0 ? slope - 1 : 1 - slope;
 }
 
-// Whether w, between y and x, is a corner of the hull; always across half a turn or more.
+// True if w, between y and x, is a corner of the hull; always true across half a turn or more.
 bool stands_out(const candidate& y, const candidate& w, const candidate& x) {
   return cross(y.d, x.d) <= 0 || cross(w.z - y.z, x.z - w.z) > 0;
 }

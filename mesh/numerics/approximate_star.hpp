@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Stars in plain doubles, without the boundary: where is there still room for a site?
+// Approximates stars in plain doubles, without the boundary, to find where there is room for a
+// site.
 //
-// Nothing here is exact and nothing here is trusted. The net only proposes where sites may go; what
-// becomes of them is decided by exact tests on the points as rounded. It is many times cheaper than
-// true stars, and a wrong neighbour costs at most a proposal that comes to nothing.
+// Exact tests on the points as rounded decide everything that follows: this net only proposes where
+// sites may go. It is many times cheaper than true stars, and a wrong neighbour costs at most a
+// proposal that comes to nothing.
 //
 // The star of v is read off a convex hull: with d = w - v the site w lies, as v's territory is
 // concerned, about where the covector z = M_w d / |d|_w^2 says (the first point of the ray in
@@ -33,14 +34,14 @@ struct plain_gap {
 
 using plain_star = boost::container::small_vector<plain_gap, 8>;
 
-// The star of v among the candidates; v itself and repetitions are passed over.
+// Returns the star of v among the candidates; v itself and repetitions are passed over.
 plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
                             const std::vector<vertex_index>& candidates);
 
 // Fills in the vertex of a gap of v's star between gap.neighbour and `next`.
 void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next);
 
-// Whether w, which is not in the star of v, would change it.
+// True if w, which is not in the star of v, would change it.
 bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star,
               vertex_index w);
 

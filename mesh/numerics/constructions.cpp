@@ -122,8 +122,8 @@ void add_once(std::vector<point>& points, const std::optional<point>& q) {
   points.push_back(*q);
 }
 
-// The circumcentre in the mean of the three metrics: exact when they are equal, which is where
-// the resultant below degenerates.
+// Returns the circumcentre in the mean of the three metrics: exact when they are equal, which is
+// where the resultant below degenerates.
 point mean_circumcentre(const std::array<site, 3>& s) {
   metric_tensor m{};
   for (const site& one : s) {
@@ -158,8 +158,8 @@ std::vector<point> resultant_points(const std::array<site, 3>& s) {
   return found;
 }
 
-// Where the line through v perpendicular (in v's metric) to v w first meets the bisector, either
-// way. There v's wedge ends, and being the first hit means v sees the point.
+// Adds the points where the line through v perpendicular (in v's metric) to v w first meets the
+// bisector, either way. There v's wedge ends, and being the first hit means v sees the point.
 void exits_from(const site& v, const site& w, std::vector<point>& exits) {
   const point d = w.position - v.position, n = perpendicular(v.metric, d);
   const double a = inner_product(v.metric, n, n) - inner_product(w.metric, n, n);

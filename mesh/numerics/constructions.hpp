@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Points where new sites may go, in doubles: Voronoi vertices of three sites, the places where a
-// Voronoi arc leaves its wedge, and the points where a boundary subsegment is split.
+// Constructs points where new sites may go, in doubles: Voronoi vertices of three sites, the places
+// where a Voronoi arc leaves its wedge, and the points where a boundary subsegment is split.
 //
-// Nothing here is exact and nothing here is trusted: a constructed point is rounded once, and
-// every question about it is then asked of the rounded point. A point that is missed or imprecise
-// costs a better candidate, never a wrong mesh. Coordinates far outside the range of squares (about
-// 1e+-100) are scaled away before anything is multiplied.
+// A constructed point is rounded once and not trusted: every question about it is asked of the
+// rounded point. A point that is missed or imprecise costs a better candidate, never a wrong mesh.
+// Coordinates far outside the range of squares (about 1e+-100) are scaled away before anything is
+// multiplied.
 #pragma once
 
 #include <vector>
@@ -15,28 +15,29 @@
 
 namespace asterism::internal {
 
-// u^T M w.
+// Returns u^T M w.
 double inner_product(const metric_tensor& metric, const point& u, const point& w);
-// u^T M u to about 1e-11, however thin the metric is (numerics/ill_conditioned_metric.hpp).
+// Returns u^T M u to about 1e-11, however thin the metric is (numerics/ill_conditioned_metric.hpp).
 double squared_length(const metric_tensor& metric, const point& u);
-// f_s(q), the squared distance from s to q as s measures it.
+// Returns f_s(q), the squared distance from s to q as s measures it.
 double squared_distance(const site& s, const point& q);
 
-// The real points with f_a = f_b = f_c, at most four, each once, nearest (as measured by the three)
-// first. Points at infinity are left out; of infinitely many (three sites with one isotropic
-// bisector) some may be returned. Does not depend on the order of a, b and c.
-// Source: predicates.md facts F2 and F3: along the lines through one site both bisectors are
-// quadratics in the reciprocal distance; their resultant is a quartic in the direction.
+// Returns the real points with f_a = f_b = f_c, at most four, each once, nearest (as measured by
+// the three) first. Points at infinity are left out; of infinitely many (three sites with one
+// isotropic bisector) some may be returned. Does not depend on the order of a, b and c. Source:
+// predicates.md facts F2 and F3: along the lines through one site both bisectors are quadratics in
+// the reciprocal distance; their resultant is a quartic in the direction.
 std::vector<point> voronoi_vertices(const site& a, const site& b, const site& c);
 
-// The ends of the arc of v and w inside wedge(v, w): points of the bisector on the wedge's border,
-// at most two. An arc that runs to infinity inside the wedge has no end there.
+// Returns the ends of the arc of v and w inside wedge(v, w): points of the bisector on the wedge's
+// border, at most two. An arc that runs to infinity inside the wedge has no end there.
 std::vector<point> wedge_exits(const site& v, const site& w);
 
-// Where the segment a b meets the bisector of a and b, rounded: its "midpoint" as both see it.
+// Returns the point where the segment a b meets the bisector of a and b, rounded: its "midpoint" as
+// both see it.
 point bisector_point(const site& a, const site& b);
 
-// The point of segment a b at the given distance from a, as a measures it, rounded.
+// Returns the point of segment a b at the given distance from a, as a measures it, rounded.
 point point_at_distance(const site& a, const point& b, double distance);
 
 }  // namespace asterism::internal

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How good a mesh is as the metric sees it, beyond what is certified: lengths, quality, count, and
-// how fast the metric varies in it. In doubles, for reports.
+// Measures how good a mesh is as the metric sees it, beyond its certificate: lengths, quality,
+// count, and how fast the metric varies in it. In doubles, for reports.
 #pragma once
 
 #include <cstddef>

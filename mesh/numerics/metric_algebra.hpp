@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Logarithms and intersections of metric tensors, in plain doubles: for building metric fields,
-// never for a decision about a mesh.
+// Computes logarithms and intersections of metric tensors in plain doubles: for building metric
+// fields, never for a decision about a mesh.
 //
 // Tensors must be finite and positive definite with a condition number below 1e14; results are
 // accurate to about that condition number times 1e-16 in the weak direction, and positive definite.
@@ -17,32 +17,33 @@ struct tensor_logarithm {
   double l11 = 0, l12 = 0, l22 = 0;
 };
 
-// The matrix logarithm, and back. Means of logarithms are the "log-Euclidean" means of tensors:
-// always positive definite, and geometric means where directions agree. Source: Arsigny, Fillard,
-// Pennec, Ayache, "Log-Euclidean metrics for fast and simple calculus on diffusion tensors", 2006.
+// Converts to the matrix logarithm and back. Means of logarithms are the "log-Euclidean" means of
+// tensors: always positive definite, and geometric means where directions agree. Source: Arsigny,
+// Fillard, Pennec, Ayache, "Log-Euclidean metrics for fast and simple calculus on diffusion
+// tensors", 2006.
 tensor_logarithm logarithm(const metric_tensor& m);
 metric_tensor exponential(const tensor_logarithm& l);
 
-// The larger eigenvalue of |a - b|: twice the logarithm of the largest ratio of lengths, to first
-// order.
+// Returns the larger eigenvalue of |a - b|: twice the logarithm of the largest ratio of lengths, to
+// first order.
 double difference(const tensor_logarithm& a, const tensor_logarithm& b);
 
-// Whether some direction is longer in `b` than in `a` by more than `slack` of its square.
+// True if some direction is longer in `b` than in `a` by more than `slack` of its square.
 bool exceeds(const metric_tensor& b, const metric_tensor& a, double slack);
 
-// At least as long as both in every direction, with the largest of their four eigenvalues and its
-// eigenvector n; across n as short as that allows. The shortest length wanted does not get shorter,
-// so that passing metrics on from point to point ends. (The largest ellipse inside both unit
-// ellipses, the usual intersection, has a smaller tensor, but between two thin ellipses turned
-// against each other it is shorter than both in every direction, and repeated it shrinks without
-// bound.)
+// Returns a metric at least as long as both in every direction. It has the largest of their four
+// eigenvalues with its eigenvector n, and across n is as short as that allows. The shortest length
+// wanted does not get shorter, so that passing metrics on from point to point ends. (The largest
+// ellipse inside both unit ellipses, the usual intersection, has a smaller tensor, but between two
+// thin ellipses turned against each other it is shorter than both in every direction, and repeated
+// it shrinks without bound.)
 metric_tensor intersection(const metric_tensor& a, const metric_tensor& b);
 
-// sqrt(det b / det a): how many more sites b asks for than a.
+// Returns sqrt(det b / det a): how many times as many sites b asks for as a.
 double density_ratio(const metric_tensor& b, const metric_tensor& a);
 
-// Two displacements of length 1, at right angles as the metric sees them: its unit circle is
-// cos(t) first + sin(t) second.
+// Returns two displacements of length 1, at right angles as the metric sees them: its unit circle
+// is cos(t) first + sin(t) second.
 struct unit_displacements {
   point first, second;
 };

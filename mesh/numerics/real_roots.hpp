@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Polynomials of small degree in doubles, for the constructions: coefficients from the constant up.
+// Adds, multiplies and solves polynomials of small degree in doubles, for the constructions.
+// Coefficients go from the constant up.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@ std::array<double, P + Q - 1> multiply(const std::array<double, P>& p,
   return product;
 }
 
-// a p + b q.
+// Returns a p + b q.
 template <std::size_t N>
 std::array<double, N> combine(double a, const std::array<double, N>& p, double b,
                               const std::array<double, N>& q) {
@@ -33,12 +34,13 @@ std::array<double, N> combine(double a, const std::array<double, N>& p, double b
 
 double evaluate(const std::vector<double>& p, double at);
 
-// Approximations of the real roots, and of places where p comes near zero without a sign change
-// (a double root split by rounding): for p of degree up to four, at most 4 + 3 values, increasing.
-// Leading coefficients below 1e-14 of the largest count as zero.
+// Returns approximations of the real roots, and of places where p comes near zero without a sign
+// change (a double root split by rounding): for p of degree up to four, at most 4 + 3 values,
+// increasing. Leading coefficients below 1e-14 of the largest count as zero.
 std::vector<double> real_roots(std::vector<double> p);
 
-// The real roots of a s^2 + b s + c, increasing; a double root once; none when all are zero.
+// Returns the real roots of a s^2 + b s + c, increasing; a double root once; none when all are
+// zero.
 std::vector<double> quadratic_roots(double a, double b, double c);
 
 }  // namespace asterism::internal

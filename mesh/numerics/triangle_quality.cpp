@@ -22,16 +22,18 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 point difference(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
 double cross(const point& a, const point& b) { return a.x * b.y - a.y * b.x; }
 
-// The sum of the magnitudes inner_product adds up. Each term takes three rounded products and two
-// rounded differences of coordinates: 8 epsilon of this sum bounds the error with room to spare.
+// Returns the sum of the magnitudes inner_product adds up. Each term takes three rounded products
+// and two rounded differences of coordinates: 8 epsilon of this sum bounds the error with room to
+// spare.
 double inner_product_magnitude(const metric_tensor& m, const point& a, const point& b) {
   return m.m11 * std::abs(a.x * b.x) +
          std::abs(m.m12) * (std::abs(a.x * b.y) + std::abs(a.y * b.x)) +
          m.m22 * std::abs(a.y * b.y);
 }
 
-// The tensor times a power of two, so that its determinant stays in the range of doubles: what an
-// angle is does not depend on units. Nothing is lost unless it is much wider than any aspect is.
+// Returns the tensor times a power of two, so that its determinant stays in the range of doubles:
+// what an angle is does not depend on units. Nothing is lost unless it is much wider than any
+// aspect is.
 metric_tensor in_range(const metric_tensor& m) {
   const double product = m.m11 * m.m22;
   if (0x1p-900 < product && product < 0x1p900) return m;
@@ -50,8 +52,8 @@ bool corner_is_low(const metric_tensor& given, const point& a, const point& b, d
   return !(left <= cotangent * std::sqrt(det) * area * (1 - 4 * epsilon));
 }
 
-// The same for a thin metric, in twice the precision. Differences of doubles are exact there; the
-// rest are sums of at most 16 operations, each off by less than 2^-102 of its result, so that
+// Tests a corner in a thin metric, in twice the precision. Differences of doubles are exact there;
+// the rest are sums of at most 16 operations, each off by less than 2^-102 of its result, so that
 // 2^-97 of the magnitudes covers them. Rounding to doubles is relative, and within the 4 epsilon.
 bool thin_corner_is_low(const metric_tensor& given, const std::array<point, 3>& corner,
                         double cotangent) {

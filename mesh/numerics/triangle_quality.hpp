@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Is a triangle good enough? Angles as each of its three vertices measures them, and size.
+// Decides whether a triangle is good enough: its size, and its angles as each of its three vertices
+// measures them.
 #pragma once
 
 #include <array>
@@ -16,13 +17,13 @@ class angle_requirement {
   explicit angle_requirement(double degrees);
 
   double degrees() const { return degrees_; }
-  // Whether an angle of the triangle is below the bound from the perspective of any of its
-  // vertices: whether a^T M b <= cot(bound) sqrt(det M) (a x b) fails for two edges a, b at a
+  // True if an angle of the triangle is below the bound from the perspective of any of its
+  // vertices, that is if a^T M b <= cot(bound) sqrt(det M) (a x b) fails for two edges a, b at a
   // corner and some M. Errs only towards "low": the doubles carry error terms and the bound a guard
   // of 1e-9 relative, so that a triangle called good meets the bound exactly. Never low when the
   // bound is zero. Requires a counter-clockwise triangle.
   bool is_low(const triangle_sites& t) const { return is_low(t, {}); }
-  // The same with the angles at some of the corners left out.
+  // As above, with the angles at some of the corners left out.
   bool is_low(const triangle_sites& t, const std::array<bool, 3>& left_out) const;
 
  private:
@@ -30,9 +31,9 @@ class angle_requirement {
   double cotangent_;
 };
 
-// The same triangle, unless a metric is thin (numerics/ill_conditioned_metric.hpp): then in
-// coordinates in which the first such is round. Angles and lengths are the same up to rounding, and
-// doubles can measure them.
+// Returns the triangle in coordinates in which its first thin metric is round
+// (numerics/ill_conditioned_metric.hpp), or as it is if none is thin. Angles and lengths stay the
+// same up to rounding, and doubles can then measure them.
 triangle_sites in_round_coordinates(triangle_sites t);
 
 // Returns the smallest of the nine angles, in degrees, in doubles: to put triangles in order. For
@@ -40,8 +41,8 @@ triangle_sites in_round_coordinates(triangle_sites t);
 // for any.
 double smallest_angle(const triangle_sites& t);
 
-// The angle at `corner` swept counter-clockwise from `first` to `last` as the corner measures it,
-// in degrees, below 180. Requires orientation(corner, first, last) > 0.
+// Returns the angle at `corner` swept counter-clockwise from `first` to `last` as the corner
+// measures it, in degrees, below 180. Requires orientation(corner, first, last) > 0.
 double corner_angle(const site& corner, const point& first, const point& last);
 
 // The target of size control: the distance from the sites of a triangle to their nearest common
@@ -51,11 +52,11 @@ inline constexpr double largest_circumradius = 0.75;
 // Boundary subsegments are split down to this metric length, so that a net of that radius does not
 // encroach on them.
 inline constexpr double longest_subsegment = 1.2;
-// Where a domain is filled at once its segments are divided a little finer, 1.2 times the radius.
+// Longest subsegment where a domain is filled at once: a little shorter, 1.2 times the radius.
 inline constexpr double longest_subsegment_of_fill = 0.9;
 
-// The distance from the three sites to the nearest point all three are equally far from; infinite
-// when there is none.
+// Returns the distance from the three sites to the nearest point all three are equally far from;
+// infinite when there is none.
 double metric_circumradius(const triangle_sites& t);
 
 }  // namespace asterism::internal

@@ -32,7 +32,7 @@ using namespace adapting;
 struct strictness {
   double background, mesh;
 };
-constexpr std::array<strictness, 4> ladder = {{{5, 2}, {3, 1.7}, {1.8, 1.4}, {1.25, 1.15}}};
+constexpr std::array<strictness, 4> ladder = {{{4, 2}, {3, 1.7}, {1.8, 1.4}, {1.25, 1.15}}};
 // Audits of one mesh, each after what the one before had found was mended.
 constexpr int most_audits = 12;
 // Of the limit on sites: beyond, the way by way of a fill tells what is not possible.
@@ -247,8 +247,9 @@ class adaptation {
 }  // namespace
 
 bool wants_adaptation(const metric_field& field, const mesh_options& options) {
-  return options.limit_size && options.strategy == refinement_strategy::guaranteed &&
-         !options.keep_if_complete && !options.tolerance && field.background() != nullptr;
+  return options.relax && options.limit_size &&
+         options.strategy == refinement_strategy::fill && !options.keep_if_complete &&
+         !options.tolerance && field.background() != nullptr;
 }
 
 std::optional<mesh_outcome> adapt_mesh(const domain& d, const metric_field& field,

@@ -10,12 +10,14 @@
 namespace asterism {
 namespace {
 
+// The auditor finds the sharp corners by itself: the mesher's own list is of rounded angles, and
+// names corners at which no triangle needs an exemption.
 audit_options questions_for(const mesh_outcome& outcome, const domain& d,
                             const mesh_options& options) {
   audit_options asked;
   asked.angle_bound = options.angle_bound;
   asked.original = &d;
-  for (const exempt_corner& corner : outcome.exempt) asked.exempt_corners.push_back(corner.vertex);
+  asked.find_exempt_corners = true;
   // Whoever interrupts a run does not want to wait for the stars of a mesh that is not finished.
   asked.check_stars = !outcome.stopped;
   asked.check_voronoi = options.prove_voronoi && !outcome.stopped;

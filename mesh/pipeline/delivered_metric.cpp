@@ -68,8 +68,8 @@ result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& 
   options.check_stars = false;
   options.findings_kept = 0;
   const audit_report found = audit(as_wanted, options);
-  report.worst_angle_wanted = found.worst.degrees;
-  report.low_wanted = found.low_triangles;
+  report.worst_angle_wanted = found.worst().degrees;
+  report.low_wanted = found.refused_triangles();
   return report;
 }
 

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "asterism/core/export.h"
@@ -42,23 +43,33 @@ struct certify_report {
   std::array<std::size_t, 4> in_stars{};
   std::vector<vertex_index> not_in_all;  // triangles, ascending
   std::size_t unsettled = 0;             // stars that met the bound of their construction
-  bool compared = false;  // false: it is no triangulation, and has no stars to compare
-  // Triangles below the bound as any of their vertices measures them, exempt ones among them;
-  // those that are inverted or flat have no angles.
+  // False: it is no triangulation, or is refused for so much that its stars were not made, or they
+  // took too long.
+  bool compared = false;
+  // Triangles below the bound as any of their vertices measures them, exempt and collateral ones
+  // among them; those that are inverted or flat have no angles.
   std::size_t below_bound = 0;
   std::size_t edges = 0, unit_edges = 0;
 
-  // True if all triangles are in their stars, nothing is inverted, the bound is met but where
-  // exempt, and the audit finds nothing either.
-  bool certified() const {
-    return audit.certified && compared && not_in_all.empty() && unsettled == 0;
+  // The auditor's answer, as `verify` gives it. Stars built afresh may be others where arcs are not
+  // wedged; the report has both.
+  bool certified() const { return audit.certified; }
+  bool is_triangulation() const {
+    return audit.stars_checked || audit.found[static_cast<std::size_t>(finding_kind::stopped)] != 0;
   }
 };
+
+// Returns what the auditor is asked of a mesh that brings its own domain, but for the bound; refers
+// to `adopted`.
+ASTERISM_EXPORT audit_options questions_for(const adopted_mesh& adopted);
 
 // Builds the stars, compares and audits. An edge is a unit edge when its length, the mean of what
 // its two ends measure, is in [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With
 // `check_voronoi` the audit has a verdict on point 5, which certified() does not depend on.
+// `enough` is asked now and then; true ends the judgement.
 ASTERISM_EXPORT certify_report certify(const adopted_mesh& adopted, double angle_bound,
-                                       bool check_voronoi = false);
+                                       bool check_voronoi = false,
+                                       std::size_t findings_kept = audit_options{}.findings_kept,
+                                       const std::function<bool()>& enough = {});
 
 }  // namespace asterism

@@ -12,8 +12,8 @@
 
 namespace asterism::internal {
 
-// A sentence for each number that is another one, to the last bit, or of something that is not
-// measured; none where the certificate is of another mesh, by its fingerprint.
+// A sentence for each number that is another one, to the last bit, is missing, or is of something
+// that is not measured; none where the certificate is of another mesh, by its fingerprint.
 std::vector<std::string> contradictions_in_measured(const mesh& subject, const certificate& claim);
 
 }  // namespace asterism::internal

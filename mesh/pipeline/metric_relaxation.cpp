@@ -340,9 +340,9 @@ class relaxation {
     options.angle_bound = options_.angle_bound;
     options.find_exempt_corners = true;
     options.check_stars = false;
-    audit_report found = audit(as_given, options);
-    report.worst_angle = found.worst.degrees;
-    report.low_triangles = std::move(found.low_triangles);
+    const audit_report found = audit(as_given, options);
+    report.worst_angle = found.worst().degrees;
+    report.low_triangles = found.refused_triangles();
     // Without demands nobody has looked at sizes yet.
     if (options_.limit_size && step_.kind == relaxation_kind::without_demands)
       tried_->too_large = count_large(as_given);
@@ -371,7 +371,7 @@ class relaxation {
 }  // namespace
 
 bool wants_relaxation(const mesh_outcome& made, const mesh_options& options) {
-  return options.relax && options.strategy == refinement_strategy::guaranteed && !made.stopped &&
+  return options.relax && options.strategy == refinement_strategy::fill && !made.stopped &&
          !made.complete &&
          (made.disagreeing > 0 || made.ended.stars_missing > 0 ||
           made.ended.how == ending::crowded);

@@ -56,7 +56,7 @@ triangle_sites sites_of(const refine_state& state, const triangle& t) {
 std::vector<exempt_corner> exempt_corners(const refine_state& state,
                                           const angle_requirement& angle) {
   std::map<vertex_index, double> smallest;
-  for (const domain_corner& c : state.corners()) {
+  for (const domain_corner& c : state.segments().corners()) {
     if (!(c.angle < angle.degrees())) continue;
     const auto [at, added] = smallest.try_emplace(c.vertex, c.angle);
     if (!added) at->second = std::min(at->second, c.angle);
@@ -72,7 +72,7 @@ bad_triangle_queue::bad_triangle_queue(const refine_state& state, const angle_re
     : angle_(angle),
       limit_size_(limit_size),
       exempt_corners_(asterism::internal::exempt_corners(state, angle)) {
-  for (const domain_corner& c : state.corners())
+  for (const domain_corner& c : state.segments().corners())
     if (c.angle < angle.degrees()) corners_below_.push_back(c);
 }
 
@@ -87,11 +87,12 @@ std::vector<triangle> bad_triangle_queue::exempt() const {
 // half the bound: their low angles are left (docs/math/refinement.md, "Corners").
 bool bad_triangle_queue::crosses_wedge(const refine_state& state, const triangle& t) const {
   const auto accepts = [&](const domain_wedge& w) {
-    return w.internal && state.is_narrower(w, w.corner.vertex, angle_.degrees() / 2) &&
-           std::all_of(t.begin(), t.end(),
-                       [&](vertex_index v) { return state.is_narrower(w, v, angle_.degrees()); });
+    return w.internal && is_narrower(state.sites(), w, w.corner.vertex, angle_.degrees() / 2) &&
+           std::all_of(t.begin(), t.end(), [&](vertex_index v) {
+             return is_narrower(state.sites(), w, v, angle_.degrees());
+           });
   };
-  return state.wedge_across(t, accepts) != nullptr;
+  return state.segments().wedges().across(t, accepts) != nullptr;
 }
 
 void bad_triangle_queue::judge(const refine_state& state, const site_oracle& oracle,

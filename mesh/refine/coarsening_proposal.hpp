@@ -23,7 +23,7 @@ struct improvement_goal {
 };
 
 struct improvement_proposal {
-  filled_domain filling;  // for refine_state::start_filled
+  filled_domain filling;  // for refine_state::start
   // Sites of the mesh it was made from: those that go, the most useful first, and by number those
   // that move.
   std::vector<vertex_index> removed, moved;

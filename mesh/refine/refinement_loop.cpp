@@ -36,10 +36,10 @@ std::optional<sharp_corner> sharpest_corner_beside(const refine_state& state,
   std::set<vertex_index> beside;
   for (const bad_triangle& b : bad) beside.insert(b.where.begin(), b.where.end());
   for (const vertex_index v : beside) {
-    for (const domain_corner& c : state.corners_at(v)) consider(c);
-    for (const domain_wedge* w : state.wedges_at_split(v)) consider(w->corner);
+    for (const domain_corner& c : state.segments().corners_at(v)) consider(c);
+    for (const domain_wedge* w : state.segments().wedges().at_split(v)) consider(w->corner);
   }
-  for (const domain_wedge& w : state.wedges())
+  for (const domain_wedge& w : state.segments().wedges().all())
     if (beside.count(w.first_end) != 0 || beside.count(w.last_end) != 0) consider(w.corner);
   if (sharpest == nullptr) return std::nullopt;
   return sharp_corner{sharpest->vertex, state.sites()[sharpest->vertex].position, sharpest->angle};
@@ -128,7 +128,7 @@ class refinement_loop {
     switch (options_.strategy) {
       case refinement_strategy::poisson_darts:
         return insert_by_darts();
-      case refinement_strategy::guaranteed:
+      case refinement_strategy::fill:
         return (options_.limit_size && arcs_.insert_in_bulk()) || arcs_.insert();
       case refinement_strategy::voronoi_arcs:
         break;
@@ -189,7 +189,7 @@ class refinement_loop {
     o.disagreeing = queue_.count(badness::disagreeing);
     o.low_angle = queue_.count(badness::low_angle);
     o.too_large = queue_.count(badness::too_large);
-    o.splits = state_.splits();
+    o.splits = state_.segments().splits();
     o.inserted = o.sites - given_ - o.splits;
     o.candidates_rejected = arcs_.rejected() + darts_rejected_;
     o.exempt = queue_.exempt_corners();
@@ -217,8 +217,8 @@ class refinement_loop {
 }  // namespace
 
 result<mesh_outcome> refine(const meshing_context& job, const filled_domain& proposed) {
-  auto state = refine_state::start_filled(job.shape, job.field, job.kernel, job.options.max_sites,
-                                          proposed, job.options.stop);
+  auto state = refine_state::start(job.shape, job.field, job.kernel, job.options.max_sites,
+                                   proposed, job.options.stop);
   if (!state) return state.failure();
   return refinement_loop(std::move(state).value(), job).run();
 }

@@ -115,7 +115,7 @@ result<budgeted_filling> fill_by_halving(const meshing_context& job) {
 result<budgeted_filling> fill_within_budget(const meshing_context& job) {
   const bool limit_size = job.options.limit_size;
   const bool is_large = job.shape.vertices.size() >= many_vertices;
-  if (job.options.strategy != refinement_strategy::guaranteed || !(limit_size || is_large))
+  if (job.options.strategy != refinement_strategy::fill || !(limit_size || is_large))
     return nothing_proposed(job.shape);
   if (is_large) {
     auto featured = fill_by_features(job);

@@ -38,15 +38,16 @@ bool shorten_tight_corner(refine_state& state, const triangle& bad, const angle_
                           double tolerance) {
   std::vector<domain_corner> tight;
   for (const vertex_index v : bad)
-    for (const domain_corner& c : state.corners_at(v))
+    for (const domain_corner& c : state.segments().corners_at(v))
       if (c.angle < 2 * angle.degrees()) tight.push_back(c);
   std::sort(tight.begin(), tight.end(), [](const domain_corner& a, const domain_corner& b) {
     return a.vertex != b.vertex ? a.vertex < b.vertex : a.sector < b.sector;
   });
   for (const domain_corner& c : tight) {
     if (!lies_in_corner(state, bad, c)) continue;
-    auto [longer, shorter] = state.subsegments_at(c);
-    if (state.subsegment_length(longer, c.vertex) < state.subsegment_length(shorter, c.vertex))
+    auto [longer, shorter] = state.segments().subsegments_at(c);
+    if (state.segments().subsegment_length(longer, c.vertex) <
+        state.segments().subsegment_length(shorter, c.vertex))
       std::swap(longer, shorter);
     if (state.split(longer, tolerance) || state.split(shorter, tolerance)) return true;
   }

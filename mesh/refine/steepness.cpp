@@ -18,7 +18,7 @@ constexpr double resolved_distortion = 1.272;
 }  // namespace
 
 bool steepness::gives_up(const bad_triangle& b) {
-  if (options_.strategy != refinement_strategy::guaranteed) return false;
+  if (options_.strategy != refinement_strategy::fill) return false;
   // Without a size triangles may be so large that the metric is another at every corner.
   if (!options_.limit_size && b.why != badness::disagreeing) return false;
   const bool beside = b.why != badness::too_large &&

@@ -23,7 +23,7 @@ class steepness {
       : state_(state), options_(options), finest_(finest) {}
 
   // True if the triangle, or one that shares a site with it, lies across a place where the metric
-  // is too steep; it is then given up for good. False for strategies other than `guaranteed`.
+  // is too steep; it is then given up for good. False for strategies other than `fill`.
   bool gives_up(const bad_triangle& b);
   bool is_given_up(const triangle& t) const { return given_up_.count(t) != 0; }
 

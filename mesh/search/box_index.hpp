@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Boxes, found by where they are: a loose quadtree for the subsegments of the boundary, which are
+// Finds boxes by their place: a loose quadtree for the subsegments of the boundary, which are
 // replaced by smaller ones as the boundary is split.
 //
 // An item lies in the node that holds its middle, on the level whose cells are about as large as
@@ -22,11 +22,11 @@ namespace asterism::internal {
 class box_index {
  public:
   box_index() = default;
-  // Empty; for items in, or not far outside, the box.
+  // Makes an empty index for items in, or not far outside, the box.
   explicit box_index(const bounding_box& box);
 
   void insert(std::uint32_t item, const bounding_box& box);
-  // Requires that the item was inserted with this box.
+  // Removes an item. Requires that it was inserted with this box.
   void remove(std::uint32_t item, const bounding_box& box);
 
   // Calls visit(item) for every item whose box meets the closed one, and perhaps for some others.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int levels = 20;
 
-// The cell of x in [low, high] cut into 2^levels.
+// Returns the cell of x in [low, high] cut into 2^levels.
 std::uint32_t cell(double x, double low, double high) {
   const double part = (x / 2 - low / 2) / (high / 2 - low / 2);  // halved: no overflow
   constexpr double cells = 1U << levels;

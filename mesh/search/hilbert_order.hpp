@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The order of a Hilbert curve: sites near each other in the plane come near each other in memory.
+// Orders sites along a Hilbert curve, so that sites near each other in the plane are near each
+// other in memory.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace asterism::internal {
 
-// Stable: sites in one cell of the finest grid keep their order.
+// Returns the order. It is stable: sites in one cell of the finest grid keep their order.
 void sort_along_curve(std::vector<site>& sites, const bounding_box& box);
 
 }  // namespace asterism::internal

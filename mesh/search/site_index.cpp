@@ -106,8 +106,8 @@ void site_index::split(const std::vector<site>& sites, std::uint32_t at, const p
   }
 }
 
-// From the smallest node around v with sites enough and not all on a line: the metric area of its
-// box, shared by its sites.
+// Takes the smallest node around v that has enough sites, not all on a line, and divides the metric
+// area of its box among its sites.
 double site_index::spacing_near(const site& v) const {
   constexpr std::uint32_t enough = 4;
   const double root = std::sqrt(std::max(0.0, determinant(v.metric).low));
@@ -140,9 +140,8 @@ double site_index::half_trace_above(const node& n, const centre& c) {
   return t < 0x1p500 ? t : infinity;  // infinite if not a number
 }
 
-// (1 + sigma) R for all sites of the node; infinite when not known.
-// sigma^2 = t + sqrt(t^2 - d), t half the trace and d the determinant of M_w^-1 M_v, grows with t
-// and falls with d.
+// (1 + sigma) R for all sites of the node; infinite when not known. sigma^2 = t + sqrt(t^2 - d), t
+// half the trace and d the determinant of M_w^-1 M_v, grows with t and falls with d.
 double site_index::limit(const node& n, const centre& c) {
   const double t = half_trace_above(n, c);
   if (t == infinity) return infinity;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The sites near a place, in a quadtree that grows with the mesh.
+// Finds the sites near a place, with a quadtree that grows with the mesh.
 //
 // Every node knows the tight box of its sites and ranges of their inverse tensors, so that two
 // kinds of question can be asked: all sites in a box (exact), and all sites that are not certainly
@@ -29,11 +29,11 @@ namespace asterism::internal {
 class site_index {
  public:
   site_index() = default;
-  // An empty index of sites in, or not far outside, the box.
+  // Makes an empty index of sites in, or not far outside, the box.
   explicit site_index(const bounding_box& box);
 
   std::size_t size() const { return size_; }
-  // Adds sites[w]. Finite position, positive definite metric, each index once.
+  // Adds sites[w]. Requires a finite position and a positive definite metric; each index once.
   void insert(const std::vector<site>& sites, vertex_index w);
 
   // Calls visit(w) for each site in the closed box. visit returns whether to go on; so does this.
@@ -44,7 +44,7 @@ class site_index {
   template <class Visit>
   bool visit_seeing(const point& q, double distance, Visit&& visit) const;
 
-  // About how far sites are apart near v, as v measures; 0 where that cannot be told.
+  // Returns about how far sites are apart near v, as v measures; 0 where that cannot be told.
   double spacing_near(const site& v) const;
 
   // Likewise for each site not certainly out of reach of v, with R = reach in v's metric, infinite

@@ -19,6 +19,7 @@
 
 namespace asterism {
 
+// Question that a run asks now and then: should it end, and why?
 class ASTERISM_EXPORT cancellation {
  public:
   // Never asks for an end.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Work split into chunks of fixed size, done by as many threads as the caller's oneTBB arena has.
-// What a chunk computes must depend on its bounds alone; results are put together chunk by chunk,
+// Splits work into chunks of fixed size, done by as many threads as the caller's oneTBB arena has.
+// The work of a chunk must depend on its bounds alone; results are put together chunk by chunk,
 // so that the outcome is the same for every number of threads.
 #pragma once
 
@@ -18,7 +18,7 @@ inline std::size_t chunk_count(std::size_t count, std::size_t chunk) {
   return (count + chunk - 1) / chunk;
 }
 
-// work(chunk, begin, end) for each chunk of [0, count).
+// Calls work(chunk, begin, end) for each chunk of [0, count).
 template <class Work>
 void parallel_chunks(std::size_t count, std::size_t chunk, const Work& work) {
   const std::size_t chunks = chunk_count(count, chunk);
@@ -30,7 +30,7 @@ void parallel_chunks(std::size_t count, std::size_t chunk, const Work& work) {
                [&](std::size_t i) { work(i, i * chunk, std::min(count, (i + 1) * chunk)); });
 }
 
-// The concatenation of what append(begin, end, out) adds to `out` for each chunk, in order.
+// Returns the concatenation of what append(begin, end, out) adds to `out` for each chunk, in order.
 template <class Item, class Append>
 std::vector<Item> collect_chunks(std::size_t count, std::size_t chunk, const Append& append) {
   std::vector<std::vector<Item>> parts(chunk_count(count, chunk));

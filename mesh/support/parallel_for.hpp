@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// oneTBB's parallel_for, with its order declared to the thread sanitizer: it begins after all that
-// its caller did before, and all of it is done before the caller goes on. oneTBB as it is packaged
-// is not compiled with the sanitizer, which therefore takes every value handed to a loop, or back,
-// for a race. What two turns of one loop do to each other is declared nowhere and stays under its
-// eyes. Without the sanitizer this is parallel_for and nothing else.
+// Wraps oneTBB's parallel_for and declares its order to the thread sanitizer: the loop begins after
+// everything that its caller did before, and ends before the caller goes on. oneTBB as packaged is
+// not compiled with the sanitizer, which would therefore take every value handed to a loop, or
+// back, for a race. Races between two turns of one loop are still found. Without the sanitizer this
+// is parallel_for and nothing else.
 #pragma once
 
 #include <tbb/parallel_for.h>
@@ -56,7 +56,7 @@ void parallel_for(std::size_t count, const Body& body) {
 
 #else
 
-// body(i) for each i below count, by as many threads as the caller's oneTBB arena has.
+// Calls body(i) for each i below count, by as many threads as the caller's oneTBB arena has.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body) {
   tbb::parallel_for(std::size_t{0}, count, body);

@@ -20,7 +20,7 @@ using namespace internal;
 
 namespace {
 
-// Of this translation unit alone, and so all that is instantiated with it: the linker would keep
+// Local to this translation unit, as is all that is instantiated with it: the linker would keep
 // one caller's copy for all.
 class own_kernel : public filtered_kernel {};
 

@@ -53,7 +53,7 @@ scene grid(random_source& random) {
   return s;
 }
 
-// Of twelve points of one circle, with one metric: in-circle is zero.
+// Draws from twelve points of one circle, with one metric: in-circle is zero.
 scene cocircular(random_source& random) {
   constexpr std::array<std::array<int, 2>, 3> legs = {{{5, 0}, {3, 4}, {4, 3}}};
   const double scale = random.integer(1, 3);

@@ -15,8 +15,8 @@ namespace asterism::abuse {
 
 using property::random_source;
 
-// What a record is cut from: four sites, a point for the predicates that want one, and a tensor for
-// is_spd, which may be anything.
+// The numbers that a record is cut from: four sites, a point for the predicates that want one, and
+// a tensor for is_spd, which may be anything.
 struct scene {
   std::array<site, 4> sites;
   point at;
@@ -34,10 +34,10 @@ std::span<const input_class> input_classes();
 // Finite numbers, positive definite metrics, four distinct positions.
 bool is_valid(const scene& s);
 
-// The record of one predicate, from a valid scene.
+// Returns the record of one predicate, from a valid scene.
 batch_record cut_record(predicate question, const scene& s);
 
-// A valid record of this class.
+// Returns a valid record of this class.
 batch_record draw_record(const input_class& from, predicate question, random_source& random);
 
 }  // namespace asterism::abuse

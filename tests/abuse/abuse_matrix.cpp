@@ -117,7 +117,7 @@ void report(const question& q, const std::string& by, const environment& e, int 
             << replay_test(kernel_type, q.record, q.expected, answer) << '\n';
 }
 
-// What the filtered kernel is made of, and rows of a batch, compiled as the library is.
+// The parts of the filtered kernel, and rows of a batch, compiled as the library is.
 template <class Kernel>
 void ask_part(const char* type, const question& q, const environment& e, tally& result) {
   set_environment(e.rounding, e.flushes);

@@ -14,7 +14,7 @@ struct caller_environment {
   friend bool operator==(const caller_environment&, const caller_environment&) = default;
 };
 
-// What programs start with. Then the other two.
+// The environment that programs start with comes first, then the other two.
 void set_default_environment();
 void set_environment(int rounding, bool flushes);
 caller_environment current_environment();

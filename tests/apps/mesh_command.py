@@ -54,6 +54,31 @@ class Mesh(command.CommandTest):
         start, count = section(lines, "RequiredVertices")
         self.assertEqual(lines[start:start + count], [str(v + 1) for v in range(14)])
 
+    def test_a_metric_at_the_vertices_of_a_mesh(self):
+        """Made by local changes; how far the metric is from the one wanted is said, written down
+        and measured again, until the file with the one wanted changes."""
+        done = self.run_command("mesh", "square", "--metric", "shock:20", "--size", "0.6", "--quiet",
+                                "-o", "first.mesh")
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        done = self.run_command("mesh", "square", "--metric", "first.mesh", "--size", "1", "-o",
+                                "second.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("delivered: ", done.stdout)
+        path = self.folder / "second.certificate.json"
+        claim = json.loads(path.read_text())
+        self.assertLess(claim["outcome"]["delivered"]["beyond_tenth"], 1)
+        done = self.run_command("verify", "second.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertNotIn("note:", done.stdout)
+        claim["outcome"]["delivered"]["greatest"] = 0.5
+        path.write_text(json.dumps(claim))
+        done = self.run_command("verify", "second.mesh")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("greatest", done.stdout)
+        (self.folder / "first.mesh").unlink()
+        done = self.run_command("verify", "second.mesh")
+        self.assertIn("note: the metric wanted", done.stdout)
+
     def test_the_same_arguments_give_the_same_bytes(self):
         names = ["m.mesh", "m.sol", "m.svg", "m.vtu", "m.certificate.json"]
         seen = []
@@ -111,12 +136,14 @@ class Mesh(command.CommandTest):
         self.assertRegex(done.stdout, "%d triangles are below the bound, and the certificate lists 0; " % len(low))
         hidden["asked"]["options"]["gradation"] = "1.5"
         (self.folder / "hidden.json").write_text(json.dumps(hidden))
-        self.assertRegex(self.run_command("verify", "m.mesh", "--certificate", "hidden.json").stdout,
-                         r"\Anote: .* is not checked\n")
+        done = self.run_command("verify", "m.mesh", "--certificate", "hidden.json")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('"asked.options.gradation" and "asked.options.gradation-done" contradict', done.stdout)
         done = self.run_command("verify", "m.mesh", "--certificate", "none.json")
         self.assertEqual(done.returncode, 2)
         (self.folder / "m.certificate.json").unlink()
-        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 1)
+        self.assertEqual(self.run_command("verify", "m.mesh", "--angle-bound", "20").returncode, 0)
 
         done = self.run_command(*job, "--no-relaxation")
         self.assertEqual(done.returncode, 1)
@@ -156,11 +183,14 @@ class Mesh(command.CommandTest):
         self.write("needle.poly", NEEDLE)
         done = self.run_command("mesh", "needle.poly", "-o", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("1 triangles, no angle to judge, 0 disagreeing", done.stdout)
-        self.assertIsNone(json.loads((self.folder / "m.certificate.json").read_text())["audit"]["worst_angle"])
+        self.assertIn("1 triangles, worst angle 87.14 degrees, 1 exempt at 1 corners, the sharpest 2.86, 0 dis",
+                      done.stdout)
+        audit = json.loads((self.folder / "m.certificate.json").read_text())["audit"]
+        self.assertAlmostEqual(audit["worst_angle"], 87.14, places=2)
+        self.assertAlmostEqual(audit["worst_exempt_angle"], 2.86, places=2)
         done = self.run_command("verify", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stdout)
-        self.assertIn("no angle to judge", done.stdout)
+        self.assertIn("worst angle 87.14 degrees, 1 exempt at 1 corners, the sharpest 2.86", done.stdout)
 
     def test_the_metric_was_blamed_where_it_is_the_same_everywhere(self):
         done = self.run_command("mesh", "airfoil", "--max-sites", "120", "-o", "m.mesh")
@@ -391,7 +421,7 @@ class Limits(command.CommandTest):
         outputs = [word for name in names if name[2:] not in ("certificate.json", "sol") for word in ("-o", name)]
         with subprocess.Popen([command.PROGRAM, "mesh", "square", "--size", "0.03", *outputs], cwd=self.folder,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE) as run:
-            while run.poll() is None and "m.sol" not in self.files():
+            while run.poll() is None and not any(name.endswith(".part") for name in self.files()):
                 time.sleep(0.001)
             run.send_signal(signal.SIGINT)
             _, told = run.communicate(timeout=240)
@@ -460,8 +490,11 @@ class Verify(command.CommandTest):
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertRegex(done.stdout, r"\Acertified: ")
         self.forget_certificate()
-        for more in ([], ["--domain", "square", "--angle-bound", "20"]):
+        for more in (["--angle-bound", "20"], ["--domain", "square", "--angle-bound", "20"]):
             self.assertEqual(self.verdict(*more).returncode, 0)
+        done = self.verdict()
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r"\Ano bound asked for: not certified: ")
 
     def test_bound_and_domain_are_checked(self):
         for more in (["--angle-bound", "50"], ["--domain", "airfoil"]):
@@ -485,8 +518,8 @@ class Verify(command.CommandTest):
         at = lines.index("1 3") + 8  # vertex 8
         lines[at] = "1 2 1"
         done = self.verdict(metric="\n".join(lines) + "\n")
-        self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stdout, r"definite.*vertex 8\b|vertex 8\b.*definite")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r":%d: .*vertex 8 is not positive definite" % (at + 1))
 
     def test_the_last_bit_of_a_coordinate_contradicts_the_certificate(self):
         changed = self.altered("Vertices", 20, lambda w: [[w[0] + "1", w[1], w[2]]])

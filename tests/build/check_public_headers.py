@@ -79,7 +79,7 @@ def name_problems(include, name):
         yield f"{name}: names asterism::internal"
     code = re.sub(r"^\s*#.*(?:\\\n.*)*", "", code, flags=re.MULTILINE)
     if name.endswith(".h"):
-        names = re.findall(r"\b(\w+)\s*\(", code) + re.findall(r"\benum\s+(\w+)", code)
+        names = re.findall(r"\b(\w+)\s*\((?!\*)", code) + re.findall(r"\benum\s+(\w+)", code)
         yield from (f"{name}: {n} is not asterism_..." for n in names if not n.startswith("asterism_"))
     elif outside_namespace(code).strip():
         yield f"{name}: outside namespace asterism: {outside_namespace(code).strip()[:60]!r}"

@@ -95,7 +95,7 @@ class decoder {
     }
   }
 
-  // The metric of an earlier site; Euclidean for the first.
+  // Returns the metric of an earlier site; Euclidean for the first.
   metric_tensor earlier_metric() {
     const std::size_t sites = count_ / 5, which = source_.byte();
     return sites == 0 ? metric_tensor{1, 0, 1} : metric_at(record_, 5 * (which % sites) + 2);
@@ -134,8 +134,8 @@ class decoder {
     }
   }
 
-  // The one for which the origin is at squared distance beta, if that is exact: sites of one beta
-  // have bisectors through one point.
+  // Returns the one for which the origin is at squared distance beta, if that is exact: sites of
+  // one beta have bisectors through one point.
   metric_tensor metric_through_origin() {
     const double x = record_.numbers[count_ - 2], y = record_.numbers[count_ - 1];
     const double beta = source_.byte(), m12 = source_.small_integer(), m = source_.small_integer();

@@ -36,7 +36,7 @@ class gap_of_v_kernel : public undecided_kernel {
  public:
   uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
 };
-// The same question, seen from w.
+// Asks the question as seen from w.
 class gap_of_w_kernel : public undecided_kernel {
  public:
   uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;

@@ -58,7 +58,7 @@ site swirl_site(double x, double y) {
 
 using four_sites = std::array<site, 4>;
 
-// Of a smooth field, v w a possible edge between x and y.
+// Draws four sites of a smooth field, v w a possible edge between x and y.
 four_sites smooth(sequence& random) {
   const double x = random.real(-1, 1), y = random.real(-1, 1), h = 0.02;
   const auto near = [&](double dx, double dy) {
@@ -68,7 +68,7 @@ four_sites smooth(sequence& random) {
   return {near(0, 0), near(1, 0), near(0.5, -0.9), near(0.5, 0.9)};
 }
 
-// What `ask` asks for over many questions.
+// Counts the allocations that `ask` makes over many questions.
 template <class Ask>
 std::uint64_t allocations_of(const Ask& ask) {
   mp_set_memory_functions(gmp_new, gmp_more, gmp_delete);
@@ -109,7 +109,7 @@ TEST_CASE("pointwise predicates of the exact tier ask for no memory", "[allocati
         }) == 0);
 }
 
-// Where no fixed width holds the numbers.
+// Draws numbers that no fixed width holds.
 TEST_CASE("nor do they in numbers of any size", "[allocation]") {
   CHECK(allocations_of([&](const four_sites& s) {
           const auto v = convert<dyadic>(s[0]), w = convert<dyadic>(s[1]);

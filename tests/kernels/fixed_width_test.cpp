@@ -99,7 +99,7 @@ bool distinct(const four_sites& s) {
   return true;
 }
 
-// What is certain must be right. Counts what is.
+// Checks that every certain answer is right, and counts them.
 struct tally {
   int asked = 0, certain = 0;
   template <class Answer>

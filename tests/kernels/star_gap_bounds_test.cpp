@@ -32,7 +32,7 @@ struct counted {
   counted operator-() const { return *this; }
 };
 
-// What comes out of the frame carries one theta; u, s and the doubles made from them do not.
+// Values that come out of the frame carry one theta; u, s and the doubles made from them do not.
 struct sizes {
   double extent, trace, u, s, extent_x, trace_x;
 };
@@ -102,7 +102,7 @@ TEST_CASE("no side condition carries more roundings than the tolerance has room 
       dot(z, n_d) + quotient * (c * dot(u, z) + determinant * turn * cross(u, d));
   const counted at_end =
       dot(d, n_d) + cross(u, d) * quotient * convexity(c, determinant, d) + quotient;
-  // Of C only that it is an ingredient counts where it multiplies: it is known to within one.
+  // C counts as an ingredient alone where it multiplies: it is known to within one.
   const int of_c = c.depth;
   const counted top = top_at_z + step * at_end;
   CHECK(tangent.depth - of_c + 1 < side_condition_depth);

@@ -73,8 +73,8 @@ struct critical_curve {
   critical_kind kind;
 };
 
-// Where the number of points of the segments to x or from x changes, and where x meets the border
-// of the triangle v, w, p.
+// Finds where the number of points of the segments to x or from x changes, and where x meets the
+// border of the triangle v, w, p.
 void add_critical_curves_of(const exact_site& v, const exact_site& w, const exact_site& x,
                             critical_kind equidistant, std::vector<critical_curve>& curves) {
   for (const exact_site* owner : {&v, &w}) {
@@ -114,7 +114,7 @@ std::vector<cut> sorted_cuts(const conic& curve, const std::vector<critical_curv
   return distinct;
 }
 
-// The points of the curve at an abscissa, by ordinate; empty if there are none.
+// Returns the points of the curve at an abscissa, by ordinate; empty if there are none.
 std::vector<sample_point> points_at(const conic& curve, const rational& abscissa) {
   const auto coefficients = by_powers_of_y(curve);
   const rational c0 = evaluate(coefficients[0], abscissa), c1 = evaluate(coefficients[1], abscissa);

@@ -10,7 +10,7 @@
 
 namespace asterism::oracle {
 
-// What may happen at a critical abscissa; a set of these is their sum.
+// Events at a critical abscissa; a set of them is their sum.
 enum critical_kind : unsigned {
   equidistant_from_x = 1,  // f_v = f_w = f_x
   equidistant_from_y = 2,

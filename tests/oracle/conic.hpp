@@ -29,9 +29,9 @@ conic bisector(const exact_site& v, const exact_site& w);
 
 // The lines below are conics with no quadratic part.
 conic line_through(const basic_point<rational>& p, const basic_point<rational>& q);
-// The polar of p: the line through the points where tangents from p touch the curve.
+// Returns the polar of p: the line through the points where tangents from p touch the curve.
 conic polar_line(const conic& g, const basic_point<rational>& p);
-// The tangents to the curve from p, as one curve of degree two: g(p) g - polar^2.
+// Returns the tangents to the curve from p, as one curve of degree two: g(p) g - polar^2.
 conic tangent_pair(const conic& g, const basic_point<rational>& p);
 
 }  // namespace asterism::oracle

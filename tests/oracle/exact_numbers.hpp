@@ -41,7 +41,7 @@ univariate operator*(const univariate& a, const univariate& b);
 bool is_zero(const univariate& p);
 rational evaluate(const univariate& p, const rational& at);
 
-// The distinct real roots, ascending. Requires p not identically zero.
+// Returns the distinct real roots, ascending. Requires p not identically zero.
 std::vector<algebraic_number> distinct_real_roots(const univariate& p);
 // The greatest common divisor is a constant (so there is no common root, real or complex).
 bool are_coprime(const univariate& p, const univariate& q);

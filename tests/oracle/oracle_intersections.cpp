@@ -40,7 +40,7 @@ polynomial_2 with_integer_coefficients(const conic& g) {
   return x * x * n[0] + x * y * n[1] + y * y * n[2] + x * n[3] + y * n[4] + polynomial_2(n[5]);
 }
 
-// What two curves share: a curve (constant when they are coprime), and the rest of each.
+// The common part of two curves: a curve (constant when they are coprime), and the rest of each.
 struct factors {
   polynomial_2 common, rest_first, rest_second;
 };

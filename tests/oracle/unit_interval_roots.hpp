@@ -5,8 +5,8 @@
 
 namespace asterism::oracle {
 
-// The number of distinct t in [0, 1] with c0 + c1 t + c2 t^2 = 0. Requires c0 != 0. From signs
-// alone, so that it also serves numbers in which roots cannot be isolated.
+// Returns the number of distinct t in [0, 1] with c0 + c1 t + c2 t^2 = 0. Requires c0 != 0. From
+// signs alone, so that it also serves numbers in which roots cannot be isolated.
 template <class Number>
 int roots_in_closed_unit_interval(const Number& c0, const Number& c1, const Number& c2) {
   const auto sign_of = [](const Number& n) { return static_cast<int>(CGAL::sign(n)); };

@@ -113,7 +113,7 @@ four_sites grid(random_source& random) {
   return each([&] { return site{integer_point(random, 2), m}; });
 }
 
-// Of the twelve integer points of a circle.
+// Draws from the twelve integer points of a circle.
 four_sites integer_points_on_circle(random_source& random) {
   constexpr std::array<std::array<int, 2>, 3> legs = {{{5, 0}, {3, 4}, {4, 3}}};
   return each([&] {
@@ -245,7 +245,7 @@ four_sites mirror_images(random_source& random) {
   return sheared_and_moved(shuffled(sites, random), random);
 }
 
-// Of any other kind, with one number moved by one unit in the last place.
+// Draws of any other kind, with one number moved by one unit in the last place.
 four_sites one_ulp_away(random_source& random) {
   const auto all = kinds();
   four_sites sites = draw(all[static_cast<std::size_t>(random.integer(4, 17))], random);

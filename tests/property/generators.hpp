@@ -30,13 +30,14 @@ const kind& kind_named(std::string_view name);
 
 four_sites shuffled(four_sites sites, random_source& random);
 
-// A valid case of this kind.
+// Returns a valid case of this kind.
 four_sites draw(const kind& k, random_source& random);
 
-// A point that has a chance to matter to these sites: near, on or at them, of as few digits.
+// Returns a point that has a chance to matter to these sites: near, on or at them, of as few
+// digits.
 point draw_point(const four_sites& sites, random_source& random);
 
-// The record of the batch protocol (hexadecimal doubles) that replays a question.
+// Returns the record of the batch protocol (hexadecimal doubles) that replays a question.
 std::string record(std::string_view predicate, std::span<const site> sites,
                    std::span<const point> points = {});
 

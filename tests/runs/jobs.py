@@ -61,7 +61,7 @@ def of_refinement():
     """Strategies, the options of refinement, and what is written."""
     yield Job("bound", ("mesh square --metric swirl:3 --size 0.3 --angle-bound 28 -o high.mesh",
                         "mesh square --metric swirl:12 --random-points 20 --angle-bound 0 -o none.mesh",
-                        "mesh square --metric swirl:3 --refine guaranteed --random-points 12 -o out.mesh"))
+                        "mesh square --metric swirl:3 --refine fill --random-points 12 -o out.mesh"))
     yield Job("voronoi", ("mesh square --metric sink:3 --refine voronoi --angle-bound 15 --size 0.4 "
                           "-o out.mesh",
                           "mesh square --metric swirl:12 --refine voronoi --angle-bound 10 "

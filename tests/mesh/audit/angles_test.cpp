@@ -82,7 +82,7 @@ TEST_CASE("plain doubles settle an angle only the right way, and what is the lea
     const audit_report below = run(m, degrees * (1 - 1e-8)), above = run(m, degrees * (1 + 1e-8));
     CHECK(found(above, finding_kind::angle_below_bound));
     CHECK_FALSE(found(below, finding_kind::angle_below_bound));
-    CHECK(below.worst.degrees == Approx(degrees).epsilon(1e-9));
+    CHECK(below.worst().degrees == Approx(degrees).epsilon(1e-9));
     decisions += below.decisions;
     exact += below.exact_decisions;
   }
@@ -100,8 +100,8 @@ TEST_CASE("one unit in the last place decides") {
     CHECK_FALSE(report.certified);
     CHECK_THAT(witnesses(report, finding_kind::angle_below_bound),
                Contains("the angle at vertex 1 (0, 0) of triangle 1 of"));
-    CHECK(report.worst.degrees == Approx(below));
-    CHECK(report.worst.corner == 0);
+    CHECK(report.worst().degrees == Approx(below));
+    CHECK(report.worst().corner == 0);
   }
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("every vertex's metric is asked") {
     m.sites[v].metric = {1, 0, 1.0 / 64};  // sees the triangle flattened to an eighth
     const audit_report report = run(m, 20);
     CHECK_FALSE(report.certified);
-    CHECK(report.worst.perspective == v);
+    CHECK(report.worst().perspective == v);
     CHECK_THAT(witnesses(report, finding_kind::angle_below_bound),
                Contains("in the metric of vertex " + std::to_string(v + 1)));
   }
@@ -123,7 +123,7 @@ TEST_CASE("a constant metric is a change of coordinates") {
     const audit_report report = run(p.m, 45);
     INFO(kinds(report));
     CHECK(report.certified);
-    CHECK(report.worst.degrees == Approx(run(make_patch(4).m, 45).worst.degrees));
+    CHECK(report.worst().degrees == Approx(run(make_patch(4).m, 45).worst().degrees));
   }
 }
 
@@ -158,6 +158,33 @@ TEST_CASE("an exempt corner is proven or refused") {
   search.angle_bound = 20;
   search.find_exempt_corners = true;
   CHECK(audit(m, search).exempt_corners == std::vector<vertex_index>{0});
+}
+
+TEST_CASE("every angle of a triangle at a sharp corner was exempt") {
+  // 19 degrees at vertex 1, and 0.3 at vertex 2.
+  const double x = std::cos(19 * 3.14159265358979 / 180), y = std::sin(19 * 3.14159265358979 / 180);
+  const mesh m =
+      make_mesh_of({{0, 0}, {1, 0}, {0.01 * x, 0.01 * y}, {x, y}}, {{0, 1, 2}, {1, 3, 2}});
+  const audit_report report = run(m, 20, {0});
+  CHECK_FALSE(report.certified);
+  CHECK(report.exempt_triangles == std::vector<vertex_index>{0});
+  CHECK(report.collateral_triangles == std::vector<vertex_index>{0});
+  CHECK(report.worst_exempt.degrees == Approx(19));
+  CHECK(report.worst_collateral.degrees < 0.3);
+  CHECK(report.worst().degrees == report.worst_collateral.degrees);
+  CHECK_THAT(witnesses(report, finding_kind::collateral_angle_below_bound),
+             Contains("the angle at vertex 2") && Contains("excuses its own angle alone"));
+}
+
+TEST_CASE("another metric has to measure the domain's corner below the bound as well") {
+  mesh m = right_triangle(0.2);      // 11.3 degrees
+  m.sites[1].metric = {1, 0, 0.25};  // measures 5.7 there, and the domain's corner as well
+  CHECK(run(m, 8, {}).found[static_cast<std::size_t>(finding_kind::angle_below_bound)] == 1);
+  m.sites[0].metric = {1, 0, 0.25};  // now the corner's own does
+  const audit_report report = run(m, 8, {0});
+  CHECK(report.certified);
+  CHECK(report.worst_exempt.degrees == Approx(5.71).epsilon(1e-3));
+  CHECK(report.worst_collateral.degrees == Approx(11.3099).epsilon(1e-4));
 }
 
 TEST_CASE("the corner's own metric decides its exemption") {

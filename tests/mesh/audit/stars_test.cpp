@@ -132,7 +132,7 @@ TEST_CASE("a lattice of ties is judged as without any shortcut") {
 
 namespace {
 
-// Whether |w - v|_v > (1 + sigma) reach, in more digits.
+// True if |w - v|_v > (1 + sigma) reach, in more digits.
 bool is_too_far(const site& v, double reach, const site& w) {
   const long double sigma = std::sqrt(std::fmax(1.0L, sigma_squared(w.metric, v.metric)));
   const long double dx = w.position.x - v.position.x, dy = w.position.y - v.position.y;

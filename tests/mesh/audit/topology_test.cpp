@@ -44,8 +44,8 @@ TEST_CASE("a sound mesh is certified with its domain") {
   CHECK(report.angles_checked);
   CHECK(report.stars_checked);
   CHECK(report.largest_deviation == 0);
-  CHECK(report.worst.degrees > 45);
-  CHECK(report.worst.degrees < 60);
+  CHECK(report.worst().degrees > 45);
+  CHECK(report.worst().degrees < 60);
 }
 
 TEST_CASE("magnitudes far from one are certified too") {
@@ -293,11 +293,33 @@ TEST_CASE("against the domain: vertices, segments, markers, deviation") {
     m.sites[p.at(4, 2)].position.x += 1e-6;
     refused(m, finding_kind::boundary_deviation, "away from the segment from vertex 2", &p.d);
   }
+  SECTION("by forty units in the last place, where it was thousands") {
+    mesh m = p.m;
+    m.sites[p.at(4, 2)].position.x += 40 * 0x1p-50;
+    refused(m, finding_kind::boundary_deviation, "units in the last place, away from the segment",
+            &p.d);
+  }
   SECTION("split points out of order") {
     mesh m = p.m;
     std::swap(m.sites[p.at(1, 0)].position, m.sites[p.at(2, 0)].position);
     refused(m, finding_kind::segment_not_covered, "runs against its segment", &p.d);
   }
+}
+
+TEST_CASE("a roof in the place of a side was within the limit on deviation") {
+  // A square of 64 units in the last place, far from the origin, its lower side a roof of 24.
+  const double o = 0x1p30, ulp = 0x1p-22;
+  mesh m = make_mesh_of({{o, o},
+                         {o + 64 * ulp, o},
+                         {o + 64 * ulp, o + 64 * ulp},
+                         {o, o + 64 * ulp},
+                         {o + 32 * ulp, o + 24 * ulp}},
+                        {{0, 4, 3}, {4, 1, 2}, {3, 4, 2}});
+  m.given = 4;
+  domain d;
+  for (int v = 0; v < 4; ++v) d.vertices.push_back(m.sites[static_cast<std::size_t>(v)].position);
+  d.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  refused(m, finding_kind::boundary_deviation, "vertex 5", &d);
 }
 
 TEST_CASE("an empty mesh and one with disagreeing triangles are not certified") {

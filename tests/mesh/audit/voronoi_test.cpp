@@ -117,7 +117,7 @@ constexpr std::array voronoi_kinds = {
     finding_kind::voronoi_vertex_missing, finding_kind::voronoi_arc_reversed,
     finding_kind::voronoi_site_nearer, finding_kind::voronoi_boundary_encroached};
 
-// What there is to find by the definition: exact numbers alone, every site against every arc.
+// Finds by the definition: exact numbers alone, every site against every arc.
 std::map<finding_kind, std::size_t> judge_slowly(const mesh& m) {
   const filtered_kernel kernel;
   std::map<finding_kind, std::size_t> found;
@@ -159,7 +159,7 @@ std::map<finding_kind, std::size_t> judge_slowly(const mesh& m) {
   return found;
 }
 
-// The same mesh with its vertices in the opposite order, and its triangles started elsewhere.
+// Returns the mesh with its vertices in the opposite order and its triangles started elsewhere.
 mesh renumbered(mesh m) {
   const auto last = static_cast<vertex_number>(m.sites.size() - 1);
   std::reverse(m.sites.begin(), m.sites.end());

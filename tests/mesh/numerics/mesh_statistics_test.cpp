@@ -16,7 +16,8 @@ using asterism::test::splitmix64;
 
 namespace {
 
-// Those of M_p^-1 M_q, least first: with M_p = L L^T, of the symmetric L^-1 M_q L^-T.
+// Returns the eigenvalues of M_p^-1 M_q, least first: with M_p = L L^T those of the symmetric
+// L^-1 M_q L^-T.
 std::pair<double, double> eigenvalues(const metric_tensor& p, const metric_tensor& q) {
   const long double l11 = std::sqrt(static_cast<long double>(p.m11)), l21 = p.m12 / l11;
   const long double l22 = std::sqrt(p.m22 - l21 * l21);

@@ -24,7 +24,7 @@ struct made_mesh {
   bool certified = false;
 };
 
-// Asked of a field that every thread reads at once.
+// A field that every thread reads at once.
 made_mesh make(const domain& d, const metric_field& field, refinement_strategy strategy) {
   mesh_options options;
   options.strategy = strategy;
@@ -70,8 +70,8 @@ TEST_CASE("four threads make and audit the mesh of one", "[threads]") {
   const domain d = with_dangling_segments();
   const formula_field field = fine_swirl(0.1);
   std::array<made_mesh, 2> made;
-  with_threads(1, [&] { made[0] = make(d, field, refinement_strategy::guaranteed); });
-  with_threads(4, [&] { made[1] = make(d, field, refinement_strategy::guaranteed); });
+  with_threads(1, [&] { made[0] = make(d, field, refinement_strategy::fill); });
+  with_threads(4, [&] { made[1] = make(d, field, refinement_strategy::fill); });
   CHECK(made[0].outcome.sites > 300);
   CHECK(made[0].certified);
   CHECK(made[1].certified);
@@ -81,9 +81,8 @@ TEST_CASE("four threads make and audit the mesh of one", "[threads]") {
 TEST_CASE("meshes made at the same time do not know of each other", "[threads]") {
   const domain d = accepted(square());
   const formula_field field = fine_swirl(0.5);
-  constexpr std::array strategies = {
-      refinement_strategy::guaranteed, refinement_strategy::voronoi_arcs,
-      refinement_strategy::guaranteed, refinement_strategy::poisson_darts};
+  constexpr std::array strategies = {refinement_strategy::fill, refinement_strategy::voronoi_arcs,
+                                     refinement_strategy::fill, refinement_strategy::poisson_darts};
   std::array<made_mesh, 4> alone, together;
   for (std::size_t k = 0; k < strategies.size(); ++k) alone[k] = make(d, field, strategies[k]);
   std::vector<std::thread> running;

@@ -176,7 +176,7 @@ TEST_CASE("an impossible bound ends within the limit and says so") {
     CHECK_FALSE(ending_text(made).empty());
     CHECK(made.sites <= 300);
     CHECK(made.low_angle + made.disagreeing > 0);
-    // What is certain is there and holds together: no edge twice in one direction.
+    // The certain part is there and holds together: no edge twice in one direction.
     std::vector<std::pair<asterism::vertex_index, asterism::vertex_index>> edges;
     for (const triangle& t : made.result.triangles)
       for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(t[i], t[(i + 1) % 3]);

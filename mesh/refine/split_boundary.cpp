@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-//
-// The half of refine_state that splits the boundary: encroachment, sharp corners, safe splits.
+#include "asterism/mesh/refine/split_boundary.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,13 +8,11 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
-#include "asterism/mesh/refine/refine_state.hpp"
+#include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/stars/visibility.hpp"
 
 namespace asterism::internal {
 namespace {
-
-constexpr double sharp_angle = 60;  // degrees
 
 // Lengths on one shell agree up to rounding: that of the lengths, and that of the points.
 constexpr double shell_slack = 1e-6;
@@ -99,10 +97,69 @@ bool sliver_is_empty(const star_predicates& kernel, const std::vector<site>& sit
 
 }  // namespace
 
-const domain_corner* refine_state::sharp_corner(vertex_index v,
-                                                const boundary_edge& subsegment) const {
+result<split_boundary> split_boundary::build(const domain& d, const star_predicates& kernel,
+                                             site_set& sites) {
+  split_boundary made(kernel, sites);
+  auto edges = boundary::build(d, kernel);
+  if (!edges) return edges.failure();
+  made.edges_ = std::move(edges).value();
+  sites.index(made.edges_);
+  made.find_corners();
+  made.wedges_ = narrow_wedges(made.edges_);
+  for (const domain_corner& c : made.corners_) {
+    if (!c.is_sharp()) continue;
+    const auto [leaving, entering] = made.subsegments_at(c);
+    made.wedges_.add(c, made.edges_.subsegments()[leaving], made.edges_.subsegments()[entering]);
+  }
+  return made;
+}
+
+void split_boundary::find_corners() {
+  for (vertex_index v = 0; v < sites().size(); ++v) {
+    const auto& at_v = edges_.corners(v);
+    for (std::size_t i = 0; i < at_v.size(); ++i) {
+      const point &first = sites()[at_v[i].first].position, &last = sites()[at_v[i].last].position;
+      if (kernel_->orientation(sites()[v].position, first, last) == sign::positive)
+        corners_.push_back({v, i, corner_angle(sites()[v], first, last)});
+    }
+  }
+}
+
+std::span<const domain_corner> split_boundary::corners_at(vertex_index v) const {
+  const auto [first, last] = std::equal_range(
+      corners_.begin(), corners_.end(), domain_corner{v, 0, 0},
+      [](const domain_corner& a, const domain_corner& b) { return a.vertex < b.vertex; });
+  return {first, last};
+}
+
+// Requires that there is such a subsegment.
+std::size_t split_boundary::find_subsegment(vertex_index a, vertex_index b) const {
+  std::size_t found = edges_.subsegments().size();
+  near().subsegments().visit(box_of(sites()[a].position, sites()[b].position),
+                             [&](std::uint32_t i) {
+                               const boundary_edge& p = edges_.subsegments()[i];
+                               if (p.a == a && p.b == b) found = i;
+                               return found != i;
+                             });
+  return found;
+}
+
+std::array<std::size_t, 2> split_boundary::subsegments_at(const domain_corner& c) const {
+  const boundary_corner ends = edges_.corners(c.vertex)[c.sector];
+  return {find_subsegment(c.vertex, ends.first), find_subsegment(ends.last, c.vertex)};
+}
+
+double split_boundary::subsegment_length(std::size_t subsegment, vertex_index from) const {
+  const boundary_edge& p = edges_.subsegments()[subsegment];
+  const point &a = sites()[p.a].position, &b = sites()[p.b].position;
+  const point d{b.x - a.x, b.y - a.y};
+  return std::sqrt(squared_length(sites()[from].metric, d));
+}
+
+const domain_corner* split_boundary::sharp_corner(vertex_index v,
+                                                  const boundary_edge& subsegment) const {
   for (const domain_corner& c : corners_at(v)) {
-    if (c.angle >= sharp_angle) continue;
+    if (!c.is_sharp()) continue;
     const boundary_corner ends = edges_.corners(v)[c.sector];
     if (subsegment.a == v ? ends.first == subsegment.b : ends.last == subsegment.a) return &c;
   }
@@ -110,7 +167,7 @@ const domain_corner* refine_state::sharp_corner(vertex_index v,
 }
 
 // Whether the angle beside the subsegment at its end v is sharp, on either side if it is internal.
-bool refine_state::has_sharp_end(const boundary_edge& subsegment, vertex_index v) const {
+bool split_boundary::has_sharp_end(const boundary_edge& subsegment, vertex_index v) const {
   if (sharp_corner(v, subsegment) != nullptr) return true;
   boundary_edge other_way = subsegment;
   std::swap(other_way.a, other_way.b);
@@ -118,41 +175,37 @@ bool refine_state::has_sharp_end(const boundary_edge& subsegment, vertex_index v
 }
 
 // The far end of the subsegment across a sharp corner, when it is no nearer to the corner.
-bool refine_state::is_excused(const boundary_edge& subsegment, vertex_index w) const {
+bool split_boundary::is_excused(const boundary_edge& subsegment, vertex_index w) const {
   for (const vertex_index v : {subsegment.a, subsegment.b}) {
     const domain_corner* c = sharp_corner(v, subsegment);
     if (c == nullptr) continue;
     const boundary_corner ends = edges_.corners(v)[c->sector];
     if (w != (subsegment.a == v ? ends.last : ends.first)) continue;
-    const site& corner = sites_[v];
-    const point& far_end = sites_[subsegment.a == v ? subsegment.b : subsegment.a].position;
-    const double to_w = std::sqrt(squared_distance(corner, sites_[w].position));
+    const site& corner = sites()[v];
+    const point& far_end = sites()[subsegment.a == v ? subsegment.b : subsegment.a].position;
+    const double to_w = std::sqrt(squared_distance(corner, sites()[w].position));
     const double to_far_end = std::sqrt(squared_distance(corner, far_end));
-    if (to_w + rounding_of_distance(corner.metric, sites_[w].position, far_end) >=
+    if (to_w + rounding_of_distance(corner.metric, sites()[w].position, far_end) >=
         (1 - shell_slack) * to_far_end)
       return true;
   }
   return false;
 }
 
-bool refine_state::is_encroached(const star_predicates& kernel, std::size_t subsegment,
-                                 const site& s, std::optional<vertex_index> self) const {
+bool split_boundary::is_encroached(const star_predicates& kernel, std::size_t subsegment,
+                                   const site& s, std::optional<vertex_index> self) const {
   const boundary_edge& p = edges_.subsegments()[subsegment];
   if (self && (*self == p.a || *self == p.b)) return false;
-  const site &a = sites_[p.a], &b = sites_[p.b];
+  const site &a = sites()[p.a], &b = sites()[p.b];
   if (kernel.orientation(a.position, b.position, s.position) != sign::positive) return false;
   if (self && is_excused(p, *self)) return false;
   return !surely_does_not_encroach(a, b, s) && kernel.encroaches(a, b, s);
 }
 
-std::vector<std::size_t> refine_state::encroached_by(const site& s) const {
-  return encroached_by(*kernel_, s);
-}
-
-std::vector<std::size_t> refine_state::encroached_by(const star_predicates& kernel,
-                                                     const site& s) const {
+std::vector<std::size_t> split_boundary::encroached_by(const star_predicates& kernel,
+                                                       const site& s) const {
   std::vector<std::size_t> found;
-  near_.influences().visit({s.position, s.position}, [&](std::uint32_t subsegment) {
+  near().influences().visit({s.position, s.position}, [&](std::uint32_t subsegment) {
     if (is_encroached(kernel, subsegment, s, std::nullopt)) found.push_back(subsegment);
     return true;
   });
@@ -161,43 +214,43 @@ std::vector<std::size_t> refine_state::encroached_by(const star_predicates& kern
 }
 
 // The first of them, so that the answer does not depend on how they were found.
-std::optional<vertex_index> refine_state::find_encroacher(std::size_t subsegment) const {
+std::optional<vertex_index> split_boundary::find_encroacher(std::size_t subsegment) const {
   const boundary_edge& p = edges_.subsegments()[subsegment];
-  const bounding_box box = influence_box(sites_[p.a], sites_[p.b]);
+  const bounding_box box = influence_box(sites()[p.a], sites()[p.b]);
   std::optional<vertex_index> first;
-  near_.sites().visit_box(sites_, box.low, box.high, [&](vertex_index w) {
-    if ((!first || w < *first) && is_encroached(*kernel_, subsegment, sites_[w], w)) first = w;
+  near().sites().visit_box(sites(), box.low, box.high, [&](vertex_index w) {
+    if ((!first || w < *first) && is_encroached(*kernel_, subsegment, sites()[w], w)) first = w;
     return true;
   });
   return first;
 }
 
-void refine_state::note_encroached_by(vertex_index w) {
-  const point& q = sites_[w].position;
+void split_boundary::note_encroached_by(vertex_index w) {
+  const point& q = sites()[w].position;
   std::vector<std::size_t> found;
-  near_.influences().visit({q, q}, [&](std::uint32_t subsegment) {
-    if (is_encroached(*kernel_, subsegment, sites_[w], w)) found.push_back(subsegment);
+  near().influences().visit({q, q}, [&](std::uint32_t subsegment) {
+    if (is_encroached(*kernel_, subsegment, sites()[w], w)) found.push_back(subsegment);
     return true;
   });
   std::sort(found.begin(), found.end());
   suspects_.insert(suspects_.end(), found.begin(), found.end());
 }
 
-point refine_state::split_point(const boundary_edge& subsegment) const {
-  const site &a = sites_[subsegment.a], &b = sites_[subsegment.b];
+point split_boundary::split_point(const boundary_edge& subsegment) const {
+  const site &a = sites()[subsegment.a], &b = sites()[subsegment.b];
   const bool sharp_a = has_sharp_end(subsegment, subsegment.a),
              sharp_b = has_sharp_end(subsegment, subsegment.b);
   if (!sharp_a && !sharp_b)
-    if (const auto q = wedge_split_point(subsegment)) return *q;
+    if (const auto q = wedges_.split_point(sites(), subsegment)) return *q;
   if (sharp_a == sharp_b) return bisector_point(a, b);
   const site &corner = sharp_a ? a : b, &other = sharp_a ? b : a;
   const double length = std::sqrt(squared_distance(corner, other.position));
   return point_at_distance(corner, other.position, shell_radius(length));
 }
 
-bool refine_state::can_split_at(const boundary_edge& subsegment, const site& m,
-                                double shortest) const {
-  const site &a = sites_[subsegment.a], &b = sites_[subsegment.b];
+bool split_boundary::can_split_at(const boundary_edge& subsegment, const site& m,
+                                  double shortest) const {
+  const site &a = sites()[subsegment.a], &b = sites()[subsegment.b];
   if (!in_box(a.position, b.position, m.position)) return false;
   if (m.position == a.position || m.position == b.position) return false;
   for (const site* end : {&a, &b}) {
@@ -205,21 +258,19 @@ bool refine_state::can_split_at(const boundary_edge& subsegment, const site& m,
         std::min(squared_distance(*end, m.position), squared_distance(m, end->position));
     if (!(least > shortest * shortest)) return false;
   }
-  return sliver_is_empty(*kernel_, sites_, edges_, near_, subsegment, m.position);
+  return sliver_is_empty(*kernel_, sites(), edges_, near(), subsegment, m.position);
 }
 
-// Tells everybody but the stars.
-void refine_state::put_on_subsegment(std::size_t subsegment, const site& m) {
-  const auto added = static_cast<vertex_index>(sites_.size());
+// The new site is added between what the index has to know before and after.
+void split_boundary::put_on_subsegment(std::size_t subsegment, const site& m) {
   const auto twin = edges_.twin(subsegment);
   std::size_t new_subsegment = edges_.subsegments().size();
-  near_.before_split(sites_, edges_, subsegment);
-  sites_.push_back(m);
-  split_segment_.resize(sites_.size());
-  split_segment_[added] = edges_.subsegments()[subsegment].segment;
-  near_.add_site(sites_, added);
+  neighbourhood& near = sites_->near();
+  near.before_split(sites_->all(), edges_, subsegment);
+  const vertex_index added = sites_->add(m);
+  wedges_.note_split(added, edges_.subsegments()[subsegment].segment);
   edges_.split(subsegment, added);
-  near_.after_split(sites_, edges_, subsegment, twin, new_subsegment);
+  near.after_split(sites_->all(), edges_, subsegment, twin, new_subsegment);
   ++splits_;
   suspects_.push_back(subsegment);
   if (twin) suspects_.push_back(*twin);
@@ -227,57 +278,29 @@ void refine_state::put_on_subsegment(std::size_t subsegment, const site& m) {
     suspects_.push_back(new_subsegment);
 }
 
-bool refine_state::split(std::size_t subsegment, double shortest) {
-  return split_at(subsegment, split_point(edges_.subsegments()[subsegment]), shortest);
+void split_boundary::suspect_all() {
+  for (std::size_t subsegment = 0; subsegment < edges_.subsegments().size(); ++subsegment)
+    suspects_.push_back(subsegment);
 }
 
-bool refine_state::split_at(std::size_t subsegment, const point& q, double shortest) {
-  if (is_full()) return false;
-  const boundary_edge whole = edges_.subsegments()[subsegment];
-  const auto m = site_at(q);
-  if (!m || !can_split_at(whole, *m, shortest)) return false;
-  put_on_subsegment(subsegment, *m);
-  const auto added = static_cast<vertex_index>(sites_.size() - 1);
-  stars_.split_subsegment(oracle(), whole.a, added, whole.b);
-  note_encroached_by(added);
-  return true;
+std::optional<split_boundary::encroachment> split_boundary::next_encroachment() {
+  const std::size_t subsegment = suspects_.back();
+  suspects_.pop_back();
+  const auto encroacher = find_encroacher(subsegment);
+  if (!encroacher) return std::nullopt;
+  return encroachment{
+      subsegment, wedges_.mirrored_point(sites(), edges_.subsegments()[subsegment], *encroacher)};
 }
 
-bool refine_state::split_at_place(const point& q, double shortest) {
+std::optional<std::size_t> split_boundary::subsegment_through(const point& q) const {
   std::optional<std::size_t> first;  // of a subsegment and its twin
-  near_.influences().visit({q, q}, [&](std::uint32_t subsegment) {
+  near().influences().visit({q, q}, [&](std::uint32_t subsegment) {
     const boundary_edge& p = edges_.subsegments()[subsegment];
-    const point &a = sites_[p.a].position, &b = sites_[p.b].position;
+    const point &a = sites()[p.a].position, &b = sites()[p.b].position;
     if ((!first || subsegment < *first) && on_open_segment(*kernel_, a, b, q)) first = subsegment;
     return true;
   });
-  return first && split(*first, shortest);
-}
-
-bool refine_state::clear_encroachments(double shortest) {
-  while (!suspects_.empty() && !is_full()) {
-    if (is_overworked()) return false;
-    const std::size_t subsegment = suspects_.back();
-    suspects_.pop_back();
-    const auto encroacher = find_encroacher(subsegment);
-    if (!encroacher) continue;
-    if (cancelled_.is_requested()) return false;
-    const auto mirrored = mirrored_split_point(edges_.subsegments()[subsegment], *encroacher);
-    if (!mirrored || !split_at(subsegment, *mirrored, shortest)) split(subsegment, shortest);
-  }
-  return true;
-}
-
-void refine_state::shorten_subsegments(double longest) {
-  for (std::size_t subsegment = 0; subsegment < edges_.subsegments().size(); ++subsegment) {
-    const auto too_long = [&] {
-      const boundary_edge& p = edges_.subsegments()[subsegment];
-      return std::max(subsegment_length(subsegment, p.a), subsegment_length(subsegment, p.b)) >
-             longest;
-    };
-    while (too_long() && !cancelled_.is_requested() && !is_overworked() && split(subsegment, 0)) {
-    }
-  }
+  return first;
 }
 
 }  // namespace asterism::internal

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-//
-// The part of refine_state that knows narrow wedges: two segments at a sharp corner as far as they
-// go. In a wedge each split of one segment encroaches on the other; points at the same distances
-// from the corner on both make that end (docs/design/refinement.md, "Corners").
+#include "asterism/mesh/refine/narrow_wedges.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,13 +8,11 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
-#include "asterism/mesh/refine/refine_state.hpp"
 
 namespace asterism::internal {
 namespace {
 
-constexpr double sharp_angle = 60;  // degrees
-// Wider ones, and those without an internal segment, have room to mend their triangles.
+// Degrees. Wider ones, and those without an internal segment, have room to mend their triangles.
 constexpr double mirrored_angle = 10;
 
 double distance_from(const site& corner, const point& q) {
@@ -49,57 +45,55 @@ double coarsest_in_middle(double low, double high) {
 
 }  // namespace
 
-void refine_state::find_wedges() {
-  struct ends {
-    vertex_index a = 0, b = 0;
-    bool internal = false;
-  };
-  std::vector<ends> segments;
-  for (const boundary_edge& p : edges_.subsegments()) {
-    if (segments.size() <= p.segment) segments.resize(p.segment + 1);
-    segments[p.segment] = {p.a, p.b, p.internal};
+narrow_wedges::narrow_wedges(const boundary& edges) {
+  for (const boundary_edge& p : edges.subsegments()) {
+    if (segments_.size() <= p.segment) segments_.resize(p.segment + 1);
+    segments_[p.segment] = {p.a, p.b, p.internal};
   }
-  wedges_of_segment_.resize(segments.size());
-  for (const domain_corner& c : corners_) {
-    if (!(c.angle < sharp_angle)) continue;
-    const auto [leaving, entering] = subsegments_at(c);
-    domain_wedge w{c, edges_.subsegments()[leaving].segment,
-                   edges_.subsegments()[entering].segment};
-    const ends &first = segments[w.first], &last = segments[w.last];
-    w.first_end = first.a == c.vertex ? first.b : first.a;
-    w.last_end = last.a == c.vertex ? last.b : last.a;
-    w.internal = first.internal || last.internal;
-    wedges_of_segment_[w.first].push_back(wedges_.size());
-    wedges_of_segment_[w.last].push_back(wedges_.size());
-    wedges_.push_back(w);
-  }
+  wedges_of_segment_.resize(segments_.size());
 }
 
-bool refine_state::is_narrower(const domain_wedge& w, vertex_index v, double degrees) const {
+void narrow_wedges::add(const domain_corner& c, const boundary_edge& leaving,
+                        const boundary_edge& entering) {
+  domain_wedge w{c, leaving.segment, entering.segment};
+  const segment_ends &first = segments_[w.first], &last = segments_[w.last];
+  w.first_end = first.a == c.vertex ? first.b : first.a;
+  w.last_end = last.a == c.vertex ? last.b : last.a;
+  w.internal = first.internal || last.internal;
+  wedges_of_segment_[w.first].push_back(wedges_.size());
+  wedges_of_segment_[w.last].push_back(wedges_.size());
+  wedges_.push_back(w);
+}
+
+void narrow_wedges::note_split(vertex_index v, vertex_index segment) {
+  if (split_segment_.size() <= v) split_segment_.resize(v + 1);
+  split_segment_[v] = segment;
+}
+
+bool is_narrower(const std::vector<site>& sites, const domain_wedge& w, vertex_index v,
+                 double degrees) {
   constexpr double guard = 1 - 1e-9;
-  const site from{sites_[w.corner.vertex].position, sites_[v].metric};
-  return corner_angle(from, sites_[w.first_end].position, sites_[w.last_end].position) <
+  const site from{sites[w.corner.vertex].position, sites[v].metric};
+  return corner_angle(from, sites[w.first_end].position, sites[w.last_end].position) <
          guard * degrees;
 }
 
-std::vector<const domain_wedge*> refine_state::wedges_at_split(vertex_index v) const {
+std::vector<const domain_wedge*> narrow_wedges::at_split(vertex_index v) const {
   std::vector<const domain_wedge*> found;
-  if (v < split_segment_.size() && split_segment_[v])
+  if (is_split(v))
     for (const std::size_t i : wedges_of_segment_[*split_segment_[v]]) found.push_back(&wedges_[i]);
   return found;
 }
 
-const domain_wedge* refine_state::wedge_across(
+const domain_wedge* narrow_wedges::across(
     const triangle& t, const std::function<bool(const domain_wedge&)>& accepts) const {
-  const auto splits = [this](vertex_index v) {
-    return v < split_segment_.size() && split_segment_[v];
-  };
+  const auto splits = [this](vertex_index v) { return is_split(v); };
   const auto is_on = [&](vertex_index v, vertex_index segment, vertex_index end) {
     return splits(v) ? *split_segment_[v] == segment : v == end;
   };
   const auto one = std::find_if(t.begin(), t.end(), splits);
   if (one == t.end()) return nullptr;
-  for (const domain_wedge* w : wedges_at_split(*one)) {
+  for (const domain_wedge* w : at_split(*one)) {
     bool first = false, last = false, elsewhere = false;
     for (const vertex_index v : t) {
       const bool on_first = is_on(v, w->first, w->first_end);
@@ -113,41 +107,40 @@ const domain_wedge* refine_state::wedge_across(
   return nullptr;
 }
 
-// Where the subsegment is as far from the corner of a wedge as the encroacher on its other segment.
-std::optional<point> refine_state::mirrored_split_point(const boundary_edge& subsegment,
-                                                        vertex_index encroacher) const {
+std::optional<point> narrow_wedges::mirrored_point(const std::vector<site>& sites,
+                                                   const boundary_edge& subsegment,
+                                                   vertex_index encroacher) const {
   for (const std::size_t i : wedges_of_segment_[subsegment.segment]) {
     const domain_wedge& w = wedges_[i];
     if (!w.internal || w.corner.angle >= mirrored_angle) continue;
     const bool is_first = subsegment.segment == w.first;
-    const bool across = split_segment_.size() > encroacher && split_segment_[encroacher]
+    const bool across = is_split(encroacher)
                             ? *split_segment_[encroacher] == (is_first ? w.last : w.first)
                             : encroacher == (is_first ? w.last_end : w.first_end);
     if (!across) continue;
-    const site& corner = sites_[w.corner.vertex];
-    const point *near = &sites_[subsegment.a].position, *far = &sites_[subsegment.b].position;
+    const site& corner = sites[w.corner.vertex];
+    const point *near = &sites[subsegment.a].position, *far = &sites[subsegment.b].position;
     double near_distance = distance_from(corner, *near), far_distance = distance_from(corner, *far);
     if (near_distance > far_distance) {
       std::swap(near, far);
       std::swap(near_distance, far_distance);
     }
     if (const auto q = point_between(*near, *far, near_distance, far_distance,
-                                     distance_from(corner, sites_[encroacher].position)))
+                                     distance_from(corner, sites[encroacher].position)))
       return q;
   }
   return std::nullopt;
 }
 
-// Beyond the first subsegment of a segment in a narrow wedge: at round distances from the corner,
-// so that both segments of the wedge are split alike. Of two corners the nearer counts.
-std::optional<point> refine_state::wedge_split_point(const boundary_edge& subsegment) const {
-  const point &a = sites_[subsegment.a].position, &b = sites_[subsegment.b].position;
+std::optional<point> narrow_wedges::split_point(const std::vector<site>& sites,
+                                                const boundary_edge& subsegment) const {
+  const point &a = sites[subsegment.a].position, &b = sites[subsegment.b].position;
   const domain_wedge* nearest = nullptr;
   double least = 0;
   for (const std::size_t i : wedges_of_segment_[subsegment.segment]) {
     const domain_wedge& w = wedges_[i];
     if (!w.internal || w.corner.angle >= mirrored_angle) continue;
-    const point& c = sites_[w.corner.vertex].position;
+    const point& c = sites[w.corner.vertex].position;
     const double far =
         std::abs(a.x - c.x) + std::abs(a.y - c.y) + std::abs(b.x - c.x) + std::abs(b.y - c.y);
     if (nearest == nullptr || far < least) {
@@ -156,7 +149,7 @@ std::optional<point> refine_state::wedge_split_point(const boundary_edge& subseg
     }
   }
   if (nearest == nullptr) return std::nullopt;
-  const site& corner = sites_[nearest->corner.vertex];
+  const site& corner = sites[nearest->corner.vertex];
   const double from_a = distance_from(corner, a), from_b = distance_from(corner, b);
   const bool a_first = from_a < from_b;
   const double low = std::min(from_a, from_b), high = std::max(from_a, from_b);

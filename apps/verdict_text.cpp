@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/verdict_text.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "asterism/apps/summary.hpp"
+
+namespace asterism::apps {
+
+std::size_t findings_kept(bool all) {
+  return all ? std::numeric_limits<std::size_t>::max() : audit_options{}.findings_kept;
+}
+
+void write_findings(std::ostream& out, const audit_report& report) {
+  std::array<std::size_t, finding_kind_count> told{};
+  for (const audit_finding& f : report.findings) {
+    const auto kind = static_cast<std::size_t>(f.kind);
+    ++told[kind];
+    out << finding_kind_names[kind] << ": " << f.witness << '\n';
+  }
+  for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
+    if (report.found[kind] > told[kind])
+      out << finding_kind_names[kind] << ": " << report.found[kind] - told[kind]
+          << " more (--all-findings lists them)\n";
+}
+
+std::string angles_text(const audit_report& report) {
+  std::string text = worst_angle_text(report.worst().degrees);
+  if (!report.exempt_corners.empty())
+    text += fmt::format(", {} exempt at {} corners", report.exempt_triangles.size(),
+                        report.exempt_corners.size());
+  if (!report.exempt_triangles.empty())
+    text += fmt::format(", the sharpest {:.2f}", report.worst_exempt.degrees);
+  if (!report.collateral_triangles.empty())
+    text += fmt::format(", {} collateral beside sharp corners, the worst {:.2f}",
+                        report.collateral_triangles.size(), report.worst_collateral.degrees);
+  return text;
+}
+
+std::string voronoi_text(const audit_report& report) {
+  if (report.voronoi == voronoi_verdict::not_asked) return "";
+  return fmt::format("; dual of the Voronoi diagram: {}",
+                     voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)]);
+}
+
+}  // namespace asterism::apps

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/corner_angle.hpp"
+
+#include <mpfr.h>
+
+#include <numbers>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/support/wide_range.hpp"
+
+namespace asterism::internal::audit_detail {
+namespace {
+
+// Below 2^-190 relative: 256 bits, four roundings.
+rational squared_cotangent_rounded(double degrees, mpfr_rnd_t away, mpfr_rnd_t towards) {
+  mpfr_t angle, pi;
+  mpfr_init2(angle, 256);
+  mpfr_init2(pi, 256);
+  mpfr_const_pi(pi, away);
+  mpfr_mul_d(angle, pi, degrees, away);
+  mpfr_div_ui(angle, angle, 180, away);
+  mpfr_tan(angle, angle, away);
+  mpfr_sqr(angle, angle, away);
+  mpfr_ui_div(angle, 1, angle, towards);
+  rational result;
+  mpfr_get_q(result.backend().data(), angle);
+  mpfr_clear(pi);
+  mpfr_clear(angle);
+  return result;
+}
+
+template <class Number>
+struct corner_terms {
+  Number left;   // a^T M b
+  Number right;  // det M (a x b)^2
+};
+
+template <class Number>
+corner_terms<Number> terms(const audit_context& context, const corner& c,
+                           vertex_index perspective) {
+  const auto a = difference<Number>(context.at(c.ahead), context.at(c.at));
+  const auto b = difference<Number>(context.at(c.behind), context.at(c.at));
+  const auto m = tensor_of<Number>(context.subject.sites[perspective].metric);
+  const Number area = cross(a, b);
+  return {dot(a, m * b), m.determinant() * area * area};
+}
+
+}  // namespace
+
+squared_cotangent make_squared_cotangent(double degrees) {
+  squared_cotangent c;
+  if (degrees == 30)
+    c.low = c.high = 3;
+  else if (degrees == 45)
+    c.low = c.high = 1;
+  else if (degrees == 60)
+    c.low = c.high = rational(1) / 3;
+  else {
+    c.low = squared_cotangent_rounded(degrees, MPFR_RNDU, MPFR_RNDD);
+    c.high = squared_cotangent_rounded(degrees, MPFR_RNDD, MPFR_RNDU);
+  }
+  const double value = c.low.convert_to<double>();
+  c.filter = bounded::within(value, value * 0x1p-50);
+  c.root_below = root(c.filter).lower();
+  return c;
+}
+
+bool is_proven_wide(const audit_context& context, audit_tally& tally, const corner& c,
+                    vertex_index perspective, const squared_cotangent& bound) {
+  ++tally.part.decisions;
+  const auto quick = terms<bounded>(context, c, perspective);
+  if (quick.left.certainly_negative()) return true;
+  const bounded spare = bound.filter * quick.right - quick.left * quick.left;
+  if (spare.certainly_positive()) return true;
+  if (spare.certainly_negative() && quick.left.certainly_positive()) return false;
+  ++tally.part.exact_decisions;
+  const auto exact = terms<rational>(context, c, perspective);
+  return exact.left <= 0 || exact.left * exact.left <= bound.low * exact.right;
+}
+
+bool is_proven_narrow(const audit_context& context, audit_tally& tally, const corner& c,
+                      vertex_index perspective, const squared_cotangent& bound) {
+  ++tally.part.decisions;
+  const auto quick = terms<bounded>(context, c, perspective);
+  if (quick.left.certainly_negative()) return false;
+  const bounded spare = bound.filter * quick.right - quick.left * quick.left;
+  if (spare.certainly_positive()) return false;
+  if (spare.certainly_negative() && quick.left.certainly_positive()) return true;
+  ++tally.part.exact_decisions;
+  const auto exact = terms<rational>(context, c, perspective);
+  return exact.left > 0 && exact.left * exact.left > bound.high * exact.right;
+}
+
+double angle_in_degrees(const audit_context& context, const corner& c, vertex_index perspective) {
+  const auto a = difference<wide_range>(context.at(c.ahead), context.at(c.at));
+  const auto b = difference<wide_range>(context.at(c.behind), context.at(c.at));
+  const auto m = tensor_of<wide_range>(context.subject.sites[perspective].metric);
+  const wide_range height = root(m.determinant()) * cross(a, b);
+  const auto [up, along] = scaled(height, dot(a, m * b));
+  return elementary::atan2(up, along) * 180 / std::numbers::pi;
+}
+
+}  // namespace asterism::internal::audit_detail

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Which edges of a .mesh file are segments of a domain?
+//
+// Edges are a set: their order and direction mean nothing. One with a triangle on one side alone is
+// of the boundary. One with triangles on both is a segment only if the file marks it: by
+// RequiredEdges, or by a reference other than 0 in a list that does not hold every inner edge. Some
+// programs save all edges of a mesh, and no edge of such a list was asked for by anybody.
+#pragma once
+
+#include <vector>
+
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal {
+
+struct edge_marks {
+  std::vector<char> required;  // one flag an edge of mesh::boundary
+  bool all = false;            // every edge listed is a segment
+};
+
+// Turns the edges of `m.boundary` so that a triangle is on their left, notes those that are
+// internal, and leaves out inner edges that are no segments.
+void keep_segments(mesh& m, const edge_marks& marks);
+
+// The marker of a boundary subsegment at each vertex, 0 for vertices on none: what is written as
+// their references.
+std::vector<int> vertex_references(const mesh& m);
+
+}  // namespace asterism::internal

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// The files of a mesh, not yet written: so that those of a run can be written together.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/write_mesh.hpp"
+
+namespace asterism::internal {
+
+// What write_mesh writes, for write_files. Fails as write_mesh does before it writes.
+result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, const mesh& m,
+                                             const write_options& options);
+
+}  // namespace asterism::internal

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine/site_set.hpp"
+
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/metric_box.hpp"
+
+namespace asterism::internal {
+
+result<site_set> site_set::start(const domain& d, const metric_field& field,
+                                 std::size_t most_sites) {
+  site_set set(field, most_sites);
+  for (const point& q : d.vertices) {
+    const auto metric = field.at(q);
+    if (!metric) return metric.failure();
+    set.sites_.push_back({q, metric.value()});
+  }
+  return set;
+}
+
+std::optional<site> site_set::site_at(const point& q) {
+  const auto metric = field_->at(q);
+  if (metric) return site{q, metric.value()};
+  if (!field_failure_) field_failure_ = metric.failure();
+  return std::nullopt;
+}
+
+bool site_set::is_farther(const site& s, double distance) const {
+  const double squared = distance * distance;
+  const auto far_as_seen = [&](vertex_index w) {
+    return squared_distance(sites_[w], s.position) > squared;
+  };
+  const auto far_as_it_sees = [&](vertex_index w) {
+    return squared_distance(s, sites_[w].position) > squared;
+  };
+  constexpr double margin = 1 + 0x1p-20;  // the box is not rigorous
+  const bounding_box box = box_around(s, margin * distance);
+  return near_.sites().visit_box(sites_, box.low, box.high, far_as_it_sees) &&
+         near_.sites().visit_seeing(s.position, distance, far_as_seen);
+}
+
+vertex_index site_set::add(const site& s) {
+  sites_.push_back(s);
+  const auto added = static_cast<vertex_index>(sites_.size() - 1);
+  near_.add_site(sites_, added);
+  return added;
+}
+
+}  // namespace asterism::internal

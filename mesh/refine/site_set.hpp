@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// The sites of a mesh being refined, each with the field's metric, and the index of what is near.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/stars/proximity.hpp"
+
+namespace asterism::internal {
+
+class site_set {
+ public:
+  // Takes the domain's vertices as the first sites. `field` must outlive the set. Fails where the
+  // field does.
+  static result<site_set> start(const domain& d, const metric_field& field, std::size_t most_sites);
+
+  const std::vector<site>& all() const { return sites_; }
+  bool is_full() const { return sites_.size() >= most_sites_; }
+  // Sites and subsegments by place; the boundary that splits subsegments keeps these up to date.
+  const neighbourhood& near() const { return near_; }
+  neighbourhood& near() { return near_; }
+  void index(const boundary& edges) { near_ = neighbourhood(sites_, edges); }
+
+  // Returns the site at q with the field's metric; none where the field fails.
+  std::optional<site> site_at(const point& q);
+  // Set when the field failed at a point that was tried; nothing can go on then.
+  const std::optional<error>& field_failure() const { return field_failure_; }
+  // True if s is farther than this from every site, as measured by them and by s.
+  bool is_farther(const site& s, double distance) const;
+
+  // Adds a site and returns its index.
+  vertex_index add(const site& s);
+
+ private:
+  site_set(const metric_field& field, std::size_t most_sites)
+      : field_(&field), most_sites_(most_sites) {}
+
+  const metric_field* field_;
+  std::size_t most_sites_;
+  std::vector<site> sites_;
+  neighbourhood near_;
+  std::optional<error> field_failure_;
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+//
+// Elementary changes of a triangulation: whatever their order, it stays one of the same domain.
+#include "asterism/mesh/adapt/working_mesh.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "fixtures/domain_kinds.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::internal::adapting;
+using namespace asterism::testing;
+
+namespace {
+
+mesh plain_mesh(const domain& d) {
+  const auto field = make_metric_field("identity", d.box());
+  mesh_options options;
+  options.angle_bound = 0;
+  auto made = make_mesh(d, *field.value(), options);
+  REQUIRE(made.ok());
+  REQUIRE(made.value().complete);
+  return made.value().result;
+}
+
+// Points 0 to 2 of the audit, and the pieces of the segments.
+void check_triangulation(const domain& d, const working_mesh& m) {
+  std::vector<vertex_index> renumbered;
+  mesh now = m.triangulation(renumbered);
+  assign_regions(now, d);
+  audit_options options;
+  options.check_stars = false;
+  options.original = &d;
+  const audit_report found = audit(now, options);
+  INFO((found.findings.empty() ? "" : found.findings[0].witness));
+  CHECK(found.certified);
+}
+
+std::uint64_t next(std::uint64_t& state) {
+  state = state * 6364136223846793005u + 1442695040888963407u;
+  return state >> 33;
+}
+
+// One change somewhere, if there is one to be made there.
+void change(working_mesh& m, std::uint64_t& state) {
+  const auto t = static_cast<vertex_index>(next(state) % m.faces().size());
+  const std::size_t i = next(state) % 3;
+  const face f = m.faces()[t];
+  if (!f.exists()) return;
+  const point &a = m.at(f.v[after(i)]).position, &b = m.at(f.v[before(i)]).position;
+  switch (next(state) % 4) {
+    case 0:
+      if (const auto made = m.split(t, i, {(a.x + b.x) / 2, (a.y + b.y) / 2}))
+        m.set_metric(*made, {1, 0, 1});
+      break;
+    case 1:
+      if (m.can_flip(t, i)) m.flip(t, i);
+      break;
+    case 2:
+      if (m.can_merge(f.v[i], f.v[after(i)])) m.merge(f.v[i], f.v[after(i)]);
+      break;
+    default:
+      if (m.at(f.v[i]).kind == node_kind::free &&
+          m.can_move(f.v[i], {(a.x + b.x) / 2, (a.y + b.y) / 2}))
+        m.move(f.v[i], {(a.x + b.x) / 2, (a.y + b.y) / 2});
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a working mesh stays a triangulation under random changes") {
+  for (const named_domain& kind : domain_kinds()) {
+    INFO(kind.name);
+    const domain& d = kind.shape;
+    auto built = working_mesh::build(d, plain_mesh(d));
+    REQUIRE(built.ok());
+    working_mesh m = std::move(built).value();
+    check_triangulation(d, m);
+    std::uint64_t state = 7;
+    for (int i = 0; i < 4000; ++i) {
+      change(m, state);
+      if (i % 500 == 0) check_triangulation(d, m);
+    }
+    check_triangulation(d, m);
+  }
+}
+
+TEST_CASE("given nodes and segments are never merged away") {
+  const domain d = accepted(square());
+  auto built = working_mesh::build(d, plain_mesh(d));
+  REQUIRE(built.ok());
+  const working_mesh& m = built.value();
+  for (vertex_index v = 0; v < d.vertices.size(); ++v) {
+    face_list ring;
+    m.neighbours(v, ring);
+    for (const vertex_index w : ring) CHECK_FALSE(m.can_merge(v, w));
+  }
+}
