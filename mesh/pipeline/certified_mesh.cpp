@@ -10,8 +10,9 @@
 namespace asterism {
 namespace {
 
-// The auditor finds the sharp corners by itself: the mesher's own list is of rounded angles, and
-// names corners at which no triangle needs an exemption.
+// Returns what the auditor is asked of an outcome. It finds the sharp corners by itself: the
+// mesher's own list is of rounded angles, and names corners at which no triangle needs an
+// exemption.
 audit_options questions_for(const mesh_outcome& outcome, const domain& d,
                             const mesh_options& options) {
   audit_options asked;

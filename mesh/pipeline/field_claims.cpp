@@ -24,7 +24,7 @@ std::string option_of(const certificate& claim, const std::string& name) {
   return place == claim.options.end() ? "none" : place->second;
 }
 
-// Of the option, or 1 where it is "none".
+// Returns the number an option has; 1 where it is "none".
 result<double> size_of(const certificate& claim, const std::string& name) {
   const std::string text = option_of(claim, name);
   return text == "none" ? result<double>(1.0) : parse_number(text);
@@ -38,7 +38,7 @@ bool is_near(const metric_tensor& a, const metric_tensor& b) {
 
 std::string text_of(const metric_tensor& m) { return fmt::format("{} {} {}", m.m11, m.m12, m.m22); }
 
-// A sentence if the tensors are not the field's.
+// Returns a sentence if the tensors are not the field's.
 std::optional<std::string> difference_from(const metric_field& field, const mesh& subject) {
   std::size_t differing = 0;
   std::string first;
@@ -55,7 +55,7 @@ std::optional<std::string> difference_from(const metric_field& field, const mesh
                      differing, subject.sites.size(), first);
 }
 
-// The metric of a mesh, where its file is still there and the same.
+// Returns the metric of a mesh, where its file is still there and the same.
 result<std::unique_ptr<metric_field>> background_of(const certificate& claim, double size) {
   auto background = read_medit(claim.metric);
   if (!background) return background.failure();
@@ -72,7 +72,7 @@ result<std::unique_ptr<metric_field>> background_of(const certificate& claim, do
 
 result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) {
   if (!claim.original) return error{"the certificate has no domain to place it in"};
-  // Where another metric is delivered the one asked for is of the size asked for.
+  // The metric asked for is of the size asked for where another one is delivered.
   const bool is_delivered = !claim.relaxed && !claim.delivered &&
                             claim.options.count("size-delivered") != 0 &&
                             option_of(claim, "size-delivered") != "none";
@@ -99,7 +99,7 @@ result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) 
 
 namespace {
 
-// A metric that came as numbers is named by its file; `mesh` takes them on a mesh alone.
+// True if the metric came as numbers, and is named by its file; `mesh` takes them on a mesh alone.
 bool is_of_file(const certificate& claim) {
   return claim.options.count("mesh") != 0 && claim.metric.starts_with("of ");
 }

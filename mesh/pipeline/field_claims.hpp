@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Are the tensors of a mesh those of the metric that its certificate says was asked for?
+// Checks whether the tensors of a mesh are those of the metric its certificate says was asked for.
 #pragma once
 
 #include <memory>

@@ -21,7 +21,7 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// The directed edges of the triangles, and what is on their left.
+// Finds the triangle on the left of a directed edge.
 class triangle_sides {
  public:
   explicit triangle_sides(const mesh& m) {
@@ -82,13 +82,14 @@ bool is_found(const audit_report& report, finding_kind kind) {
   return report.found[static_cast<std::size_t>(kind)] != 0;
 }
 
-// What cannot be a site or a triangle: no question can be asked about it.
+// Kinds of findings that are of no site or triangle: no question can be asked about it.
 constexpr std::array unusable = {
     finding_kind::empty_mesh,        finding_kind::index_out_of_range,
     finding_kind::not_finite,        finding_kind::metric_not_positive_definite,
     finding_kind::repeated_position, finding_kind::repeated_corner};
 
-// The stars as the mesher would have them, on the mesh's own boundary.
+// Builds the stars as the mesher would have them, on the mesh's own boundary, and counts the
+// triangles in them.
 void compare_with_stars(const adopted_mesh& adopted, const std::function<bool()>& enough,
                         certify_report& report) {
   const mesh& m = adopted.subject;
@@ -121,8 +122,8 @@ void compare_with_stars(const adopted_mesh& adopted, const std::function<bool()>
   }
 }
 
-// Where every tenth edge is not what its own four vertices make it, the stars see far and cost
-// much, and what they are is no news.
+// True if the stars are worth building. Where more edges than a tenth of the sites are not what
+// their own four vertices make them, the stars see far and cost much, and what they are is no news.
 bool is_worth_comparing(const audit_report& audit) {
   constexpr std::size_t part = 10;
   return audit.found[static_cast<std::size_t>(finding_kind::star_neighbour_rejected)] <=

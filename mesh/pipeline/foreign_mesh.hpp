@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A mesh and metric that came from elsewhere: is it the mesh of its stars, and good?
+// Judges a mesh and metric from elsewhere: is it the mesh of its stars, and good?
 //
-// Its domain is what its boundary edges enclose, every vertex is a site, the metric of a vertex is
-// that site's. The stars of all sites are built, each from all sites it sees; a triangle counts
+// The domain is what the boundary edges enclose, every vertex is a site, and the metric of a vertex
+// is that site's. The stars of all sites are built, each from all sites it sees. A triangle counts
 // when it is in the stars of its three vertices (thesis, definition 9). The audit judges the same
 // mesh without building any star: two routes to one answer.
 #pragma once
@@ -27,15 +27,15 @@ struct adopted_mesh {
   domain shape;  // of the subject; as check_domain would have it if the audit finds a triangulation
 };
 
-// Puts a mesh in order.
-// The mesh's boundary edges are kept, turned where the only triangle is on their right; if it lists
-// none, the edges with one triangle are taken, with marker 0. References of triangles are kept as
-// regions where they differ across boundary edges alone, else dropped. Fails, naming the number of
-// the offender, for what no site or triangle can be: no triangle, vertices that do not exist, two
-// at one place, numbers that are not finite, tensors that are not positive definite.
+// Puts a mesh in order. Its boundary edges are kept, turned where the only triangle is on their
+// right; if it lists none, the edges with one triangle are taken, with marker 0. References of
+// triangles are kept as regions where they differ across boundary edges alone, else dropped. Fails,
+// naming the number of the offender, for what no site or triangle can be: no triangle, vertices
+// that do not exist, two at one place, numbers that are not finite, tensors that are not positive
+// definite.
 ASTERISM_EXPORT result<adopted_mesh> adopt_mesh(mesh from_elsewhere);
 
-// The judgement of a mesh from elsewhere.
+// Judgement of a mesh from elsewhere.
 struct certify_report {
   audit_report audit;
   std::size_t inverted = 0;  // or flat triangles
@@ -43,16 +43,16 @@ struct certify_report {
   std::array<std::size_t, 4> in_stars{};
   std::vector<vertex_index> not_in_all;  // triangles, ascending
   std::size_t unsettled = 0;             // stars that met the bound of their construction
-  // False: it is no triangulation, or is refused for so much that its stars were not made, or they
-  // took too long.
+  // True if the stars were compared. False if it is no triangulation, or is refused for so much
+  // that its stars were not made, or they took too long.
   bool compared = false;
   // Triangles below the bound as any of their vertices measures them, exempt and collateral ones
   // among them; those that are inverted or flat have no angles.
   std::size_t below_bound = 0;
   std::size_t edges = 0, unit_edges = 0;
 
-  // The auditor's answer, as `verify` gives it. Stars built afresh may be others where arcs are not
-  // wedged; the report has both.
+  // True if the auditor certifies the mesh: the answer `verify` gives. Stars built afresh may be
+  // others where arcs are not wedged; the report has both.
   bool certified() const { return audit.certified; }
   bool is_triangulation() const {
     return audit.stars_checked || audit.found[static_cast<std::size_t>(finding_kind::stopped)] != 0;
@@ -66,7 +66,7 @@ ASTERISM_EXPORT audit_options questions_for(const adopted_mesh& adopted);
 // Builds the stars, compares and audits. An edge is a unit edge when its length, the mean of what
 // its two ends measure, is in [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With
 // `check_voronoi` the audit has a verdict on point 5, which certified() does not depend on.
-// `enough` is asked now and then; true ends the judgement.
+// `enough` is polled during the judgement; true ends it.
 ASTERISM_EXPORT certify_report certify(const adopted_mesh& adopted, double angle_bound,
                                        bool check_voronoi = false,
                                        std::size_t findings_kept = audit_options{}.findings_kept,
