@@ -21,7 +21,7 @@ held_signals::held_signals() {
   sigemptyset(&noted.sa_mask);
   for (std::size_t i = 0; i < held_.size(); ++i) {
     sigaction(held_[i], nullptr, &before_[i]);
-    // What is ignored, as by nohup, stays so.
+    // A signal that is ignored, as by nohup, stays so.
     if (before_[i].sa_handler != SIG_IGN) sigaction(held_[i], &noted, nullptr);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What `verify` and `certify` say of an audit, in the same words.
+// Words what `verify` and `certify` say of an audit, the same for both.
 #pragma once
 
 #include <ostream>

@@ -87,7 +87,8 @@ result<std::optional<domain>> find_domain(const verify_options& options, const m
   return std::optional<domain>(std::move(checked).value());
 }
 
-// Whether the tensors are those of the metric asked for: in words, and into the verdict.
+// Checks that the tensors are those of the metric asked for. Returns the answer in words, and
+// enters it into the verdict.
 std::string check_metric(const mesh& subject, const certificate& claim, verify_report& verdict) {
   const field_check check = check_field(subject, claim);
   for (const std::string& said : check.contradictions) {
@@ -123,7 +124,7 @@ std::string domain_text(const verify_options& options, const std::optional<certi
   return "no domain to compare with but what the boundary encloses";
 }
 
-// What is claimed, what was checked, and against what.
+// Returns what is claimed, what was checked, and against what.
 std::string scope_text(const verify_options& options, const audit_options& asked,
                        const std::optional<certificate>& claim, const verify_report& verdict,
                        const std::string& metric) {
