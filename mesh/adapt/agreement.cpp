@@ -15,11 +15,12 @@ namespace asterism::internal::adapting {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// By how much farther the site across has to be, as a part of the squared radius, and an angle
-// above the bound, in degrees: so that rounding cannot turn it.
+// Margins that rounding cannot turn: by how much farther the site across has to be, as a part of
+// the squared radius, and degrees to spare above the angle bound; then the degrees above it aimed
+// at.
 constexpr double margin = 1e-3, degrees_to_spare = 0.05, degrees_above = 4;
 
-// The Voronoi vertex of a face, relative to its first node.
+// Voronoi vertex of a face, relative to its first node.
 struct centre {
   double x = 0, y = 0, squared_radius = -1;
 };
@@ -31,7 +32,7 @@ centre find_centre(const node& a, const node& b, const node& c) {
   return {near->x, near->y, squared(a.metric, near->x, near->y)};
 }
 
-// How much farther d is than the three, as a part of the squared radius.
+// Returns how much farther d is than the three, as a part of the squared radius.
 double clearance(const node& a, const node& b, const node& c, const node& d) {
   const centre x = find_centre(a, b, c);
   if (!(x.squared_radius > 0)) return -infinity;
@@ -71,7 +72,7 @@ void agreement::run() {
   }
 }
 
-// The whole graph to the limit to begin with.
+// Brings the whole graph to the limit to begin with.
 void agreement::slow_down() {
   std::vector<point> places;
   std::vector<metric_tensor> tensors;
@@ -102,7 +103,7 @@ bool agreement::is_active(vertex_index t) const {
   return active_[f.v[0]] + active_[f.v[1]] + active_[f.v[2]] > 0;
 }
 
-// Whether there was anything to mend.
+// Checks and mends once all that is active; true if there was anything to mend.
 bool agreement::round() {
   next_.assign(m_.nodes().size(), 0);
   report_.disagreeing = report_.low = 0;
@@ -163,7 +164,7 @@ bool agreement::is_low(vertex_index t) const {
   return false;
 }
 
-// Whether it is at a corner of the domain that is below the bound in its own metric.
+// True if the face is at a corner of the domain that is below the bound in its own metric.
 bool agreement::is_exempt(vertex_index t) const {
   for (const vertex_index v : m_.faces()[t].v) {
     if (m_.at(v).kind != node_kind::given) continue;
@@ -222,8 +223,8 @@ double agreement::excess(const node& a, const node& b, const node& c) const {
   return sum;
 }
 
-// A node of a low triangle goes into its neighbour, where that leaves least trouble, if it leaves
-// much less.
+// Merges a node of a low triangle into its neighbour, where that leaves least trouble, if it leaves
+// much less; true if it did.
 bool agreement::merge_away(vertex_index t) {
   constexpr double enough = 0.5;
   double best = 0;
@@ -255,8 +256,8 @@ bool agreement::merge_away(vertex_index t) {
   return true;
 }
 
-// The tensors of a low triangle's nodes towards the one in which it is equilateral, until that
-// measures its angles as much like theirs as is needed.
+// Changes the tensors of a low triangle's nodes towards the one in which it is equilateral, until
+// that measures its angles as much like theirs as is needed.
 void agreement::follow_shape(vertex_index t) {
   constexpr double enough = 0.5;  // log 1.65: angles of 23 degrees and more
   const face& f = m_.faces()[t];
@@ -275,7 +276,7 @@ void agreement::follow_shape(vertex_index t) {
         own = m_.at(v).metric;
     const double apart = log_distortion(own, goal);
     if (!(apart > enough)) continue;
-    // Half of the excess from each side: twice as much, and this side counts.
+    // Half of the excess is taken from each side. Only this side counts, so the excess is doubled.
     if (!make_alike(own, goal, std::max(0.0, 2 * enough - apart))) continue;
     m_.set_metric(v, own);
     next_[v] = 1;
@@ -283,7 +284,7 @@ void agreement::follow_shape(vertex_index t) {
   }
 }
 
-// How far the angles at v's triangles are below a few degrees above the bound.
+// Returns how far the angles at v's triangles are below a few degrees above the bound.
 double agreement::trouble_around(vertex_index v, face_list& at) const {
   double sum = 0;
   m_.around(v, at);
@@ -294,7 +295,7 @@ double agreement::trouble_around(vertex_index v, face_list& at) const {
   return sum;
 }
 
-// To the place, of several around it, where there is least trouble.
+// Moves v to the place, of several around it, where there is least trouble.
 void agreement::move_away(vertex_index v) {
   const node here = m_.at(v);
   if (here.kind != node_kind::free && here.kind != node_kind::sliding) return;
@@ -329,7 +330,7 @@ void agreement::move_away(vertex_index v) {
   for (const vertex_index u : ring) next_[u] = 1;
 }
 
-// All pairs of these, to a part of the distortion they have now.
+// Makes all pairs of these alike, to a part of the greatest distortion they have now.
 void agreement::make_alike_at(const std::vector<vertex_index>& nodes, double part) {
   double most = 0;
   for (const vertex_index v : nodes)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The metric delivered: tensors of the nodes of a triangulation, changed as little as makes their
-// stars agree about it, as far as doubles can tell.
+// Makes the metric delivered: tensors of the nodes of a triangulation, changed as little as makes
+// their stars agree about it, as far as doubles can tell.
 //
-// In a triangle's Voronoi vertex, where its three sites are equally far, the site across each edge
-// must be farther; and no angle may be below the bound as any of the three measures it. Where that
-// fails edges are flipped, tensors of the nodes around it made more alike (nodal_gradation.hpp),
-// nodes moved, and it is asked again. Tensors that are equal give the edges of one Delaunay
-// triangulation, so making alike cannot go on for ever: docs/math/delivered-metric.md. The rounds
-// are bounded besides. Internal to mesh/adapt.
+// Checks at a triangle's Voronoi vertex, from which its three sites are equally far, that the site
+// across each edge is farther, and that no angle is below the bound as any of the three measures
+// it. Failing that, edges are flipped, tensors of the nodes around it made more alike
+// (nodal_gradation.hpp), nodes moved, and all is checked again. Equal tensors give the edges of one
+// Delaunay triangulation, so making alike cannot go on for ever: docs/math/delivered-metric.md. The
+// rounds are bounded besides. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -23,10 +23,10 @@ namespace asterism::internal::adapting {
 
 struct agreement_options {
   double angle_bound = 20;
-  double unit = 1;        // the length wanted of an edge
+  double unit = 1;        // length wanted of an edge
   double distortion = 2;  // over an edge of that length, to begin with
   std::size_t most_rounds = 60;
-  // The metric wanted, of a node that has moved.
+  // Metric wanted at a place, for a node that has moved.
   std::function<std::optional<metric_tensor>(const point&)> wanted;
   std::function<bool()> stop;
 };
@@ -38,14 +38,15 @@ struct agreement_report {
 
 class agreement {
  public:
-  // The tensors of the nodes are the ones wanted to begin with, and the ones delivered after.
+  // Starts from the tensors of the nodes as the ones wanted; they become the ones delivered. Both
+  // references must outlive the object.
   agreement(working_mesh& m, const agreement_options& options);
 
-  // Until nothing is left to mend where something has changed, or the rounds are over.
+  // Mends until nothing is left to mend where something has changed, or the rounds are over.
   void run();
-  // Somewhere stars disagree that was not seen to: these nodes, their tensors made more alike.
+  // Makes the tensors of these nodes more alike, where stars disagree that run() did not see to.
   void disagreed_at(const std::vector<vertex_index>& nodes);
-  // What it came to so far.
+  // Returns the report so far.
   const agreement_report& report() const { return report_; }
 
  private:

@@ -82,7 +82,7 @@ double nodal_field::least_weight(const point& q, vertex_index t, double (&w)[3])
   return std::min({w[0], w[1], w[2]});
 }
 
-// Whether it ended in a triangle that has the point.
+// Walks to the point; true if it ended in a triangle that has the point.
 bool nodal_field::walk(const point& q, vertex_index& t, double (&w)[3]) const {
   constexpr double slack = 1e-12;
   const std::size_t most = 64 + 4 * static_cast<std::size_t>(std::sqrt(cells_.size()));
@@ -95,7 +95,7 @@ bool nodal_field::walk(const point& q, vertex_index& t, double (&w)[3]) const {
   return false;
 }
 
-// Around the point first, then farther and farther.
+// Searches around the point first, then farther and farther.
 vertex_index nodal_field::search(const point& q, double (&w)[3]) const {
   double half = 0;
   const double extent = std::max(box_.high.x - box_.low.x, box_.high.y - box_.low.y);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Tensors at the vertices of a background mesh, logarithms interpolated between them, looked up by
-// walking from where one was before. Internal to mesh/adapt.
+// Interpolates the logarithms of tensors at the vertices of a background mesh, looked up by walking
+// from where one was before. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -17,20 +17,20 @@ namespace asterism::internal::adapting {
 
 class nodal_field {
  public:
-  // Flat and clockwise triangles are left out; requires one that is neither.
+  // Leaves out flat and clockwise triangles; requires one that is neither.
   explicit nodal_field(const mesh& background);
 
   const std::vector<point>& places() const { return places_; }
   const std::vector<metric_tensor>& tensors() const { return tensors_; }
   void set_tensors(std::vector<metric_tensor> tensors);
 
-  // The triangle the point is in, or one near it; `hint` is where the walk begins, and where it
-  // ended.
+  // Returns the tensor at the point, interpolated in the triangle it is in, or in one near it. The
+  // walk begins at `hint`, which is set to where it ended.
   metric_tensor at(const point& q, vertex_index& hint) const;
 
-  // The edges, each once.
+  // Returns the edges, each once.
   std::vector<graph_edge> edges() const;
-  // The integral of the root of the determinant: the area as the metric measures it.
+  // Returns the integral of the root of the determinant: the area as the metric measures it.
   double complexity() const;
 
  private:

@@ -9,7 +9,8 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// B as A = F^T F sees it, F = [f11 f12; 0 f22], and its eigenvectors (c, s), (-s, c).
+// Reduction of B as A = F^T F sees it: F = [f11 f12; 0 f22], the eigenvalues, and the eigenvectors
+// (c, s), (-s, c).
 struct reduction {
   double f11, f12, f22;
   double c, s, high, low;
@@ -36,7 +37,7 @@ reduction reduce(const metric_tensor& a, const metric_tensor& b) {
   return r;
 }
 
-// F^T Q diag(high, low) Q^T F.
+// Returns F^T Q diag(high, low) Q^T F.
 metric_tensor restore(const reduction& r, double high, double low) {
   const double d11 = high * r.c * r.c + low * r.s * r.s, d12 = (high - low) * r.c * r.s,
                d22 = high * r.s * r.s + low * r.c * r.c;
@@ -53,7 +54,8 @@ double length(const metric_tensor& m, const point& d) {
   return std::sqrt(d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y);
 }
 
-// Of an edge in a metric that changes geometrically along it.
+// Returns the length of an edge in a metric that changes geometrically along it, from those its
+// ends measure.
 double logarithmic_mean(double a, double b) {
   const double ratio = a / b;
   return std::abs(ratio - 1) > 1e-3 ? (a - b) / elementary::log(ratio) : (a + b) / 2;

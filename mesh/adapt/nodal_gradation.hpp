@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Tensors at the nodes of a graph, changed as little as makes neighbours alike enough.
+// Changes tensors at the nodes of a graph as little as makes neighbours alike enough.
 //
-// For an edge whose ends measure lengths too differently the two tensors are reduced
-// simultaneously (A = W W^T, B = W diag(l) W^T) and each |ln l_i| is clipped, half of the excess
-// taken from each end: the projection onto the pairs that are alike enough, which leaves the
-// product of the determinants. Edge after edge in their order, until none is left. It ends since
-// all sets of such pairs have the equal pairs in common (docs/math/delivered-metric.md), and is
-// bounded besides.
+// Reduces the two tensors of an edge simultaneously (A = W W^T, B = W diag(l) W^T) when its ends
+// measure lengths too differently. Each |ln l_i| is clipped, half of the excess taken from each
+// end: the projection onto the pairs that are alike enough, which leaves the product of the
+// determinants. This is done edge after edge in their order, until none is left. It ends since all
+// sets of such pairs have the equal pairs in common (docs/math/delivered-metric.md), and is bounded
+// besides.
 //
 // Doubles throughout: the outcome is a metric, not a claim.
 #pragma once
@@ -26,23 +26,24 @@ struct graph_edge {
 };
 
 struct gradation_limit {
-  // The distortion allowed over an edge of length 1 (metric_tensor pairs: the greatest ratio of
-  // lengths); over one of length l it is this to the power of l, at least `shortest`, at most
+  // Distortion allowed over an edge of length 1 (metric_tensor pairs: the greatest ratio of
+  // lengths). Over one of length l it is this to the power of l, at least `shortest`, at most
   // `longest` in place of l.
   double distortion = 2;
-  double unit = 1;  // what counts as length 1
+  double unit = 1;  // length that counts as 1
   double shortest = 0.25, longest = 2;
   std::size_t most_rounds = 400;
 };
 
-// The natural logarithm of the distortion between two tensors: the greatest |ln| of the ratio in
-// which they measure a length.
+// Returns the natural logarithm of the distortion between two tensors: the greatest |ln| of the
+// ratio in which they measure a length.
 double log_distortion(const metric_tensor& a, const metric_tensor& b);
 
-// Clips the pair to this log distortion, half from each side. Whether that changed anything.
+// Clips the pair to this log distortion, half from each side; true if that changed anything.
 bool make_alike(metric_tensor& a, metric_tensor& b, double most);
 
-// Rounds it took; most_rounds + 1 if some edge is still above its limit.
+// Grades the tensors to the limit. Returns the rounds it took; most_rounds + 1 if some edge is
+// still above its limit.
 std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge>& edges,
                   const gradation_limit& limit, std::vector<metric_tensor>& tensors);
 

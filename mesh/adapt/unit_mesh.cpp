@@ -15,7 +15,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double root3 = std::numbers::sqrt3;
 constexpr double weight_of_size = 0.3, weight_of_low = 0.5;
-// An angle of 25 degrees in a triangle of this or more.
+// Energy of shape from which a triangle is poor: one with an angle of 25 degrees has this or more.
 constexpr double poor = 1.5;
 
 struct long_edge {
@@ -27,7 +27,7 @@ bool longer(const long_edge& p, const long_edge& q) {
   return p.length != q.length ? p.length > q.length : p.a != q.a ? p.a < q.a : p.b < q.b;
 }
 
-// The edges for which `wanted(length)`, longest first.
+// Returns the edges for which `wanted(length)`, longest first.
 template <class Wanted>
 std::vector<long_edge> edges_where(const working_mesh& m, Wanted&& wanted) {
   std::vector<long_edge> found;
@@ -44,7 +44,7 @@ std::vector<long_edge> edges_where(const working_mesh& m, Wanted&& wanted) {
   return found;
 }
 
-// The face with the edge from a to b on its border, and which of its edges that is.
+// Returns the face with the edge from a to b on its border, and which of its edges that is.
 std::pair<vertex_index, std::size_t> find_edge(const working_mesh& m, vertex_index a,
                                                vertex_index b) {
   face_list at;
@@ -58,7 +58,7 @@ std::pair<vertex_index, std::size_t> find_edge(const working_mesh& m, vertex_ind
   return {none, 0};
 }
 
-// Half way from a to b in a metric that changes geometrically between them.
+// Returns the place half way from a to b in a metric that changes geometrically between them.
 point middle(const node& a, const node& b) {
   const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
   const double ratio = std::sqrt(squared(b.metric, x, y) / squared(a.metric, x, y));
@@ -270,8 +270,8 @@ std::size_t unit_mesher::flip_all() {
   return done;
 }
 
-// Where the triangles around v would have it: above the edge across from it, as high as an
-// equilateral one is, poor triangles counting more.
+// Returns the place the triangles around v would have it at: above the edge across from it, as high
+// as an equilateral one is, poor triangles counting more.
 point unit_mesher::pulled(vertex_index v, const face_list& at) const {
   double x = 0, y = 0, weights = 0;
   for (const vertex_index t : at) {
@@ -327,7 +327,7 @@ std::size_t unit_mesher::smooth() {
   return done;
 }
 
-// Longest edges are split, or shortest merged, until the count is met or nothing more will do.
+// Splits the longest edges, or merges the shortest, until the count is met or nothing more will do.
 void unit_mesher::meet_count() {
   const auto wanted = static_cast<double>(options_.count);
   constexpr double slack = 0.01;

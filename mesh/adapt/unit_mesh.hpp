@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A triangulation whose edges have length one and whose triangles are as alike as their sites'
-// metrics let them be: nodes from the background, splits, merges, flips and moves, by turns.
+// Makes a triangulation whose edges have length one and whose triangles are as alike as their
+// sites' metrics let them be: nodes from the background, splits, merges, flips and moves, by turns.
 //
 // Every step but splits and merges lowers an energy, and those are bounded in number: it always
 // ends. In doubles; a proposal. Internal to mesh/adapt.
@@ -15,18 +15,19 @@
 
 namespace asterism::internal::adapting {
 
-// The metric at a point; `hint` helps the next look-up near it (nodal_field.hpp).
+// Returns the metric at a point; `hint` helps the next look-up near it (nodal_field.hpp).
 using metric_at = std::function<metric_tensor(const point& q, vertex_index& hint)>;
 
 struct unit_mesh_options {
-  // Nodes wanted; 0: as many as edges of length one take.
+  // Number of nodes wanted; 0, the default: as many as edges of length one take.
   std::size_t count = 0;
   std::size_t most_nodes = 1000000;
   std::function<bool()> stop;
 };
 
-// The energy of a triangle, 1 for an equilateral one of the area of a unit one; `unit` is the
-// length wanted of an edge, or 0 where size is not to count. Infinite unless it surely turns left.
+// Returns the energy of a triangle, 1 for an equilateral one of the area of a unit one. `unit` is
+// the length wanted of an edge, or 0 where size is not to count. Infinite unless it surely turns
+// left.
 double shape_energy(const node& a, const node& b, const node& c, double unit);
 
 class unit_mesher {
@@ -34,7 +35,8 @@ class unit_mesher {
   unit_mesher(working_mesh& m, metric_at field, unit_mesh_options options)
       : m_(m), field_(std::move(field)), options_(std::move(options)) {}
 
-  // `seeds` are places to begin with, in an order in which neighbours follow each other.
+  // Makes the mesh. `seeds` are places to begin with, in an order in which neighbours follow each
+  // other.
   void run(const std::vector<point>& seeds);
   double unit() const { return unit_; }
 

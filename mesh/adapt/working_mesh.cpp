@@ -148,7 +148,7 @@ void working_mesh::flip(vertex_index t, std::size_t edge) {
   replace_neighbour(bc, t, s);
 }
 
-// A sliding node goes along its segment only, and neither given nodes nor segments are lost.
+// True if the merge loses no given node and no segment: a sliding node goes along its segment only.
 bool working_mesh::merge_is_allowed(vertex_index v, vertex_index w) const {
   const node& from = nodes_[v];
   if (from.kind == node_kind::free) return true;

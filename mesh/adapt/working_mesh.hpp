@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A triangulation that is being fitted to a metric: nodes with tensors, faces with their
+// Holds a triangulation that is being fitted to a metric: nodes with tensors, faces with their
 // neighbours, and elementary changes.
 //
-// Every face surely turns left in doubles, always: a change that would spoil that is refused. That
-// is all that holds; whether stars agree is asked elsewhere. Internal to mesh/adapt.
+// Every face surely turns left in doubles, always: a change that would spoil that is refused.
+// Nothing else is certain; whether stars agree is asked elsewhere. Internal to mesh/adapt.
 #pragma once
 
 #include <array>
@@ -32,12 +32,13 @@ struct node {
   metric_tensor metric;
   double root = 0;              // of the determinant of the metric
   vertex_index face = none;     // one of those at it
-  vertex_index segment = none;  // that a sliding node divides
+  vertex_index segment = none;  // segment that a sliding node divides
   vertex_index hint = none;     // where the field was looked up last (nodal_field.hpp)
   node_kind kind = node_kind::free;
 };
 
-// Nodes counter-clockwise; edge i lies across from node i. A face that is gone has no nodes.
+// Face of the mesh: its nodes counter-clockwise; edge i lies across from node i. A face that is
+// gone has no nodes.
 struct face {
   std::array<vertex_index, 3> v{none, none, none};
   std::array<vertex_index, 3> next{none, none, none};     // across the edge
@@ -52,7 +53,7 @@ using face_list = boost::container::small_vector<vertex_index, 16>;
 inline constexpr std::size_t after(std::size_t i) { return i == 2 ? 0 : i + 1; }
 inline constexpr std::size_t before(std::size_t i) { return i == 0 ? 2 : i - 1; }
 
-// Whether doubles are sure that the three turn counter-clockwise. Differences, products and their
+// True if doubles are sure that the three turn counter-clockwise. Differences, products and their
 // difference are each rounded once: 4 epsilon of the products covers it.
 inline bool turns_left(const point& a, const point& b, const point& c) {
   constexpr double part = 4 * std::numeric_limits<double>::epsilon();
@@ -70,8 +71,8 @@ inline double root_of_determinant(const metric_tensor& m) {
 
 class working_mesh {
  public:
-  // Of a mesh of `d` without disagreeing triangles; fails, naming what is wrong, where that is no
-  // triangulation in doubles. `d` must outlive it.
+  // Builds it from a mesh of `d` without disagreeing triangles. Fails, naming what is wrong, where
+  // that is no triangulation in doubles. `d` must outlive it.
   static result<working_mesh> build(const domain& d, const mesh& start);
 
   const std::vector<node>& nodes() const { return nodes_; }
@@ -86,13 +87,13 @@ class working_mesh {
     nodes_[v].root = root_of_determinant(m);
   }
 
-  // The faces at v, counter-clockwise; at the boundary from its first to its last.
+  // Lists the faces at v, counter-clockwise; at the boundary from its first to its last.
   void around(vertex_index v, face_list& out) const;
-  // The nodes joined to v by an edge.
+  // Lists the nodes joined to v by an edge.
   void neighbours(vertex_index v, face_list& out) const;
 
-  // The length of an edge: the mean of the ends' where they differ little, and about that of a
-  // metric that changes geometrically between them where they differ much.
+  // Returns the length of an edge: the mean of the ends' where they differ little, and about that
+  // of a metric that changes geometrically between them where they differ much.
   double length(vertex_index a, vertex_index b) const {
     const node &p = nodes_[a], &q = nodes_[b];
     const double x = q.position.x - p.position.x, y = q.position.y - p.position.y;
@@ -100,28 +101,28 @@ class working_mesh {
     return (s + t) / 6 + 2.0 / 3 * std::sqrt(s * t);
   }
 
-  // A new node on edge i of t, which becomes a sliding one on a subsegment. Refused where a face
+  // Adds a node on edge i of t; on a subsegment it becomes a sliding one. Refused where a face
   // would not turn left. Its metric is the caller's affair.
   std::optional<vertex_index> split(vertex_index t, std::size_t edge, const point& where);
-  // A new node inside t.
+  // Adds a node inside t; refused where a face would not turn left.
   std::optional<vertex_index> insert(vertex_index t, const point& where);
-  // Whether the edge has faces on both sides, is no subsegment, and the other diagonal gives faces
+  // True if the edge has faces on both sides, is no subsegment, and the other diagonal gives faces
   // that turn left.
   bool can_flip(vertex_index t, std::size_t edge) const;
-  // Requires can_flip.
+  // Flips the edge to the other diagonal. Requires can_flip().
   void flip(vertex_index t, std::size_t edge);
-  // Whether v may be merged into its neighbour w.
+  // True if v may be merged into its neighbour w.
   bool can_merge(vertex_index v, vertex_index w) const;
-  // Requires can_merge.
+  // Merges v into its neighbour w. Requires can_merge().
   void merge(vertex_index v, vertex_index w);
-  // Whether all faces at v turn left with v there.
+  // True if all faces at v turn left with v there.
   bool can_move(vertex_index v, const point& where) const;
   void move(vertex_index v, const point& where) { nodes_[v].position = where; }
-  // A place on the segment of a sliding node: the one nearest to `where`.
+  // Returns the place on the segment of a sliding node that is nearest to `where`.
   point on_segment(vertex_index v, const point& where) const;
 
-  // The nodes in the order of the domain's vertices, then by number; faces as triangles;
-  // subsegments in the order of their segments. `renumbered` maps nodes to sites.
+  // Returns the mesh: the nodes in the order of the domain's vertices, then by number; faces as
+  // triangles; subsegments in the order of their segments. `renumbered` maps nodes to sites.
   mesh triangulation(std::vector<vertex_index>& renumbered) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// A directed edge and the face on its left.
+// Directed edge and the face on its left.
 struct half_edge {
   vertex_index a, b, face, edge;
   friend bool operator<(const half_edge& p, const half_edge& q) {
