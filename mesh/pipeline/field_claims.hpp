@@ -19,8 +19,8 @@ namespace asterism::internal {
 result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim);
 
 struct field_check {
-  bool made = false;    // the metric asked for could be made again
-  std::string why_not;  // half a sentence
+  bool made = false;    // true if the metric asked for could be made again
+  std::string why_not;  // half a sentence on why it could not
   std::vector<std::string> contradictions;
 };
 

@@ -57,7 +57,7 @@ class split_boundary {
 
   // Returns the subsegments a site at this place would encroach on.
   std::vector<std::size_t> encroached_by(const star_predicates& kernel, const site& s) const;
-  // Suspects the subsegments on which site w encroaches, or all.
+  // Suspects the subsegments on which site w encroaches. suspect_all() suspects all.
   void note_encroached_by(vertex_index w);
   void suspect_all();
   bool has_suspects() const { return !suspects_.empty(); }

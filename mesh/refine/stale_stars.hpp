@@ -20,7 +20,7 @@ class stale_stars {
   stale_stars(refine_state& state, steepness& steep) : state_(state), steep_(steep) {}
 
   // Makes the stars in disagreeing triangles anew, and holds them against all sites, before a site
-  // is inserted there: coarse stars keep neighbours they should not, and near searches miss some.
+  // is inserted there. Coarse stars keep neighbours they should not, and near searches miss some.
   bool rebuild_disagreeing(const bad_triangle_queue& queue);
   bool rebuild_all();
   // Holds every star against all sites that are not certainly out of its reach, since a local
