@@ -82,7 +82,7 @@ class mutable_mesh {
   // flat or the field fails.
   std::optional<vertex_index> split(vertex_index t, std::size_t edge);
 
-  // Log changes from begin() on until they are kept or undone. Undoing restores the same triangles
+  // Logs changes from begin() on until they are kept or undone. Undoing restores the same triangles
   // under the same numbers.
   void begin() { net_.begin(); }
   void keep() { net_.keep(); }

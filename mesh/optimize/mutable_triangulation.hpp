@@ -91,7 +91,7 @@ class mutable_triangulation {
   // no triangulation: v and w may have no common neighbours but those in triangles with both.
   std::optional<collapse_plan> plan_collapse(vertex_index v, vertex_index w) const;
 
-  // Log changes from begin() on until they are kept or undone. Undoing restores the same triangles
+  // Logs changes from begin() on until they are kept or undone. Undoing restores the same triangles
   // under the same numbers. undo() returns those that exist and were touched, ascending.
   void begin();
   void keep() { logs_ = false; }

@@ -32,7 +32,7 @@ class neighbourhood {
 
   // Adds the new site sites[w].
   void add_site(const std::vector<site>& sites, vertex_index w) { sites_.insert(sites, w); }
-  // Take a subsegment out of the index, and put its parts in. To be called before and after
+  // Takes a subsegment out of the index, or puts its parts in. To be called before and after
   // edges.split(subsegment, ...). `twin` is the subsegment's twin, if any; `first_new` is the
   // number of subsegments there were before the split.
   void before_split(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment);
