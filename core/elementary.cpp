@@ -131,7 +131,13 @@ double_pair exponential_less_one(const double_pair& r) {
 double scaled_exponential(const double_pair& r, double power) {
   const double_pair less_one = exponential_less_one(r);
   const double_pair all = exact_sum_of_ordered(1, less_one.head);
-  return std::ldexp(all.head + (all.tail + less_one.tail), static_cast<int>(power));
+  const double mantissa = all.head + (all.tail + less_one.tail);
+  const int exponent = static_cast<int>(power);
+  // Where the product is a normal number it is exact, as ldexp's is.
+  if (std::abs(exponent) > 1000) return std::ldexp(mantissa, exponent);
+  constexpr int bias = 1023, mantissa_bits = 52;
+  const auto bits = static_cast<std::uint64_t>(exponent + bias) << mantissa_bits;
+  return mantissa * std::bit_cast<double>(bits);
 }
 
 // x - k ln 2 for the nearest integer k.
@@ -408,24 +414,34 @@ double tanh(double x) {
   return std::copysign(result, x);
 }
 
-// The root of a sum of squares in twice the digits, mended once by Newton's method.
-double hypot(double x, double y) {
-  double a = std::abs(x), b = std::abs(y);
-  if (a == infinity || b == infinity) return infinity;
-  if (std::isnan(a) || std::isnan(b)) return not_a_number;
-  if (a < b) std::swap(a, b);
-  if (b == 0) return a;
-  const int exponent = std::ilogb(a);
-  if (exponent - std::ilogb(b) > 60) return a + b;
-  a = std::ldexp(a, -exponent);
-  b = std::ldexp(b, -exponent);
+namespace {
+
+// The root of a sum of squares in twice the digits, mended once by Newton's method. Requires
+// a >= b > 0, with squares, and tails of squares, within the range of normal numbers.
+double root_of_squares(double a, double b) {
   const double_pair a_square = exact_product(a, a), b_square = exact_product(b, b);
   const double_pair sum = exact_sum_of_ordered(a_square.head, b_square.head);
   const double tail = sum.tail + a_square.tail + b_square.tail;
   const double root = std::sqrt(sum.head);
   const double_pair back = exact_product(root, root);
   const double more = (((sum.head - back.head) - back.tail) + tail) / (2 * root);
-  return std::ldexp(root + more, exponent);
+  return root + more;
+}
+
+}  // namespace
+
+double hypot(double x, double y) {
+  double a = std::abs(x), b = std::abs(y);
+  if (a == infinity || b == infinity) return infinity;
+  if (std::isnan(a) || std::isnan(b)) return not_a_number;
+  if (a < b) std::swap(a, b);
+  if (b == 0) return a;
+  // In the middle of the range every step commutes with scaling by a power of two, so that leaving
+  // the scaling out changes no bit.
+  if (a <= 0x1p400 && b >= 0x1p-400 && b >= a * 0x1p-59) return root_of_squares(a, b);
+  const int exponent = std::ilogb(a);
+  if (exponent - std::ilogb(b) > 60) return a + b;
+  return std::ldexp(root_of_squares(std::ldexp(a, -exponent), std::ldexp(b, -exponent)), exponent);
 }
 
 }  // namespace asterism::internal::elementary
