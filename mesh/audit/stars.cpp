@@ -307,17 +307,14 @@ class star_check {
 };
 
 // True if all was looked at: the work ends, at a place that does not depend on threads, where it
-// has found something, and wherever `enough` says so.
-bool check_in_turn(audit_context& context, const star_surroundings& around, bool neighbours_alone) {
+// has found more than `most`, and wherever `enough` says so.
+bool check_in_turn(audit_context& context, const star_surroundings& around, bool neighbours_alone,
+                   std::size_t most) {
   const std::vector<vertex_index>& order = around.sites.order();
   const std::vector<std::size_t>& groups = around.sites.groups();
   constexpr std::size_t at_a_time = 128, in_turn = 32 * at_a_time;
   const std::size_t before = context.report.total_found();
   for (std::size_t first = 0; first + 1 < groups.size(); first += in_turn) {
-    if (context.report.total_found() > before) {
-      context.report.stars_cut_short = true;
-      return false;
-    }
     if (context.options.enough && context.options.enough()) {
       context.report.stars_checked = false;
       context.found(finding_kind::stopped, "the stars were not all looked at");
@@ -329,18 +326,24 @@ bool check_in_turn(audit_context& context, const star_surroundings& around, bool
         part.run(order.data() + groups[i], order.data() + groups[i + 1], neighbours_alone);
     };
     check_in_parallel(context, std::min(in_turn, groups.size() - 1 - first), check, at_a_time);
+    if (context.report.total_found() - before > most) {
+      context.report.stars_cut_short = true;
+      return false;
+    }
   }
-  return context.report.total_found() == before;
+  return true;
 }
 
 }  // namespace
 
+// Where as much is refused as a tenth of the sites the stars see far, and to look at all of them
+// would only say so again; unless every finding is to be kept.
 void check_stars(audit_context& context) {
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), part = 10;
+  const std::size_t most = context.options.findings_kept == all ? all : context.report.sites / part;
   context.report.stars_checked = true;
   const star_surroundings around(context);
-  const bool stay = check_in_turn(context, around, true);
-  if (stay) check_in_turn(context, around, false);
-  if (!stay && context.report.stars_checked) context.report.stars_cut_short = true;
+  if (check_in_turn(context, around, true, most)) check_in_turn(context, around, false, most);
 }
 
 }  // namespace asterism::internal::audit_detail

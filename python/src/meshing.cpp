@@ -250,8 +250,8 @@ py::dict findings_of(const audit_report& audit) {
   py::dict d;
   d["sites"] = audit.sites;
   d["triangles"] = audit.triangles;
-  d["worst_angle"] = audit.worst.degrees;
-  d["low_triangles"] = audit.low_triangles;
+  d["worst_angle"] = audit.worst().degrees;
+  d["low_triangles"] = audit.refused_triangles();
   d["exempt_corners"] = audit.exempt_corners;
   d["findings"] = witnesses;
   return d;
