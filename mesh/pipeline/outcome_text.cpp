@@ -171,7 +171,7 @@ std::string ending_text(const refinement_ending& e) {
 std::string ending_text(const mesh_outcome& outcome) {
   if (outcome.fitted) return fitted_text(outcome);
   if (outcome.relaxed && outcome.relaxed_details) return relaxed_text(outcome);
-  const std::string ended = ending_text(outcome.ended);
+  std::string ended = ending_text(outcome.ended);
   if (outcome.complete && outcome.delivered && outcome.delivered->changed > 0)
     return ended + ", in the metric delivered";
   if (!outcome.stopped_relaxing) return ended;

@@ -3,7 +3,6 @@
 // Metrics at the vertices of a mesh: as many sites as they ask for, certified in the metric that is
 // delivered, which says how far it is from the one wanted and is that one, bit for bit, where
 // nothing had to change.
-#include "asterism/mesh/pipeline/outcome_text.hpp"
 #include "asterism/mesh/pipeline/adaptation.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,6 +15,7 @@
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
 #include "fixtures/domain_kinds.hpp"
 
 using namespace asterism;
