@@ -18,7 +18,7 @@
 namespace asterism::internal {
 
 // True if the run is one for adapt_mesh: the metric is given at the vertices of a mesh, with a
-// size, and the domain is not a mesh that may stay as it is.
+// size, may be relaxed, and the domain is not a mesh that may stay as it is.
 bool wants_adaptation(const metric_field& field, const mesh_options& options);
 
 // Everything of the outcome but the counters; none where this way did not lead to a certified mesh
