@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a mesh job starts from: its domain, checked, and its metric.
+// Reads what a mesh job starts from: its domain, checked, and its metric.
 #pragma once
 
 #include <memory>

@@ -22,7 +22,7 @@ inline constexpr real_range angle_bounds = {
     0, 60, true, false,
     "at least 0 and below 60 degrees, since no triangle has three angles above 60"};
 
-// Of --size. Beyond these the square of the size leaves the range of doubles, or nearly so.
+// Range of --size. Beyond it the square of the size leaves the range of doubles, or nearly so.
 inline constexpr real_range sizes = {1e-150, 1e150, true, true, "positive, from 1e-150 to 1e150"};
 
 // `assign` gets the value once it is accepted.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where files are to be written: found out before any work is done.
+// Checks the places where files are to be written, before any work is done.
 #pragma once
 
 #include <filesystem>

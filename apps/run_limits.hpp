@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What can end a run early: an interrupt from the keyboard, a limit on time or on memory. The run
+// Ends a run early: at an interrupt from the keyboard, or at a limit on time or on memory. The run
 // then writes what is certain.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What commands tell about a run, in lines for people; certificates hold some of them too.
+// Tells about a run in lines for people; certificates hold some of them too.
 #pragma once
 
 #include <cstddef>

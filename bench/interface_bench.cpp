@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What the C border costs: the same random questions to the filtered kernel, to the C function, and
-// to the C batch; time is given a question. bench/interface_bench.py asks numpy's way.
+// Measures what the C border costs: the same random questions to the filtered kernel, to the C
+// function, and to the C batch; time is given a question. bench/interface_bench.py asks numpy's
+// way.
 #include <benchmark/benchmark.h>
 
 #include <array>

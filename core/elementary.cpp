@@ -97,7 +97,7 @@ double_pair log_of_mantissa(double m) {
   return exact_sum_of_ordered(2 * s.head, 2 * s.tail + rest);
 }
 
-// Of a positive number.
+// Returns ln x as a pair. Requires x > 0.
 double_pair natural_logarithm(double x) {
   const auto [mantissa, exponent] = scaled_towards_one(x);
   const double_pair of_mantissa = log_of_mantissa(mantissa);
@@ -133,7 +133,7 @@ double scaled_exponential(const double_pair& r, double power) {
   const double_pair all = exact_sum_of_ordered(1, less_one.head);
   const double mantissa = all.head + (all.tail + less_one.tail);
   const int exponent = static_cast<int>(power);
-  // Where the product is a normal number it is exact, as ldexp's is.
+  // Multiplies by a power of two: a product that is a normal number is exact, as ldexp's is.
   if (std::abs(exponent) > 1000) return std::ldexp(mantissa, exponent);
   constexpr int bias = 1023, mantissa_bits = 52;
   const auto bits = static_cast<std::uint64_t>(exponent + bias) << mantissa_bits;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What core/integer.cpp needs of numbers as arrays of limbs, the least significant first: by GMP's
-// mpn functions. core/limbs_cpp_int.hpp has the same functions without GMP.
+// Provides the arithmetic of core/integer.cpp on arrays of limbs, the least significant first, by
+// GMP's mpn functions. core/limbs_cpp_int.hpp has the same functions without GMP.
 //
 // n and m are the lengths of a and b, at least 1 unless said otherwise. `to` may be a; lengths of
 // results are said with each function.

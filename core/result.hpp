@@ -10,7 +10,7 @@
 
 namespace asterism {
 
-// What kind of input was refused, for programs; the message says which and where.
+// Kind of input that was refused, for programs; the message says which and where.
 enum class error_code {
   invalid_input,    // none of the following, or not known more precisely
   bad_option,       // an option, or a name given for one, out of range

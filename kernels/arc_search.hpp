@@ -4,7 +4,7 @@
 // witness says yes; a cover of the arc by ranges, in each of which one reason to fail provably
 // lasts (kernels/lasting_reasons.hpp), says no.
 //
-// The same code runs on intervals and on exact numbers. Neither answer is reached when good and
+// Runs on intervals and on exact numbers by the same code. Neither answer is reached when good and
 // bad meet in a point (a tie, a tangency): the search then stops at its budget and is undecided.
 // Parameters are doubles, exact as such in both number types.
 #pragma once

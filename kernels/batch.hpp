@@ -34,7 +34,7 @@ struct site_columns {
   std::span<const double> x, y, m11, m12, m22;
 };
 
-// Whether a batch was answered. After length_mismatch nothing was written.
+// Outcome of a batch: answered, or refused. After length_mismatch nothing was written.
 enum class [[nodiscard]] batch_status{ok, length_mismatch};
 
 // Answers one predicate for many rows. Without counters it may be shared by threads.

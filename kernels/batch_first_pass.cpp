@@ -6,7 +6,8 @@
 
 #include "asterism/kernels/semi_static_filter.hpp"
 
-// The same body for every instruction set: inlined into functions that differ in their target.
+// Inlines one body into functions that differ in their target, so that every instruction set runs
+// the same code.
 #define ASTERISM_INLINE [[gnu::always_inline]] inline
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -22,8 +23,8 @@ namespace {
 using semi_static::bound_factor;
 using vector = displacement<double>;
 
-// What decide() of the semi-static tier says, as numbers of 64 bits: a vector of comparisons has
-// the width of what was compared.
+// Number of 64 bits that holds one answer of the semi-static tier's decide(): a vector of
+// comparisons has the width of what was compared.
 using number = std::int64_t;
 
 struct verdict {

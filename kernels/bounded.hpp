@@ -50,7 +50,7 @@ class bounded {
     if (!(divisor > smallest)) return {quotient, std::numeric_limits<double>::infinity()};
     return inflated(quotient, (a.error_ + std::abs(quotient) * b.error_) / divisor);
   }
-  // Of max(0, a).
+  // Returns the root of max(0, a).
   friend bounded root(bounded a) {
     if (a.certainly_positive()) {
       const double r = std::sqrt(a.value_);

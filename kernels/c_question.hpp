@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the C functions have in common: the checks of a question's numbers, and the border that no
+// Holds what the C functions share: the checks of a question's numbers, and the border that no
 // exception crosses.
 #pragma once
 

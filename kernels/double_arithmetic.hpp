@@ -92,7 +92,7 @@ inline std::optional<double> find_witness(const insertion_question<double>& ques
   });
 }
 
-// Where the arc, which contains 0, ends: a little beyond, or infinite.
+// Ends of the arc, which contains 0: each a little beyond the true one, or infinite.
 struct arc_extent {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();

@@ -110,8 +110,8 @@ bool double_kernel::insertion_test(const site& v, const site& w, const site& x,
 }
 
 bool double_kernel::edge_test(const site& v, const site& w, const site& x, const site& y) const {
-  // Of ties only those of equal metrics are broken: whether four bisectors of different metrics
-  // meet in a point cannot be asked of rounded numbers.
+  // Breaks only ties of equal metrics: whether four bisectors of different metrics meet in a point
+  // cannot be asked of rounded numbers.
   return insertion_answer(
       v, w, x, y, equal_metric_tie_goes_to_edge(v.position, w.position, x.position, y.position));
 }

@@ -151,10 +151,10 @@ struct insertion_sections {
 }
 
 uncertain_bool search_arc(const site& v, const site& w, const site& x, const site& y) {
-  // What is not settled soon is a tie or a tangency, which no number of ranges settles and the
-  // sections of the line do for less. Sets of 64 questions one unit from the border, and of as many
-  // ties, took 28 and 108 ms with 64 ranges, 24 and 73 with 32, 22 and 56 with 16, 24 and 47
-  // with 8.
+  // Leaves questions that are not settled soon to the sections of the line. They are ties or
+  // tangencies, which no number of ranges settles and the sections do for less. Sets of 64
+  // questions one unit from the border, and of as many ties, took 28 and 108 ms with 64 ranges, 24
+  // and 73 with 32, 22 and 56 with 16, 24 and 47 with 8.
   constexpr int most_ranges = 16;
   const floating_point_scope scope(rounding::nearest);
   const scaled_input<4, 0> input({&v, &w, &x, &y}, {});

@@ -35,7 +35,7 @@ dense_polynomial dense_polynomial::derivative() const {
 
 void dense_polynomial::make_primitive() {
   if (is_zero()) return;
-  // Of the odd parts; the powers of two are dealt with below.
+  // Greatest common divisor of the odd parts; the powers of two are dealt with below.
   integer content;
   for (dyadic& c : coefficients_) {
     c.shorten();
@@ -211,8 +211,8 @@ struct isolation {
     run(from, high, count, splits + 1);
   }
 
-  // Where to cut between roots that halving does not tell apart soon: there is a root of the slope
-  // between them, which is found fast.
+  // Returns where to cut between roots that halving does not tell apart soon: there is a root of
+  // the slope between them, which is found fast.
   std::vector<dyadic> beside_turns(const dyadic& low, const dyadic& high) {
     if (!turns) turns = isolate_real_roots(slope);
     const long narrow = (high - low).magnitude() - 32;
@@ -282,7 +282,8 @@ void real_root::refine() {
   }
 }
 
-// Of 2^bits cells, is the root in that in which the secant has it?
+// Narrows the interval towards the one of 2^bits cells in which the secant has the root. True if
+// the root is in that cell, or was met exactly.
 bool real_root::narrow_to_cell(int bits) {
   const double share = share_of_first(p_.value_at(low_), p_.value_at(high_));
   const double cells = std::ldexp(1.0, bits);

@@ -28,7 +28,7 @@ class dense_polynomial {
   dyadic value_at(const dyadic& x) const;
   sign sign_at(const dyadic& x) const { return value_at(x).sign_value(); }
   dense_polynomial derivative() const;
-  // The same roots with coefficients divided by their common positive factor.
+  // Divides the coefficients by their common positive factor, which keeps the roots.
   void make_primitive();
 
   // A positive multiple of the remainder, respectively of the quotient up to sign.

@@ -15,7 +15,7 @@
 
 namespace asterism::internal {
 
-// What the verdict "site i (v or w) dominates p over x" depends on, as functions along the arc.
+// Functions along the arc that the verdict "site i (v or w) dominates p over x" depends on.
 enum class pair_function {
   tangents_to_x,
   tangents_from_x,
@@ -25,7 +25,7 @@ enum class pair_function {
   steepness_from_x
 };
 
-// The same number over another type, or enclosed in it. Overloaded for the pairs in use.
+// Returns the number as another type, or enclosed in it. Overloaded for the pairs in use.
 template <class Number>
 const Number& number_as(const Number& x) {
   return x;

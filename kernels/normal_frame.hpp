@@ -103,7 +103,7 @@ class normal_frame {
   }
 
  private:
-  // Where 16 rho and the second order of rho are below the tolerances of star_gap.
+  // Greatest tilt at which 16 rho and the second order of rho are below the tolerances of star_gap.
   static constexpr double most_tilt = 0x1p21;
 
   point origin_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a kernel is: the ten predicates, each with the same arguments, answered for certain by all,
-// or by all with an answer that may be empty. Every kernel asserts it, so that none can drift.
+// Defines what a kernel is: the ten predicates, each with the same arguments, answered for certain
+// by all, or by all with an answer that may be empty. Every kernel asserts it, so that none can
+// drift.
 #pragma once
 
 #include <concepts>

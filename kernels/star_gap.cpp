@@ -11,9 +11,10 @@ using namespace star_gap_detail;
 
 namespace {
 
-// What is not sharp, namely every side condition, is decided only `tolerance` times its magnitude
-// away from zero; divisors and roots that it is made of are known to within `ingredient`, an
-// eighth of that. Both grow with the frame's rho only when that is large.
+// Returns the tolerance for the ingredients of conditions that are not sharp, namely every side
+// condition. Such a condition is decided only `tolerance` times its magnitude away from zero;
+// divisors and roots that it is made of are known to within `ingredient`, an eighth of that. Both
+// grow with the frame's rho only when that is large.
 double ingredient_tolerance(double rho) {
   const double needed = 0x1p14 * rho;
   return needed > 0x1p-18 ? needed : 0x1p-18;
@@ -120,7 +121,7 @@ bool star_gap::enclose_meeting(neighbour& z) const {
   z.highest = s + above;
   if (!(ray.at(s - above) < -error && ray.at(z.highest) > error)) return false;
   const double convexity_error = convexity_depth * rho * convexity_magnitude(extent, trace);
-  // Where s may not be concave the bound is that of the nearest metric that makes it so.
+  // Takes the bound of the nearest metric that makes s concave, if s may not be.
   const double u_over_c = (u_extent_ * u_extent_) * inverse_c;
   const double lower_error = error + 3 * convexity_error * u_over_c;
   const double below = lower_error * inverse_root;
@@ -143,7 +144,8 @@ bool star_gap::never_met(neighbour& z, const ray_equation<double>& ray, double d
   return ray.h < -h_error && ray.a < -a_error;
 }
 
-// Where s is certainly convex its tangent at u, else what is left of the bound without its root.
+// Prepares the bound from below: the tangent of s at u if s is certainly convex, else what is left
+// of the bound without its root.
 bool star_gap::bound_below(neighbour& z, double discriminant, double inverse_root,
                            bool convex) const {
   const auto& d = z.site.offset;
@@ -312,7 +314,8 @@ bool star_gap::refuted(const candidate& w, double at_lowest) const {
     return false;
   const auto top = bound_above(w);
   if (!top) return false;
-  // Where s may not be convex, S is that of the nearest metric that makes it so.
+  // Takes S of the nearest metric that makes s convex, if s may not be, and requires that the ray
+  // equation leaves room for it.
   if (!top->concave && !(at_lowest * w.ray.c > 4 * top->convexity_error * (u_extent_ * u_extent_)))
     return false;
   return closed_towards(x_, w, *top, w.turn_x, 1) && closed_towards(y_, w, *top, w.turn_y, -1);

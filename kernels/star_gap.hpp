@@ -58,7 +58,8 @@ class star_gap {
     // Away from u that bound is at least slope . direction where |u|^2 >= bend (u x d)^2.
     displacement<double> slope;
     double slope_magnitude = 0, bend = 0;
-    // Of the ray equation's discriminant, where the bound is the tangent at u (bend is 0).
+    // Inverse root of the ray equation's discriminant, if the bound is the tangent at u (bend is
+    // 0); else 0.
     double inverse_root = 0;
   };
   struct candidate;

@@ -45,7 +45,7 @@ inline unsigned sign_bits(two_doubles x) {
 #endif
 }
 
-// The same component of two displacements, points or metrics.
+// Pair of displacements, points or metrics, one component of both in each vector.
 struct two_displacements {
   two_doubles x, y;
 };

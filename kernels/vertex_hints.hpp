@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Where to look first along an arc, in plain doubles: the parameters at which x and y become as
-// near as v and w, from Newton's method on the Voronoi vertices of v, w, x and v, w, y. For close
-// sites of a smooth metric field these are the only cuts that matter. Nothing is promised:
-// arc_search proves what it uses.
+// Proposes where to look first along an arc, in plain doubles: the parameters at which x and y
+// become as near as v and w, from Newton's method on the Voronoi vertices of v, w, x and v, w, y.
+// For close sites of a smooth metric field these are the only cuts that matter. Nothing is
+// promised: arc_search proves what it uses.
 #pragma once
 
 #include <cmath>

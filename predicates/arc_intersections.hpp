@@ -32,8 +32,8 @@ uncertain_bool is_root_on_arc(const visible_arc<Number>& arc, Root& root) {
                  is_positive(Arithmetic::sign_at(arc.a, root)));
 }
 
-// Where the norm of f vanishes: f is zero on whole sections of the arc, or only where P and beta
-// are. True: on a whole section.
+// Tells where f vanishes if its norm does: true if f is zero on a whole section of the arc, false
+// if only where P and beta are.
 template <class Arithmetic, class Number>
 uncertain_bool vanishes_on_a_section(const visible_arc<Number>& arc, const arc_function<Number>& f,
                                      const polynomial<Number, 2>& rational_part) {

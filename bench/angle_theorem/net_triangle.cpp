@@ -47,7 +47,7 @@ other_site make_site(const configuration_box& box, int first, const hypotheses& 
   return s;
 }
 
-// What bounds |w|^2 in the site's metric, of which |u| = 1 and the distortion are known.
+// Bounds |w|^2 in the site's metric, of which |u| = 1 and the distortion are known.
 struct length_bound {
   interval w2, u2, area2;    // |w|^2, |u|^2, (w x u)^2, all as a measures them
   interval sum, difference;  // (t^2 + t^-2)/2 and (t^2 - t^-2)/2 of the distortion t

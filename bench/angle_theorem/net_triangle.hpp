@@ -22,8 +22,8 @@ struct hypotheses {
   double distortion_cap = 0;  // (1 - sigma R)^-2 from above
 };
 
-// Of decimal numbers given as doubles: sigma R, the ratio R / lambda, and the angle in degrees.
-// Asks for 0 <= variation < 1/4, 1 <= ratio and 0 < degrees <= 60.
+// Makes the hypotheses of decimal numbers given as doubles: sigma R, the ratio R / lambda, and the
+// angle in degrees. Requires 0 <= variation < 1/4, 1 <= ratio and 0 < degrees <= 60.
 hypotheses make_hypotheses(double variation, double ratio, double degrees);
 
 // A box of configurations: u_x, u_y, v_x, v_y.
@@ -38,8 +38,8 @@ enum class box_verdict {
   undecided,
 };
 
-// What is certain of all configurations in the box. Stands in a floating_point_scope with rounding
-// upward.
+// Returns what is certain of all configurations in the box. Requires a floating_point_scope with
+// rounding upward.
 box_verdict judge(const configuration_box& box, const hypotheses& given);
 
 }  // namespace asterism::internal::angle_theorem

@@ -2,10 +2,10 @@
 //
 //   phases_bench METRIC SIZE [ROUNDS]
 //
-// Where the time of the main job on the square goes, on one thread and on all of them, by turns:
+// Measures the phases of the main job on the square, on one thread and on all of them, by turns:
 // refinement (fill, stars, survey, mending), the audit, and bulk building: all stars at once from
-// the sites and the boundary of the mesh that came out. Refinement also on plain doubles. Prints
-// medians as JSON.
+// the sites and the boundary of the mesh that came out. Measures refinement also on plain doubles.
+// Prints medians as JSON.
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 

@@ -33,7 +33,7 @@ struct asterism_mesh {
 
 namespace {
 
-// Where a message goes; nowhere if there is no room.
+// Buffer of the caller that a message is written to; without room nothing is written.
 class message_buffer {
  public:
   message_buffer(char* text, size_t capacity)

@@ -75,9 +75,9 @@ struct refinement_ending {
   std::optional<crowded_site> crowded;   // crowded: the most crowded site
   std::string stopped_because;           // stopped: what mesh_options::stop said
   bool nothing_added = false;  // the given vertices were complete by themselves, and are the mesh
-  // Where the size wanted would have taken more sites than max_sites allows, all edges were made
-  // this many times as long, and about so many sites would have been wanted (0: the run was stopped
-  // before that could be told).
+  // Factor by which all edges were made longer because the size wanted would have taken more sites
+  // than max_sites allows, default 1; and about how many sites would have been wanted (0: the run
+  // was stopped before that could be told).
   double length_factor = 1, sites_wanted = 0;
 };
 
@@ -136,7 +136,7 @@ struct mesh_outcome {
   // How the refinement in a relaxed metric ended that was stopped; the mesh is then of the metric
   // given, and `ended` is how refinement had ended there.
   std::optional<refinement_ending> stopped_relaxing;
-  // Where the mesh was made by local changes, in the metric that is delivered.
+  // Report in the metric that is delivered; present if the mesh was made by local changes.
   std::optional<delivered_report> delivered;
   // The auditor's report, where the mesher asked for it already: with the angle bound and the
   // domain of the run, no corner exempt, and nothing asked of the Voronoi diagram.

@@ -16,7 +16,7 @@ struct _cairo;  // NOLINT(bugprone-reserved-identifier)
 namespace asterism::internal {
 
 // Returns the bytes of a file of `width` by `height` (pixels or points) that `paint` has drawn on.
-// The same drawing gives the same bytes: no dates, no counters of the process. Fails when cairo
+// A drawing always gives the same bytes: no dates, no counters of the process. Fails when cairo
 // does.
 result<std::string> paint_file(picture_format format, int width, int height,
                                const std::function<void(_cairo*)>& paint);

@@ -9,8 +9,8 @@
 // their distance: at most about (4/pi) eps^-2 of the metric area (docs/math/refinement.md). The
 // rounds are bounded besides, and so is the work for each site, by counts.
 //
-// What comes out is a proposal, in doubles. That each site is strictly inside the domain is exact,
-// as are the given vertices; everything else is for exact stars to judge.
+// The result is a proposal, in doubles. Exact is that each site is strictly inside the domain, and
+// the given vertices; everything else is for exact stars to judge.
 #pragma once
 
 #include <cstddef>
@@ -39,9 +39,9 @@ struct fill_options {
 };
 
 struct filled_domain {
-  // Of each segment the points that divide it, in its direction, ends left out.
+  // For each segment the points that divide it, in its direction, ends left out.
   std::vector<std::vector<site>> divisions;
-  // In the order of a space-filling curve.
+  // Sites inside the domain, in the order of a space-filling curve.
   std::vector<site> interior;
   std::size_t rounds = 0;
   bool complete = false;  // false: max_sites was reached, it is crowded, or stopped

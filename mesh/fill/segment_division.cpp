@@ -83,7 +83,8 @@ class arc_length {
   std::optional<error> failure_;
 };
 
-// What the first subsegments at a vertex should measure on all its segments.
+// Returns, for each vertex, the metric length wanted of the first subsegments at it, the same on
+// all its segments.
 std::vector<double> first_subsegments(const domain& d, const std::vector<arc_length>& measured,
                                       double longest) {
   std::vector<double> wanted(d.vertices.size(), 0.92 * longest);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the segments of the domain are to be divided so that all subsegments are about equally long
-// in the metric: the first step of filling a domain.
+// Divides the segments of the domain so that all subsegments are about equally long in the metric:
+// the first step of filling a domain.
 //
 // Lengths are integrals along the segment, taken numerically in plain doubles: they decide where
 // points are proposed, nothing else. The subsegments next to a vertex are about equally long on all

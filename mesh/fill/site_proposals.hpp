@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a fill might place its next sites, and the choice among these places.
+// Proposes places for the next sites of a fill, and chooses among them.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct site_proposal {
   double squared_radius;  // to the sites around, as the first of them measures
 };
 
-// What proposals are made from; all of it must outlive them.
+// Parts that proposals are made from; all of it must outlive them.
 struct fill_parts {
   const domain& shape;
   bounding_box box;

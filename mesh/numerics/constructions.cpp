@@ -84,8 +84,8 @@ struct line_equation {
 // Improves q by Newton's method for f_a = f_b = f_c. Nothing when it leaves the plane or stops
 // short of a zero.
 //
-// Where bisectors cross, each step squares the error; where they touch, it halves it, and the miss
-// is the square of the error: 20 steps then leave 2^-40. A step of 1e-15 is about the rounding of
+// Each step squares the error where bisectors cross. Where they touch, it halves the error, and the
+// miss is the square of that: 20 steps then leave 2^-40. A step of 1e-15 is about the rounding of
 // the point. The limit of the miss separates two heaps: of the starts of 20,000 random triples for
 // each of 15 kinds (aspects 1 to 30, metrics alike or up to e^3 apart), points found miss by less
 // than 1e-11 of the squared distance and others by more than 1e-6, but for one in a thousand.

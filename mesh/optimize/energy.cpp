@@ -13,14 +13,15 @@
 namespace asterism::internal::fitting {
 namespace {
 
-// The weights were found by experiment (docs/design/fitting.md).
+// Weights and margins, found by experiment (docs/design/fitting.md).
 constexpr double weight_of_area = 0.05;
 constexpr double weight_of_stars = 0.5;
 constexpr double weight_below_bound = 200;
 constexpr double far_margin = 0.1, subsegment_margin = 0.05;
 constexpr double without_centre = 100;  // an edge of a triangle with no centre, times the weight
 constexpr double most_angle_energy_at_sharp_corner = 1e3;
-// Squared, in areas wanted: a centre farther away is that of no triangle to be kept.
+// Greatest squared distance of a centre, in areas wanted. A centre farther away is that of no
+// triangle to be kept.
 constexpr double farthest_centre = 120;
 
 double angle_energy(double cotangent, const angle_targets& wanted) {
@@ -47,8 +48,8 @@ fit_site make_fit_site(const point& q, const metric_tensor& m, double log_area) 
   return {q, m, f11, m.m12 / f11, std::sqrt(least_across(m.m22, m.m12, m.m11)), log_area};
 }
 
-// Differences, products and their difference are each rounded once: 4 epsilon of the products
-// covers it.
+// Compares with 4 epsilon of the products, which covers the errors: differences, products and their
+// difference are each rounded once.
 bool surely_turns_left(const point& a, const point& b, const point& c) {
   constexpr double part = 4 * std::numeric_limits<double>::epsilon();
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);

@@ -11,7 +11,7 @@
 namespace asterism::internal::fitting {
 namespace {
 
-// Below the bound and this much more the energy is steeper (docs/design/fitting.md).
+// Degrees above the bound below which the energy is steeper (docs/design/fitting.md).
 constexpr double degrees_to_spare = 0.5;
 
 double cotangent(double degrees) { return 1 / elementary::tan(degrees * std::numbers::pi / 180); }
@@ -79,7 +79,8 @@ double mesh_energies::shape_of(const mutable_triangulation& net,
   return shape_energy(sites[v[0]], sites[v[1]], sites[v[2]], wanted_, corners_.touch(net, v));
 }
 
-// A subsegment at a sharp corner cannot have the centre on its inner side, and need not.
+// Returns the energy of an edge as the centre of t sees it. A subsegment at a sharp corner counts
+// nothing: it cannot have the centre on its inner side, and need not.
 double mesh_energies::of_edge(const mutable_triangulation& net, vertex_index t,
                               std::size_t edge) const {
   const fit_triangle& here = net.triangles()[t];
@@ -127,7 +128,7 @@ double mesh_energies::of_edges_of_pair(const mutable_triangulation& net, vertex_
   return sum;
 }
 
-// Shapes come first: they cost less than centres, and most trials fail by them.
+// Judges shapes first: they cost less than centres, and most trials fail by them.
 double mesh_energies::try_around(const mutable_triangulation& net, vertex_index v, double below) {
   const std::vector<vertex_index>& triangles = net.around(v);
   old_shapes_.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The energies (optimize/energy.hpp) of all triangles and edges of a triangulation, kept up as it
-// changes: whoever changes it has what changed judged anew.
+// Keeps the energies (optimize/energy.hpp) of all triangles and edges of a triangulation as it
+// changes. Whoever changes it must have the changed triangles judged anew.
 #pragma once
 
 #include <array>
@@ -16,10 +16,11 @@ namespace asterism::internal::fitting {
 
 class mesh_energies {
  public:
-  // Judges all triangles, by their shapes alone. Degrees: the bound, and the angle aimed at.
+  // Judges all triangles by their shapes alone. The bound and the angle aimed at are in degrees.
   mesh_energies(const mutable_triangulation& net, double angle_bound, double target_angle);
 
-  // True if edges are judged as well: what their stars would say. Computes the centres.
+  // Sets whether edges are judged as well, by what their stars would say. Judges all triangles
+  // again and, if so, computes their centres.
   void judge_stars(const mutable_triangulation& net, bool yes);
   bool judges_stars() const { return judges_stars_; }
 
@@ -30,23 +31,25 @@ class mesh_energies {
 
   // True for a triangle at a sharp corner.
   bool is_sharp(vertex_index t) const { return sharp_[t] != 0; }
-  // Set for a triangle that was judged; whoever examines it takes the mark away.
+  // True if the triangle was judged since the mark was cleared; whoever examines it clears the
+  // mark.
   bool is_changed(vertex_index t) const { return changed_[t] != 0; }
   void set_changed(vertex_index t) { changed_[t] = 1; }
   void clear_changed(vertex_index t) { changed_[t] = 0; }
 
   double shape(vertex_index t) const { return shapes_[t]; }
-  // The energy that a triangle of these vertices would have.
+  // Returns the energy of shape that a triangle of these vertices would have.
   double shape_of(const mutable_triangulation& net, const std::array<vertex_index, 3>& v) const;
-  // The shape's, and those of the edges as the triangle's own centre sees them.
+  // Returns the energy of t's shape and of its edges as its own centre sees them.
   double of_triangle(const mutable_triangulation& net, vertex_index t) const;
-  // All that change when v moves.
+  // Returns the sum of all energies that change when v moves.
   double around(const mutable_triangulation& net, vertex_index v) const;
-  // Those of edges that change when two triangles next to each other make way for others.
+  // Returns the sum of the energies of edges that change when two triangles next to each other make
+  // way for others.
   double of_edges_of_pair(const mutable_triangulation& net, vertex_index t, vertex_index s) const;
 
-  // Judges the triangles around v, which has moved on trial, and returns the energy around it; or a
-  // part of it, as soon as that is not less than `below`. restore_around() puts all back.
+  // Judges the triangles around v, which has moved on trial. Returns the energy around it, or a
+  // part of it as soon as that is not less than `below`. restore_around() puts all back.
   double try_around(const mutable_triangulation& net, vertex_index v, double below);
   void restore_around(const mutable_triangulation& net, vertex_index v);
 
@@ -60,10 +63,10 @@ class mesh_energies {
   angle_targets wanted_;
   sharp_corners corners_;
   bool judges_stars_ = false;
-  std::vector<double> shapes_;  // by triangle, as the next three
+  std::vector<double> shapes_;  // by triangle, like the next three
   std::vector<voronoi_centre> centres_;
   std::vector<char> sharp_, changed_;
-  std::vector<double> old_shapes_;  // of the trial, as the next
+  std::vector<double> old_shapes_;  // from before the trial, like the next
   std::vector<voronoi_centre> old_centres_;
 };
 

@@ -53,7 +53,7 @@ std::optional<mutable_mesh::target_place> mutable_mesh::displaced(vertex_index v
                                                                   const point& in_disc) const {
   if (kind(v) == vertex_kind::given) return std::nullopt;
   const fit_site& s = sites()[v];
-  // Edges of triangles of the area wanted, were they equilateral.
+  // Takes as unit the edge of an equilateral triangle of the area wanted.
   const double edge = 2 * elementary::exp(s.log_area / 2) / std::sqrt(std::numbers::sqrt3);
   const double u = length * edge * in_disc.x, w = length * edge * in_disc.y;
   if (kind(v) == vertex_kind::free) {
@@ -79,8 +79,8 @@ bool mutable_mesh::turns_left_at(vertex_index v, const point& to) const {
   });
 }
 
-// A vertex at another place, for as long as this exists: its site and the energies around it are
-// put back unless the move is kept.
+// Puts a vertex at another place for as long as this exists. Restores its site and the energies
+// around it unless the move is kept.
 class mutable_mesh::trial_move {
  public:
   trial_move(mutable_mesh& m, vertex_index v, const fit_site& moved)
@@ -131,7 +131,7 @@ std::optional<double> mutable_mesh::flip(vertex_index t, std::size_t edge, doubl
   if (!(first < before)) return std::nullopt;
   const double second = energies_.shape_of(net_, {c, d, b});
   if (!(first + second < before)) return std::nullopt;
-  // From c: its edges to a and b; from d: those to b and a.
+  // Keeps the segments of the outer edges: t has those at a, s those at b.
   set_triangle(t, {c, a, d}, {old_s.segment[(far + 1) % 3], none, old_t.segment[(edge + 2) % 3]});
   set_triangle(s, {c, d, b}, {old_s.segment[(far + 2) % 3], old_t.segment[(edge + 1) % 3], none});
   const double after =
@@ -158,7 +158,8 @@ std::optional<double> mutable_mesh::collapse_cost(vertex_index v, vertex_index w
 
 void mutable_mesh::collapse(vertex_index v, vertex_index w) {
   const auto plan = *net_.plan_collapse(v, w);
-  // The edge from v to a common neighbour becomes the one from w, which may be a subsegment.
+  // Remembers the segment of each edge from v to a common neighbour. That edge becomes the one from
+  // w, which may be a subsegment.
   std::vector<std::pair<vertex_index, vertex_index>> segment_at;
   for (const vertex_index t : plan.gone) {
     const fit_triangle& here = triangles()[t];
@@ -184,7 +185,8 @@ double mutable_mesh::along_segment(vertex_index v, vertex_index segment) const {
   return net_.shape().segments[segment].a == v ? 0 : 1;
 }
 
-// Returns the middle of the edge; of a subsegment, the point of its segment half way along.
+// Returns the middle of the edge. On a subsegment, it is the point half way along the segment's
+// part.
 mutable_mesh::target_place mutable_mesh::middle_of(vertex_index t, std::size_t edge) const {
   const fit_triangle& here = triangles()[t];
   const vertex_index a = here.v[(edge + 1) % 3], b = here.v[(edge + 2) % 3];
@@ -207,7 +209,7 @@ bool mutable_mesh::can_cut(const side& whole, const point& middle) const {
   return surely_turns_left(x, y, middle) && surely_turns_left(x, middle, z);
 }
 
-// Makes two triangles of one, cut from the vertex across the edge to its middle.
+// Cuts a triangle in two, from the vertex across the edge to the edge's middle.
 void mutable_mesh::cut(const fit_triangle& whole, const side& at, vertex_index middle) {
   const std::size_t i = at.edge;
   const vertex_index x = whole.v[i], y = whole.v[(i + 1) % 3], z = whole.v[(i + 2) % 3];

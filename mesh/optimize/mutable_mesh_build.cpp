@@ -109,8 +109,8 @@ class builder {
     return std::nullopt;
   }
 
-  // Afterwards every edge is a subsegment, or has a triangle on either side, and every vertex is in
-  // a triangle.
+  // Checks that every edge is a subsegment or has a triangle on either side, and that every vertex
+  // is in a triangle.
   std::optional<error> check_neighbours() const {
     for (vertex_index t = 0; t < net_.triangles().size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -138,8 +138,8 @@ class builder {
   mutable_triangulation net_;
 };
 
-// Returns the mean of the logarithms at the vertices of the triangles at each vertex, each once for
-// each triangle.
+// Returns, for each vertex, the mean of the logarithms at the vertices of the triangles at it. A
+// vertex counts once for each triangle.
 std::vector<double> smoothed(const mutable_triangulation& net, const std::vector<double>& logs) {
   std::vector<double> means(logs.size());
   for (vertex_index v = 0; v < logs.size(); ++v) {
@@ -159,7 +159,7 @@ result<mutable_triangulation> build_triangulation(const domain& d, field_sampler
 }
 
 void choose_areas(mutable_triangulation& net) {
-  // Triangles come out larger than those of the start by this much: it takes fewer to be as good.
+  // Number of triangles wanted, as a part of the start's: larger ones are enough to be as good.
   constexpr double part_of_triangles = 0.76;
   constexpr int rounds_of_smoothing = 10;
   const std::vector<fit_triangle>& triangles = net.triangles();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// From a finished mesh to the triangulation that is optimised.
+// Builds the triangulation that is to be optimised from a finished mesh.
 #pragma once
 
 #include "asterism/core/result.hpp"
@@ -17,8 +17,8 @@ namespace asterism::internal::fitting {
 result<mutable_triangulation> build_triangulation(const domain& d, field_sampler& sampler,
                                                   const mesh& start);
 
-// Sets the metric area wanted at each vertex: that of the triangles around it, smoothed so that
-// single ones do not count, then all enlarged so that it takes fewer triangles.
+// Sets the metric area wanted at each vertex. It is that of the triangles around it, smoothed so
+// that single ones do not count, then all enlarged so that it takes fewer triangles.
 void choose_areas(mutable_triangulation& net);
 
 }  // namespace asterism::internal::fitting

@@ -13,7 +13,7 @@ std::optional<side> mutable_triangulation::opposite(vertex_index t, std::size_t 
   const vertex_index s = triangles_[t].next[edge];
   if (s == none) return std::nullopt;
   const vertex_index from = triangles_[t].v[(edge + 1) % 3];
-  // `from` is the second end of the edge as the next triangle runs through it.
+  // Uses that `from` is the second end of the edge as the next triangle runs through it.
   return side{s, (triangles_[s].corner_of(from) + 1) % 3};
 }
 
@@ -99,7 +99,8 @@ bool mutable_triangulation::set_subsegment(vertex_index a, vertex_index b, verte
   return false;
 }
 
-// A sliding vertex goes along its segment only.
+// True if v is of a kind that may go to w: a given vertex stays, and a sliding one goes along its
+// segment only.
 bool mutable_triangulation::may_collapse(vertex_index v, vertex_index w) const {
   if (kinds_[v] == vertex_kind::given || v == w) return false;
   if (kinds_[v] == vertex_kind::free) return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A triangulation of a domain that can be changed and put back: vertices, triangles, who is next to
-// whom, and a log. It knows nothing of what a change is good for.
+// Holds a triangulation of a domain that can be changed and restored: vertices, triangles, who is
+// next to whom, and a log. It knows nothing of what a change is good for.
 #pragma once
 
 #include <array>
@@ -17,17 +17,19 @@ namespace asterism::internal::fitting {
 
 inline constexpr vertex_index none = ~vertex_index{0};
 
-// `given`: a vertex of the domain, which stays. `sliding`: inside a segment, moves along it.
+// How a vertex may move. A `given` one is a vertex of the domain and stays. A `sliding` one is
+// inside a segment and moves along it.
 enum class vertex_kind : char { given, sliding, free };
 
-// Where a sliding vertex is on its segment, from 0 to 1 in the segment's direction.
+// Place of a sliding vertex on its segment, from 0 to 1 in the segment's direction.
 struct place_on_segment {
   vertex_index segment = none;
   double along = 0;
 };
 
-// Vertices counter-clockwise. Edge i lies across from vertex i: the triangle on its other side, and
-// the segment it is a subsegment of. A triangle that is gone has no vertices.
+// Triangle with its vertices counter-clockwise. Edge i lies across from vertex i: `next` is the
+// triangle on its other side, `segment` the one it is a subsegment of. A removed triangle has no
+// vertices.
 struct fit_triangle {
   std::array<vertex_index, 3> v{none, none, none};
   std::array<vertex_index, 3> segment{none, none, none};
@@ -37,7 +39,7 @@ struct fit_triangle {
   std::size_t corner_of(vertex_index u) const { return v[0] == u ? 0 : v[1] == u ? 1 : 2; }
 };
 
-// An edge as the triangle on its left has it.
+// Edge as the triangle on its left has it.
 struct side {
   vertex_index triangle = none;
   std::size_t edge = 0;
@@ -45,7 +47,7 @@ struct side {
 
 class mutable_triangulation {
  public:
-  // Empty. The domain must outlive it.
+  // Starts empty. The domain must outlive it.
   explicit mutable_triangulation(const domain& d) : domain_(&d) {}
 
   const domain& shape() const { return *domain_; }
@@ -53,44 +55,44 @@ class mutable_triangulation {
   vertex_kind kind(vertex_index v) const { return kinds_[v]; }
   const place_on_segment& place(vertex_index v) const { return places_[v]; }
   const std::vector<fit_triangle>& triangles() const { return triangles_; }
-  // The triangles at v.
+  // Returns the triangles at v.
   const std::vector<vertex_index>& around(vertex_index v) const { return around_[v]; }
-  // The same edge as the triangle on its other side has it; nothing where there is none.
+  // Returns the edge as the triangle on its other side has it; nothing where there is none.
   std::optional<side> opposite(vertex_index t, std::size_t edge) const;
-  // The vertex across edge i; requires a next triangle.
+  // Returns the vertex across the edge; requires a triangle there.
   vertex_index far_vertex(vertex_index t, std::size_t edge) const;
 
   vertex_index add_vertex(const fit_site& s, vertex_kind kind, const place_on_segment& place);
-  // Makes a free vertex one of a segment; for building.
+  // Makes a free vertex one that slides on a segment; for building.
   void put_on_segment(vertex_index v, const place_on_segment& place);
   void set_log_area(vertex_index v, double log_area) { sites_[v].log_area = log_area; }
-  // Replaces the site of v and returns the one before: a trial, which is not logged. It ends by
-  // replacing it again or by keep_move().
+  // Replaces the site of v on trial and returns the one before. This is not logged. The trial ends
+  // by replacing it again or by keep_move().
   fit_site replace_site(vertex_index v, const fit_site& s);
   void keep_move(vertex_index v, const fit_site& before, double along);
 
-  // Adds a place for a triangle, which does not exist yet.
+  // Adds a place for a triangle, which does not exist yet. Returns its index.
   vertex_index add_triangle();
-  // Makes t a triangle of these vertices, next to those that have its edges, or removes it: no
-  // vertices. Where several change in turn, each finds its neighbours by the direction in which
+  // Makes t a triangle of these vertices, next to those that have its edges; with no vertices,
+  // removes it. When several change in turn, each finds its neighbours by the direction in which
   // they run through the common edge, so that old and new ones are not mistaken.
   void set_triangle(vertex_index t, const std::array<vertex_index, 3>& v,
                     const std::array<vertex_index, 3>& segment);
-  // Makes the edge from a to b, as the triangle on its left has it, a subsegment. False when there
-  // is no such edge.
+  // Makes the edge from a to b, as the triangle on its left has it, a subsegment. False if there is
+  // no such edge.
   bool set_subsegment(vertex_index a, vertex_index b, vertex_index segment);
 
-  // Collapsing v into its neighbour w: the triangles at v that have w too vanish, the others stay
-  // and get w for v.
+  // Effect of collapsing v into its neighbour w. The triangles at v that have w too vanish
+  // (`gone`), the others get w for v (`stay`).
   struct collapse_plan {
     std::vector<vertex_index> gone, stay;
   };
-  // Nothing where that would change what is given, or leave no triangulation: v and w may have no
-  // common neighbours but those in triangles with both.
+  // Plans the collapse of v into w. Returns nothing where it would change what is given, or leave
+  // no triangulation: v and w may have no common neighbours but those in triangles with both.
   std::optional<collapse_plan> plan_collapse(vertex_index v, vertex_index w) const;
 
-  // From begin() on changes are logged until they are kept or undone. Undone, there are the same
-  // triangles under the same numbers; undo() returns those that exist and were touched, ascending.
+  // Logs changes from begin() on until they are kept or undone. Undoing restores the same triangles
+  // under the same numbers. undo() returns those that exist and were touched, ascending.
   void begin();
   void keep() { logs_ = false; }
   std::vector<vertex_index> undo();
@@ -109,7 +111,7 @@ class mutable_triangulation {
   std::vector<vertex_index> neighbours_but(vertex_index v, vertex_index a, vertex_index b) const;
 
   const domain* domain_;
-  std::vector<fit_site> sites_;  // by vertex, as the next three
+  std::vector<fit_site> sites_;  // by vertex, like the next three
   std::vector<vertex_kind> kinds_;
   std::vector<place_on_segment> places_;
   std::vector<std::vector<vertex_index>> around_;

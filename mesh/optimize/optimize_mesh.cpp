@@ -16,10 +16,11 @@ namespace {
 
 using fitting::mutable_mesh;
 using fitting::vertex_kind;
-// Of each segment how far along it each vertex is, and which.
+// For each segment its vertices, each with how far along the segment it is.
 using divided_segments = std::vector<std::vector<std::pair<double, vertex_index>>>;
 
-// Nine angles of much more than 29 degrees are asked too much of any triangulation.
+// Greatest angle aimed at, in degrees: no triangulation can have nine angles of much more in every
+// triangle.
 constexpr double most_degrees = 29.5;
 constexpr int first_sweeps = 60, sweeps_after_surgery = 20, rounds_of_surgery = 6;
 
@@ -37,7 +38,7 @@ class fitter {
     }
   }
 
-  // In the mesh's own coordinates.
+  // Returns the result, in the mesh's own coordinates.
   fitted_domain conclude() {
     count_low();
     found_.moves = moves_.moves();
@@ -83,7 +84,7 @@ class fitter {
     }
   }
 
-  // The vertices on each segment, in its direction.
+  // Returns the vertices on each segment, in its direction.
   divided_segments divide() const {
     divided_segments on(domain_.segments.size());
     for (vertex_index v = 0; v < mesh_.sites().size(); ++v)

@@ -31,8 +31,8 @@ sharp_corners::sharp_corners(const mutable_triangulation& net, double angle_boun
     }
 }
 
-// Returns the corner that begins at the triangle's edge from its vertex `at` to the next one, a
-// subsegment.
+// Returns the corner that begins at a subsegment, the triangle's edge from its vertex `at` to the
+// next one; none if it is not below the bound.
 std::optional<sharp_corners::corner> sharp_corners::corner_from(const mutable_triangulation& net,
                                                                 vertex_index t, std::size_t at,
                                                                 double angle_bound) {
@@ -54,8 +54,8 @@ std::optional<sharp_corners::corner> sharp_corners::corner_from(const mutable_tr
   return std::nullopt;
 }
 
-// Edges do not cross segments, so the middle of a triangle's corner tells on which side of them it
-// is.
+// Compares directions with the middle of a triangle's corner. Edges do not cross segments, so that
+// middle tells on which side of them the triangle is.
 bool sharp_corners::touch(const mutable_triangulation& net,
                           const std::array<vertex_index, 3>& v) const {
   if (corners_.empty()) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The corners of the domain that are below the angle bound as their own metric measures them: no
-// triangulation mends those. In plain doubles.
+// Finds the corners of the domain that are below the angle bound as their own metric measures them:
+// no triangulation mends those. In plain doubles.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@ namespace asterism::internal::fitting {
 
 class sharp_corners {
  public:
-  // The bound in degrees.
+  // Finds the corners below the bound, which is in degrees.
   sharp_corners(const mutable_triangulation& net, double angle_bound);
 
   // True if a triangle of these vertices, counter-clockwise, lies in such a corner.
   bool touch(const mutable_triangulation& net, const std::array<vertex_index, 3>& v) const;
 
  private:
-  // Counter-clockwise from one direction to the other.
+  // Corner swept counter-clockwise from one direction to the other.
   struct corner {
     vertex_index vertex = 0;
     point first, last;

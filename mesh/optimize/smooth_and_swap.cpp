@@ -13,7 +13,7 @@ namespace asterism::internal::fitting {
 namespace {
 
 constexpr int visits_before_rest = 3;
-// Of a visit: less is nothing. More wakes the neighbours.
+// Least gain of a visit that counts as one, and the gain that wakes the neighbours.
 constexpr double least_gain = 1e-6, waking_gain = 1e-4;
 constexpr double move_margin = 1e-13, flip_margin = 1e-12;
 constexpr int rounds_of_relaxing = 4;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Moves and flips, taken only where the energy falls: sweeps over all, or around one place.
+// Moves vertices and flips edges, only where the energy falls: in sweeps over all, or around one
+// place.
 //
-// A vertex is tried at random places around it, from a fixed sequence of its own, so that what is
-// done elsewhere does not change what it tries. One that gains nothing a few times rests until
-// something around it changes.
+// A vertex is tried at random places around it, from a fixed sequence of its own, so that changes
+// elsewhere do not affect what it tries. One that gains nothing a few times rests until something
+// around it changes.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +20,17 @@ namespace asterism::internal::fitting {
 
 class mover {
  public:
-  // Both must outlive it. `cancelled` is polled now and then; it ends a sweep.
+  // Works on `m`. Both must outlive it. `cancelled` is polled now and then; it ends a sweep.
   mover(mutable_mesh& m, const cancellation& cancelled) : mesh_(&m), cancelled_(&cancelled) {}
 
-  // All vertices that do not rest once, then flips wherever triangles changed. False when it was
-  // cancelled, or the field failed.
+  // Visits every vertex that does not rest once, then flips wherever triangles changed. False if it
+  // was cancelled or the field failed.
   bool sweep(double step);
-  // A few rounds around the vertices and those they reach over `depth` edges. The change of energy.
+  // Visits, in a few rounds, the vertices and those they reach over `depth` edges. Returns the
+  // change of energy.
   double relax(std::span<const vertex_index> seeds, int depth);
 
-  // The vertices, and those that triangles connect them to, over so many edges.
+  // Returns the vertices and those that triangles connect them to over `depth` edges.
   std::vector<vertex_index> ring(std::span<const vertex_index> seeds, int depth);
   void wake(std::span<const vertex_index> vertices);
   // Polls for cancellation; stays true once cancelled or once the field failed.
@@ -45,7 +47,7 @@ class mover {
 
   mutable_mesh* mesh_;
   const cancellation* cancelled_;
-  std::vector<std::uint32_t> tries_;  // by vertex, as the next two
+  std::vector<std::uint32_t> tries_;  // by vertex, like the next two
   std::vector<char> rests_;
   std::vector<std::uint32_t> mark_;
   std::uint32_t last_mark_ = 0;

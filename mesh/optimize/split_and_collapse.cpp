@@ -11,7 +11,7 @@
 namespace asterism::internal::fitting {
 namespace {
 
-// Of a triangle, with the edges as it sees them: less is left alone.
+// Least energy of a triangle, with the edges as it sees them, that is worth an attempt.
 constexpr double worth_an_operation = 0.05;
 constexpr double least_gain = 1e-3;
 
@@ -52,7 +52,7 @@ class surgeon {
     return sum;
   }
 
-  // All that have one of the vertices, each once.
+  // Returns the triangles that have one of the vertices, each once.
   std::vector<vertex_index> triangles_at(const std::vector<vertex_index>& vertices) const {
     std::vector<vertex_index> found;
     for (const vertex_index v : vertices)
@@ -61,8 +61,9 @@ class surgeon {
     return found;
   }
 
-  // What was changed by hand changed the energy of the triangles at `near`, and relaxing by what it
-  // says.
+  // Ends an attempt: relaxes around the seeds and keeps the change if the energy has fallen by
+  // enough, else undoes it. The change itself altered the energy of the triangles at `near`;
+  // relaxing adds what it returns.
   bool conclude(double before, const std::vector<vertex_index>& near,
                 const std::vector<vertex_index>& seeds, int depth) {
     ++report_.tried;
@@ -76,7 +77,7 @@ class surgeon {
     return false;
   }
 
-  // Into the neighbour into which it costs least.
+  // Tries to collapse v into the neighbour that costs least. True if that was kept.
   bool try_collapsing(vertex_index v) {
     std::optional<std::pair<double, vertex_index>> best;
     std::vector<vertex_index> near = moves_.ring(std::vector<vertex_index>{v}, 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Merging and splitting around triangles of much energy: each is tried, what is around it relaxed,
-// and kept only if the energy has fallen.
+// Collapses and splits around triangles of much energy. Each change is tried, its surroundings are
+// relaxed, and it is kept only if the energy has fallen.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct surgery_report {
   std::size_t tried = 0, collapsed = 0, split = 0;
 };
 
-// One round over the triangles there are, the worst first: six attempts at most for each. Ends
+// Goes once over the triangles there are, the worst first, with six attempts at most for each. Ends
 // early when the mover is cancelled.
 surgery_report operate(mutable_mesh& m, mover& moves);
 

@@ -26,16 +26,18 @@ namespace {
 
 using namespace adapting;
 
-// The distortion allowed over an edge of length one: of the metric the mesh is made in, on the
-// graph of the background, and of the one delivered, on that of the mesh. Found by experiment
-// (docs/design/adaptation.md); those that follow are for where the first did not lead to agreement.
+// Distortion allowed over an edge of length one: of the metric the mesh is made in, on the graph of
+// the background, and of the one delivered, on that of the mesh. Found by experiment
+// (docs/design/adaptation.md); the later steps of the ladder are for where the first did not lead
+// to agreement.
 struct strictness {
   double background, mesh;
 };
 constexpr std::array<strictness, 4> ladder = {{{4, 2}, {3, 1.7}, {1.8, 1.4}, {1.25, 1.15}}};
-// Audits of one mesh, each after what the one before had found was mended.
+// Most audits of one mesh, each after what the one before had found was mended.
 constexpr int most_audits = 12;
-// Of the limit on sites: beyond, the way by way of a fill tells what is not possible.
+// Part of the limit on sites that may be wanted. Beyond it the way by way of a fill tells what is
+// not possible.
 constexpr double part_of_limit = 0.8;
 
 class euclidean_field final : public metric_field {
@@ -43,7 +45,7 @@ class euclidean_field final : public metric_field {
   result<metric_tensor> at(const point&) const override { return metric_tensor{1, 0, 1}; }
 };
 
-// A triangulation of the domain with hardly more sites than it is given with.
+// Returns a triangulation of the domain with hardly more sites than it is given with.
 std::optional<mesh> coarse_mesh(const domain& d, const mesh_options& options) {
   mesh_options coarse;
   coarse.angle_bound = 0;
@@ -89,8 +91,8 @@ class adaptation {
     return std::abs(elementary::log(static_cast<double>(sites) / static_cast<double>(wanted)));
   }
 
-  // Where mending has cost many sites the mesh is made once more with as many more to begin with;
-  // it stays if it is nearer to the number wanted.
+  // Makes the mesh once more if mending has changed the number of sites by much, with as many more
+  // or fewer wanted to begin with. The new mesh stays if it is nearer to the number wanted.
   void meet_count(const mesh& start) {
     constexpr double tolerable = 0.03;
     const std::size_t wanted = count_, got = outcome_.result.sites.size();
@@ -106,7 +108,7 @@ class adaptation {
     length_factor_ = length_factor;
   }
 
-  // The places of the background along a space-filling curve.
+  // Orders the places of the background along a space-filling curve.
   void order_places() {
     std::vector<site> sites;
     for (const point& q : wanted_.places()) sites.push_back({q, {}});
@@ -130,7 +132,7 @@ class adaptation {
     return there ? std::optional(there.value()) : std::nullopt;
   }
 
-  // Leaves the mesh and its audit in outcome_. False where it cannot be made.
+  // Makes the mesh and its audit in outcome_. Returns false where it cannot be made.
   bool attempt(const mesh& start, const strictness& how) {
     auto built = working_mesh::build(domain_, start);
     if (!built) return false;
@@ -155,7 +157,7 @@ class adaptation {
     return true;
   }
 
-  // Tensors are made alike until the auditor has nothing against the mesh.
+  // Makes tensors alike until the auditor has nothing against the mesh.
   void deliver(working_mesh& m, const strictness& how) {
     agreement_options agree;
     agree.angle_bound = options_.angle_bound;
@@ -185,7 +187,7 @@ class adaptation {
     outcome_.audited = std::make_shared<audit_report>(audit(outcome_.result, asked));
   }
 
-  // Whether there was a star to mend.
+  // Mends what the audit found; true if there was a star to mend.
   bool mend(agreement& agreeing, const std::vector<vertex_index>& renumbered) const {
     std::vector<vertex_index> node_of(outcome_.result.sites.size());
     for (vertex_index v = 0; v < renumbered.size(); ++v)

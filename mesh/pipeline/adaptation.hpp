@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A mesh made by local changes, in a metric that is delivered as near to the one wanted as stars
-// can agree about (docs/design/adaptation.md).
+// Makes a mesh by local changes, in a metric as near to the one wanted as stars can agree about
+// (docs/design/adaptation.md). The metric delivered is reported.
 //
-// Where tensors turn or change by much over an edge, stars disagree whatever sites there are. The
-// metric of a site is its own, however: it is changed where that is needed, as little as will do,
-// and the outcome says by how much. What is certified is the mesh in the metric delivered.
+// Stars disagree where tensors turn or change by much over an edge, whatever sites there are. The
+// metric of a site is its own, however. It is changed where that is needed, as little as will do,
+// and the outcome says by how much. The mesh is certified in the metric delivered.
 #pragma once
 
 #include <optional>
@@ -21,8 +21,8 @@ namespace asterism::internal {
 // size, may be relaxed, and the domain is not a mesh that may stay as it is.
 bool wants_adaptation(const metric_field& field, const mesh_options& options);
 
-// Everything of the outcome but the counters; none where this way did not lead to a certified mesh
-// and was not stopped, and some other should be tried.
+// Makes everything of the outcome but the counters. Returns none where this way did not lead to a
+// certified mesh and was not stopped, and some other should be tried.
 std::optional<mesh_outcome> adapt_mesh(const domain& d, const metric_field& field,
                                        const mesh_options& options);
 

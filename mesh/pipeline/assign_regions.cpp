@@ -11,7 +11,7 @@ namespace asterism::internal {
 
 namespace {
 
-// The triangle on the left of a -> b.
+// A directed edge and the triangle on its left.
 struct triangle_side {
   std::array<vertex_index, 2> ends{};
   std::size_t triangle = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The region of every triangle of a mesh, from the segments of its domain.
+// Assigns a region to every triangle of a mesh, from the segments of its domain.
 #pragma once
 
 #include "asterism/mesh/data/domain.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The main job in one call: domain and metric field in; mesh, audit report and certificate out.
+// Does the main job in one call: domain and metric field in; mesh, audit report and certificate
+// out.
 //
 //   const auto made = make_certified_mesh(square(), field, {.angle_bound = 20});
 //   if (!made) return complain(made.failure());            // the input was refused

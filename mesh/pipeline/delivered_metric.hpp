@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The metric of a mesh against the one wanted: the report, and what contradicts one.
+// Compares the metric of a mesh with the one wanted, and finds what contradicts such a report.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@
 
 namespace asterism::internal {
 
-// Everything but the length factor. Fails where `wanted` does at a site.
+// Makes the report but for the length factor. Fails where `wanted` does at a site.
 result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& wanted,
                                              std::optional<double> angle_bound);
 
-// A sentence for each number of claim.delivered that is another one, to the last bit; none where
-// the claim has no such report.
+// Returns a sentence for each number of claim.delivered that is another one, to the last bit; none
+// where the claim has no such report.
 std::vector<std::string> contradictions_in_delivered(const mesh& subject, const certificate& claim,
                                                      const metric_field& wanted);
 

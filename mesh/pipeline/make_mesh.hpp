@@ -12,8 +12,8 @@
 
 namespace asterism {
 
-// `d` must have been accepted by check_domain. Fails only where the metric field does, or for
-// options out of range. `progress` may be empty.
+// Makes the mesh. `d` must have been accepted by check_domain. Fails only where the metric field
+// does, or for options out of range. `progress` may be empty.
 ASTERISM_EXPORT result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
                                                const mesh_options& options,
                                                const progress_listener& progress = {});

@@ -28,7 +28,8 @@
 namespace asterism::internal {
 namespace {
 
-// The ratios of lengths as b and a measure them: the greatest, and the greatest the other way.
+// Returns the ratios of lengths as b and a measure them: the greatest, and the greatest the other
+// way.
 std::pair<double, double> longer_and_shorter(const metric_tensor& b, const metric_tensor& a) {
   using number = wide_range;  // squares of tensors may leave the range of doubles
   const number a11 = a.m11, a12 = a.m12, a22 = a.m22, b11 = b.m11, b12 = b.m12, b22 = b.m22;
@@ -40,7 +41,7 @@ std::pair<double, double> longer_and_shorter(const metric_tensor& b, const metri
   return {longer, longer / std::sqrt(static_cast<double>(product))};
 }
 
-// One way to make the metric slower; `reach` is in the frame.
+// Way to make the metric slower; `reach` is in the frame.
 struct relaxation_step {
   relaxation_kind kind = relaxation_kind::softened;
   double power = 1, beta = 1, reach = 1;  // as in relaxation_report
@@ -86,7 +87,7 @@ class relaxation {
   }
 
  private:
-  // The mean of the metric and the extent of the domain in it, both in the frame.
+  // Measures the mean of the metric and the extent of the domain in it, both in the frame.
   std::optional<error> measure_sites(bool may_be_constant = true) {
     std::vector<metric_tensor> tensors;
     for (const site& s : as_given_.result.sites) {
@@ -102,7 +103,7 @@ class relaxation {
     return std::nullopt;
   }
 
-  // Whether sites and places of a lattice over the box all have this tensor, bit for bit: then
+  // True if sites and places of a lattice over the box all have this tensor, bit for bit. Then
   // another metric would not help, and what is in the way is the domain or a limit.
   bool is_same_at_all_places(const metric_tensor& one,
                              const std::vector<metric_tensor>& at_sites) const {
@@ -121,7 +122,7 @@ class relaxation {
     return true;
   }
 
-  // Empty where it cannot be made, or is what has been meshed already.
+  // Makes the field of the step; empty where it cannot be made, or is what has been meshed already.
   std::unique_ptr<metric_field> make_field() const {
     std::unique_ptr<metric_field> made;
     if (step_.kind == relaxation_kind::softened)
@@ -133,9 +134,9 @@ class relaxation {
     return made ? checked(std::move(made)) : nullptr;
   }
 
-  // Whether an edge of length 1 ends, at many places of a lattice over the box, where lengths are
-  // measured quite otherwise: a forecast that spares fills in which every site meets all others.
-  // Where the metric turns by a radian over an edge this is 2.8, and 1.6 where such a metric is
+  // True if an edge of length 1 ends, at many places of a lattice over the box, where lengths are
+  // measured quite otherwise. This forecast spares fills in which every site meets all others. A
+  // metric that turns by a radian over an edge has a distortion of 2.8, and of 1.6 once it is
   // softened enough.
   bool varies_too_fast(const metric_field& field) const {
     constexpr int lattice = 24;
@@ -160,8 +161,8 @@ class relaxation {
     return beyond > part * asked;
   }
 
-  // Leaves what came of it in tried_; nothing where sites cannot be spread, or edges will be longer
-  // than the field was made for.
+  // Makes a mesh by this step and leaves it in tried_. Leaves nothing where sites cannot be spread,
+  // or edges will be longer than the field was made for.
   const std::optional<mesh_outcome>& attempt(const relaxation_step& step) {
     step_ = step;
     tried_.reset();
@@ -245,8 +246,8 @@ class relaxation {
     return *std::move(tried_);
   }
 
-  // The mesh fitted to the metric given, if the auditor then certifies it there. Aims differ in
-  // what comes of them by little, which may be what is missing.
+  // Fits the mesh to the metric given, and returns it if the auditor then certifies it there. Aims
+  // differ in what comes of them by little, which may be what is missing.
   std::optional<mesh_outcome> fit_to_given(const relaxation_report& report) {
     if (step_.kind != relaxation_kind::softened || !tried_->complete ||
         report.low_triangles.empty())
@@ -293,7 +294,7 @@ class relaxation {
     return o;
   }
 
-  // Between two subsegments at v, the smallest, as v measures it.
+  // Returns the smallest angle between two subsegments at v, in degrees as v measures it.
   static double angle_at(const mesh& m, vertex_index v) {
     double least = 180;
     for (const boundary_edge& leaving : m.boundary)
@@ -315,7 +316,7 @@ class relaxation {
         }));
   }
 
-  // The sites' own tensors with those the field gives.
+  // Compares the sites' own tensors with those the field gives.
   std::optional<error> compare(relaxation_report& report) const {
     for (const site& s : tried_->result.sites) {
       const auto given = field_.at(s.position);
@@ -331,7 +332,7 @@ class relaxation {
     return std::nullopt;
   }
 
-  // The angles in the metric given, by the auditor's exact test.
+  // Judges the angles in the metric given, by the auditor's exact test.
   void judge(relaxation_report& report) {
     mesh as_given = tried_->result;
     for (vertex_index v = 0; v < as_given.sites.size(); ++v)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Sentences about how a run ended: outcomes are data, and this is the one place that words them.
+// Words how a run ended. Outcomes are data; no other place makes sentences of them.
 #pragma once
 
 #include <string>

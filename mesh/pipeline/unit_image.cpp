@@ -3,7 +3,7 @@
 
 namespace asterism::internal {
 
-// Where a length in the metric means nothing in itself, the metric is scaled as well.
+// Chooses the frame. The metric is scaled as well when a length in it means nothing in itself.
 unit_image::unit_image(const domain& d, const metric_field& field, const mesh_options& options)
     : field_(field),
       frame_(unit_frame::choose(d, field, !options.limit_size && !options.tolerance)),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The door between the caller's units and the unit frame: domain and field go in once, the outcome
-// comes out once.
+// Brings domain and field from the caller's units into the unit frame once, and the outcome back
+// once.
 #pragma once
 
 #include "asterism/mesh/data/domain.hpp"
@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// Domain and field as they are meshed. `field` must outlive it.
+// Holds domain and field as they are meshed. `field` must outlive it.
 class unit_image {
  public:
   unit_image(const domain& d, const metric_field& field, const mesh_options& options);

@@ -14,7 +14,7 @@ bool arc_insertion::insert() {
   while (true) {
     const pass_result result = insert_at_worst();
     if (result != pass_result::exhausted) return result == pass_result::progressed;
-    // Those that failed may succeed where something has changed since.
+    // A triangle that failed may succeed once something has changed.
     failed_at_tolerance_.clear();
     if (std::exchange(retry_, false)) continue;
     if (tolerance_ <= range_.floor) return false;
@@ -45,8 +45,9 @@ bool arc_insertion::insert_at(const triangle& t, double tolerance) {
          refine_by_arcs(state_, t, tolerance, rejected_);
 }
 
-// Where nothing but size is left to mend, the order matters little: one look at the mesh serves
-// many insertions. Triangles that have gone meanwhile are passed over.
+// Inserts sites for all triangles of the queue that are not set aside, from one look at the mesh.
+// Passes over triangles that have gone meanwhile. The order matters little when nothing but size is
+// left to mend.
 void arc_insertion::insert_for_large() {
   for (const bad_triangle& b : queue_.bad()) {
     if (state_.is_full() || state_.is_overworked() || state_.field_failure()) return;

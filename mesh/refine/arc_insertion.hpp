@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Sites inserted at candidates on Voronoi arcs, for one bad triangle after the other or for many at
-// once, with a tolerance that shrinks when nothing else can be inserted.
+// Inserts sites at candidates on Voronoi arcs, for one bad triangle after the other or for many at
+// once. The tolerance shrinks when nothing else can be inserted.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace asterism::internal {
 
 class arc_insertion {
  public:
-  // All references must outlive it.
+  // Starts with the tolerance `range.start`. All references must outlive the object.
   arc_insertion(refine_state& state, const bad_triangle_queue& queue, steepness& steep,
                 const angle_requirement& angle, const tolerance_range& range,
                 const cancellation& cancelled)
@@ -30,16 +30,19 @@ class arc_insertion {
         cancelled_(cancelled),
         tolerance_(range.start) {}
 
-  // Mends the worst triangle that can be mended, shrinking the tolerance where none can. False when
-  // it is at its floor and nothing can be inserted, or the field failed. True without any insertion
-  // where the run is cancelled or overworked, for the loop to see.
+  // Inserts a site for the worst triangle that can be mended, and shrinks the tolerance while none
+  // can. Returns false when the tolerance is at its floor and nothing can be inserted, or the field
+  // failed. Returns true without an insertion when the run is cancelled or overworked, for the loop
+  // to see.
   bool insert();
-  // Gives many bad triangles a site each, except those one of whose sites, or a neighbour of one,
-  // already was in a triangle that got one; what comes of it is then looked at anew. Subsegments
-  // are split one by one, by insert(). False when nothing was inserted.
+  // Inserts a site each for many bad triangles; does nothing when they are few. Skips a triangle
+  // one of whose sites, or a neighbour of one, already was in a triangle that got a site: what
+  // comes of that is looked at anew first. Splits no subsegments; insert() does, one by one.
+  // Returns false when nothing was inserted.
   bool insert_in_bulk();
-  // Mends the angles of triangles at sharp corners, other than the corner's own, which it excuses,
-  // where the arcs offer something not far below the first tolerance, so that this cannot run away.
+  // Inserts a site for a triangle at a sharp corner whose low angles are not the corner's own
+  // alone; true if one was inserted. Takes only places not far below the first tolerance, so that
+  // this cannot run away.
   bool insert_at_exempt_corners();
 
   double tolerance() const { return tolerance_; }  // in force
@@ -64,7 +67,7 @@ class arc_insertion {
   const cancellation& cancelled_;
   double tolerance_;
   std::set<bad_triangle> failed_at_tolerance_;  // tried in vain with the tolerance in force
-  bool retry_ = false;                          // something was inserted since one of them failed
+  bool retry_ = false;  // true if a site was inserted since one of them failed
   std::size_t rejected_ = 0;
 };
 

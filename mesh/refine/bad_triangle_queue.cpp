@@ -12,7 +12,7 @@
 namespace asterism::internal {
 namespace {
 
-// Whether the triangle v, y, x lies in the corner c of the domain at v. Both turn by less than 180
+// True if the triangle v, y, x lies in the corner c of the domain at v. Both turn by less than 180
 // degrees.
 bool lies_in(const site_oracle& oracle, const domain_corner& c, vertex_index v, vertex_index y,
              vertex_index x) {
@@ -22,7 +22,7 @@ bool lies_in(const site_oracle& oracle, const domain_corner& c, vertex_index v, 
          oracle.orientation(v, y, ends.last) == sign::positive;
 }
 
-// Each of the triangle's corners that lies in one of the domain's, which are sorted by vertex.
+// Returns which of the triangle's corners lie in one of the domain's, which are sorted by vertex.
 std::array<bool, 3> corners_in(const site_oracle& oracle, const triangle& t,
                                const std::vector<domain_corner>& corners) {
   std::array<bool, 3> in{};
@@ -37,8 +37,8 @@ std::array<bool, 3> corners_in(const site_oracle& oracle, const triangle& t,
   return in;
 }
 
-// Those of them that fill the domain's corner from one subsegment to the other. A part of a divided
-// corner could be wider.
+// Keeps of these corners those that fill the domain's corner from one subsegment to the other. A
+// part of a divided corner could be wider.
 std::array<bool, 3> unavoidable(const boundary& edges, const triangle& t,
                                 std::array<bool, 3> in_corner) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -83,8 +83,8 @@ std::vector<triangle> bad_triangle_queue::exempt() const {
   return all;
 }
 
-// Whether its corners are all on two segments, not both of the rim, that meet in a corner below
-// half the bound: their low angles are left (docs/math/refinement.md, "Corners").
+// True if the triangle's corners are all on two segments, not both of the rim, that meet in a
+// corner below half the bound. Their low angles are left (docs/math/refinement.md, "Corners").
 bool bad_triangle_queue::crosses_wedge(const refine_state& state, const triangle& t) const {
   const auto accepts = [&](const domain_wedge& w) {
     return w.internal && is_narrower(state.sites(), w, w.corner.vertex, angle_.degrees() / 2) &&
@@ -193,8 +193,10 @@ void bad_triangle_queue::remember(const refine_state& state, vertex_index v, rec
   records_.emplace(v, std::move(now));
 }
 
-// What a star says depends on itself and on the stars of its neighbours. Those that have a touched
-// star as a neighbour are its own neighbours, now or before, or claim it one-sidedly.
+// Returns the stars to be examined: the touched ones and those that have a touched one as a
+// neighbour, or all the first time. Findings of a star depend on itself and on the stars of its
+// neighbours. Stars that have a touched star as a neighbour are its own neighbours, now or before,
+// or claim it one-sidedly.
 std::vector<vertex_index> bad_triangle_queue::dependents(refine_state& state) {
   std::vector<vertex_index> all = state.stars().take_touched();
   if (std::exchange(first_, false)) {

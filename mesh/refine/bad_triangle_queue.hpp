@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// What is still wrong with a mesh: its bad triangles, the worst first, kept up to date.
+// Keeps the bad triangles of a mesh up to date, the worst first.
 //
-// Bad is what the thesis (section 4.1) calls bad: a disagreeing triangle, an angle below the bound
-// from the perspective of any vertex, or, with a size limit, a triangle too large. A wide gap of a
-// star and the triangles of a star that did not settle count as disagreeing.
-// Exempt from the angle bound, and listed, are triangles in a corner of the domain whose own angle
-// is below it: no mesh meets the bound there. Another corner at the same vertex exempts nothing.
-// Exempt are also triangles across a wedge below half the bound between two segments one of which
-// is internal: with all corners on these two, as long as each of them measures it below the bound.
+// A triangle is bad as in the thesis (section 4.1) when it disagrees, when an angle is below the
+// bound from the perspective of any vertex, or, with a size limit, when it is too large. A wide gap
+// of a star and the triangles of a star that did not settle count as disagreeing. Exempt from the
+// angle bound, and listed, are triangles in a corner of the domain whose own angle is below it: no
+// mesh meets the bound there. Another corner at the same vertex exempts nothing. Exempt are also
+// triangles across a wedge below half the bound between two segments one of which is internal. All
+// their corners must be on these two segments, and each of them must measure the wedge below the
+// bound.
 //
-// Each star is asked for what is wrong in it, and asked again when it or a star it has triangles
-// with has changed; nothing else is looked at.
+// Examines a star again only when it, or a star it has triangles with, has changed.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ enum class badness { disagreeing, low_angle, too_large };
 
 struct bad_triangle {
   badness why = badness::disagreeing;
-  double rank = 0;  // within its kind, smaller is worse: the smallest angle, or minus the size
+  double rank = 0;  // smaller is worse: smallest angle in degrees, or minus the circumradius
   // Counter-clockwise; for a wide gap the indices may repeat or run clockwise
   // (stars/consistency.hpp).
   triangle where{};
@@ -46,21 +46,22 @@ class bad_triangle_queue {
  public:
   bad_triangle_queue(const refine_state& state, const angle_requirement& angle, bool limit_size);
 
-  // Looks again at what has been touched since the last time.
+  // Examines the stars touched since the last call, and those that depend on them.
   void update(refine_state& state);
 
-  // Disagreeing, then low angles, then large; ties by position in the mesh, so that the order is
-  // the same every time.
+  // Returns disagreeing triangles, then those with low angles, then large ones. Ties go by the
+  // indices of the sites, so that the order is the same every time.
   const std::set<bad_triangle>& bad() const { return bad_; }
-  // At exempt corners, low elsewhere than at the corner: worth trying, not demanded.
+  // Returns triangles at exempt corners with low angles elsewhere than at the corner. They are
+  // worth trying, not demanded.
   const std::set<bad_triangle>& improvable() const { return improvable_; }
   std::size_t count(badness why) const { return counts_[static_cast<std::size_t>(why)]; }
-  // In lexicographic order.
+  // Returns the exempt triangles in lexicographic order.
   std::vector<triangle> exempt() const;
   const std::vector<exempt_corner>& exempt_corners() const { return exempt_corners_; }
 
  private:
-  // What one star has to say.
+  // Findings of one star.
   struct record {
     std::vector<triangle> disagreeing;  // may be found by several stars
     std::vector<bad_triangle> bad;      // low or large: by the star of the smallest index alone
@@ -95,7 +96,7 @@ class bad_triangle_queue {
   bool first_ = true;
 };
 
-// The domain's corners below the bound, one for each vertex (its smallest), by vertex.
+// Returns the domain's corners below the bound, one for each vertex (its smallest), by vertex.
 std::vector<exempt_corner> exempt_corners(const refine_state& state,
                                           const angle_requirement& angle);
 

@@ -13,10 +13,11 @@
 namespace asterism::internal {
 namespace {
 
-// Of one pass. After the first few, half of what is left is given up each time.
+// Most tries of one pass, and the number of tries after which half of what is left is given up each
+// time.
 constexpr std::size_t most_tries = 10, tries_before_halving = 4;
 
-// What may not get worse.
+// Measures of a mesh that may not get worse.
 struct standing {
   std::size_t sites = 0, exempt = 0;
   double worst_angle = 180;  // away from exempt corners
@@ -35,14 +36,15 @@ standing standing_of(const mesh& m, const std::vector<triangle>& exempt) {
   return s;
 }
 
-// Comparisons with what is not a number are no.
+// True if nothing is worse, and there are fewer sites or a higher mean quality. False if a number
+// to be compared is none.
 bool is_better(const standing& before, const standing& after) {
   return after.sites <= before.sites && after.exempt <= before.exempt &&
          after.worst_angle >= before.worst_angle && after.mean_quality >= before.mean_quality &&
          (after.sites < before.sites || after.mean_quality > before.mean_quality);
 }
 
-// The sites of the mesh before, found by where they were to be.
+// Finds the sites of the mesh before by where they were to be.
 class places_before {
  public:
   explicit places_before(const improvement_proposal& p) {
@@ -53,7 +55,7 @@ class places_before {
     std::sort(sorted_.begin(), sorted_.end(), less);
   }
 
-  // Past the last site when the point is none of them.
+  // Returns the site at the point; `none` where there is none.
   vertex_index find(const point& q) const {
     const auto at =
         std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(q, vertex_index{0}), less);
@@ -70,8 +72,8 @@ class places_before {
   std::vector<entry> sorted_;
 };
 
-// Of the sites of the mesh before, those in triangles that spoil the one after: where an angle is
-// too small, the stars disagree, or a site had to be put in.
+// Marks the sites of the mesh before that are in triangles that spoil the mesh after: where an
+// angle is too small, the stars disagree, or a site had to be put in.
 std::vector<char> spoilt_at(const places_before& places, std::size_t count_before,
                             const mesh& after, double worst_before) {
   std::vector<char> spoilt(count_before, 0);
@@ -108,7 +110,7 @@ class improver {
   }
 
  private:
-  // Whether something was accepted.
+  // Makes one pass; true if something was accepted.
   bool one_pass(improvement_report& report) {
     std::vector<char> barred(now_.sites.size(), 0);
     improvement_goal goal;
@@ -139,7 +141,8 @@ class improver {
     return false;
   }
 
-  // Otherwise what was tried is left in tried_.
+  // Replaces the mesh if the one made is complete and better; true if it was. Leaves it in tried_
+  // otherwise.
   bool accept(mesh_outcome made) {
     tried_ = made.result;
     const standing after = standing_of(tried_, made.exempt_triangles);
@@ -151,7 +154,7 @@ class improver {
     return true;
   }
 
-  // Sites in spoilt triangles and all that were their neighbours.
+  // Bars the sites in spoilt triangles and all that were their neighbours.
   void bar_neighbourhoods(const improvement_proposal& p, std::vector<char>& barred) const {
     const std::vector<char> spoilt =
         spoilt_at(places_before(p), now_.sites.size(), tried_, standing_.worst_angle);

@@ -17,9 +17,10 @@ namespace asterism::internal {
 namespace {
 
 constexpr std::size_t chunk = 256;
-// Triangulations of a hole are searched in the cube of its sides. A site of more is needed by many.
+// Most sides of a hole whose triangulations are searched, which takes the cube of their number. A
+// site with more neighbours is needed by many.
 constexpr std::size_t most_sides = 12;
-// A move may spoil an angle above this for the sake of the others.
+// Angle in degrees above which a move may spoil one for the sake of the others.
 constexpr double comfortable_angle = 30;
 constexpr int sweeps = 4;
 // Smallest gain in summed quality that justifies rebuilding a site's stars.
@@ -82,7 +83,7 @@ std::vector<triangle> best_ring_triangulation(const std::vector<vertex_index>& r
   return triangles_below(ring, apex);
 }
 
-// The triangulation as it would be, changed step by step.
+// Changes a triangulation step by step into the one proposed.
 class coarsening {
  public:
   coarsening(const mesh& m, const metric_field& field, const improvement_goal& goal,
@@ -148,13 +149,14 @@ class coarsening {
   }
 
  private:
-  // Refinement wants distinct sites. None meet while triangles turn as doubles say they do.
+  // Marks the sites at a place that an earlier one has, since refinement wants distinct sites. None
+  // meet while triangles turn as doubles say they do.
   std::vector<char> at_an_earlier_place() const {
     std::vector<vertex_index> order;
     for (vertex_index v = 0; v < sites_.size(); ++v)
       if (removed_[v] == 0) order.push_back(v);
     const auto at = [this](vertex_index v) -> const point& { return sites_[v].position; };
-    // Those that have not moved come first within a place: they may be ones that have to stay.
+    // Sites that have not moved come first within a place: they may be ones that have to stay.
     std::sort(order.begin(), order.end(), [&](vertex_index v, vertex_index w) {
       if (at(v) == at(w)) return std::pair(moved_[v], v) < std::pair(moved_[w], w);
       return lexicographically_less(at(v), at(w));
@@ -178,7 +180,7 @@ class coarsening {
     triangles_.push_back(t);
   }
 
-  // The neighbours of v counter-clockwise; none where the triangles do not close around it.
+  // Returns the neighbours of v counter-clockwise; none where the triangles do not close around it.
   std::vector<vertex_index> ring(vertex_index v) const {
     std::vector<std::array<vertex_index, 2>> sides;
     for (const std::size_t i : triangles_at_[v]) {
@@ -200,7 +202,7 @@ class coarsening {
     return next == found[0] ? found : std::vector<vertex_index>{};
   }
 
-  // Less than nothing where the triangle is of no use.
+  // Returns the triangle's smallest angle in degrees; -1 where it misses the goal.
   double worth(const triangle& t) const {
     const triangle_sites s = sites_of(t);
     const double angle = shape_of(s).area > 0 ? asterism::internal::smallest_angle(s) : -1;
@@ -225,7 +227,7 @@ class coarsening {
     return found;
   }
 
-  // The triangles of the site make room for those of the hole, two fewer.
+  // Puts the triangles of the hole, two fewer, in place of those at the site.
   void remove(const hole& h) {
     std::vector<std::size_t> room;
     std::swap(room, triangles_at_[h.site]);
@@ -239,7 +241,7 @@ class coarsening {
     removals_.push_back(h.site);
   }
 
-  // The mean of the neighbours, the farther the heavier, as the site measures.
+  // Returns the mean of the neighbours, the farther the heavier, as the site measures.
   point mean_of_neighbours(vertex_index v) const {
     double weights = 0;
     point sum{0, 0};  // of displacements

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What might make a finished mesh better: sites no triangle needs are left out, others move to
-// where the triangles around them have a better shape.
+// Proposes changes that might make a finished mesh better: sites no triangle needs are left out,
+// others move to where the triangles around them have a better shape.
 //
-// Judged in plain doubles on the triangles as they are, so it is a proposal and nothing more:
-// whether the stars of what is left agree is for refinement to find out, which starts from it.
+// Judges in plain doubles on the triangles as they are, so that it is a proposal and nothing more.
+// Refinement starts from it and finds out whether the stars of what is left agree.
 #pragma once
 
 #include <vector>
@@ -24,18 +24,19 @@ struct improvement_goal {
 
 struct improvement_proposal {
   filled_domain filling;  // for refine_state::start
-  // Sites of the mesh it was made from: those that go, the most useful first, and by number those
-  // that move.
+  // Sites to leave out, the greatest gain first, and sites to move, by number. Both are numbered as
+  // in the mesh the proposal was made from.
   std::vector<vertex_index> removed, moved;
-  // Of every site of that mesh, where it is to be; for the removed ones where it was.
+  // Places proposed for the sites of that mesh, one for each; for a removed site where it was.
   std::vector<point> places;
 
   bool changes_nothing() const { return removed.empty() && moved.empty(); }
 };
 
-// `m` must be complete, and `segments` the number of its domain's. Given sites and those on the
-// boundary stay, and so do those with `barred[v]` not zero. No two sites with a common edge are
-// removed. The same for any number of threads. Where the field fails a site does not go.
+// Proposes sites to remove and to move. `m` must be complete, and `segments` the number of its
+// domain's. Given sites and those on the boundary stay, and so do those with `barred[v]` not zero.
+// No two sites with a common edge are removed. No site moves to where the field fails. Returns the
+// same for any number of threads.
 improvement_proposal propose_improvement(const mesh& m, std::size_t segments,
                                          const metric_field& field, const improvement_goal& goal,
                                          const std::vector<char>& barred);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Meshes with longer edges than asked for, all by the same factor: the squared lengths of the
-// metric are divided by a power of two, which loses nothing, and multiplied again afterwards.
+// Makes the edges of meshes longer than asked for, all by the same factor. The squared lengths of
+// the metric are divided by a power of two, which loses nothing, and multiplied again afterwards.
 #pragma once
 
 #include "asterism/core/result.hpp"
@@ -11,12 +11,13 @@
 
 namespace asterism::internal {
 
-// A field whose squared lengths are divided by 2^halvings: each halves the number of sites.
+// Divides the squared lengths of a field by 2^halvings. Each halving halves the number of sites.
 class coarser_field : public metric_field {
  public:
   // `field` must outlive it.
   coarser_field(const metric_field& field, int halvings) : field_(&field), halvings_(halvings) {}
-  // Fails where the field does, and where the tensor would leave the range of normal doubles.
+  // Returns the field's tensor divided by 2^halvings. Fails where the field does, and where the
+  // tensor would leave the range of normal doubles.
   result<metric_tensor> at(const point& q) const override;
 
  private:
@@ -24,12 +25,14 @@ class coarser_field : public metric_field {
   int halvings_;
 };
 
-// Measures all lengths and tensors of an outcome made in a coarser field as the field itself does.
+// Converts the lengths and tensors of an outcome made in a coarser field to those of the field
+// itself.
 void restore_lengths(int halvings, mesh_outcome& outcome);
 
-// With halvings, turns the outcome of a coarser mesh into one of what was asked: not complete, with
-// the triangles that are too large counted and the size that was delivered. How many sites would
-// have been wanted is told from those there are, unless the fill was stopped and more were to come.
+// Turns the outcome of a coarser mesh into one of what was asked; does nothing without halvings. It
+// is then not complete, and has the number of triangles that are too large and the size that was
+// delivered. Estimates from the sites there are how many would have been wanted, unless the fill
+// was stopped and more were to come.
 void report_coarser(int halvings, bool fill_stopped, const mesh_options& options,
                     mesh_outcome& outcome);
 

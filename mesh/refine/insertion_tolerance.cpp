@@ -15,32 +15,33 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Of Voronoi arcs: the start as a part of the shortest distance, and start over floor, ten
-// halvings, and over the finest. They hardly matter: starts of 0.05 to 0.4, ladders of 16 to 1024
-// and finest parts of 32 to 1024 give the same meshes of the square in swirl:12 and sink:12 and of
-// the airfoil. They are there to end what no site can mend.
+// Constants of Voronoi arcs: the start as a part of the shortest distance, the start over the floor
+// (ten halvings), and the start over the finest. They hardly matter: starts of 0.05 to 0.4, ladders
+// of 16 to 1024 and finest parts of 32 to 1024 give the same meshes of the square in swirl:12 and
+// sink:12 and of the airfoil. They are there to end what no site can mend.
 constexpr double arc_fraction = 0.2;
 constexpr double arc_ladder = 1024;
 constexpr double arc_finest_part = 256;
-// After a fill, defects are mended at points nearly as far from all sites as the fill's own. Chosen
-// by what they leave of a metric that varies too fast, the square in polar-1 with size 0.5: 317
-// disagreeing triangles. With 0.3 or 0.9 for 0.6 it is 821 or 530, with 0.5 or 0.9 for the factor
-// 0.75 it is 827 or 513, with 8 for 32 it is 702, and with a ladder of 16 the run ends before its
-// stars are made. Of tamer metrics (airfoil and square with sizes) 0.3, or the factor 0.5, would
-// save 2 to 5 % of the sites.
+// Constants after a fill, when defects are mended at points nearly as far from all sites as the
+// fill's own. Chosen by what they leave of a metric that varies too fast, the square in polar-1
+// with size 0.5: 317 disagreeing triangles. With 0.3 or 0.9 for 0.6 it is 821 or 530, with 0.5 or
+// 0.9 for the factor 0.75 it is 827 or 513, with 8 for 32 it is 702, and with a ladder of 16 the
+// run ends before its stars are made. Of tamer metrics (airfoil and square with sizes) 0.3, or the
+// factor 0.5, would save 2 to 5 % of the sites.
 constexpr double fill_fraction = 0.6;
 constexpr double fill_ladder = 128;  // start over floor
 constexpr double finest_part = 32;   // start over finest
 constexpr double fill_shrink = 0.75;
-// Of darts, a part of the median distance. Half of it takes 92 and 115 sites on the square with 30
-// points in swirl:3 and sink:3; a quarter takes 216 and 148, the whole 75 and 152. Like that of the
-// arcs the ladder only ends what is stuck.
+// Constants of darts: the start as a part of the median distance, and the start over the floor.
+// Half of the median takes 92 and 115 sites on the square with 30 points in swirl:3 and sink:3; a
+// quarter takes 216 and 148, the whole 75 and 152. Like that of the arcs the ladder only ends what
+// is stuck.
 constexpr double dart_fraction = 0.5;
 constexpr double dart_ladder = 1024;
 
-// How near to each other the domain brings sites, as its vertices measure: the shortest distance
-// from one to a site or to a subsegment not at it, and between the subsegments at a sharp corner;
-// at most `most`.
+// Returns how near to each other the domain brings sites, as its vertices measure, at most `most`.
+// This is the shortest distance from a vertex to a site or to a subsegment not at it, and between
+// the subsegments at a sharp corner.
 double smallest_feature(const refine_state& state, vertex_index vertices, double most) {
   double least =
       shortest_distance(state.sites(), vertices, state.edges(), *state.oracle().near(), most);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How near to each other sites may be inserted.
+// Chooses how near to each other sites may be inserted.
 //
 // The thesis leaves `tol` to the user and keeps it fixed. A tolerance that was given is kept for
 // Voronoi arcs, and is where darts start. Without one it follows from the domain: the arcs start at
@@ -20,11 +20,12 @@ namespace asterism::internal {
 struct tolerance_range {
   double start = 0;
   double floor = 0;
-  double shrink = 0.5;  // of the arcs; refine/poisson_darts.hpp has its own
+  double shrink = 0.5;  // factor of the arcs' steps; refine/poisson_darts.hpp has its own
   double finest = 0;    // how near sites may have to be because the metric varies; not of darts
 };
 
-// `vertices` is the number of the domain's vertices, which are the first sites.
+// Returns the tolerances for the strategy asked for, as metric lengths. `vertices` is the number of
+// the domain's vertices, which are the first sites.
 tolerance_range choose_tolerance(const refine_state& state, vertex_index vertices,
                                  const mesh_options& options);
 

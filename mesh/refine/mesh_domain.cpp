@@ -32,7 +32,7 @@ std::optional<error> check_options(const domain& d, const mesh_options& o) {
   return std::nullopt;
 }
 
-// Improves the mesh too, if that is asked for.
+// Refines the proposal, and improves the mesh if that is asked for.
 result<mesh_outcome> refine_and_improve(const meshing_context& job, const filled_domain& proposed) {
   auto made = refine(job, proposed);
   if (!made) return made;
@@ -50,8 +50,8 @@ result<mesh_outcome> refine_and_improve(const meshing_context& job, const filled
   return made;
 }
 
-// One that was made coarser than asked for is not complete, whatever it says of itself, and is not
-// improved.
+// Refines the proposal in the field divided by 2^halvings. A mesh made coarser than asked for is
+// not improved: it is not complete, whatever it says of itself.
 result<mesh_outcome> refine_coarser(const meshing_context& job, const filled_domain& proposed,
                                     int halvings) {
   if (halvings == 0) return refine_and_improve(job, proposed);
@@ -81,7 +81,8 @@ bool is_final(const result<mesh_outcome>& kept) {
          kept.value().stopped;
 }
 
-// Its sites are each in reach of most others: exact stars of them would take hours.
+// Returns the mesh of the given vertices alone in place of a crowded fill. The sites of such a fill
+// are each in reach of most others: exact stars of them would take hours.
 result<mesh_outcome> mesh_without(const crowded_site& crowded, const meshing_context& job) {
   auto kept = mesh_as_given(job, 0);
   if (!kept || kept.value().complete) return kept;
@@ -100,8 +101,9 @@ result<mesh_outcome> mesh_domain(const meshing_context& job) {
   const auto filled = fill_within_budget(job);
   if (!filled) return filled.failure();
   if (const auto& crowded = filled.value().proposed.crowded) return mesh_without(*crowded, job);
-  // What the limit allows may be there already. A mesh made under the same limit is filled anew
-  // with all its vertices given, which may come out finer: by less than edges half as long.
+  // The mesh given may be as fine as the limit allows already. A mesh made under the same limit is
+  // filled anew with all its vertices given, which may come out finer: by less than edges half as
+  // long.
   const int halvings = filled.value().halvings;
   const int coarsest = halvings > 0 && keep ? halvings + 2 : 0;
   for (int fewer = 1; fewer <= coarsest; ++fewer)

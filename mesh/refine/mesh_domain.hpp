@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A mesh within the limit on sites: what is given, what the fill proposes, refined, and improved.
+// Makes a mesh within the limit on sites: refines what is given and what the fill proposes, and
+// improves it.
 #pragma once
 
 #include "asterism/core/result.hpp"

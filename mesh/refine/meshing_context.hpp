@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// All that one refinement is given, in one value.
+// Bundles all that one refinement is given.
 #pragma once
 
 #include "asterism/mesh/data/domain.hpp"
@@ -10,8 +10,9 @@
 
 namespace asterism::internal {
 
-// The domain and the field are in the unit frame (metric/unit_frame.hpp), and so is whatever comes
-// of them: the pipeline scales in, and out again. What is referred to must outlive the context.
+// Input of one refinement. The domain and the field are in the unit frame (metric/unit_frame.hpp),
+// and so is whatever comes of them: the pipeline scales in, and out again. All references must
+// outlive the context.
 struct meshing_context {
   const star_predicates& kernel;
   const domain& shape;  // accepted by check_domain

@@ -12,15 +12,16 @@
 namespace asterism::internal {
 namespace {
 
-// Degrees. Wider ones, and those without an internal segment, have room to mend their triangles.
+// Angle in degrees below which the segments of a wedge are split alike. Wider wedges, and those
+// without an internal segment, have room to mend their triangles.
 constexpr double mirrored_angle = 10;
 
 double distance_from(const site& corner, const point& q) {
   return std::sqrt(squared_distance(corner, q));
 }
 
-// The point of the segment from `near` to `far` that is at this distance from the corner they are
-// in line with, whose distances are given.
+// Returns the point of the segment from `near` to `far` at the distance `wanted` from the corner
+// they are in line with. Their own distances from it are given. None unless it is between them.
 std::optional<point> point_between(const point& near, const point& far, double near_distance,
                                    double far_distance, double wanted) {
   if (!(near_distance < wanted && wanted < far_distance)) return std::nullopt;
@@ -30,8 +31,8 @@ std::optional<point> point_between(const point& near, const point& far, double n
                std::clamp(y, std::min(near.y, far.y), std::max(near.y, far.y))};
 }
 
-// Of the multiples of powers of two in the middle half of [low, high] that of the greatest power,
-// the one nearest to the middle; 0 < low < high.
+// Returns a multiple of a power of two in the middle half of [low, high], of the greatest power
+// that has one there, the one nearest to the middle. Requires 0 < low < high.
 double coarsest_in_middle(double low, double high) {
   const double quarter = (high - low) / 4, middle = low + 2 * quarter;
   // One of two neighbouring multiples is in an interval at least as long as their distance.

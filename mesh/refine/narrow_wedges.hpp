@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Narrow wedges of the domain: two segments at a sharp corner as far as they go. In a wedge each
-// split of one segment encroaches on the other; points at the same distances from the corner on
-// both make that end (docs/design/refinement.md, "Corners").
+// Finds where to split the segments of narrow wedges. A wedge is two segments at a sharp corner as
+// far as they go. In it each split of one segment encroaches on the other; points at the same
+// distances from the corner on both make that end (docs/design/refinement.md, "Corners").
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct domain_corner {
   std::size_t sector = 0;  // which of the vertex's corners and sectors
   double angle = 0;        // degrees, as the vertex measures it
 
-  // Below 60 degrees.
+  // True if the angle is below 60 degrees.
   bool is_sharp() const { return angle < 60; }
 };
 
@@ -33,17 +33,17 @@ struct domain_wedge {
   domain_corner corner;
   vertex_index first = 0, last = 0;          // the segments, counter-clockwise
   vertex_index first_end = 0, last_end = 0;  // their vertices other than the corner
-  bool internal = false;                     // whether either of them is
+  bool internal = false;                     // true if either of them is
 };
 
 class narrow_wedges {
  public:
   narrow_wedges() = default;
-  // `edges` must not be split yet.
+  // Starts without wedges. `edges` must not be split yet.
   explicit narrow_wedges(const boundary& edges);
   // Adds the wedge of a sharp corner, whose subsegments leave it and enter it.
   void add(const domain_corner& c, const boundary_edge& leaving, const boundary_edge& entering);
-  // Site v splits a segment.
+  // Notes that site v splits a segment.
   void note_split(vertex_index v, vertex_index segment);
 
   const std::vector<domain_wedge>& all() const { return wedges_; }
@@ -81,7 +81,7 @@ class narrow_wedges {
 };
 
 // True if the angle between the wedge's segments is surely below `degrees` as v measures it. Errs
-// only towards no.
+// only towards false.
 bool is_narrower(const std::vector<site>& sites, const domain_wedge& w, vertex_index v,
                  double degrees);
 

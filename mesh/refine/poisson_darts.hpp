@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Poisson darts: the second heuristic of the thesis, section 4.2, with its optimization of
+// Throws Poisson darts: the second heuristic of the thesis, section 4.2, with its optimization of
 // throwing near a bad triangle only.
 #pragma once
 
@@ -16,8 +16,9 @@
 
 namespace asterism::internal {
 
-// A uniformly random point of an ellipse around the triangle: centred at its centroid, a disk in
-// the mean of its three metrics, and large enough to hold the triangle half as large again.
+// Returns a uniformly random point of an ellipse around the triangle. It is centred at the
+// centroid, a disk in the mean of the three metrics, and large enough to hold the triangle half as
+// large again.
 point throw_dart(const refine_state& state, const triangle& t, splitmix64& random);
 
 class dart_thrower {
@@ -28,8 +29,9 @@ class dart_thrower {
       : random_(seed), max_rejected_(max_rejected), tolerance_(tolerance), floor_(floor) {}
 
   double tolerance() const { return tolerance_; }
-  // Throws darts at the bad triangles in turn until one is accepted. False when the tolerance is
-  // at its floor and max_rejected darts in a row failed.
+  // Throws darts at the bad triangles in turn until one is accepted. Adds to `rejected` those that
+  // are not. Returns false when the tolerance is at its floor and max_rejected darts in a row
+  // failed, or the field failed.
   bool refine(refine_state& state, const std::vector<bad_triangle>& bad, std::size_t& rejected);
 
  private:

@@ -33,7 +33,8 @@ void refine_state::construct_stars() {
   segments_.suspect_all();
 }
 
-// A point that rounding puts on the wrong side of something is left out.
+// Divides the segments at the proposed points. A point that rounding puts on the wrong side of
+// something is left out.
 void refine_state::divide(const domain& d, const filled_domain& filling) {
   for (std::size_t s = 0; s < d.segments.size(); ++s) {
     std::size_t subsegment = segments_.find_subsegment(d.segments[s].a, d.segments[s].b);

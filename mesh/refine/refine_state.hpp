@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A mesh being refined: sites, split boundary and stars, kept in step, and the ways to add a site.
+// Keeps the sites, the split boundary and the stars of a mesh being refined in step, and adds
+// sites.
 #pragma once
 
 #include <cstddef>
@@ -24,12 +25,12 @@ namespace asterism::internal {
 
 class refine_state {
  public:
-  // Puts the proposal in: segments are divided where that is possible, and of the other sites those
-  // are taken that are inside what then is the domain and encroach on nothing. `field` and `kernel`
-  // must outlive the state. Fails where the field does, and for a boundary that check_domain would
-  // have refused. No subsegment is split once there are `most_sites`. `cancelled` is polled between
-  // stars and between splits, which may be many, and each slow where only exact arithmetic decides;
-  // it ends clear_encroachments and shorten_subsegments early.
+  // Builds the state with the proposal put in. Segments are divided where that is possible. Of the
+  // other sites those are taken that are inside what then is the domain and encroach on nothing. No
+  // subsegment is split once there are `most_sites`. `field` and `kernel` must outlive the state.
+  // Fails where the field does, and for a boundary that check_domain would have refused.
+  // `cancelled` ends clear_encroachments and shorten_subsegments early. It is polled between stars
+  // and between splits, which may be many, and each slow where only exact arithmetic decides.
   static result<refine_state> start(const domain& d, const metric_field& field,
                                     const star_predicates& kernel, std::size_t most_sites,
                                     const filled_domain& filling,
@@ -46,8 +47,8 @@ class refine_state {
   }
   bool is_full() const { return sites_->is_full(); }
 
-  // True if the most work that is done for so many sites was done (stars/work_limit.hpp). Counted,
-  // not timed, so that every run ends at the same place.
+  // True if the work allowed for so many sites was done (stars/work_limit.hpp). It is counted, not
+  // timed, so that every run ends at the same place.
   bool is_overworked() const;
 
   const std::optional<error>& field_failure() const { return sites_->field_failure(); }
@@ -57,19 +58,21 @@ class refine_state {
   // Returns the subsegments a site at this place would encroach on.
   std::vector<std::size_t> encroached_by(const site& s) const;
 
-  // Requires a site strictly inside the domain and distinct from the others, and !is_full().
+  // Adds a site with its star. Requires a site strictly inside the domain and distinct from the
+  // others, and !is_full().
   void add_interior(const site& s);
-  // The same without its star, for many in a row; then, before anything is asked of the stars,
-  // add_stars() makes those.
+  // Adds a site without its star, for many in a row; requires what add_interior() does. Before
+  // anything is asked of the stars, add_stars() makes those left out.
   void add_interior_later(const site& s);
   void add_stars();
-  // Splits one subsegment at its split point. False, and nothing changed, when the mesh is full or
-  // the subsegment cannot be split there (split_boundary::can_split_at).
+  // Splits one subsegment at its split point. Returns false, with nothing changed, when the mesh is
+  // full or the subsegment cannot be split there (split_boundary::can_split_at).
   bool split(std::size_t subsegment, double shortest);
-  // Splits the subsegment that q lies on, if there is one; where, and whether, is split()'s affair.
+  // Splits the subsegment that q lies on, if there is one, at its split point, not at q. Returns
+  // false where split() does, and where there is none.
   bool split_at_place(const point& q, double shortest);
-  // Splits subsegments until none is encroached by a site, as far as split() allows. False when it
-  // ended early, cancelled or overworked.
+  // Splits subsegments until none is encroached by a site, as far as split() allows. Returns false
+  // when it ended early, cancelled or overworked.
   bool clear_encroachments(double shortest);
   // Splits subsegments longer than `longest`, as far as split() allows, until cancelled or
   // overworked.

@@ -20,8 +20,8 @@
 namespace asterism::internal {
 namespace {
 
-// A phase returns how refinement ended, or this when something came of it and all is to be looked
-// at anew.
+// Value a phase returns when something came of it and all is to be looked at anew; otherwise it
+// returns how refinement ended.
 constexpr std::optional<ending> go_on;
 
 // Returns the sharpest corner below the bound that bad triangles are beside: with a site at one, or
@@ -71,9 +71,9 @@ class refinement_loop {
   }
 
  private:
-  // Ends because each call inserts a site (bounded by max_sites), or settles a stale star or
-  // repairs one (there are finitely many between insertions), or shrinks the tolerance towards its
-  // floor, or ends.
+  // Takes one step; returns how refinement ended, or go_on. The steps come to an end, because each
+  // call inserts a site (bounded by max_sites), or settles a stale star or repairs one (there are
+  // finitely many between insertions), or shrinks the tolerance towards its floor, or ends.
   std::optional<ending> step() {
     const bool cleared = state_.clear_encroachments(tolerance_.floor);
     queue_.update(state_);
@@ -102,13 +102,14 @@ class refinement_loop {
     return ending::stopped;
   }
 
-  // Nothing is bad.
+  // Improves exempt corners, then settles and repairs stars, when nothing is bad; ends when there
+  // is nothing to do.
   std::optional<ending> polish() {
     if (arcs_.insert_at_exempt_corners() || stars_.rebuild_all() || stars_.repair()) return go_on;
     return ending::complete;
   }
 
-  // Ends once no star is stale.
+  // Returns `how` once no star is stale; makes stale ones anew before.
   std::optional<ending> conclude(ending how) { return stars_.rebuild_all() ? go_on : how; }
 
   bool is_spent() const {
@@ -143,7 +144,8 @@ class refinement_loop {
     return darts_.refine(state_, bad, darts_rejected_);
   }
 
-  // Nothing can be inserted.
+  // Settles stars, or has them confirmed again, when nothing can be inserted; else refinement is
+  // stuck.
   std::optional<ending> exhaust() {
     if (stars_.rebuild_all() || stars_.confirm_again()) return go_on;
     return ending::stuck;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The refinement loop: look for bad triangles, repair stars, insert a site, until nothing is bad or
-// nothing helps.
+// Runs the refinement loop: looks for bad triangles, repairs stars and inserts sites, until nothing
+// is bad or nothing helps.
 #pragma once
 
 #include "asterism/core/result.hpp"

@@ -17,13 +17,13 @@
 namespace asterism::internal {
 namespace {
 
-// Of the limit on sites, for the fill; the rest is for mending.
+// Part of the limit on sites that the fill may use; the rest is for mending.
 constexpr double part_for_filling = 0.8;
-// Each attempt halves the sites at least once, and no problem takes 2^2000 of them.
+// Bound on the attempts. Each halves the sites at least once, and no problem takes 2^2000 of them.
 constexpr int most_attempts = 2000;
-// From so many vertices on, sites are spread as the segments will need them before anything else,
-// unless that puts few inside: where a domain is narrow everywhere vertices see few others, and
-// refinement finds fewer sites.
+// Number of vertices from which sites are first spread as the segments will need them, and number
+// of vertices to one site inside beyond which that is not done. Where a domain is narrow everywhere
+// vertices see few others, and refinement finds fewer sites.
 constexpr std::size_t many_vertices = 120, fewest_for_one_inside = 5;
 
 // Returns how many more times the number of sites is to be halved.
@@ -71,8 +71,9 @@ std::optional<error> measure_anew(const metric_field& field, filled_domain& prop
   return measure(proposed.interior);
 }
 
-// Fills the domain as its segments and, where that is limited, the size want it. Nothing where they
-// want more sites than there may be, or where few of them would be inside.
+// Fills the domain as its segments and, where that is limited, the size want it. Returns nothing
+// where they want more sites than there may be, or, without a size, where few of them would be
+// inside.
 result<std::optional<filled_domain>> fill_by_features(const meshing_context& job) {
   using filling = result<std::optional<filled_domain>>;
   const bool limit_size = job.options.limit_size;
@@ -93,7 +94,8 @@ result<std::optional<filled_domain>> fill_by_features(const meshing_context& job
   return filling(std::move(proposed));
 }
 
-// Fills the domain as the size wants it, or with so much longer edges as the limit allows.
+// Fills the domain as the size wants it, or with edges as much longer as the limit on sites asks
+// for.
 result<budgeted_filling> fill_by_halving(const meshing_context& job) {
   const fill_options wanted = fill_options_for(job.options);
   budgeted_filling filled;

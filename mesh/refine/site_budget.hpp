@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The fill before refinement, within the limit on sites: where the size wanted takes more, the
-// domain is filled for longer edges, all by the same factor.
+// Fills the domain before refinement, within the limit on sites. Where the size wanted takes more,
+// the domain is filled for longer edges, all by the same factor.
 #pragma once
 
 #include "asterism/core/result.hpp"

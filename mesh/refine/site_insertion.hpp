@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Trying a point as the place of a new site: the conditions of the thesis, section 4.1, shared by
-// both heuristics, and the rule for corners that must stay undivided.
+// Tries a point as the place of a new site by the conditions of the thesis, section 4.1, which both
+// heuristics share. Shortens corners that must stay undivided.
 #pragma once
 
 #include <cstddef>
@@ -20,17 +20,17 @@ enum class placement_outcome {
   subsegment_too_short  // would encroach, and no subsegment it encroaches on can be split
 };
 
-// Inserts a site at q if it is strictly inside the domain, farther than `tolerance` from every
-// site as measured by both, and encroaches on no subsegment. If it would, the subsegments are split
-// instead, as far as the tolerance allows; and so is a subsegment that q lies on: right angles
-// across from a subsegment have their Voronoi vertex there, and nothing encroaches.
+// Inserts a site at q if it is strictly inside the domain, farther than `tolerance` from every site
+// as measured by both, and encroaches on no subsegment. If it would encroach, the subsegments are
+// split instead, as far as the tolerance allows. A subsegment that q lies on is split too: right
+// angles across from a subsegment have their Voronoi vertex there, and nothing encroaches.
 placement_outcome place_site(refine_state& state, const point& q, double tolerance);
 
-// A corner of the domain with an angle of less than twice the bound can have no neighbour between
-// its two subsegments: one part would be below the bound. When a bad triangle lies in such a corner
-// the remedy is therefore to shorten its subsegments (the longer one, as the corner measures) until
-// the triangle between them is small enough to be good and nothing else reaches the corner. Returns
-// whether a subsegment was split.
+// Splits a subsegment at a corner of less than twice the bound that the bad triangle lies in; true
+// if one was split. Such a corner can have no neighbour between its two subsegments: one part would
+// be below the bound. The remedy is therefore to shorten its subsegments (the longer one first, as
+// the corner measures) until the triangle between them is small enough to be good and nothing else
+// reaches the corner.
 bool shorten_tight_corner(refine_state& state, const triangle& bad, const angle_requirement& angle,
                           double tolerance);
 

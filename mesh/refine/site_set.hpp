@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The sites of a mesh being refined, each with the field's metric, and the index of what is near.
+// Keeps the sites of a mesh being refined, each with the field's metric, and the index of what is
+// near.
 #pragma once
 
 #include <cstddef>
@@ -24,14 +25,16 @@ class site_set {
 
   const std::vector<site>& all() const { return sites_; }
   bool is_full() const { return sites_.size() >= most_sites_; }
-  // Sites and subsegments by place; the boundary that splits subsegments keeps these up to date.
+  // Returns the index of sites and subsegments by place. The boundary, which splits subsegments,
+  // keeps these up to date.
   const neighbourhood& near() const { return near_; }
   neighbourhood& near() { return near_; }
   void index(const boundary& edges) { near_ = neighbourhood(sites_, edges); }
 
   // Returns the site at q with the field's metric; none where the field fails.
   std::optional<site> site_at(const point& q);
-  // Set when the field failed at a point that was tried; nothing can go on then.
+  // Returns the failure of the field at a point that was tried, if there was one; nothing can go on
+  // then.
   const std::optional<error>& field_failure() const { return field_failure_; }
   // True if s is farther than this from every site, as measured by them and by s.
   bool is_farther(const site& s, double distance) const;

@@ -14,10 +14,11 @@
 namespace asterism::internal {
 namespace {
 
-// Lengths on one shell agree up to rounding: that of the lengths, and that of the points.
+// Relative slack for lengths on one shell, which agree up to rounding: that of the lengths, and
+// that of the points.
 constexpr double shell_slack = 1e-6;
 
-// At least what the distance of two points measures more or less when both are rounded to doubles:
+// Returns at least how much the distance of two points changes when both are rounded to doubles:
 // with half an ulp for each coordinate of each, one ulp of the larger along both axes.
 double rounding_of_distance(const metric_tensor& m, const point& a, const point& b) {
   const double x = 0x1p-52 * std::max(std::abs(a.x), std::abs(b.x));
@@ -25,25 +26,25 @@ double rounding_of_distance(const metric_tensor& m, const point& a, const point&
   return std::sqrt(m.m11) * x + std::sqrt(m.m22) * y;
 }
 
-// The power of two nearest to half the length, as a ratio: within a factor sqrt(2) of it.
+// Returns the power of two nearest to half the length, as a ratio: within a factor sqrt(2) of it.
 double shell_radius(double length) {
   return elementary::exp2(std::round(elementary::log2(length / 2)));
 }
 
-// An upper bound on |d|_M^2, in doubles. With eps = 2^-52 and sum = m11 dx^2 + m22 dy^2 the
+// Returns an upper bound on |d|_M^2, in doubles. With eps = 2^-52 and sum = m11 dx^2 + m22 dy^2 the
 // absolute monomials add up to at most 2 sum (2 |m12 dx dy| <= sum), each carries at most 8 rounded
 // factors: the error is below 32 eps sum, which no condition number of M enlarges.
 double squared_length_above(const metric_tensor& m, const point& d) {
   return inner_product(m, d, d) + 0x1p-46 * (m.m11 * d.x * d.x + m.m22 * d.y * d.y);
 }
 
-// A certain no, cheaply. Nowhere on a b are both f_a and f_b above r^2, their value at the bisector
-// point, and r grows with either length; if f_w is above it all along a b, w does not encroach.
-// With S the magnitude, a bound on the monomials of f_w on the segment is 2 S, so that evaluating
-// f_w at t is off by less than 40 eps S. t itself is off by at most 64 eps S / |d|_w^2, and by at
-// most 1 as it is clamped, which raises f_w above its least value by less than 192 eps S whichever
-// is smaller: 256 eps = 2^-44 covers both. The few roundings of r are relative. Near underflow
-// these bounds do not hold, and nothing is decided.
+// True if w certainly does not encroach on the subsegment a b; cheap. Nowhere on a b are both f_a
+// and f_b above r^2, their value at the bisector point, and r grows with either length; if f_w is
+// above it all along a b, w does not encroach. With S the magnitude, a bound on the monomials of
+// f_w on the segment is 2 S, so that evaluating f_w at t is off by less than 40 eps S. t itself is
+// off by at most 64 eps S / |d|_w^2, and by at most 1 as it is clamped, which raises f_w above its
+// least value by less than 192 eps S whichever is smaller: 256 eps = 2^-44 covers both. The few
+// roundings of r are relative. Near underflow these bounds do not hold, and nothing is decided.
 bool surely_does_not_encroach(const site& a, const site& b, const site& w) {
   const point d{b.position.x - a.position.x, b.position.y - a.position.y};
   const point e{w.position.x - a.position.x, w.position.y - a.position.y};
@@ -72,9 +73,9 @@ bool in_box(const point& a, const point& b, const point& q) {
          q.y <= std::max(a.y, b.y);
 }
 
-// Whether replacing a b by a m, m b leaves every other site and subsegment where it was: on the
-// same side of the boundary, uncrossed and untouched: where segments meet in a sharp corner, or a
-// few ulps apart, m may be rounded onto another one. Only the sliver a, m, b changes sides.
+// True if replacing a b by a m, m b leaves every other site and subsegment where it was: on the
+// same side of the boundary, uncrossed and untouched. Only the sliver a, m, b changes sides. Where
+// segments meet in a sharp corner, or a few ulps apart, m may be rounded onto another one.
 bool sliver_is_empty(const star_predicates& kernel, const std::vector<site>& sites,
                      const boundary& edges, const neighbourhood& near,
                      const boundary_edge& subsegment, const point& m) {
@@ -132,7 +133,7 @@ std::span<const domain_corner> split_boundary::corners_at(vertex_index v) const 
   return {first, last};
 }
 
-// Requires that there is such a subsegment.
+// Finds the subsegment in the index; there must be one.
 std::size_t split_boundary::find_subsegment(vertex_index a, vertex_index b) const {
   std::size_t found = edges_.subsegments().size();
   near().subsegments().visit(box_of(sites()[a].position, sites()[b].position),
@@ -166,7 +167,7 @@ const domain_corner* split_boundary::sharp_corner(vertex_index v,
   return nullptr;
 }
 
-// Whether the angle beside the subsegment at its end v is sharp, on either side if it is internal.
+// True if the angle beside the subsegment at its end v is sharp, on either side if it is internal.
 bool split_boundary::has_sharp_end(const boundary_edge& subsegment, vertex_index v) const {
   if (sharp_corner(v, subsegment) != nullptr) return true;
   boundary_edge other_way = subsegment;
@@ -174,7 +175,7 @@ bool split_boundary::has_sharp_end(const boundary_edge& subsegment, vertex_index
   return subsegment.internal && sharp_corner(v, other_way) != nullptr;
 }
 
-// The far end of the subsegment across a sharp corner, when it is no nearer to the corner.
+// True if w is the far end of the subsegment across a sharp corner, and no nearer to the corner.
 bool split_boundary::is_excused(const boundary_edge& subsegment, vertex_index w) const {
   for (const vertex_index v : {subsegment.a, subsegment.b}) {
     const domain_corner* c = sharp_corner(v, subsegment);
@@ -213,7 +214,8 @@ std::vector<std::size_t> split_boundary::encroached_by(const star_predicates& ke
   return found;
 }
 
-// The first of them, so that the answer does not depend on how they were found.
+// Returns the first site that encroaches, so that the answer does not depend on how they were
+// found.
 std::optional<vertex_index> split_boundary::find_encroacher(std::size_t subsegment) const {
   const boundary_edge& p = edges_.subsegments()[subsegment];
   const bounding_box box = influence_box(sites()[p.a], sites()[p.b]);
@@ -261,7 +263,7 @@ bool split_boundary::can_split_at(const boundary_edge& subsegment, const site& m
   return sliver_is_empty(*kernel_, sites(), edges_, near(), subsegment, m.position);
 }
 
-// The new site is added between what the index has to know before and after.
+// Adds the new site between the two updates of the index, which has to know before and after.
 void split_boundary::put_on_subsegment(std::size_t subsegment, const site& m) {
   const auto twin = edges_.twin(subsegment);
   std::size_t new_subsegment = edges_.subsegments().size();

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// The boundary of a mesh being refined: its subsegments, which of them are encroached, and where
-// they may be split.
+// Keeps the boundary of a mesh being refined: its subsegments, which of them are encroached, and
+// where they may be split.
 //
 // Encroachment (thesis, definition 8) is counted only from the domain's side of a subsegment: an
 // internal subsegment and its twin have a side each.
 //
 // Corners whose angle in their own metric is below 60 degrees are *sharp*. Two subsegments at a
-// sharp corner could encroach on each other for ever; therefore subsegments with one sharp end are
+// sharp corner could encroach on each other for ever. Therefore subsegments with one sharp end are
 // split at power-of-two distances from it, in the corner's metric (concentric shells, after
-// Ruppert; an internal subsegment when the corner on either side of it is sharp), and the far end
-// of the subsegment across the corner does not count as encroaching unless it is nearer to the
-// corner: of two such subsegments only the longer is ever split because of the other.
+// Ruppert; an internal subsegment when the corner on either side of it is sharp). The far end of
+// the subsegment across the corner does not count as encroaching unless it is nearer to the corner:
+// of two such subsegments only the longer is ever split because of the other.
 #pragma once
 
 #include <array>
@@ -32,14 +32,15 @@ namespace asterism::internal {
 
 class split_boundary {
  public:
-  // Takes the domain's segments as they are, and indexes the sites, which must be its vertices.
-  // Both references must outlive it. Fails for a boundary that check_domain would have refused.
+  // Builds the boundary from the domain's segments as they are, and indexes the sites, which must
+  // be its vertices. Both references must outlive it. Fails for a boundary that check_domain would
+  // have refused.
   static result<split_boundary> build(const domain& d, const star_predicates& kernel,
                                       site_set& sites);
 
   const boundary& edges() const { return edges_; }
   std::size_t splits() const { return splits_; }
-  // Angles of the domain, in the order of their vertices.
+  // Returns the angles of the domain, in the order of their vertices.
   const std::vector<domain_corner>& corners() const { return corners_; }
   // Returns the corners at a vertex, of all those in corners().
   std::span<const domain_corner> corners_at(vertex_index v) const;
@@ -62,9 +63,10 @@ class split_boundary {
   bool has_suspects() const { return !suspects_.empty(); }
   struct encroachment {
     std::size_t subsegment = 0;
-    std::optional<point> mirrored;  // where to split it rather than at split_point()
+    std::optional<point> mirrored;  // place to split it at rather than split_point()
   };
-  // Takes the last suspect, of which there must be one; nothing if it is not encroached.
+  // Takes the last suspect, of which there must be one, and returns its encroachment; nothing if it
+  // is not encroached.
   std::optional<encroachment> next_encroachment();
 
   // Returns where the subsegment is to be split: at its bisector point, a shell, or a round

@@ -21,7 +21,7 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   }
   if (steep_.awaits_relaxation()) return false;
   if (rebuild(std::move(stale), star_search::near)) return true;
-  // Where metrics vary much all sites are in reach, so this waits until there are a tenth more.
+  // All sites are in reach where metrics vary much, so this waits until there are a tenth more.
   if (10 * state_.sites().size() < 11 * confirmed_at_) return false;
   confirmed_at_ = state_.sites().size();
   return rebuild(std::move(unconfirmed), star_search::thorough);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// When stars are made anew during refinement: the stale ones, and those that a search of what is
-// near may have got wrong.
+// Makes stars anew during refinement: the stale ones, and those that a search of what is near may
+// have got wrong.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@
 
 namespace asterism::internal {
 
-// Each function returns whether anything new came of it.
+// Makes stars anew. Each function that does returns true if anything new came of it.
 class stale_stars {
  public:
-  // Both must outlive it.
+  // Both references must outlive the object.
   stale_stars(refine_state& state, steepness& steep) : state_(state), steep_(steep) {}
 
   // Makes the stars in disagreeing triangles anew, and holds them against all sites, before a site
@@ -28,6 +28,7 @@ class stale_stars {
   // only because others came, so this is done once for each number of sites.
   bool repair();
   // Lets rebuild_disagreeing() hold stars against all sites once more before refinement gives up.
+  // Returns false if it has held them against these sites already.
   bool confirm_again();
 
   // Returns how many stars repair() changed.

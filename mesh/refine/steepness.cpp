@@ -8,11 +8,12 @@
 namespace asterism::internal {
 namespace {
 
-// Up to this sigma * distance refinement has been seen to reach 20 degrees; the proof wants 0.052
-// (docs/math/refinement.md). Beyond it a triangle is given up, so the greater of the two.
+// Greatest sigma * distance with which refinement has been seen to reach 20 degrees; the proof
+// wants 0.052 (docs/math/refinement.md). A triangle beyond it is given up, so this is the greater
+// of the two.
 constexpr double resolved_variation = 0.3;
-// Sites whose metrics differ less than this, the root of the golden ratio, have wedged arcs at any
-// distance that a net has (the same page, point 4).
+// Distortion below which two sites have wedged arcs at any distance that a net has: the root of the
+// golden ratio (the same page, point 4).
 constexpr double resolved_distortion = 1.272;
 
 }  // namespace

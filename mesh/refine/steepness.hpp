@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangles at which the metric varies faster than sites could resolve: they are given up, for more
-// sites would pile up there for ever.
+// Finds triangles at which the metric varies faster than sites could resolve, and gives them up:
+// more sites would pile up there for ever.
 #pragma once
 
 #include <cstddef>
@@ -33,14 +33,15 @@ class steepness {
   // True if the metric is to be relaxed for such a triangle, and all to be meshed anew
   // (pipeline/metric_relaxation.hpp): whatever is mended elsewhere is in vain.
   bool awaits_relaxation() const { return options_.relax && jump_disagrees_; }
-  // True if there have been enough more sites since the first triangle was given up. The mesh
-  // cannot become complete any more, and beside a jump of the metric stars with thousands of
-  // neighbours keep the others from agreeing; to go on to the floor of the tolerance takes days.
+  // True if enough sites were inserted since the first triangle was given up. The mesh cannot
+  // become complete any more, and beside a jump of the metric stars with thousands of neighbours
+  // keep the others from agreeing; to go on to the floor of the tolerance takes days.
   bool has_waited_enough() const;
   // Returns how many sites were inserted since the first triangle was given up, or all if none was.
   std::size_t sites_since() const { return state_.sites().size() - sites_at_first_; }
 
-  // Returns where the first of the given triangles that were given up is; nothing without any.
+  // Returns the place of the first of these triangles that were given up, with their number;
+  // nothing without any.
   std::optional<steep_place> first_place(const std::set<bad_triangle>& bad) const;
 
  private:

@@ -12,7 +12,8 @@ namespace {
 
 struct ray {
   vertex_index end;
-  // The subsegment leaves the vertex along this ray, or enters along it; both if it is internal.
+  // True if the subsegment leaves the vertex along this ray, or enters along it; both if it is
+  // internal.
   bool leaving = false, entering = false;
 };
 
@@ -20,8 +21,8 @@ bool in_upper_half(const point& v, const point& a) {
   return a.y > v.y || (a.y == v.y && a.x > v.x);
 }
 
-// Counter-clockwise order from the positive x direction; exact, and rays are distinct because
-// segments meet only in vertices.
+// Sorts rays counter-clockwise from the positive x direction. The order is exact, and total because
+// segments meet only in vertices, which makes the rays distinct.
 void sort_rays(std::vector<ray>& rays, const point& v, const std::vector<point>& vertices,
                const star_predicates& kernel) {
   std::sort(rays.begin(), rays.end(), [&](const ray& a, const ray& b) {
@@ -32,8 +33,9 @@ void sort_rays(std::vector<ray>& rays, const point& v, const std::vector<point>&
   });
 }
 
-// The inside follows each leaving ray counter-clockwise, up to the next ray, which must enter. A
-// single ray is its own next one.
+// Collects the corners at a vertex; false if inside and outside do not alternate there. The inside
+// follows each leaving ray counter-clockwise, up to the next ray, which must enter. A single ray is
+// its own next one.
 bool pair_rays(const std::vector<ray>& rays, std::vector<boundary_corner>& corners) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const ray& next = rays[(i + 1) % rays.size()];

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The boundary of the domain as it is now: the input segments, split into subsegments.
+// Keeps the current boundary of the domain: the input segments, split into subsegments.
 //
 // Subsegments are directed with the domain on their left. A subsegment of an internal segment is
-// two of them, a -> b and b -> a, each the other's twin: the boundary of the domain slit open along
-// it. Twins are split together. Splitting keeps every earlier vertex; when a split point is rounded
-// off its segment, the split polygon is the domain from then on.
+// stored twice, as a -> b and b -> a, each the other's twin: the boundary of the domain is slit
+// open along it. Twins are split together. Splitting keeps every earlier vertex. A split point may
+// be rounded off its segment; the split polygon is the domain from then on.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +22,9 @@ namespace asterism::internal {
 
 class neighbourhood;
 
-// One interior angle of the domain at a boundary vertex v, swept counter-clockwise from the ray
-// v -> first to the ray v -> last: the subsegments v -> first and last -> v bound it. At the free
-// end of an internal segment first and last are the same, and the corner is the full turn.
+// One interior angle of the domain at a boundary vertex v, swept counter-clockwise from the ray v
+// -> first to the ray v -> last. The subsegments v -> first and last -> v bound it. At the free end
+// of an internal segment first and last are the same, and the corner is the full turn.
 struct boundary_corner {
   vertex_index first = 0, last = 0;
 };
@@ -33,30 +33,29 @@ class boundary {
  public:
   boundary() = default;
 
-  // `d` must have been accepted by check_domain; a vertex around which inside and outside do not
-  // alternate is reported as an error all the same.
+  // Builds the boundary of `d`, which must have been accepted by check_domain. Fails, naming the
+  // vertex, if inside and outside do not alternate around one.
   static result<boundary> build(const domain& d, const star_predicates& kernel);
 
-  // With both directions of internal subsegments.
+  // Returns all subsegments, internal ones in both directions.
   const std::vector<boundary_edge>& subsegments() const { return subsegments_; }
-  // Index of the same subsegment the other way; none unless it is internal.
+  // Returns the index of the subsegment in the other direction; none unless it is internal.
   std::optional<std::size_t> twin(std::size_t subsegment) const;
-  // Counter-clockwise. Empty for a site that is not on the boundary.
+  // Returns the corners at v, counter-clockwise; none for a site that is not on the boundary.
   const std::vector<boundary_corner>& corners(vertex_index v) const;
   bool is_subsegment(vertex_index a, vertex_index b) const;
 
-  // Replaces subsegments()[subsegment] = a -> b by a -> m (same place) and m -> b (at the end), and
-  // likewise its twin, whose second part then is the last subsegment. `m` is the index of a site
-  // not yet on the boundary.
+  // Replaces subsegments()[subsegment] = a -> b by a -> m (in its place) and m -> b (at the end).
+  // Splits its twin likewise; the twin's second part is then the last subsegment. `m` is the index
+  // of a site that is not on the boundary yet.
   void split(std::size_t subsegment, vertex_index m);
 
-  // The subsegments segment by segment, each chain in the direction of its segment, internal ones
-  // once.
+  // Returns the subsegments segment by segment, each chain in the direction of its segment,
+  // internal ones once.
   std::vector<boundary_edge> in_order() const;
 
  private:
-  // Of each subsegment: where its twin is (itself if none), and whether it runs against its
-  // segment.
+  // Index of a subsegment's twin (its own if it has none), and whether it runs against its segment.
   struct companion {
     std::size_t twin = 0;
     bool backward = false;
@@ -70,9 +69,9 @@ class boundary {
   std::vector<std::vector<boundary_corner>> corners_;  // by site
 };
 
-// Whether q lies strictly inside the split polygon; a point on a subsegment, internal or not, does
-// not. Exact. Linear in the number of subsegments, or of those a ray from q meets when there is a
-// neighbourhood.
+// True if q lies strictly inside the split polygon; false for a point on a subsegment, internal or
+// not. Exact. Takes time linear in the number of subsegments, or, with a neighbourhood, in the
+// number of those that a ray from q meets.
 bool strictly_inside(const boundary& b, const std::vector<site>& sites,
                      const star_predicates& kernel, const point& q,
                      const neighbourhood* near = nullptr);

@@ -46,7 +46,8 @@ class checker {
     }
   }
 
-  // `seen_from_other` is t turned so that it starts at `other`.
+  // True if the star of `other` has triangle t; otherwise reports the defect. `seen_from_other` is
+  // t turned so that it starts at `other`.
   bool confirm(const triangle& t, vertex_index other, const triangle& seen_from_other) {
     const star& s = stars_[other];
     if (has_triangle(oracle_, other, s, seen_from_other[1], seen_from_other[2])) return true;

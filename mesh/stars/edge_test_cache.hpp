@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Answers of edge_test, remembered. Rebuilding stars asks the same questions again: a third of all
+// Remembers answers of edge_test. Rebuilding stars asks the same questions again: a third of all
 // tests of a refinement are repeats, and exact arithmetic costs milliseconds.
 //
 // An answer depends on four sites alone, which never change, so it never goes stale. The table has
 // a fixed number of places, each holding the last question that fell on it; forgetting only costs
-// time. Not for use by several threads at once.
+// time. A memory must not be shared by threads.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ class edge_test_memory {
  public:
   edge_test_memory() : places_(place_count) {}
 
-  // The answer for v, w, x, y; `ask` is called when it is not known. The question is the same
-  // under exchange of v and w and of x and y. Requires four distinct indices.
+  // Returns the answer for v, w, x, y; calls `ask` if it is not known. Exchanging v and w, or x and
+  // y, leaves the question the same. Requires four distinct indices.
   template <class Ask>
   bool recall(vertex_index v, vertex_index w, vertex_index x, vertex_index y, Ask ask) {
     if (w < v) std::swap(v, w);

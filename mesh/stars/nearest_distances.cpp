@@ -14,8 +14,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Squared distance from s to the segment a b, as s measures it; where s is on the segment but for
-// the rounding of the nearest point, that of the rounding.
+// Returns the squared distance from s to the segment a b, as s measures it. If s is on the segment
+// but for the rounding of the nearest point, returns the squared length of that rounding.
 double squared_distance_to_segment(const site& s, const point& a, const point& b) {
   const point d{b.x - a.x, b.y - a.y}, e{s.position.x - a.x, s.position.y - a.y};
   const double t =
@@ -28,8 +28,8 @@ double squared_distance_to_segment(const site& s, const point& a, const point& b
   return on_it ? s.metric.m11 * x * x + s.metric.m22 * y * y : squared_distance(s, q);
 }
 
-// Of neighbours along a space-filling curve: seldom much more than the least of all pairs, so that
-// the searches that follow stay small.
+// Returns the least squared distance of neighbours along a space-filling curve. It is seldom much
+// more than the least of all pairs, so that the searches that follow stay small.
 double least_along_curve(std::vector<site> sites, const bounding_box& box) {
   sort_along_curve(sites, box);
   double least = infinity;
@@ -39,8 +39,8 @@ double least_along_curve(std::vector<site> sites, const bounding_box& box) {
   return least;
 }
 
-// The squared distance of v to the nearest other site, the lesser of what both measure; at most
-// `most`. What is nearer than the radius is seen by both searches, with a factor of two to spare
+// Returns the squared distance of v to the nearest other site, the lesser of what both measure; at
+// most `most`. Both searches see whatever is nearer than the radius, with a factor of two to spare
 // for roundings.
 double nearest_other(const std::vector<site>& sites, const site_index& near, vertex_index v,
                      double most) {
@@ -72,7 +72,8 @@ double shortest_distance(const std::vector<site>& sites, vertex_index count, con
   const auto end = sites.begin() + static_cast<std::ptrdiff_t>(count);
   double least = std::min(most * most, least_along_curve({sites.begin(), end}, near.box()));
   for (vertex_index v = 0; v < count; ++v) {
-    // Twice what is asked for: what is not seen certainly is farther, whatever the roundings.
+    // Searches twice as far as needed, so that an unseen subsegment certainly is farther, whatever
+    // the roundings.
     const double radius = std::sqrt(least);
     near.sites().visit_reach(sites, sites[v], radius, [&](vertex_index w) {
       if (w != v) least = std::min(least, squared_distance(sites[v], sites[w].position));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// How near to each other the sites and subsegments of a mesh are: what tolerances are chosen from
-// (refine/insertion_tolerance.hpp). In doubles, by searches of what is near; the values are those
-// of a look at all pairs, in the same doubles, unless a metric is stretched by more than 2^24.
+// Measures how near to each other the sites and subsegments of a mesh are, for the choice of
+// tolerances (refine/insertion_tolerance.hpp). Works in doubles and searches only what is near. The
+// values are those of a search of all pairs in the same doubles, unless a metric is stretched by
+// more than 2^24.
 #pragma once
 
 #include <vector>
@@ -13,14 +14,15 @@
 
 namespace asterism::internal {
 
-// The least of `most` and of the distances from one of the first `count` sites, as it measures, to
-// any other one or to a subsegment it is not an end of. `near` knows all sites and subsegments.
+// Returns the shortest distance from one of the first `count` sites, as it measures, to any other
+// site or to a subsegment that it is not an end of; at most `most`. `near` must know all sites and
+// subsegments.
 double shortest_distance(const std::vector<site>& sites, vertex_index count, const boundary& edges,
                          const neighbourhood& near, double most);
 
-// The median over all sites, at least one, of the distance to the nearest other one, the lesser of
-// what the two measure; `most` where that is less. Half the sites are crowded no more than this, so
-// darts that far apart can land.
+// Returns the median over all sites of the distance to the nearest other site, each at most `most`.
+// The distance of two sites is the lesser of what both measure. Requires at least one site. Half
+// the sites are crowded no more than this, so darts that far apart can land.
 double median_distance(const std::vector<site>& sites, const neighbourhood& near, double most);
 
 }  // namespace asterism::internal

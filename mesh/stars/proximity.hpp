@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What is near: the sites and boundary subsegments of a growing mesh, so that stars, visibility and
-// encroachment are asked of a few instead of all. Follows the mesh's own lists; holds no copy.
+// Finds the sites and boundary subsegments near a place in a growing mesh, so that stars,
+// visibility and encroachment look at a few instead of all. Follows the mesh's own lists; holds no
+// copy.
 #pragma once
 
 #include <cstddef>
@@ -19,20 +20,21 @@ namespace asterism::internal {
 class neighbourhood {
  public:
   neighbourhood() = default;
-  // Of all sites and subsegments.
+  // Indexes all sites and subsegments.
   neighbourhood(const std::vector<site>& sites, const boundary& edges);
 
   const site_index& sites() const { return sites_; }
   const box_index& subsegments() const { return subsegments_; }
-  // Subsegments by the box of sites that could encroach on them.
+  // Returns the subsegments, indexed by the box of the sites that could encroach on them.
   const box_index& influences() const { return influences_; }
-  // Around all sites; some may lie outside it by rounding.
+  // Returns the box around all sites; some may lie outside it by rounding.
   const bounding_box& box() const { return box_; }
 
-  // sites[w] is new.
+  // Adds the new site sites[w].
   void add_site(const std::vector<site>& sites, vertex_index w) { sites_.insert(sites, w); }
-  // To be called before and after edges.split(subsegment, ...), with the twin (if any) and the
-  // number of subsegments there were before.
+  // Takes a subsegment out of the index, or puts its parts in. To be called before and after
+  // edges.split(subsegment, ...). `twin` is the subsegment's twin, if any; `first_new` is the
+  // number of subsegments there were before the split.
   void before_split(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment);
   void after_split(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment,
                    std::optional<std::size_t> twin, std::size_t first_new);

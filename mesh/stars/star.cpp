@@ -6,8 +6,8 @@
 namespace asterism::internal {
 namespace {
 
-// Where the direction v -> u lies, counter-clockwise from the ray v -> first. Orders directions up
-// to those within one open half plane, which one orientation tells apart.
+// Place of the direction v -> u, counter-clockwise from the ray v -> first. It orders directions
+// but for those within one open half plane, which one orientation tells apart.
 enum class half { on_first_ray, left, on_opposite_ray, right };
 
 half half_of(const site_oracle& oracle, vertex_index v, vertex_index first, vertex_index u) {
@@ -23,8 +23,8 @@ half half_of(const site_oracle& oracle, vertex_index v, vertex_index first, vert
   return oracle.same_direction(v, first, u) ? half::on_first_ray : half::on_opposite_ray;
 }
 
-// How w lies against neighbour u, counter-clockwise from the first: negative before it, zero on
-// its ray, positive after it.
+// Compares the direction of w with that of neighbour u, counter-clockwise from the first: negative
+// before it, zero on its ray, positive after it.
 sign compare_direction(const site_oracle& oracle, vertex_index v, vertex_index first,
                        vertex_index u, half half_of_w, vertex_index w) {
   const half half_of_u = half_of(oracle, v, first, u);
@@ -53,8 +53,8 @@ placement locate(const site_oracle& oracle, vertex_index v, const sector& s, ver
   const vertex_index first = s.neighbours.front();
   const half half_of_w = half_of(oracle, v, first, w);
   if (half_of_w == half::on_first_ray) return {placement_kind::on_ray, 0};
-  // w is after neighbour `low` and before `high`. The last neighbour of a slit, which is the first
-  // one again, is after everything.
+  // Keeps w after neighbour `low` and before `high`. The last neighbour of a slit, which is the
+  // first one again, comes after everything.
   std::size_t low = 0, high = s.is_slit() ? s.size() - 1 : s.size();
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;

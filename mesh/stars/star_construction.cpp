@@ -16,8 +16,8 @@
 namespace asterism::internal {
 namespace {
 
-// Rounds over all sites. A star that does not settle in a few is replacing neighbours in a circle,
-// which more rounds do not cure.
+// Most rounds over all sites. A star that does not settle in a few is replacing neighbours in a
+// circle, which more rounds do not cure.
 constexpr std::size_t most_rounds = 8;
 
 struct candidate {
@@ -64,8 +64,8 @@ constructed_star settle(const site_oracle& oracle, vertex_index v, star begun,
 
 // --- The star from what is near.
 
-// The star guessed in plain doubles, if exact tests confirm it: at once against all sites there
-// are, or else against the given ones.
+// Returns the star guessed in plain doubles if exact tests confirm it: at once against all sites
+// there are, or else against the given ones.
 std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, vertex_index v,
                                                 const plain_star& guess,
                                                 const std::vector<vertex_index>& order) {
@@ -74,8 +74,8 @@ std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, verte
   s.sectors.push_back({{}, true});
   sector& ring = s.sectors[0];
   for (const plain_gap& gap : guess) ring.neighbours.push_back(gap.neighbour);
-  // Doubles tell directions apart well enough for the ring to go round once; then half turns are
-  // all that could be wrong with it.
+  // Checks for half turns alone: doubles tell directions apart well enough for the ring to go round
+  // once, and nothing else could be wrong with it.
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (!holds_triangle(oracle, v, s.sectors[0], i)) return std::nullopt;
   for (const vertex_index w : ring.neighbours)
@@ -88,8 +88,9 @@ std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, verte
   return constructed_star{std::move(s), true, false, {}};
 }
 
-// As site_index::visit_reach wants it, but in doubles. A gap whose vertex is not found has an
-// infinite radius, and one closed by a subsegment of the boundary none, as it accepts nothing.
+// Extent of a star as site_index::visit_reach wants it, but in doubles. A gap whose vertex is not
+// found has an infinite radius. A gap closed by a subsegment of the boundary has none, as it
+// accepts nothing.
 struct star_extent {
   double radius = 0, longest = 0;
   double reach() const { return std::max(radius, longest); }
@@ -131,15 +132,16 @@ gathered gather(const site_oracle& oracle, vertex_index v, double reach) {
   return {from_near_to_far(oracle, std::move(found)), false};
 }
 
-// `guess` is the star of these sites in plain doubles; empty on the boundary.
+// Constructs the star of v from these sites. `guess` is their star in plain doubles; empty on the
+// boundary.
 constructed_star construct_from(const site_oracle& oracle, vertex_index v, const plain_star& guess,
                                 const std::vector<vertex_index>& order) {
   if (auto confirmed = confirmed_guess(oracle, v, guess, order)) return std::move(*confirmed);
   return settle(oracle, v, empty_star(oracle.edges(), v), order);
 }
 
-// Sites farther than this many times the farthest vertex are left to the thorough search: two
-// where metrics are equal, and a margin.
+// Multiple of the farthest vertex's distance beyond which sites are left to the thorough search:
+// two, which is enough where metrics are equal, and a margin.
 constexpr double reach_of_vertices = 2.1;
 
 struct local_star {
@@ -160,14 +162,15 @@ double farthest_vertex(const plain_star& guess) {
   return std::sqrt(squared);
 }
 
-// Looks farther and farther, until the star's farthest vertex is well within what was looked at.
-// Two spacings, and the margin of reach_of_vertices, hold the star in an even lattice; six sites
-// are what a site has as neighbours on average. A look that was too short names the reach it wants:
-// it is taken with 2 % for its own rounding, at least a quarter more, so that looks get somewhere,
-// and at most twice as much, as a guess from too few sites may have a vertex anywhere.
+// Constructs the star of v from the sites near it. Looks farther and farther, until the star's
+// farthest vertex is well within what was looked at. The first look takes two spacings, and the
+// margin of reach_of_vertices: they hold the star in an even lattice. Six sites are what a site has
+// as neighbours on average. A look that was too short names the reach it wants. The next one takes
+// that with 2 % for its own rounding, but at least a quarter more than the last, so that looks get
+// somewhere, and at most twice as much, as a guess from too few sites may have a vertex anywhere.
 //
 // Ends because attempts are counted. Where metrics vary wildly some gaps have no vertex however far
-// one looks; then what is near has to do, until a thorough search.
+// one looks; then the near sites have to do, until a thorough search.
 local_star construct_near(const site_oracle& oracle, vertex_index v) {
   constexpr double spacings = 2.2, infinity = std::numeric_limits<double>::infinity();
   constexpr std::size_t fewest = 6;
@@ -196,7 +199,7 @@ local_star construct_near(const site_oracle& oracle, vertex_index v) {
   }
 }
 
-// The sites not certainly out of reach that are not among the given ones.
+// Returns the sites not certainly out of reach that are not among the given ones.
 std::vector<vertex_index> others_in_reach(const site_oracle& oracle, vertex_index v,
                                           const local_star& from) {
   std::vector<vertex_index> known = from.among.order, others;

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// CONSTRUCTSTAR: the star of one site from all the others.
+// Constructs the star of one site from all the others (CONSTRUCTSTAR of the thesis).
 //
-// The thesis looks at every site once, in any order; where Voronoi arcs are not wedged the result
+// The thesis looks at every site once, in any order. Where Voronoi arcs are not wedged the result
 // then depends on the order, and coarse stars keep neighbours they should not. Here sites are
 // offered from near to far (as v measures; ties by position), again and again until the star is
 // *settled*:
 //   (a) every neighbour that is not forced passes its own test against the star without it,
 //   (b) no other site that v sees is accepted.
-// Both hold of the finished star, not only of some moment on the way. Sites already refused by the
-// star as it stands are not asked again, so a star that settles costs little more than one round.
+// Both hold of the finished star, not only at some moment on the way. A site that the star as it
+// stands has refused is not offered to it again, so a star that settles costs little more than one
+// round.
 //
-// With a neighbourhood only the sites near v are looked at, in two steps. Those within about twice
-// the distance of the farthest Voronoi vertex make the star; where plain doubles guess it right
-// (numerics/approximate_star.hpp), that is merely confirmed (stars/star_finality.hpp), against all
-// sites there are if it can be. Then, if asked to be thorough, every site that is not certainly out
-// of reach (site_index.hpp) is offered too.
+// With a neighbourhood only the sites near v are looked at, in two steps. First, the sites within
+// about twice the distance of the farthest Voronoi vertex make the star. If plain doubles guess
+// that star right (numerics/approximate_star.hpp), it is merely confirmed
+// (stars/star_finality.hpp), against all sites there are if it can be. Then a thorough search
+// offers every other site that is not certainly out of reach (site_index.hpp).
 #pragma once
 
 #include <optional>
@@ -27,23 +28,25 @@ namespace asterism::internal {
 
 struct constructed_star {
   star content;
-  // False when neighbours were still replacing each other after the bound on rounds
-  // (stars/star_construction.cpp); (a) or (b) then fails.
+  // True if the star is settled. False (the default) when neighbours were still replacing each
+  // other after the bound on rounds (stars/star_construction.cpp); (a) or (b) then fails.
   bool settled = false;
-  // A thorough search changed what the near sites had made of it.
+  // True if a thorough search had to change the star made of the near sites; false by default.
   bool repaired = false;
-  // Known to be final (stars/star_finality.hpp), with this reach: no site there is belongs to it.
+  // Reach of a star known to be final (stars/star_finality.hpp): a site that comes later and is
+  // certainly out of it does not change the star. Empty (the default) if that is not known.
   std::optional<double> final_reach;
 };
 
 enum class star_search { near, thorough };
 
-// Deterministic: a function of the sites, the boundary and v alone.
+// Constructs the star of v. Deterministic: a function of the sites, the boundary, v and the search
+// alone.
 constructed_star construct_star(const site_oracle& oracle, vertex_index v,
                                 star_search search = star_search::thorough);
 
-// The distance from v to the farthest Voronoi vertex of the star's gaps, as v measures; infinite
-// when a gap has none. In doubles, for choosing how far to look.
+// Returns the distance from v to the farthest Voronoi vertex of the star's gaps, as v measures;
+// infinite when a gap has none. In doubles, for choosing how far to look.
 double farthest_vertex(const site_oracle& oracle, vertex_index v, const star& s);
 
 }  // namespace asterism::internal

@@ -14,14 +14,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The gap of a sector from neighbour y counter-clockwise to x.
+// Gap of a sector from neighbour y counter-clockwise to x.
 struct prepared_gap {
   vertex_index y = 0, x = 0;
   bool on_boundary = false;         // accepts nothing
   std::optional<star_gap> content;  // unless on the boundary, or half a turn or more
 };
 
-// One sector of v's star, its gaps prepared for many questions.
+// Holds one sector of v's star, its gaps prepared for many questions.
 class prepared_sector {
  public:
   prepared_sector(const site_oracle& oracle, vertex_index v, const sector& part)
@@ -31,7 +31,7 @@ class prepared_sector {
       gap.y = part.neighbours[i];
       gap.x = part.neighbours[part.after(i)];
       gap.on_boundary = oracle.edges().is_subsegment(gap.y, gap.x);
-      // A gap of half a turn or more accepts what prepared ones would refuse.
+      // Leaves out gaps of half a turn or more: they accept sites that prepared ones would refuse.
       if (!gap.on_boundary && holds_triangle(oracle, v, part, i))
         gap.content.emplace(at(v), at(gap.y), at(gap.x));
     }
@@ -50,7 +50,7 @@ class prepared_sector {
     return reach;
   }
 
-  // Whether w is certainly not accepted. It is not in the star.
+  // True if w is certainly not accepted. Requires that w is not in the star.
   bool certainly_refuses(vertex_index w) const {
     const prepared_gap* gap = gap_in_doubles(w);
     if (gap == nullptr) {
@@ -60,14 +60,15 @@ class prepared_sector {
       gap = &gaps_[where.at];
     }
     if (!gap->content) return false;
-    // Inside the triangle of the gap a site is accepted whatever the arcs say.
+    // Excludes the triangle of the gap: a site inside it is accepted whatever the arcs say.
     return refuses(*gap, w) && oracle_->orientation(gap->y, gap->x, w) != sign::positive;
   }
 
  private:
   const site& at(vertex_index u) const { return oracle_->sites()[u]; }
 
-  // The question is the same to w, who may see it more clearly.
+  // True if the gap certainly refuses w. Asks w too if v is undecided: the question is the same to
+  // w, who may see it more clearly.
   bool refuses(const prepared_gap& gap, vertex_index w) const {
     const uncertain_bool by_v = gap.content->accepts(at(w));
     if (by_v.certain()) return !by_v.value();
@@ -75,7 +76,8 @@ class prepared_sector {
     return by_w.certain() && !by_w.value();
   }
 
-  // The gap less than half a turn strictly between whose rays w lies, where doubles can tell.
+  // Returns the gap, of less than half a turn, strictly between whose rays w lies; none if doubles
+  // cannot tell.
   const prepared_gap* gap_in_doubles(vertex_index w) const {
     if (gaps_.empty()) return nullptr;
     const point &v = at(v_).position, &q = at(w).position;
@@ -115,7 +117,7 @@ std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, con
   };
   if (!oracle.near()->sites().visit_reach(oracle.sites(), oracle.sites()[v], reach, refused))
     return std::nullopt;
-  // A split of a subsegment opens the gap it closed.
+  // The reach is infinite at the boundary, as a split of a subsegment opens the gap it closed.
   return at_boundary ? infinity : reach;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Is a star *final*: would no site at all be accepted by it?
+// Tells whether a star is *final*: no site at all would be accepted by it.
 //
-// Every site not certainly out of reach is asked (lemma 4.3 of docs/math/certificate.md; the bounds
-// are those of site_index.hpp and of prepared gaps, and rigorous). Whether the star's own
-// neighbours stand is not asked here.
+// Asks every site that is not certainly out of reach (lemma 4.3 of docs/math/certificate.md; the
+// bounds are those of site_index.hpp and of prepared gaps, and rigorous). Does not ask whether the
+// star's own neighbours stand.
 #pragma once
 
 #include <optional>
@@ -14,10 +14,10 @@
 
 namespace asterism::internal {
 
-// Returns R of the lemma, in v's metric, when the star of v is final: the greatest of its gaps'
-// (star_gap::reach), infinite when not known and for a star at a subsegment of the boundary, which
-// may be split. A site that comes later and is certainly out of that reach cannot change the star.
-// None when a site would be accepted. Requires a neighbourhood.
+// Returns R of the lemma, in v's metric, if the star of v is final; none if a site would be
+// accepted. R is the greatest of its gaps' (star_gap::reach). It is infinite if it is not known,
+// and for a star at a subsegment of the boundary, which may be split. A site that comes later and
+// is certainly out of that reach cannot change the star. Requires a neighbourhood.
 std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, const star& s);
 
 }  // namespace asterism::internal

@@ -10,14 +10,15 @@ void erase_at(sector& s, std::size_t i) {
   s.neighbours.erase(s.neighbours.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-// Whether neighbour i passes INSERTIONTEST against the star without it.
+// True if neighbour i passes INSERTIONTEST against the star without it.
 bool stands(const site_oracle& oracle, vertex_index v, const sector& s, std::size_t i) {
   if (s.is_forced(i) || s.size() < 2) return true;
   return accepts(oracle, v, s.neighbours[i], s.neighbours[s.before(i)], s.neighbours[s.after(i)]);
 }
 
-// Removes what falls on the counter-clockwise side of neighbour i, then on the clockwise side. The
-// thesis stops while fewer than three sites are left; there a lone second neighbour always stands.
+// Removes neighbours that no longer stand, on the counter-clockwise side of neighbour i, then on
+// the clockwise side. The thesis stops while fewer than three sites are left; there a lone second
+// neighbour always stands.
 void remove_beside(const site_oracle& oracle, vertex_index v, sector& s, std::size_t i) {
   const vertex_index w = s.neighbours[i];
   const auto at_w = [&] {

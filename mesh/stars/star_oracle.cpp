@@ -11,7 +11,7 @@ sign site_oracle::orientation(vertex_index u, vertex_index v, vertex_index w) co
   return kernel_->orientation(s[u].position, s[v].position, s[w].position);
 }
 
-// On a line the lexicographic order is the order along it.
+// Compares positions lexicographically, which on a line is the order along it.
 bool site_oracle::same_direction(vertex_index v, vertex_index w, vertex_index u) const {
   return precedes(v, w) == precedes(v, u);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Geometry for topology: a star knows indices and asks its questions here. Exact, but for the
-// squared distance, which only chooses the order in which sites are looked at.
+// Answers the geometric questions of stars, which know only indices. Exact, but for the squared
+// distance, which only chooses the order in which sites are looked at.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,10 @@
 
 namespace asterism::internal {
 
-// All objects must outlive the oracle; sites and boundary may grow while it is in use. With a
-// memory (optional) no edge_test is asked twice in a while. With a neighbourhood (optional; it must
-// know all sites and subsegments) only what is near is looked at; the answers are the same.
+// Asks the kernel about sites and boundary, which may grow while it is in use. All objects must
+// outlive the oracle. With a memory (optional) a repeated edge_test is seldom computed again. With
+// a neighbourhood (optional; it must know all sites and subsegments) only what is near is looked
+// at; the answers are the same.
 class site_oracle {
  public:
   site_oracle(const std::vector<site>& sites, const boundary& edges, const star_predicates& kernel,
@@ -29,26 +30,27 @@ class site_oracle {
   const std::vector<site>& sites() const { return *sites_; }
   const neighbourhood* near() const { return near_; }
   const star_predicates& kernel() const { return *kernel_; }
-  // For another thread: asks this kernel, and remembers nothing.
+  // Returns an oracle for another thread, which asks this kernel and remembers nothing.
   site_oracle with_kernel(const star_predicates& kernel) const {
     return {*sites_, *boundary_, kernel, nullptr, near_};
   }
 
-  // Positive when u, v, w turn counter-clockwise.
+  // Returns the orientation of u, v, w: positive when they turn counter-clockwise.
   sign orientation(vertex_index u, vertex_index v, vertex_index w) const;
-  // For u on the line through v and w: is it on the same side of v as w?
+  // True if u, on the line through v and w, is on the same side of v as w.
   bool same_direction(vertex_index v, vertex_index w, vertex_index u) const;
-  // For near and far on one ray from v: is `near` nearer?
+  // True if `near` is nearer to v than `far`; both must be on one ray from v.
   bool nearer_on_ray(vertex_index v, vertex_index near, vertex_index far) const;
-  // predicates/: may v and w be neighbours when x and y are their common ones? Ties broken.
+  // True if v and w may be neighbours when x and y are their common ones (predicates/). Ties are
+  // broken.
   bool edge_test(vertex_index v, vertex_index w, vertex_index x, vertex_index y) const;
-  // stars/visibility.hpp: does the open segment v w stay off the boundary?
+  // True if the open segment v w stays off the boundary (stars/visibility.hpp).
   bool visible(vertex_index v, vertex_index w) const;
-  // Do the open segments v w and a b cross? No when they share an end.
+  // True if the open segments v w and a b cross; false when they share an end.
   bool crosses(vertex_index v, vertex_index w, vertex_index a, vertex_index b) const;
-  // As v measures it, in doubles.
+  // Returns the squared distance of v and w as v measures it, in doubles.
   double squared_distance(vertex_index v, vertex_index w) const;
-  // The tie-breaking order of sites, by position.
+  // True if v comes before w in the tie-breaking order of sites, by position.
   bool precedes(vertex_index v, vertex_index w) const;
 
  private:

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The three predicates stars and refinement ask for, behind one interface, so that everything
+// Puts the three predicates that stars and refinement use behind one interface, so that everything
 // above is compiled once and runs on any kernel.
 //
 // A virtual call costs a few nanoseconds, an edge_test microseconds. The answers are those of the
-// kernel behind it (predicates/ defines them); only filtered_kernel and exact_kernel are always
-// right, double_kernel is for comparison. One object a thread, as for the kernels.
+// kernel behind it (predicates/ defines them). Only filtered_kernel and exact_kernel are always
+// right; double_kernel is for comparison. Each thread needs an object of its own, as for the
+// kernels.
 #pragma once
 
 #include <memory>
@@ -24,14 +25,14 @@ class star_predicates {
   virtual bool encroaches(const site& a, const site& b, const site& w) const = 0;
   virtual bool edge_test(const site& v, const site& w, const site& x, const site& y) const = 0;
 
-  // The same arithmetic for another thread.
+  // Returns predicates of the same arithmetic for another thread.
   virtual std::unique_ptr<star_predicates> fork() const = 0;
-  // Which tier decided how many questions asked here; of forks, those given to count().
+  // Returns how many questions each tier decided here, and in the forks given to count().
   virtual tier_counters counters() const = 0;
   virtual void count(const tier_counters& of_fork) const = 0;
 };
 
-// On a kernel of its own, which counts here if it counts at all.
+// Asks a kernel of its own, which counts here if it counts at all.
 template <class Kernel>
 class star_predicates_on final : public star_predicates {
  public:
@@ -60,7 +61,7 @@ class star_predicates_on final : public star_predicates {
       return Kernel();
   }
 
-  mutable tier_counters decided_;  // of one thread, and of forks that were counted
+  mutable tier_counters decided_;  // answers of one thread, and of counted forks
 };
 
 }  // namespace asterism::internal

@@ -18,11 +18,13 @@
 namespace asterism::internal {
 namespace {
 
-// Stars are made beyond what refinement may do, as it ends with them.
+// Most work, as a part of the bound on refinement's. More than 1, as refinement ends with these
+// stars.
 constexpr double most_work = 2;
 
-// The stars a new site is offered to. Those it will be a neighbour in are about those it has as
-// neighbours; what a local search misses a thorough one finds (stars/star_construction.hpp).
+// Returns the stars that a new site is offered to: about those it will be a neighbour in are those
+// it has as neighbours. A thorough search finds what this local one misses
+// (stars/star_construction.hpp).
 std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_index w,
                                           const star& own) {
   std::vector<vertex_index> candidates;
@@ -45,8 +47,8 @@ std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_inde
   return candidates;
 }
 
-// The corner of a boundary star with ends replaced: neighbours that the moved ray leaves
-// outside are dropped, the others keep their places.
+// Returns the sector of a boundary star with its ends replaced. Drops neighbours that the moved ray
+// leaves outside; the others keep their order.
 sector with_ends(const site_oracle& oracle, vertex_index v, const sector& old, vertex_index first,
                  vertex_index last) {
   sector moved{{first, last}, false};  // may be a slit
@@ -61,8 +63,8 @@ sector with_ends(const site_oracle& oracle, vertex_index v, const sector& old, v
   return moved;
 }
 
-// The subsegment from v to `whole` now ends in `part`. It is at the start of a corner, at the end
-// of one, or both.
+// Replaces the end `whole` of a subsegment at v by `part`. The subsegment is at the start of a
+// corner, at the end of one, or both.
 void replace_end(const site_oracle& oracle, vertex_index v, star& at_v, vertex_index whole,
                  vertex_index part) {
   for (sector& s : at_v.sectors) {
@@ -106,7 +108,7 @@ std::size_t star_set::stars_missing() const {
       std::count_if(stars_.begin(), stars_.end(), [](const star& s) { return s.sectors.empty(); }));
 }
 
-// In blocks, between which the work done is looked at: the larger the longer it stays little.
+// Works in blocks and checks the work done between them. Blocks grow while it stays little.
 std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
                                               const std::vector<vertex_index>& which,
                                               star_search search) {
@@ -148,12 +150,13 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
   std::vector<made_star> all = collect_chunks<made_star>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
         const auto kernel = oracle.kernel().fork();
-        // A few stars are made by this thread alone, which then may remember answers.
+        // Remembers answers if there are few stars, as this thread alone then makes them.
         const site_oracle own = few ? oracle : oracle.with_kernel(*kernel);
         for (std::size_t i = begin; i < end; ++i) {
           constexpr std::size_t at_a_time = 8;
           if (i % at_a_time == 0 && cancelled_.is_requested()) break;
-          // Tensors may be so thin that a chunk alone takes too long.
+          // Checks the work at every star: tensors may be so thin that a chunk alone takes too
+          // long.
           if (part_of_work_bound(own) > most_work) break;
           if (auto built = remake(own, which[i], search, latest))
             out.push_back({which[i], *std::move(built)});
@@ -164,8 +167,8 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
   return all;
 }
 
-// Constructs the star of v, unless it is settled and known to be final. Returns it if there is
-// anything new to know of it.
+// Constructs the star of v, unless it is settled and known to be final. Returns the new star if its
+// neighbours changed or it did not settle.
 std::optional<constructed_star> star_set::remake(const site_oracle& oracle, vertex_index v,
                                                  star_search search, const site_index* latest) {
   if (latest != nullptr && condition_[v] == condition::settled && confirm(oracle, v, *latest))
@@ -177,7 +180,7 @@ std::optional<constructed_star> star_set::remake(const site_oracle& oracle, vert
   return std::nullopt;
 }
 
-// True if the settled star of v is final against all sites, which is noted.
+// True if the settled star of v is final against all sites; notes it.
 bool star_set::confirm(const site_oracle& oracle, vertex_index v, const site_index& latest) {
   if (is_still_final(oracle, v, latest))
     final_[v].against = oracle.size();
@@ -195,16 +198,17 @@ void star_set::note_final(vertex_index v, vertex_index against,
                           const std::optional<double>& reach) {
   final_[v] = {};
   if (!reach) return;
-  // Within this range the float after one next to the double is no less than it, in any
-  // floating-point environment.
+  // Bounds for rounding up to a float: within them the float after one next to the double is no
+  // less than it, in any floating-point environment.
   constexpr double least = 0x1p-100, most = 0x1p100;
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const auto above = [](double x) { return std::nextafter(static_cast<float>(x), infinity); };
   final_[v] = {against, *reach < most ? above(std::max(*reach, least)) : infinity};
 }
 
-// The sites that came after some of these stars were found to be final. None when they are too many
-// for a look at them alone to be worth while; is_still_final() sees that.
+// Returns an index of the sites that came after the first of these stars was found to be final.
+// Empty if they are too many for a look at them alone to be worth while; is_still_final() sees
+// that.
 site_index star_set::latest_sites(const site_oracle& oracle,
                                   const std::vector<vertex_index>& which) const {
   vertex_index first = oracle.size();
@@ -216,7 +220,7 @@ site_index star_set::latest_sites(const site_oracle& oracle,
   return latest;
 }
 
-// Whether none of the sites that came since v's star was found to be final is in its reach.
+// True if none of the sites that came since v's star was found to be final is in its reach.
 bool star_set::is_still_final(const site_oracle& oracle, vertex_index v,
                               const site_index& latest) const {
   const finality& then = final_[v];
@@ -279,9 +283,10 @@ void star_set::split_subsegment(const site_oracle& oracle, vertex_index a, verte
   replace_end(oracle, b, stars_[b], a, m);
   mark_stale(a);
   mark_stale(b);
-  // Rounded to the inner side, m can only hide sites from each other. Rounded to the outer side it
-  // reveals nothing but a and b to each other, whose stars are stale already: a segment that
-  // enters the sliver a, m, b through a b can only end in m. Both happen to an internal subsegment.
+  // Looks for hidden sites only if m was rounded to an inner side: it can then hide sites from each
+  // other, and nothing else. Rounded to the outer side it reveals nothing but a and b to each
+  // other, whose stars are stale already: a segment that enters the sliver a, m, b through a b can
+  // only end in m. Both happen to an internal subsegment.
   const sign turn = oracle.orientation(a, b, m);
   if (turn == sign::positive || (turn == sign::negative && oracle.edges().is_subsegment(m, a))) {
     remove_hidden(oracle, a, m);
@@ -308,8 +313,8 @@ bool star_set::rebuild(const site_oracle& oracle, vertex_index v, star_search se
   return changed;
 }
 
-// The sites whose edges could cross a subsegment just split: rounding moved it by less than a
-// sliver.
+// Removes from all stars the edges that cross the subsegment a b, which a split has just made. Only
+// sites near it can have such edges, as rounding moved it by less than a sliver.
 void star_set::remove_hidden(const site_oracle& oracle, vertex_index a, vertex_index b) {
   const auto remove = [&](vertex_index v) {
     for (sector& s : stars_[v].sectors)

@@ -37,7 +37,7 @@ bool sees(const boundary& b, const std::vector<site>& sites, const star_predicat
   const auto lets_through = [&](const boundary_edge& subsegment) {
     const point &r = sites[subsegment.a].position, &s = sites[subsegment.b].position;
     if (boxes_apart(p, q, r, s)) return true;
-    // Every boundary vertex starts a subsegment, so looking at the starts looks at all of them.
+    // Looks at the starts alone: every boundary vertex starts a subsegment.
     if (subsegment.a != v && subsegment.a != w && on_open_segment(kernel, p, q, r)) return false;
     const bool shares_end =
         subsegment.a == v || subsegment.a == w || subsegment.b == v || subsegment.b == w;

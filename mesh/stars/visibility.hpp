@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which sites see each other inside the domain: only those may be neighbours in a star.
+// Tells which sites see each other inside the domain: only those may be neighbours in a star.
 #pragma once
 
 #include <vector>
@@ -12,23 +12,23 @@
 
 namespace asterism::internal {
 
-// Whether the open segment between sites v and w stays off the boundary: it crosses no subsegment
+// True if the open segment between sites v and w stays off the boundary: it crosses no subsegment
 // and passes through no boundary vertex. (A segment through a boundary vertex could never be an
-// edge of a mesh that has that vertex, whichever side it continues on.) Requires w to lie strictly
-// inside one of v's corners when v is on the boundary: what happens at v itself is the star's own
-// affair. Exact; linear in the number of subsegments, or of those near the segment when there is a
-// neighbourhood.
+// edge of a mesh that has that vertex, whichever side it continues on.) If v is on the boundary,
+// requires w to lie strictly inside one of v's corners: the star itself deals with what happens at
+// v. Exact. Takes time linear in the number of subsegments, or, with a neighbourhood, of those near
+// the segment.
 bool sees(const boundary& b, const std::vector<site>& sites, const star_predicates& kernel,
           vertex_index v, vertex_index w, const neighbourhood* near = nullptr);
 
-// Whether the open segments p q and r s cross in one point interior to both. Exact.
+// True if the open segments p q and r s cross in one point interior to both. Exact.
 bool properly_cross(const star_predicates& kernel, const point& p, const point& q, const point& r,
                     const point& s);
 
-// Whether q, known to be on the line through p and r, lies strictly between them.
+// True if q, known to be on the line through p and r, lies strictly between them.
 bool strictly_between(const point& p, const point& q, const point& r);
 
-// Whether `at` lies on the segment p q and is no end of it. Exact.
+// True if `at` lies on the segment p q and is no end of it. Exact.
 bool on_open_segment(const star_predicates& kernel, const point& p, const point& q,
                      const point& at);
 

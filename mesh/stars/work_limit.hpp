@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How much is asked of the predicates for so many sites before a refinement is given up.
+// Bounds how much the predicates are asked for so many sites before a refinement is given up.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,17 @@
 
 namespace asterism::internal {
 
+// Returns the work done as a part of the most that is allowed; above 1 the run is abandoned.
+//
 // Meshes that become complete take 7 to 700 edge tests a site, the most where metrics are so thin
-// (condition 1e16) that all come to exact numbers, and 60 to 13000 answers of other predicates,
-// nearly all of them orientations (of sites with respect to subsegments of the boundary, where no
-// metric says what is near). Where metrics vary wildly every site is in reach of every other and
-// every subsegment: both grow with the number of sites. The `given` vertices may all see each other
-// before there is a site between them, on a convex polygon for one: then so much is asked of each
-// pair of them. Where tensors are so thin that only exact arithmetic is left, no mesh is within
-// reach, and an answer weighs as many as it takes the time of (number_spread.hpp): seconds, not
-// hours. This is the work done as a part of the most that is done: 1 is the bound.
+// (condition 1e16) that all come to exact numbers. They take 60 to 13000 answers of other
+// predicates, nearly all of them orientations (of sites with respect to subsegments of the
+// boundary, where no metric says what is near). Where metrics vary wildly every site is in reach of
+// every other and of every subsegment: both counts grow with the number of sites. The `given`
+// vertices may all see each other before there is a site between them, for instance on a convex
+// polygon; so every pair of them has an allowance. Where tensors are so thin that only exact
+// arithmetic is left, no mesh is within reach. An exact answer counts as many as it takes the time
+// of (number_spread.hpp), so that such runs end in seconds, not hours.
 inline double part_of_work_bound(const tier_counters& counts, std::size_t sites,
                                  std::size_t given) {
   constexpr double edge_tests_at_least = 2e5, edge_tests_for_each = 1e3, edge_tests_a_pair = 20,

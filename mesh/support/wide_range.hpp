@@ -38,7 +38,7 @@ class wide_range {
   friend wide_range operator/(const wide_range& a, const wide_range& b) {
     return {double_double(a.mantissa_.high / b.mantissa_.high), a.exponent_ - b.exponent_};
   }
-  // Of max(0, a), as good as a double.
+  // Returns the root of max(0, a), as good as a double.
   friend wide_range root(const wide_range& a) {
     if (!a.is_positive()) return a.mantissa_.high == a.mantissa_.high ? wide_range() : a;
     const int odd = a.exponent_ % 2 == 0 ? 0 : 1;

@@ -31,7 +31,7 @@ class generator {
   double between(double low, double high) {
     return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
   }
-  // Of any size between 2^low and 2^high, either sign.
+  // Returns a number of any size between 2^low and 2^high, of either sign.
   double of_any_size(double low, double high) {
     const double mantissa = between(1, 2);  // first: arguments are evaluated in any order
     const double size = std::ldexp(mantissa, static_cast<int>(between(low, high)));

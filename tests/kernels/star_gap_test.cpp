@@ -193,8 +193,8 @@ TEST_CASE("what a gap decides is right at the border of what it knows", "[star_g
   }
 }
 
-// Where the direction of the vertex refuses and a direction beyond x or y would not, only what is
-// asked there stands between a site and a wrong answer.
+// A site may be refused in the direction of the vertex and not in one beyond x or y: then only what
+// is asked there stands between it and a wrong answer.
 TEST_CASE("nothing is refused that is accepted beyond a neighbour", "[star_gap]") {
   sequence random{22};
   for (const question& base : accepted_beyond) {

@@ -92,8 +92,8 @@ TEST_CASE("fact 8 of the thesis does not hold where a view is blocked twice", "[
   CHECK(cross_properly(one.position, p, two.position, q));
 }
 
-// What is left of them: territories as far as the sites see them. That is what lemma 9 is about, as
-// its points are on visible arcs.
+// Checks what is left of them: territories as far as the sites see them. That is what lemma 9 is
+// about, as its points are on visible arcs.
 TEST_CASE("facts 7 and 8 of the thesis hold of rays from a site, as far as it sees", "[laws]") {
   random_source random(8);
   int left = 0, crossed = 0;
