@@ -4,11 +4,11 @@
 //
 // Written: MeshVersionFormatted 2 (doubles), Dimension 2, Vertices (reference: marker of the
 // boundary there, 0 inside), Triangles (reference: the region), Edges (the boundary subsegments,
-// domain on the left, and those of internal segments; reference: the marker), RequiredEdges (those
-// of internal segments, by number), Corners (given vertices where the boundary turns),
-// RequiredVertices (the given vertices); SolAtVertices, one symmetric tensor a vertex as `m11 m12
-// m22`. All numbers have 17 significant digits, so that the same doubles are read back. Medit has
-// no place for the input segment a boundary subsegment belongs to: it is kept in comments
+// domain on the left, and those of internal segments; reference: the marker), Corners (given
+// vertices where the boundary turns), RequiredVertices (the given vertices); SolAtVertices, one
+// symmetric tensor a vertex as `m11 m12 m22`. All numbers have 17 significant digits, so that the
+// same doubles are read back. Medit has no place for the input segment a boundary subsegment
+// belongs to: it is kept in comments
 // (`#segments`, numbers from 1), which other programs skip.
 //
 // Read: versions 1 to 3, keywords in any order and any number to a line; comments; sections of

@@ -65,10 +65,6 @@ void write_boundary(text out, const mesh& m) {
   for (const boundary_edge& e : m.boundary)
     fmt::format_to(out, "{} {} {}\n", e.a + 1, e.b + 1, e.marker);
   write_segments(out, m);
-  std::vector<vertex_index> internal;
-  for (vertex_index i = 0; i < m.boundary.size(); ++i)
-    if (m.boundary[i].internal) internal.push_back(i);
-  write_list(out, "RequiredEdges", internal);
 }
 
 }  // namespace

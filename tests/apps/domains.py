@@ -195,9 +195,6 @@ class Domains(command.CommandTest):
             rows = [" ".join(r) for r in rows if r]
             return "\n".join([*lines[:at + 1], str(len(rows)), *rows, *lines[at + 2 + count:]]) + "\n"
 
-        # The numbers of the internal edges would be those of others, or of none.
-        at = lines.index("RequiredEdges")
-        del lines[at:at + 2 + int(lines[at + 1])]
         once = iter([True] + [False] * 10000)
         for what, text, witness in (
                 ("internal edges", altered("Edges", lambda r: r[2] == "7", lambda r: []),
