@@ -249,9 +249,8 @@ class adaptation {
 }  // namespace
 
 bool wants_adaptation(const metric_field& field, const mesh_options& options) {
-  return options.relax && options.limit_size &&
-         options.strategy == refinement_strategy::fill && !options.keep_if_complete &&
-         !options.tolerance && field.background() != nullptr;
+  return options.relax && options.limit_size && options.strategy == refinement_strategy::fill &&
+         !options.keep_if_complete && !options.tolerance && field.background() != nullptr;
 }
 
 std::optional<mesh_outcome> adapt_mesh(const domain& d, const metric_field& field,
