@@ -194,12 +194,30 @@ std::string text_of(double x) {
 
 py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_arguments& a) {
   made.claim.metric = metric;
-  made.claim.options = {{"angle-bound", text_of(a.options.angle_bound)},
-                        {"size", a.size ? text_of(*a.size) : "none"},
+  const mesh_outcome& outcome = made.outcome;
+  const std::string size = a.size ? text_of(*a.size) : "none";
+  const std::string delivered =
+      a.size ? text_of(*a.size * outcome.ended.length_factor) : std::string("none");
+  // The names are those of the command, which verify() looks for.
+  made.claim.options = {{"domain", "given"},
+                        {"angle-bound", text_of(a.options.angle_bound)},
+                        {"size", size},
+                        {"size-delivered", delivered},
                         {"gradation", a.gradation ? text_of(*a.gradation) : "none"},
-                        {"max-sites", std::to_string(a.options.max_sites)},
+                        {"gradation-done", a.gradation ? "done" : "none"},
+                        {"refine", "fill"},
+                        {"tol", "chosen"},
+                        {"tol-at-end", text_of(outcome.ended.tolerance)},
                         {"improve", std::to_string(a.options.improve_passes)},
-                        {"relax", a.options.relax ? "where needed" : "no"}};
+                        {"improve-done", outcome.improved ? "done" : "none"},
+                        {"certify", a.options.prove_voronoi ? "voronoi" : "stars"},
+                        {"max-sites", std::to_string(a.options.max_sites)},
+                        {"metric-fingerprint", "none"},
+                        {"regions", "as given"},
+                        {"random-points", "0"},
+                        {"fit-done", outcome.fitted ? "done" : "none"},
+                        {"relax", a.options.relax ? "where needed" : "no"},
+                        {"seed", "1"}};
   py_mesh m;
   m.complete = made.outcome.complete;
   m.certified = made.certified();
