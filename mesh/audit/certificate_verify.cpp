@@ -102,6 +102,16 @@ void compare_names(contradictions& all, const certificate& claim, const Names& n
       all.add("\"asked.options." + name + "\" is nothing that is asked");
 }
 
+// True if the name of the metric is that of a .mesh file, in upper or lower case.
+bool is_of_mesh(const std::string& metric) {
+  constexpr std::string_view ending = ".mesh";
+  if (metric.size() < ending.size()) return false;
+  return std::equal(
+      ending.begin(), ending.end(), metric.end() - ending.size(), [](char wanted, char c) {
+        return wanted == (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
+      });
+}
+
 // Whoever calls the library may leave the options away, but not some of them.
 void compare_options(contradictions& all, const certificate& claim) {
   compare_bounds(all, claim);
@@ -119,6 +129,8 @@ void compare_options(contradictions& all, const certificate& claim) {
   if ((option("gradation") == "none") != (option("gradation-done") == "none"))
     all.add(
         "\"asked.options.gradation\" and \"asked.options.gradation-done\" contradict each other");
+  if ((option("metric-fingerprint") == "none") == is_of_mesh(claim.metric))
+    all.add("\"asked.options.metric-fingerprint\" does not go with \"asked.metric\"");
   const bool is_verdict = option("certify") == "voronoi" || option("certify") == "stars";
   if (!is_verdict ||
       (option("certify") == "voronoi") != (claim.voronoi != voronoi_verdict::not_asked))
