@@ -36,7 +36,7 @@ struct plain_triangle {
   double area_below = 0;
 };
 
-// Of each corner an upper bound of the cotangent of its angle; infinite where not known.
+// Upper bound of the cotangent of each corner's angle; infinite if not known.
 std::array<double, 3> cotangents_above(const plain_triangle& t, const metric_tensor& m) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> above = {infinity, infinity, infinity};
@@ -61,7 +61,7 @@ std::array<double, 3> cotangents_above(const plain_triangle& t, const metric_ten
   return above;
 }
 
-// What the triangles are held against; the same for all.
+// Bounds that all triangles are held against.
 struct audited_requirement {
   double degrees = 0;
   squared_cotangent bound;
@@ -173,11 +173,11 @@ class angle_check {
   const audit_context& context_;
   audit_tally& tally_;
   const audited_requirement& wanted_;
-  // Of the triangle at hand: the sector each corner lies in, and whether one does or a wedge is
+  // The triangle at hand: the sector each corner lies in, and whether one does or a wedge is
   // crossed.
   std::array<const narrow_sector*, 3> sector_{};
   bool beside_ = false;
-  // Of the least angle so far of each standing, rather too small.
+  // Cotangent of the least angle so far of each standing; a little too small.
   std::array<double, 3> greatest_cotangent_ = {-std::numeric_limits<double>::infinity(),
                                                -std::numeric_limits<double>::infinity(),
                                                -std::numeric_limits<double>::infinity()};

@@ -43,7 +43,7 @@
 
 namespace asterism {
 
-// What the auditor can find against a mesh.
+// Kinds of findings against a mesh.
 enum class finding_kind : std::size_t {
   invalid_option,                // the audit was asked something it cannot answer
   empty_mesh,                    // no triangle
@@ -96,12 +96,12 @@ ASTERISM_EXPORT extern const std::array<std::string_view, finding_kind_count> fi
 struct audit_finding {
   finding_kind kind{};
   std::string witness;
-  // Of a finding about a star: its centre, the neighbour or the site that is missing, and the
-  // neighbours before and after it. Indices from 0; else empty.
+  // Vertices of a finding about a star: its centre, the neighbour or the site that is missing, and
+  // the neighbours before and after it. Indices from 0; else empty.
   std::vector<vertex_index> vertices = {};
 };
 
-// What the audit is asked for.
+// Questions put to an audit.
 struct audit_options {
   // Degrees, 0 <= bound < 90. Empty: angles are measured but none is asked for.
   std::optional<double> angle_bound;
@@ -120,7 +120,7 @@ struct audit_options {
   // prepared gaps are asked first, which the mesher asks too, and which are faster.
   bool own_filter_alone = false;
   bool check_voronoi = false;
-  // Asked now and then while stars are checked: true ends that, and the stars count as not checked.
+  // Polled while stars are checked: true ends that, and the stars count as not checked.
   std::function<bool()> enough = {};
   // Findings kept of each kind; all are counted.
   std::size_t findings_kept = 10;
@@ -144,7 +144,7 @@ struct audited_angle {
                perspective = 0;  // indices from 0; the last two are vertices
 };
 
-// What the audit found and measured.
+// Findings and measurements of an audit.
 struct audit_report {
   bool certified = false;  // points 0 to 4, as far as asked for
   voronoi_verdict voronoi = voronoi_verdict::not_asked;
@@ -170,7 +170,7 @@ struct audit_report {
   std::vector<vertex_index> exempt_corners;  // proven, ascending
   // Triangles with an angle of the kind below the bound, ascending; one can be in several.
   std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
-  // Those of the last two lists, ascending, each once.
+  // Union of the last two lists, ascending, each once.
   ASTERISM_EXPORT std::vector<vertex_index> refused_triangles() const;
   // Upper bound of the distance of a split point from its segment, in units of the domain, and in
   // units in the last place of the largest coordinate of the segment's ends.

@@ -31,7 +31,7 @@ namespace asterism {
 struct certificate {
   std::string version;  // of the program that made it
 
-  // What was asked for; make_certificate leaves these to whoever ran the mesher.
+  // The question; make_certificate leaves these to whoever ran the mesher.
   std::string metric;                          // as --metric takes it
   std::map<std::string, std::string> options;  // by name, as text
   bool complete = false;                       // the mesher reached its goal
@@ -42,11 +42,11 @@ struct certificate {
   std::size_t sites = 0, triangles = 0, boundary_subsegments = 0, given = 0;
   std::uint64_t fingerprint = 0;
   std::size_t star_repairs = 0;  // stars a local search had got wrong, mended before the end
-  // Where the mesh is of another metric than the one asked for; without the tensors given.
+  // Set if the mesh is of another metric than the one asked for; without the tensors given.
   std::optional<relaxation_report> relaxed;
-  // Where the mesh was made by local changes: its metric against the one wanted.
+  // Set if the mesh was made by local changes: its metric against the one wanted.
   std::optional<delivered_report> delivered;
-  // What numerics/mesh_statistics.hpp measures, by the names there; those that are finite.
+  // Finite measurements of numerics/mesh_statistics.hpp, by the names there.
   std::map<std::string, double> measured;
   std::optional<double> angle_bound;  // degrees
   // The least angle that the bound is asked of, the least of those that are collateral, and the
@@ -88,7 +88,7 @@ ASTERISM_EXPORT result<std::filesystem::path> write_certificate(const std::files
 // Reads a file. Errors name it.
 ASTERISM_EXPORT result<certificate> read_certificate(const std::filesystem::path& path);
 
-// What a second audit says of a mesh and its certificate.
+// Result of a second audit of a mesh and its certificate.
 struct verify_report {
   bool verified = false;  // certified, and nothing contradicts the certificate
   audit_report audit;

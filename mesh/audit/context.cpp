@@ -46,7 +46,7 @@ void audit_context::found(finding_kind kind, std::string witness,
 }
 
 void audit_context::take(audit_tally&& tally) {
-  // Those not kept are more than enough of their kind: they are counted below.
+  // Findings not kept are more than enough of their kind: they are counted below.
   for (audit_finding& finding : tally.part.findings) {
     --tally.part.found[static_cast<std::size_t>(finding.kind)];
     keep(report, options.findings_kept, std::move(finding));

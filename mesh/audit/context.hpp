@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the checks of one audit share; inside the auditor alone.
+// State that the checks of one audit share; inside the auditor alone.
 #pragma once
 
 #include <optional>
@@ -38,7 +38,7 @@ struct vertex_fan {
   std::vector<vertex_index> link;
 };
 
-// What one part of a check, run by one thread, has found and counted. `part` holds findings,
+// Findings and counts of one part of a check, run by one thread. `part` holds findings,
 // counts and, of the angles, the worst of that part.
 struct audit_tally {
   std::size_t findings_kept = 0;
@@ -69,7 +69,7 @@ struct audit_context {
   // Filled by check_edges.
   std::vector<directed_edge> edges;        // of `triangles`, sorted by (a, b, triangle)
   std::vector<directed_subsegment> sides;  // of `subsegments`, sorted by (a, b, subsegment)
-  // Those that leave v are edges[edge_start[v] .. edge_start[v + 1]), and the same for sides.
+  // Edges that leave v are edges[edge_start[v] .. edge_start[v + 1]), and the same for sides.
   std::vector<std::size_t> edge_start, side_start;
   // Filled by check_domain_kept: of each boundary edge the segment of the domain it is a subsegment
   // of.

@@ -55,7 +55,7 @@ gap_side::gap_side(const site& v, const site& z) : offset(offset_of(v, z)) {
 bounded gap_side::bound(const vector2<bounded>& u, const bounded& length_squared) const {
   const bounded turned = cross(u, offset);
   const bounded radicand = length_squared - bounded(bend) * turned * turned;
-  // Where the root is not certainly real the bound proves nothing.
+  // A root that is not certainly real makes the bound prove nothing.
   const bounded rooted = radicand.certainly_positive()
                              ? root(radicand)
                              : bounded::within(0, std::numeric_limits<double>::infinity());

@@ -60,7 +60,7 @@ std::vector<site> in_unit_size(const std::vector<site>& sites) {
   return unit;
 }
 
-// What all parts of the check look things up in.
+// Indices that all parts of the check look things up in.
 struct star_surroundings {
   explicit star_surroundings(const audit_context& context)
       : unit(in_unit_size(context.subject.sites)),
@@ -139,7 +139,7 @@ class star_check {
         around_(around),
         sight_(context, around.subsegments, tally.kernel()) {}
 
-  // Of vertices near each other: the sites around are looked for once for all of them.
+  // Checks vertices near each other: the sites around are looked for once for all of them.
   void run(const vertex_index* begin, const vertex_index* end, bool neighbours_alone) {
     used_ = 0;
     for (const vertex_index* v = begin; v != end; ++v)
@@ -299,7 +299,7 @@ class star_check {
   audit_tally& tally_;
   const star_surroundings& around_;
   visibility_test sight_;
-  // Of the vertices at hand; members to spare allocations.
+  // Scratch for the vertices at hand; members to spare allocations.
   std::vector<prepared_fan> prepared_;  // the first used_
   std::size_t used_ = 0;
   std::vector<site_tree::reaching> reaching_;

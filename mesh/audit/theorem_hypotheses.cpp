@@ -111,7 +111,7 @@ measured_part measure_all(std::size_t count, const Measure& measure) {
   return all;
 }
 
-// What is in the way, as a sentence; empty: nothing.
+// Returns the obstacle as a sentence; empty if there is none.
 std::string obstacle(const theorem_hypotheses& h, const std::array<vertex_index, 2>& nearest,
                      double angle_bound) {
   const bool wedged = theorem::arcs_are_wedged(h.covering_radius, h.spacing, h.distortion);

@@ -33,7 +33,7 @@ struct theorem_hypotheses {
   double variation = 0;
   // sigma R, or 1 - 1 / sqrt(tau) if that is more: what the table is entered with.
   double sigma_eps = 0;
-  // Of the theorem for these numbers, in degrees; 0: none is proved.
+  // Angle of the theorem for these numbers, in degrees; 0 if none is proved.
   double proved_angle = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What mesh/audit/voronoi_arc.hpp leaves undecided, in exact numbers: Voronoi vertices are real
+// Decides what mesh/audit/voronoi_arc.hpp leaves open, in exact numbers: Voronoi vertices are real
 // roots of polynomials in the parameter of a visible arc (docs/math/visible-arc.md). Complete:
 // every question has an answer, ties included. Milliseconds each.
 #pragma once

@@ -35,8 +35,8 @@ struct mesh {
   // Each subsegment once, internal ones in the direction of their segment.
   std::vector<boundary_edge> boundary;
   std::vector<triangle> disagreeing;  // empty when refinement was complete
-  // Of each vertex, where a file gives others than the markers of its edges; else empty. Carried
-  // along and part of the fingerprint, and without any other use.
+  // References of vertices, where a file gives others than the markers of its edges; else empty.
+  // Carried along and part of the fingerprint, and without any other use.
   std::vector<int> references;
 };
 
