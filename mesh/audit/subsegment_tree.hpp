@@ -25,7 +25,7 @@ inline bool overlap(const plane_box& a, const plane_box& b) {
 
 class subsegment_tree {
  public:
-  // Indices into context.subsegments.
+  // Builds the tree of context.subsegments.
   explicit subsegment_tree(const audit_context& context);
 
   // Calls visit(subsegment) for each subsegment whose box meets the closed one, in an order that
