@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/option_values.hpp"
+#include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
@@ -23,7 +25,9 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
@@ -41,7 +45,7 @@ struct certify_options {
   fs::path mesh, solution;
   std::optional<std::string> metric;  // instead of a solution
   double size = 1;
-  std::optional<fs::path> output;
+  std::vector<fs::path> outputs;
   double angle_bound = 20;
   bool repair = false;
   bool prove_voronoi = false;
@@ -62,46 +66,81 @@ measures it, but the domain's own angle at corners that are sharper themselves.
 
 With --repair sites are added, in the metric of the formula or interpolated from the vertices, until
 that holds. Whatever is certified is written to OUT, with a certificate; anything else only after
---repair.
+--repair, but for a page (OUT ends in .html), which shows what was found against the mesh, too.
 
 Exit status: 0 certified; 1 not certified; 2 bad usage or input, nothing is written.
 
 Examples:
   asterism certify bamg.mesh bamg.mtr --angle-bound 10
+  asterism certify bamg.mesh -o bamg.html
   asterism certify bamg.mesh --metric swirl:24 --size 0.02 --repair -o repaired.mesh)";
 
-fs::path certificate_path(const fs::path& output) {
-  return fs::path(output).replace_extension(".certificate.json");
+fs::path certificate_path(const certify_options& options) {
+  return fs::path(options.outputs.front()).replace_extension(".certificate.json");
 }
 
 std::optional<error> check_files(const certify_options& options) {
-  if (options.repair && !options.output)
+  if (options.repair && options.outputs.empty())
     return error{"--repair: name the file to write with -o", error_code::bad_option};
-  if (!options.output) return std::nullopt;
-  const auto format = check_output(*options.output);
-  if (!format) return format.failure();
-  std::vector<fs::path> used = {options.mesh, *options.output, certificate_path(*options.output)};
+  if (options.outputs.empty()) return std::nullopt;
+  std::vector<fs::path> used = {options.mesh, certificate_path(options)};
   if (!options.metric) used.push_back(options.solution);
-  if (format.value() == mesh_format::medit) {
-    used.push_back(solution_path(*options.output));
-    if (auto failure = check_place(used.back())) return failure;
+  for (const fs::path& output : options.outputs) {
+    const auto format = check_output(output);
+    if (!format) return format.failure();
+    for (const fs::path& file : files_of_output(output)) used.push_back(file);
   }
   if (auto failure = check_distinct(used)) return failure;
-  return check_place(certificate_path(*options.output));
+  return check_place(certificate_path(options));
+}
+
+using output_files = std::vector<output_file>;
+
+// The files of `outputs`, not yet written.
+result<output_files> render(const std::vector<fs::path>& outputs, const mesh& m,
+                            const write_options& how) {
+  output_files all;
+  for (const fs::path& output : outputs) {
+    auto files = render_mesh(output, m, how);
+    if (!files) return files;
+    std::move(files.value().begin(), files.value().end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+std::optional<error> write_together(const output_files& files) {
+  const held_signals held;
+  const auto written = write_files(files);
+  if (!written) return written.failure();
+  return std::nullopt;
 }
 
 std::optional<error> write_result(const certify_options& options, const mesh& m,
-                                  const certificate& claim) {
+                                  const certificate& claim, report_facts facts) {
   write_options how;
   how.picture.angle_bound = options.angle_bound;
   if (!claim.complete || !claim.certified) how.note = "Incomplete, not certified: " + claim.reason;
-  auto files = render_mesh(*options.output, m, how);
+  facts.claim = claim;
+  facts.repeat = repeating_command(options.outputs, certificate_path(options));
+  how.report = std::move(facts);
+  how.names = names_in(options.mesh);
+  auto files = render(options.outputs, m, how);
   if (!files) return files.failure();
-  files.value().push_back({certificate_path(*options.output), certificate_text(claim)});
-  const held_signals held;
-  const auto written = write_files(files.value());
-  if (!written) return written.failure();
-  return std::nullopt;
+  files.value().push_back({certificate_path(options), certificate_text(claim)});
+  return write_together(files.value());
+}
+
+// The command that judges the same mesh again.
+std::string command_of(const certify_options& options) {
+  std::vector<std::string> words = {"asterism", "certify", options.mesh.string()};
+  if (options.metric)
+    words.insert(words.end(), {"--metric", *options.metric, "--size", format_number(options.size)});
+  else
+    words.push_back(options.solution.string());
+  words.insert(words.end(), {"--angle-bound", format_number(options.angle_bound)});
+  if (options.prove_voronoi) words.emplace_back("--voronoi");
+  if (options.all_edges) words.emplace_back("--all-edges");
+  return shell_words(words);
 }
 
 // Adds to the certificate what only the command knows: how the job was worded.
@@ -117,20 +156,52 @@ bool is_dual_as_asked(const certify_options& options, const audit_report& report
   return !options.prove_voronoi || report.voronoi == voronoi_verdict::proved;
 }
 
-int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
-                   const certify_report& report) {
-  const exit_status status = is_dual_as_asked(options, report.audit) ? done : not_reached;
-  if (!options.output) return status;
+certificate claim_of_judgement(const certify_options& options, const adopted_mesh& adopted,
+                               const certify_report& report) {
   audit_options asked = questions_for(adopted);
   asked.angle_bound = options.angle_bound;
   certificate claim = make_certificate(adopted.subject, asked, report.audit);
   claim.measured = by_name(measure(adopted.subject));
   describe(claim, options);
+  return claim;
+}
+
+report_facts facts_of_page(const certify_options& options, const certify_report& report) {
+  report_facts facts;
+  facts.title = options.mesh.string();
+  facts.claim_from = "As 'asterism certify' judged the mesh that it read.";
+  facts.not_of_stars = report.not_in_all;
+  return facts;
+}
+
+int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
+                   const certify_report& report) {
+  const exit_status status = is_dual_as_asked(options, report.audit) ? done : not_reached;
+  if (options.outputs.empty()) return status;
+  certificate claim = claim_of_judgement(options, adopted, report);
   claim.complete = true;
   claim.reason = "the mesh as it came is certified";
-  if (const auto failure = write_result(options, adopted.subject, claim))
+  const report_facts facts = facts_of_page(options, report);
+  if (const auto failure = write_result(options, adopted.subject, claim, facts))
     return complain(*failure, not_reached);
   return status;
+}
+
+// A mesh that is not certified has no file but the pages about it, which show why.
+int show_what_was_found(const certify_options& options, const adopted_mesh& adopted,
+                        const certify_report& report) {
+  std::vector<fs::path> pages;
+  for (const fs::path& output : options.outputs)
+    if (has_page({output})) pages.push_back(output);
+  write_options how;
+  how.report = facts_of_page(options, report);
+  how.report.claim = claim_of_judgement(options, adopted, report);
+  how.report.claim->reason = "the auditor refuses the mesh as it came";
+  how.report.repeat = command_of(options);
+  const auto files = render(pages, adopted.subject, how);
+  if (!files) return complain(files.failure(), not_reached);
+  if (const auto failure = write_together(files.value())) return complain(*failure, not_reached);
+  return not_reached;
 }
 
 int repair(const certify_options& options, const adopted_mesh& adopted, const metric_field& field,
@@ -155,7 +226,10 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   const audit_report& judged = made.value().report;
   certificate& claim = made.value().claim;
   describe(claim, options);
-  if (const auto failure = write_result(options, outcome.result, claim))
+  report_facts facts;
+  facts.title = options.mesh.string() + ", repaired";
+  facts.claim_from = "As the run that made this page judged the mesh it had repaired.";
+  if (const auto failure = write_result(options, outcome.result, claim, facts))
     return complain(*failure, not_reached);
   const bool reached = made.value().certified();
   std::cout << "repaired: " << outcome.sites << " sites, "
@@ -171,7 +245,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
 
 using made_field = result<std::unique_ptr<metric_field>>;
 
-// The field of --metric, placed in the box of the vertices, and their tensors from it.
+// Returns the field of --metric, placed in the box of the vertices, and their tensors from it.
 made_field measure_by_formula(const certify_options& options, mesh& m) {
   if (m.sites.empty())
     return error{options.mesh.string() + ": there are no vertices", error_code::invalid_mesh};
@@ -196,7 +270,7 @@ result<measured_mesh> read_measured(const certify_options& options) {
   how.solution = options.solution;
   how.without_solution = options.metric.has_value();
   how.all_edges = options.all_edges;
-  auto read = read_medit(options.mesh, how);
+  auto read = read_mesh(options.mesh, how);
   if (!read) return read.failure();
   std::unique_ptr<metric_field> formula;
   if (options.metric) {
@@ -210,7 +284,8 @@ result<measured_mesh> read_measured(const certify_options& options) {
 }
 
 int run_certify(certify_options options) {
-  if (options.solution.empty()) options.solution = solution_path(options.mesh);
+  const bool is_medit = has_ending(options.mesh.string(), ".mesh");
+  if (options.solution.empty() && is_medit) options.solution = solution_path(options.mesh);
   if (const auto failure = check_files(options)) return complain(*failure, refused);
   auto measured = read_measured(options);
   if (!measured) return complain(measured.failure(), refused);
@@ -225,12 +300,11 @@ int run_certify(certify_options options) {
     progress_line line(true);
     line.show({.phase = mesh_phase::auditing, .sites = sites});
     return certify(adopted, options.angle_bound, options.prove_voronoi,
-                   findings_kept(options.all_findings),
-                   [&limits] { return limits.reason().has_value(); });
+                   findings_kept(options.all_findings), [&limits] { return limits.reason(); });
   }();
   write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
   if (report.certified()) return write_as_it_is(options, adopted, report);
-  if (!options.repair) return not_reached;
+  if (!options.repair) return show_what_was_found(options, adopted, report);
   if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);
   return repair(options, adopted, *measured.value().field, report);
 }
@@ -251,8 +325,10 @@ void add_certify_command(CLI::App& program, command& chosen) {
       "Length of an edge of metric length 1, in the metric as given by --metric")
       ->type_name("H")
       ->needs(metric);
-  app->add_option("-o,--output", options->output, "Where to write what is certified or repaired")
-      ->type_name("OUT");
+  app->add_option("-o,--output", options->outputs,
+                  "Where to write what is certified or repaired; may be given several times")
+      ->type_name("OUT")
+      ->allow_extra_args(false);
   add_real(
       *app, "--angle-bound", angle_bounds, [options](double x) { options->angle_bound = x; },
       "Least angle of a triangle, as each of its vertices measures it (default 20)")

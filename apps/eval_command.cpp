@@ -34,14 +34,17 @@ A point is x y, a site is x y m11 m12 m22; '#' starts a comment line.
   in_wedge v w q               dominates v w p            voronoi_vertex_count u v w
   arc_intersection_count v w x encroaches a b w           insertion_test v w x y
   edge_test v w x y            in_circle m11 m12 m22  a b c p
-One integer a line comes back; a record that cannot be answered gets 'error: ...', and the exit
-status is then 1 although every other record is answered.
+  orient2d p q r               incircle a b c p           (in the plane)
+One integer a line comes back; a record that cannot be answered gets 'error: ...'.
+
+Exit status: 0 every record was answered; 1 some was answered by an error; 2 bad usage or input.
 
 Examples:
   echo 'orientation 0 0  1 0  0x1p-3 1' | asterism eval
   asterism eval --kernel exact --stats records.txt)";
 
-// Every file is opened before anything is answered, so that a wrong name spoils no output.
+// Answers the files. Every one is opened before anything is answered, so that a wrong name spoils
+// no output.
 int run_eval(const eval_options& options) {
   std::vector<std::ifstream> streams;
   for (const std::string& file : options.files) {

@@ -11,16 +11,19 @@ namespace asterism::apps {
 namespace {
 
 constexpr const char* examples =
-    R"(DOMAIN  square ([-1,1]^2), airfoil (NACA 0012 in a box), a file in Triangle's .poly format, or a
-        Medit .mesh: what it covers, with all its vertices and boundary edges. A mesh that meets
-        what is asked already stays as it is; to another, vertices are added.
+    R"(DOMAIN  square ([-1,1]^2), airfoil (NACA 0012 in a box), a file in Triangle's .poly format, polygons
+        in .geojson or .wkt, or a mesh in Medit's .mesh or gmsh's .msh: what it covers, with all
+        its vertices and boundary edges. A mesh that meets what is asked already stays as it is; to
+        another, vertices are added.
 SPEC    identity; swirl:K or sink:K (K = 12 when left out), round in the middle of the domain and
         stretched by sqrt(1+K) at distance R from it, R half the longer side of the bounding box;
         layer:H0,H1 (0.001,0.1), flat along the lower side, H1 long, H0 high there and H1 high a
         longer side above; shock:A (50), A times as long as high along a curve, 1 high elsewhere;
         the benchmarks linear, polar-1, polar-2, circle-1; expr:M11;M12;M22 in x and y; or a Medit
         .mesh: the tensors of the .sol beside it, interpolated.
-OUT     by extension: .mesh (Medit, with the metric in .sol), .vtu (ParaView), .svg .png .pdf.
+OUT     by extension: .mesh (Medit, with the metric in .sol), .msh (gmsh 4.1), .msh2 (2.2), .su2,
+        .node (Triangle, with .ele and .edge), .vtu (ParaView), .svg .png .pdf,
+        .html (one page to look at and to judge by, which needs no network).
 
 Exit status: 0 complete and certified; 1 not reached, what is certain is written and says so;
 2 bad usage or input, nothing is written.
@@ -35,15 +38,27 @@ const std::map<std::string, refinement_strategy> strategies = {
     {"voronoi", refinement_strategy::voronoi_arcs},
     {"darts", refinement_strategy::poisson_darts}};
 
+constexpr real_range complexities = {0, 1e100, false, true, "positive, at most 1e100"};
 constexpr real_range gradations = {1, 1e100, false, true, "above 1, at most 1e100"};
 
 void add_domain_options(CLI::App& app, mesh_job& job) {
   app.add_option("DOMAIN", job.domain, "What to mesh")->required();
   app.add_option("--metric", job.metric, "The metric wanted (default identity)")->type_name("SPEC");
-  add_real(
+  auto* const size = add_real(
       app, "--size", sizes, [&job](double x) { job.size = x; },
-      "Length wanted of an edge, in the metric as given")
-      ->type_name("H");
+      "Length wanted of an edge, in the metric as given");
+  size->type_name("H");
+  auto* const vertices = add_count(
+      app, "--vertices", 3, 100000000,
+      [&job](std::uint64_t n) { job.refinement.vertices = static_cast<std::size_t>(n); },
+      "Number of vertices wanted, in place of a size: the metric is scaled to it");
+  vertices->type_name("N")->excludes(size);
+  add_real(
+      app, "--complexity", complexities, [&job](double x) { job.complexity = x; },
+      "Area of the domain as the metric shall measure it, in place of a size")
+      ->type_name("C")
+      ->excludes(size)
+      ->excludes(vertices);
   add_real(
       app, "--gradation", gradations, [&job](double x) { job.gradation = x; },
       "Make the metric change slowly: neighbouring edges differ by a factor of about BETA")
@@ -139,7 +154,7 @@ void add_mesh_command(CLI::App& program, command& chosen) {
   add_output_options(*app, *job);
   app->footer(examples);
   app->callback([job, &chosen] {
-    job->refinement.limit_size = job->size.has_value();
+    job->refinement.limit_size = job->size || job->complexity || job->refinement.vertices;
     chosen = [job] { return run_mesh_job(*job); };
   });
 }

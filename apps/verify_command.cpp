@@ -57,7 +57,7 @@ Examples:
   asterism verify part.mesh --certificate part.json
   asterism verify other.mesh --angle-bound 15 --domain part.poly)";
 
-// The certificate that was named, or the one beside the mesh, or none.
+// Reads the certificate that was named, or the one beside the mesh, or none.
 result<std::optional<certificate>> find_certificate(const verify_options& options) {
   fs::path path = options.certificate;
   if (path.empty()) {
@@ -70,8 +70,8 @@ result<std::optional<certificate>> find_certificate(const verify_options& option
   return std::optional<certificate>(std::move(read).value());
 }
 
-// Empty when no domain was named. Vertices given to the mesh beyond the domain's own, as random
-// points are, belong to it when they lie inside.
+// Reads the domain that was named; empty when none was. Vertices given to the mesh beyond the
+// domain's own, as random points are, belong to it when they lie inside.
 result<std::optional<domain>> find_domain(const verify_options& options, const mesh& subject) {
   if (options.domain.empty()) return std::optional<domain>();
   auto loaded = load_domain(options.domain);
@@ -130,7 +130,9 @@ std::string scope_text(const verify_options& options, const audit_options& asked
                        const std::string& metric) {
   std::string text = "; " + bound_text(verdict.audit, asked, claim) + "; " +
                      domain_text(options, claim) + "; metric: " + metric;
+  text += deviation_text(verdict.audit);
   if (!verdict.audit.stars_checked) text += "; stars not checked";
+  if (verdict.audit.stars_cut_short) text += "; " + cut_short_text(verdict.audit);
   if (claim) {
     const auto size = claim->options.find("size");
     if (size != claim->options.end() && size->second != "none") {
@@ -143,6 +145,7 @@ std::string scope_text(const verify_options& options, const audit_options& asked
         text += ", fitted: triangles may be larger";
     }
   }
+  if (verdict.theorem) text += "; the theorem on nets " + theorem_text(*verdict.theorem);
   return text + voronoi_text(verdict.audit);
 }
 
@@ -159,13 +162,13 @@ void write_verdict(const verify_report& verdict, const std::string& scope) {
             << scope << '\n';
 }
 
-// A mesh that comes without certificate and domain is judged as `certify` judges it.
+// Judges a mesh that comes without certificate and domain, as `certify` judges it.
 verify_report verify_alone(adopted_mesh& adopted, const audit_options& asked) {
   audit_options questions = questions_for(adopted);
   questions.angle_bound = asked.angle_bound;
   questions.check_voronoi = asked.check_voronoi;
   questions.findings_kept = asked.findings_kept;
-  questions.enough = asked.enough;
+  questions.stop = asked.stop;
   return verify(adopted.subject, std::nullopt, questions);
 }
 
@@ -176,7 +179,7 @@ int judge(const verify_options& options, mesh subject, const std::optional<certi
   asked.check_voronoi = options.prove_voronoi;
   asked.findings_kept = findings_kept(options.all_findings);
   const run_limits limits(options.max_seconds, std::nullopt);
-  asked.enough = [&limits] { return limits.reason().has_value(); };
+  asked.stop = [&limits] { return limits.reason(); };
   progress_line line(true);
   line.show({.phase = mesh_phase::auditing, .sites = subject.sites.size()});
   if (original) asked.original = &*original;

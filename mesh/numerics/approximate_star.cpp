@@ -68,7 +68,7 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_
   return all;
 }
 
-// Vertex and radius of the gap of s between y and x.
+// Computes vertex and radius of the gap of s between y and x.
 void close_gap(const site& s, const site& y, const site& x, plain_gap& gap) {
   const auto to_y = between(s.position, y.position), to_x = between(s.position, x.position);
   if (!(cross(to_y, to_x) > 0)) return;

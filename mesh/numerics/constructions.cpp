@@ -22,7 +22,7 @@ metric_tensor operator-(const metric_tensor& a, const metric_tensor& b) {
 
 bool finite(const point& q) { return std::isfinite(q.x) && std::isfinite(q.y); }
 
-// J M d: perpendicular to d as M measures.
+// Returns J M d: perpendicular to d as M measures.
 point perpendicular(const metric_tensor& m, const point& d) {
   return {-(m.m12 * d.x + m.m22 * d.y), m.m11 * d.x + m.m12 * d.y};
 }
@@ -139,7 +139,8 @@ point mean_circumcentre(const std::array<site, 3>& s) {
   return s[0].position + point{(dd * me.y - ee * md.y) / det, (ee * md.x - dd * me.x) / det};
 }
 
-// Approximate common points, from the resultant of the two bisectors along lines through s[0].
+// Returns approximate common points, from the resultant of the two bisectors along lines through
+// s[0].
 std::vector<point> resultant_points(const std::array<site, 3>& s) {
   const point d = s[1].position - s[0].position;
   point n = perpendicular(s[0].metric, d);

@@ -42,7 +42,7 @@ point round_coordinates::outward(const point& u) const {
   return {g11_ * u.x + g12_ * u.y, g22_ * u.y};
 }
 
-// F^-T M F^-1.
+// Returns F^-T M F^-1.
 metric_tensor round_coordinates::inward(const metric_tensor& m) const {
   const double_double m11(m.m11), m12(m.m12), m22(m.m22), g11(g11_), g12(g12_), g22(g22_);
   const double_double x = m11 * g12 + m12 * g22, y = m12 * g12 + m22 * g22;

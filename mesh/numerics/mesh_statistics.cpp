@@ -150,7 +150,7 @@ double variation(const site& p, const site& q) {
   return (1 - 1 / tau) / std::min(metric_distance(p, q.position), metric_distance(q, p.position));
 }
 
-// The root of the ratio of the eigenvalues t +- r, as (t + r) / root of the determinant.
+// Returns the root of the ratio of the eigenvalues t +- r, as (t + r) / root of the determinant.
 double aspect(const metric_tensor& m) {
   const double r = elementary::hypot(m.m11 / 2 - m.m22 / 2, m.m12);
   return (m.m11 / 2 + m.m22 / 2 + r) / root_of_determinant(m);

@@ -22,8 +22,8 @@ bool moderate(const metric_tensor& m) {
   return std::max(m.m11, m.m22) < 0x1p400 && std::min(m.m11, m.m22) > 0x1p-400;
 }
 
-// ab - cd with an error of two units in the last place of the result (Kahan): the weak eigenvalue
-// of a thin tensor is its determinant over the strong one, and cancels.
+// Returns ab - cd with an error of two units in the last place of the result (Kahan): the weak
+// eigenvalue of a thin tensor is its determinant over the strong one, and cancels.
 double difference_of_products(double a, double b, double c, double d) {
   const double cd = c * d;
   return std::fma(a, b, -cd) + std::fma(-c, d, cd);

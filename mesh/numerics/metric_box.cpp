@@ -20,8 +20,8 @@ bounding_box influence_box(const site& a, const site& b) {
   return box;
 }
 
-// With f the metric's quadratic form, the least of f over all displacements with the same dx is
-// (m11 - m12^2 / m22) dx^2.
+// Takes the unit ellipse's extents. With f the metric's quadratic form, the least of f over all
+// displacements with the same dx is (m11 - m12^2 / m22) dx^2.
 bounding_box box_around(const site& s, double distance) {
   const metric_tensor& m = s.metric;
   const bool thin = is_thin(m);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Lengths of edges as the metric sees them. In doubles, for reports.
+// Measures lengths of edges as the metric sees them. In doubles, for reports.
 #pragma once
 
 #include <cmath>

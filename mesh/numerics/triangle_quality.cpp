@@ -86,19 +86,19 @@ double angle_between(const metric_tensor& m, const point& a, const point& b) {
 angle_requirement::angle_requirement(double degrees)
     : degrees_(degrees), cotangent_(1 / elementary::tan(degrees * (1 + 1e-9) / to_degrees)) {}
 
-bool angle_requirement::is_low(const triangle_sites& t, const std::array<bool, 3>& left_out) const {
+bool angle_requirement::is_low(const triangle_sites& t, const angle_set& left_out) const {
   if (degrees_ == 0) return false;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (left_out[i]) continue;
     const point a = difference(t[(i + 1) % 3].position, t[i].position);
     const point b = difference(t[(i + 2) % 3].position, t[i].position);
-    for (const site& from : t)
-      if (corner_is_low(from.metric, a, b, cotangent_) &&
-          !(is_thin(from.metric) &&
-            !thin_corner_is_low(from.metric,
-                                {t[i].position, t[(i + 1) % 3].position, t[(i + 2) % 3].position},
-                                cotangent_)))
+    for (std::size_t j = 0; j < 3; ++j) {
+      const metric_tensor& m = t[j].metric;
+      if (!left_out.which[i][j] && corner_is_low(m, a, b, cotangent_) &&
+          !(is_thin(m) &&
+            !thin_corner_is_low(
+                m, {t[i].position, t[(i + 1) % 3].position, t[(i + 2) % 3].position}, cotangent_)))
         return true;
+    }
   }
   return false;
 }

@@ -10,10 +10,15 @@
 
 namespace asterism::internal {
 
+// Set of a triangle's nine angles: which[i][j] is the one at corner i as corner j measures it.
+struct angle_set {
+  std::array<std::array<bool, 3>, 3> which{};
+};
+
 // The angle bound, prepared for asking often.
 class angle_requirement {
  public:
-  // 0 <= degrees < 60.
+  // Makes the requirement; 0 <= degrees < 60.
   explicit angle_requirement(double degrees);
 
   double degrees() const { return degrees_; }
@@ -23,8 +28,8 @@ class angle_requirement {
   // of 1e-9 relative, so that a triangle called good meets the bound exactly. Never low when the
   // bound is zero. Requires a counter-clockwise triangle.
   bool is_low(const triangle_sites& t) const { return is_low(t, {}); }
-  // As above, with the angles at some of the corners left out.
-  bool is_low(const triangle_sites& t, const std::array<bool, 3>& left_out) const;
+  // True if an angle is low, with some of the angles left out.
+  bool is_low(const triangle_sites& t, const angle_set& left_out) const;
 
  private:
   double degrees_;

@@ -62,7 +62,8 @@ struct random_graph {
 
   static constexpr int grid = 5;
   test::splitmix64 random;
-  star_predicates_on<filtered_kernel> kernel;
+  tier_counters decided;
+  star_predicates_on<filtered_kernel> kernel{decided};
   domain d;
 };
 

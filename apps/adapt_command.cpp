@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
+#include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/option_values.hpp"
+#include "asterism/apps/places.hpp"
+#include "asterism/apps/progress_line.hpp"
+#include "asterism/apps/run_limits.hpp"
+#include "asterism/apps/solution_options.hpp"
+#include "asterism/apps/summary.hpp"
+#include "asterism/apps/transfer_text.hpp"
+#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/io/load_domain.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/render_mesh.hpp"
+#include "asterism/mesh/io/solution_output.hpp"
+#include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/pipeline/adapt_to_metric.hpp"
+#include "asterism/mesh/pipeline/adaptation_claims.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+
+namespace asterism::apps {
+using namespace internal;
+namespace fs = std::filesystem;
+namespace {
+
+struct adapt_job {
+  metric_request request;
+  std::string domain;
+  mesh_adaptation_options options;
+  transfer_method how = transfer_method::interpolate;
+  std::vector<fs::path> outputs;
+  fs::path values, certificate;
+  std::optional<double> max_seconds;
+  std::size_t threads = 0;
+  bool quiet = false;
+};
+
+constexpr const char* examples =
+    R"(Makes the mesh on which the next solution is best: the metric that the solution asks for (see
+`asterism metric --help`), a mesh of the same domain in it, certified, and the solution on that.
+The domain is the mesh's: its corners, required vertices and edges, ends of markers, and where it
+turns by more than --corner-angle stay; all else may go. Or it is the one named by --domain.
+A mesh that meets its metric already stays as it is.
+
+Exit status: 0 complete and certified; 1 not reached, what is certain is written and says so;
+2 bad usage or input, nothing is written.
+
+Examples:
+  asterism adapt old.mesh --solution u.sol --vertices 4000 -o new.mesh --solution-out new_u.sol
+  asterism adapt old.mesh --solution u.bb --error 1e-3 --domain wing.poly --transfer project \
+                 -o new.mesh --solution-out new_u.bb)";
+
+// Everything that was made, before it is written.
+struct adapted {
+  requested_metric wanted;
+  adapted_mesh next;
+  std::optional<transferred_solution> values;
+};
+
+std::optional<error> check_files(const adapt_job& job, const fs::path& certificate_path) {
+  std::vector<fs::path> used = files_of(job.request);
+  std::error_code ignored;
+  if (fs::is_regular_file(job.domain, ignored)) used.emplace_back(job.domain);
+  for (const fs::path& output : job.outputs) {
+    const auto format = check_output(output);
+    if (!format) return format.failure();
+    used.push_back(output);
+    if (format.value() == mesh_format::medit) used.push_back(solution_path(output));
+  }
+  if (!job.values.empty()) {
+    if (job.request.solution.empty())
+      return error{"--solution-out: there is no --solution to transfer", error_code::bad_option};
+    if (const auto place = check_solution_output(job.values); !place) return place.failure();
+    used.push_back(job.values);
+  }
+  used.push_back(certificate_path);
+  for (const fs::path& output : job.outputs)
+    if (auto failed = check_place(solution_path(output))) return failed;
+  if (auto failed = check_distinct(used)) return failed;
+  return check_place(certificate_path);
+}
+
+std::optional<error> take_domain(adapt_job& job) {
+  if (job.domain.empty()) return std::nullopt;
+  const auto loaded = load_domain(job.domain);
+  if (!loaded) return loaded.failure();
+  auto checked = check_domain(loaded.value());
+  if (!checked) return checked.failure();
+  job.options.exact = std::move(checked).value();
+  return std::nullopt;
+}
+
+result<adapted> adapt(const adapt_job& job, const run_limits& limits) {
+  auto wanted = answer(job.request);
+  if (!wanted) return wanted.failure();
+  adapted made{std::move(wanted).value(), {}, {}};
+  const auto marks = read_medit_marks(job.request.mesh);
+  if (!marks) return marks.failure();
+  mesh_adaptation_options options = job.options;
+  options.refinement.stop = [&limits] { return limits.reason(); };
+  progress_line line(!job.quiet);
+  auto next = adapt_to_metric({made.wanted.background, marks.value()}, options,
+                              [&line](const mesh_progress& p) { line.show(p); });
+  if (!next) return next.failure();
+  made.next = std::move(next).value();
+  if (job.values.empty()) return made;
+  auto values = transfer_solution(made.wanted.background, made.wanted.values,
+                                  made.next.made.outcome.result, job.how);
+  if (!values) return values.failure();
+  made.values = std::move(values).value();
+  return made;
+}
+
+void describe(const adapt_job& job, adapted& made) {
+  certificate& claim = made.next.made.claim;
+  claim.metric = job.request.solution.empty()
+                     ? (job.request.implied ? "implied by " + job.request.mesh
+                                            : "metric " + job.request.metric)
+                     : "solution " + job.request.solution;
+  const auto adopted = adopt_mesh(made.wanted.background);
+  std::string fingerprint = "none";
+  if (adopted) {
+    const auto field = make_sampled_field(adopted.value().subject, 1);
+    fingerprint = std::to_string(mesh_fingerprint(*field->background()));
+  }
+  claim.options = {{"domain", job.domain.empty() ? "of " + job.request.mesh : job.domain},
+                   {"angle-bound", number_text(job.options.refinement.angle_bound)},
+                   {"corner-angle", number_text(job.options.corner_angle)},
+                   {"kept", made.next.kept ? "yes" : "no"},
+                   {"boundary-vertices", std::to_string(made.next.boundary_vertices)},
+                   {"boundary-kept", std::to_string(made.next.boundary_kept)},
+                   {"boundary-distance", number_text(made.next.boundary_distance)},
+                   {"metric-fingerprint", fingerprint}};
+  claim.options.merge(words_of(job.request));
+  claim.options.merge(words_of(made.wanted.report));
+  if (made.values) claim.options.merge(words_of(made.values->report, job.how));
+}
+
+std::optional<error> write_all(const adapt_job& job, const fs::path& certificate_path,
+                               const adapted& made) {
+  write_options options;
+  const certificate& claim = made.next.made.claim;
+  if (!claim.complete || !claim.certified)
+    options.note = "Incomplete, not certified: " + claim.reason;
+  std::vector<output_file> files;
+  for (const fs::path& output : job.outputs) {
+    auto rendered = render_mesh(output, made.next.made.outcome.result, options);
+    if (!rendered) return rendered.failure();
+    std::move(rendered.value().begin(), rendered.value().end(), std::back_inserter(files));
+  }
+  if (made.values) files.push_back({job.values, solution_text(job.values, made.values->values)});
+  files.push_back({certificate_path, certificate_text(claim)});
+  const held_signals held;
+  const auto written = asterism::internal::write_files(files);
+  if (!written) return written.failure();
+  return std::nullopt;
+}
+
+void summarize(const adapted& made) {
+  std::cout << "metric: " << internal::text_of(made.wanted.report) << '\n';
+  if (made.next.boundary_vertices > 0)
+    std::cout << fmt::format("domain: {} of {} boundary vertices kept, others within {:.3g}\n",
+                             made.next.boundary_kept, made.next.boundary_vertices,
+                             made.next.boundary_distance);
+  if (made.next.kept) std::cout << "the mesh meets its metric and stays as it is\n";
+  if (made.next.made.outcome.delivered)
+    std::cout << "delivered: " << text_of(*made.next.made.outcome.delivered) << '\n';
+  if (made.values) std::cout << text_of(made.values->report);
+  write_summary(std::cout, made.next.made, made.next.made.claim.measured.at("unit_edges"));
+}
+
+int run_adapt(adapt_job job) {
+  std::optional<tbb::global_control> threads;
+  if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  fs::path certificate_path = job.certificate;
+  if (certificate_path.empty())
+    certificate_path = fs::path(job.outputs[0]).replace_extension(".certificate.json");
+  if (const auto failed = check_request(job.request)) return complain(*failed, refused);
+  if (const auto failed = check_files(job, certificate_path)) return complain(*failed, refused);
+  if (const auto failed = take_domain(job)) return complain(*failed, refused);
+  const run_limits limits(job.max_seconds, std::nullopt);
+  auto made = adapt(job, limits);
+  if (!made) return complain(made.failure(), refused);
+  describe(job, made.value());
+  if (const auto failed = write_all(job, certificate_path, made.value()))
+    return complain(*failed, not_reached);
+  if (!job.quiet) summarize(made.value());
+  const certified_mesh& next = made.value().next.made;
+  if (!next.certified()) return complain({"not reached: " + next.claim.reason}, not_reached);
+  const solution_metric_report& report = made.value().wanted.report;
+  if (!report.reached) return complain({"not reached: " + report.reason}, not_reached);
+  return done;
+}
+
+void add_mesh_options(CLI::App& app, adapt_job& job) {
+  constexpr real_range corner_angles = {0, 180, false, true, "above 0, at most 180 degrees"};
+  auto* const exact =
+      app.add_option("--domain", job.domain, "What to mesh (default: what the mesh covers)")
+          ->type_name("DOMAIN");
+  add_real(
+      app, "--corner-angle", corner_angles, [&job](double x) { job.options.corner_angle = x; },
+      "Vertices where the boundary turns by more stay (default 30)")
+      ->excludes(exact)
+      ->type_name("DEG");
+  add_real(
+      app, "--angle-bound", angle_bounds,
+      [&job](double x) { job.options.refinement.angle_bound = x; },
+      "Least angle of a triangle, as each of its vertices measures it (default 20)")
+      ->type_name("DEG");
+  add_count(
+      app, "--max-sites", 3, 100000000,
+      [&job](std::uint64_t n) {
+        job.options.refinement.max_sites = static_cast<std::size_t>(n);
+        job.options.keeps_site_limit = true;
+      },
+      "Refinement ends at this many (default 100000, or three times those wanted)")
+      ->type_name("N");
+  add_real(
+      app, "--max-seconds", positive_reals, [&job](double x) { job.max_seconds = x; },
+      "Refinement ends after this time")
+      ->type_name("S");
+  add_count(
+      app, "--threads", 1, 1024,
+      [&job](std::uint64_t n) { job.threads = static_cast<std::size_t>(n); },
+      "Threads to use (default: one a processor); everything is the same for any number")
+      ->type_name("N");
+}
+
+}  // namespace
+
+void add_adapt_command(CLI::App& program, command& chosen) {
+  auto* const app = program.add_subcommand("adapt", "Make the next mesh for a solution");
+  const auto job = std::make_shared<adapt_job>();
+  add_solution_options(*app, job->request);
+  add_mesh_options(*app, *job);
+  add_transfer_option(*app, job->how);
+  app->add_option("-o,--output", job->outputs, "File to write; may be given several times")
+      ->required()
+      ->type_name("OUT")
+      ->allow_extra_args(false);
+  app->add_option("--solution-out", job->values, "The solution on the new mesh, .sol or .bb")
+      ->type_name("FILE");
+  app->add_option("--certificate", job->certificate,
+                  "The certificate's file (default: first OUT with extension .certificate.json)")
+      ->type_name("FILE");
+  app->add_flag("--quiet", job->quiet, "No progress, no summary");
+  app->footer(examples);
+  app->callback([job, &chosen] { chosen = [job] { return run_adapt(*job); }; });
+}
+
+}  // namespace asterism::apps

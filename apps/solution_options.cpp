@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/solution_options.hpp"
+
+#include <map>
+#include <string>
+
+#include "asterism/apps/option_values.hpp"
+#include "asterism/core/number_text.hpp"
+
+namespace asterism::apps {
+using namespace internal;
+namespace {
+
+const std::map<std::string, hessian_method> methods = {{"l2", hessian_method::l2_projection},
+                                                       {"green", hessian_method::green},
+                                                       {"lsq", hessian_method::least_squares}};
+
+constexpr real_range norms = {1, 1e6, true, true, "from 1 to 1e6, or inf"};
+constexpr real_range aspects = {1, 1e6, true, true, "from 1 to 1e6"};
+constexpr real_range factors = {1, 1e100, false, true, "above 1, at most 1e100"};
+constexpr real_range targets = {0, 1e9, false, true, "positive, at most 1e9"};
+
+void add_source_options(CLI::App& app, metric_request& request) {
+  app.add_option("MESH", request.mesh, "The mesh that the solution is on, a Medit .mesh")
+      ->required();
+  app.add_option("--solution", request.solution,
+                 "Values at its vertices: Medit's .sol, BAMG's .bb or point data of a .vtu")
+      ->type_name("FILE");
+  app.add_option(
+         "--field", request.fields,
+         "A field of the solution: its name, or its number where there are no names, with .x "
+         "or .y for a component (default: all scalars and vectors); several times")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  app.add_option("--intersect", request.intersected,
+                 "A metric at the same vertices, .sol or .mtr, to intersect with; several times")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  app.add_flag("--implied", request.implied,
+               "The metric that the mesh implies by its edges, in place of a solution's");
+  app.add_option("--metric", request.metric,
+                 "A metric at the vertices, .sol or .mtr, in place of a solution's")
+      ->type_name("FILE");
+}
+
+void add_target_options(CLI::App& app, solution_metric_options& wishes) {
+  app.add_option_function<std::string>(
+         "--hessian", [&wishes](const std::string& name) { wishes.hessian = methods.at(name); },
+         "l2 (default): averages of averages; green: weak form; lsq: fitted quadratics")
+      ->check(CLI::IsMember(methods))
+      ->type_name("HOW");
+  app.add_option_function<std::string>(
+         "--norm",
+         [&wishes](const std::string& text) {
+           wishes.norm.reset();
+           if (text == "inf") return;
+           const auto value = parse_number(text);
+           if (!value) throw CLI::ValidationError("--norm", value.failure().message);
+           if (!(value.value() >= norms.low && value.value() <= norms.high))
+             throw CLI::ValidationError("--norm",
+                                        text + " is out of range: it must be " + norms.text);
+           wishes.norm = value.value();
+         },
+         "The P of the L^P norm in which the error is to be least (default 2)")
+      ->type_name("P");
+  add_real(
+      app, "--vertices", targets, [&wishes](double x) { wishes.vertices = x; },
+      "Vertices wanted (default: as many as the mesh has)")
+      ->type_name("N");
+  add_real(
+      app, "--complexity", targets, [&wishes](double x) { wishes.complexity = x; },
+      "Complexity wanted: the area as the metric measures it, 0.866 of the vertices")
+      ->type_name("C");
+  add_real(
+      app, "--error", positive_reals, [&wishes](double x) { wishes.error = x; },
+      "Error wanted, of linear interpolation in the norm")
+      ->type_name("E");
+}
+
+void add_bound_options(CLI::App& app, solution_metric_options& wishes) {
+  add_real(
+      app, "--hmin", sizes, [&wishes](double x) { wishes.least_size = x; },
+      "Least length of an edge")
+      ->type_name("H");
+  add_real(
+      app, "--hmax", sizes, [&wishes](double x) { wishes.greatest_size = x; },
+      "Greatest length of an edge")
+      ->type_name("H");
+  add_real(
+      app, "--aspect", aspects, [&wishes](double x) { wishes.aspect = x; },
+      "How many times as long as wide a triangle may be (default 1e6)")
+      ->type_name("A");
+  add_real(
+      app, "--gradation", factors, [&wishes](double x) { wishes.gradation = x; },
+      "Greatest factor between the sizes of neighbours, about")
+      ->type_name("B");
+  app.add_option_function<std::string>(
+         "--gradation-space",
+         [&wishes](const std::string& name) { wishes.gradation_keeps_shape = name == "metric"; },
+         "mixed (default): shapes round off with the distance; metric: they stay")
+      ->check(CLI::IsMember({"mixed", "metric"}))
+      ->type_name("SPACE");
+  app.add_flag("--isotropic", wishes.isotropic, "One size in all directions");
+  add_real(
+      app, "--step", factors, [&wishes](double x) { wishes.step = x; },
+      "Greatest factor by which a size differs from that of the mesh")
+      ->type_name("F");
+}
+
+}  // namespace
+
+void add_solution_options(CLI::App& app, metric_request& request) {
+  add_source_options(app, request);
+  add_target_options(app, request.wishes);
+  add_bound_options(app, request.wishes);
+}
+
+std::optional<error> check_request(const metric_request& request) {
+  const int sources = (request.solution.empty() ? 0 : 1) + (request.metric.empty() ? 0 : 1) +
+                      (request.implied ? 1 : 0);
+  if (sources != 1)
+    return error{"one of --solution, --metric and --implied is wanted, and there " +
+                     std::string(sources == 0 ? "is none" : "are several"),
+                 error_code::bad_option};
+  if (!request.fields.empty() && request.solution.empty())
+    return error{"--field is of a --solution, and there is none", error_code::bad_option};
+  const solution_metric_options& w = request.wishes;
+  if (w.error && request.solution.empty())
+    return error{"--error is of a --solution, and there is none", error_code::bad_option};
+  if (w.vertices.has_value() + w.complexity.has_value() + w.error.has_value() > 1)
+    return error{"one of --vertices, --complexity and --error can be wanted, not several",
+                 error_code::bad_option};
+  if (!(w.least_size < w.greatest_size))
+    return error{"--hmin " + number_text(w.least_size) + " is not less than --hmax " +
+                     number_text(w.greatest_size),
+                 error_code::bad_option};
+  for (const auto& files : {request.fields, request.intersected})
+    for (const std::string& text : files)
+      if (text.find('\n') != std::string::npos)
+        return error{"a name has a line end in it: " + quoted_token(text), error_code::bad_option};
+  return std::nullopt;
+}
+
+std::vector<std::filesystem::path> files_of(const metric_request& request) {
+  std::vector<std::filesystem::path> files = {request.mesh};
+  for (const std::string& file : {request.solution, request.metric})
+    if (!file.empty()) files.emplace_back(file);
+  for (const std::string& file : request.intersected) files.emplace_back(file);
+  return files;
+}
+
+}  // namespace asterism::apps

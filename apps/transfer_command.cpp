@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <tbb/global_control.h>
+
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
+#include "asterism/apps/option_values.hpp"
+#include "asterism/apps/places.hpp"
+#include "asterism/apps/transfer_text.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/solution_file.hpp"
+#include "asterism/mesh/io/solution_output.hpp"
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
+#include "asterism/mesh/transfer/transfer.hpp"
+
+namespace asterism::apps {
+using namespace internal;
+namespace fs = std::filesystem;
+namespace {
+
+struct transfer_job {
+  std::string from, values, to;
+  transfer_method how = transfer_method::interpolate;
+  fs::path output;
+  std::size_t threads = 0;
+  bool quiet = false;
+};
+
+constexpr const char* examples =
+    R"(Brings a solution from the vertices of one mesh to those of another mesh of the same domain. Nothing is
+read across a gap or a hole. The summary has, for each component, its integral before and after, and
+its least and greatest value.
+
+Exit status: 0 done; 2 bad usage or input, nothing is written.
+
+Examples:
+  asterism transfer old.mesh u.sol new.mesh -o v.sol
+  asterism transfer old.mesh u.sol new.mesh --transfer project -o v.sol)";
+
+std::optional<error> check_files(const transfer_job& job) {
+  const auto place = check_solution_output(job.output);
+  if (!place) return place.failure();
+  std::vector<fs::path> used = {job.from, job.values, job.output};
+  if (job.to != job.from) used.emplace_back(job.to);
+  return check_distinct(used);
+}
+
+int run_transfer(const transfer_job& job) {
+  std::optional<tbb::global_control> threads;
+  if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  if (const auto failed = check_files(job)) return complain(*failed, refused);
+  const auto from = read_plain_triangulation(job.from);
+  if (!from) return complain(from.failure(), refused);
+  const auto values = read_solution(job.values, from.value());
+  if (!values) return complain(values.failure(), refused);
+  const auto to = read_plain_triangulation(job.to);
+  if (!to) return complain(to.failure(), refused);
+  const auto done_so = transfer_solution(from.value(), values.value(), to.value(), job.how);
+  if (!done_so) return complain(done_so.failure(), refused);
+  const auto written = write_solution(job.output, done_so.value().values);
+  if (!written) return complain(written.failure(), not_reached);
+  if (!job.quiet) std::cout << text_of(done_so.value().report);
+  return done;
+}
+
+}  // namespace
+
+void add_transfer_command(CLI::App& program, command& chosen) {
+  auto* const app = program.add_subcommand("transfer", "Bring a solution to another mesh");
+  const auto job = std::make_shared<transfer_job>();
+  app->add_option("OLD", job->from, "The mesh that the solution is on")->required();
+  app->add_option("SOLUTION", job->values, "Values at its vertices: .sol, .bb or .vtu")->required();
+  app->add_option("NEW", job->to, "The mesh to bring it to")->required();
+  add_transfer_option(*app, job->how);
+  app->add_option("-o,--output", job->output, "File to write, .sol or .bb")
+      ->required()
+      ->type_name("OUT");
+  add_count(
+      *app, "--threads", 1, 1024,
+      [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
+      "Threads to use (default: one a processor); the values are the same for any number")
+      ->type_name("N");
+  app->add_flag("--quiet", job->quiet, "No summary");
+  app->footer(examples);
+  app->callback([job, &chosen] { chosen = [job] { return run_transfer(*job); }; });
+}
+
+}  // namespace asterism::apps

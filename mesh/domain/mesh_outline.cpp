@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/domain/mesh_outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/outline_points.hpp"
+
+namespace asterism {
+using namespace internal;
+namespace {
+
+constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
+
+double length(const metric_tensor& m, const point& d) {
+  return std::sqrt(std::max(0.0, d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y));
+}
+
+// A run of boundary edges between two vertices that are kept: vertices and the edges after them.
+struct run {
+  std::vector<vertex_index> vertices, edges;
+};
+
+class outliner {
+ public:
+  outliner(const mesh& m, const mesh_marks& marks, double corner_angle)
+      : mesh_(m), at_(m.sites.size()), kept_(m.sites.size(), 0), angle_(corner_angle) {
+    for (vertex_index e = 0; e < m.boundary.size(); ++e)
+      for (const vertex_index v : {m.boundary[e].a, m.boundary[e].b}) at_[v].push_back(e);
+    for (const point& p : positions())
+      greatest_ = std::max({greatest_, std::abs(p.x), std::abs(p.y)});
+    choose(marks);
+    find_runs();
+  }
+
+  std::optional<mesh_outline> outline(bool simplify_curves) const;
+
+ private:
+  std::vector<point> positions() const {
+    std::vector<point> all;
+    for (const site& s : mesh_.sites) all.push_back(s.position);
+    return all;
+  }
+  const point& where(vertex_index v) const { return mesh_.sites[v].position; }
+  void choose(const mesh_marks& marks);
+  bool is_corner(vertex_index v) const;
+  void find_runs();
+  run follow(vertex_index from, vertex_index edge, std::vector<char>& used) const;
+  double distance(vertex_index v, vertex_index a, vertex_index b) const;
+  double farthest(const run& r, std::size_t i, std::size_t j) const;
+  bool may_be_piece(const run& r, std::size_t i, std::size_t j, bool simplify_curves) const;
+  std::vector<std::size_t> pieces(const run& r, bool simplify_curves) const;
+
+  const mesh& mesh_;
+  std::vector<std::vector<vertex_index>> at_;  // boundary edges at each vertex
+  std::vector<char> kept_;
+  std::vector<run> runs_;
+  double angle_, greatest_ = 0;
+};
+
+void outliner::choose(const mesh_marks& marks) {
+  for (const auto* list : {&marks.corners, &marks.required_vertices})
+    for (const vertex_index v : *list) kept_[v] = 1;
+  for (const auto& e : marks.required_edges)
+    for (const vertex_index v : e) kept_[v] = 1;
+  for (vertex_index v = 0; v < kept_.size(); ++v)
+    if (!at_[v].empty() && is_corner(v)) kept_[v] = 1;
+}
+
+bool outliner::is_corner(vertex_index v) const {
+  if (at_[v].size() != 2) return true;
+  const boundary_edge &e = mesh_.boundary[at_[v][0]], &f = mesh_.boundary[at_[v][1]];
+  if (e.marker != f.marker || e.internal != f.internal) return true;
+  const vertex_index p = e.a == v ? e.b : e.a, q = f.a == v ? f.b : f.a;
+  const double x = where(v).x - where(p).x, y = where(v).y - where(p).y,
+               u = where(q).x - where(v).x, w = where(q).y - where(v).y;
+  const double turn = elementary::atan2(std::abs(x * w - y * u), x * u + y * w);
+  return turn * 180 / std::numbers::pi > angle_;
+}
+
+// Follows edges from a vertex until one that is kept.
+run outliner::follow(vertex_index from, vertex_index edge, std::vector<char>& used) const {
+  run r;
+  vertex_index v = from;
+  while (edge != none) {
+    used[edge] = 1;
+    r.vertices.push_back(v);
+    r.edges.push_back(edge);
+    const boundary_edge& e = mesh_.boundary[edge];
+    v = e.a == v ? e.b : e.a;
+    if (kept_[v] != 0) break;
+    const vertex_index other = at_[v][0] == edge ? at_[v][1] : at_[v][0];
+    edge = used[other] != 0 ? none : other;
+  }
+  r.vertices.push_back(v);
+  return r;
+}
+
+void outliner::find_runs() {
+  std::vector<char> used(mesh_.boundary.size(), 0);
+  const auto start_at = [&](vertex_index v) {
+    for (const vertex_index e : at_[v])
+      // In the direction of the first edge; what enters v is followed from its other end.
+      if (used[e] == 0 && mesh_.boundary[e].a == v) runs_.push_back(follow(v, e, used));
+  };
+  for (vertex_index v = 0; v < kept_.size(); ++v)
+    if (kept_[v] != 0) start_at(v);
+  // Internal runs may be listed against their direction from both ends.
+  for (vertex_index v = 0; v < kept_.size(); ++v)
+    if (kept_[v] != 0)
+      for (const vertex_index e : at_[v])
+        if (used[e] == 0) runs_.push_back(follow(v, e, used));
+  // Closed curves without a vertex to keep: three, a third of the way apart.
+  for (vertex_index e = 0; e < used.size(); ++e) {
+    if (used[e] != 0) continue;
+    std::vector<char> tried = used;
+    const vertex_index from = mesh_.boundary[e].a;
+    const run whole = follow(from, e, tried);
+    const std::size_t n = whole.edges.size();
+    for (const std::size_t k : {std::size_t{0}, n / 3, 2 * n / 3}) kept_[whole.vertices[k]] = 1;
+    for (const std::size_t k : {std::size_t{0}, n / 3, 2 * n / 3})
+      runs_.push_back(follow(whole.vertices[k], whole.edges[k], used));
+  }
+}
+
+double outliner::distance(vertex_index v, vertex_index a, vertex_index b) const {
+  const double x = where(b).x - where(a).x, y = where(b).y - where(a).y;
+  const double u = where(v).x - where(a).x, w = where(v).y - where(a).y;
+  const double s = std::clamp((u * x + w * y) / (x * x + y * y), 0.0, 1.0);
+  return elementary::hypot(u - s * x, w - s * y);
+}
+
+double outliner::farthest(const run& r, std::size_t i, std::size_t j) const {
+  double most = 0;
+  for (std::size_t k = i + 1; k < j; ++k)
+    most = std::max(most, distance(r.vertices[k], r.vertices[i], r.vertices[j]));
+  return most;
+}
+
+// True if the vertices of the run between two of it may go.
+bool outliner::may_be_piece(const run& r, std::size_t i, std::size_t j,
+                            bool simplify_curves) const {
+  constexpr std::size_t most_dropped = 256;
+  const vertex_index a = r.vertices[i], b = r.vertices[j];
+  if (a == b) return false;
+  const double off = farthest(r, i, j);
+  if (off <= 16 * std::numeric_limits<double>::epsilon() * greatest_) return true;
+  if (!simplify_curves || j - i > most_dropped) return false;
+  const point d{where(b).x - where(a).x, where(b).y - where(a).y};
+  const double measured = (length(mesh_.sites[a].metric, d) + length(mesh_.sites[b].metric, d)) / 2;
+  return measured <= 1 && off <= 0.01 * elementary::hypot(d.x, d.y);
+}
+
+// Returns the places in the run of the vertices that stay.
+std::vector<std::size_t> outliner::pieces(const run& r, bool simplify_curves) const {
+  const std::size_t last = r.vertices.size() - 1;
+  if (may_be_piece(r, 0, last, false)) return {0, last};
+  std::vector<std::size_t> stay{0};
+  for (std::size_t i = 0; i < last;) {
+    std::size_t j = i + 1;
+    while (j < last && may_be_piece(r, i, j + 1, simplify_curves)) ++j;
+    stay.push_back(i = j);
+  }
+  return stay;
+}
+
+std::optional<mesh_outline> outliner::outline(bool simplify_curves) const {
+  mesh_outline made;
+  std::vector<char> stays = kept_;
+  std::vector<std::vector<std::size_t>> all;
+  for (const run& r : runs_) {
+    all.push_back(pieces(r, simplify_curves));
+    for (const std::size_t k : all.back()) stays[r.vertices[k]] = 1;
+  }
+  std::vector<vertex_index> number(stays.size(), none);
+  bool are_first = true;
+  for (vertex_index v = 0; v < stays.size(); ++v) {
+    if (stays[v] == 0) continue;
+    number[v] = static_cast<vertex_index>(made.shape.vertices.size());
+    are_first = are_first && number[v] == v;
+    made.shape.vertices.push_back(where(v));
+  }
+  std::vector<vertex_index> segment_of(mesh_.boundary.size(), none);
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    for (std::size_t k = 0; k + 1 < all[i].size(); ++k) {
+      const run& r = runs_[i];
+      const std::size_t begin = all[i][k], end = all[i][k + 1];
+      const boundary_edge& e = mesh_.boundary[r.edges[begin]];
+      for (std::size_t j = begin; j < end; ++j)
+        segment_of[r.edges[j]] = static_cast<vertex_index>(made.shape.segments.size());
+      made.shape.segments.push_back(
+          {number[r.vertices[begin]], number[r.vertices[end]], e.marker, e.internal});
+      made.greatest_distance = std::max(made.greatest_distance, farthest(r, begin, end));
+    }
+  if (!add_hole_points(made.shape)) return std::nullopt;
+  add_region_points(mesh_, made.shape);
+  const auto checked = check_domain(made.shape);
+  if (!checked) return std::nullopt;
+  const double area = area_of(mesh_), found = enclosed_area(checked.value());
+  if (!(std::abs(found - area) <= (simplify_curves ? 0.01 : 1e-9) * area)) return std::nullopt;
+  const auto same = [](const segment& s, const segment& t) {
+    return s.a == t.a && s.b == t.b && s.marker == t.marker && s.internal == t.internal;
+  };
+  if (are_first && checked.value().vertices == made.shape.vertices &&
+      std::equal(made.shape.segments.begin(), made.shape.segments.end(),
+                 checked.value().segments.begin(), checked.value().segments.end(), same))
+    made.segment_of_edge = std::move(segment_of);
+  made.shape = checked.value();
+  for (std::size_t v = 0; v < at_.size(); ++v) {
+    if (at_[v].empty()) continue;
+    ++made.boundary_vertices;
+    made.kept += stays[v] != 0 ? 1 : 0;
+  }
+  return made;
+}
+
+}  // namespace
+
+result<mesh_outline> outline_of_mesh(const mesh& m, const mesh_marks& marks, double corner_angle) {
+  if (!(corner_angle > 0 && corner_angle <= 180))
+    return error{"the corner angle must be above 0 and at most 180 degrees",
+                 error_code::bad_option};
+  const auto is_there = [&](vertex_index v) { return v < m.sites.size(); };
+  for (const auto* list : {&marks.corners, &marks.required_vertices})
+    if (!std::all_of(list->begin(), list->end(), is_there))
+      return error{"a mark names a vertex that does not exist", error_code::invalid_mesh};
+  for (const auto& e : marks.required_edges)
+    if (!is_there(e[0]) || !is_there(e[1]))
+      return error{"a mark names a vertex that does not exist", error_code::invalid_mesh};
+  const outliner found(m, marks, corner_angle);
+  for (const bool simplify_curves : {true, false})
+    if (auto outline = found.outline(simplify_curves)) return *std::move(outline);
+  mesh_outline whole;
+  whole.keeps_all = true;
+  return whole;
+}
+
+}  // namespace asterism

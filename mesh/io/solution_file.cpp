@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/solution_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/medit_solution.hpp"
+#include "asterism/mesh/io/solution_output.hpp"
+#include "asterism/mesh/io/text_lines.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
+#include "asterism/mesh/io/vtu_solution.hpp"
+
+namespace asterism {
+using namespace internal;
+namespace {
+
+using failure = std::optional<error>;
+
+// Numbers a field of this kind has in a file of this dimension.
+std::size_t numbers_of(field_kind kind, int dimension) {
+  if (dimension == 2 || kind == field_kind::scalar) return components_of(kind);
+  return kind == field_kind::vector ? 3 : 6;
+}
+
+class values_reader {
+ public:
+  values_reader(text_scanner& source, const mesh& m, solution& made)
+      : source_(source), mesh_(m), made_(made) {}
+
+  failure read_medit();
+  failure read_bamg(bool with_types);
+
+ private:
+  failure read_count();
+  failure read_kind();
+  failure read_values(int dimension);
+  result<double> read_number(std::size_t field, std::size_t v);
+  failure check_end();
+
+  text_scanner& source_;
+  const mesh& mesh_;
+  solution& made_;
+};
+
+failure values_reader::read_count() {
+  const word w = source_.next();
+  const auto count = to_count(source_, w, "number of vertices");
+  if (!count) return count.failure();
+  if (count.value() != mesh_.sites.size())
+    return source_.failure(w.line, fmt::format("values at {} vertices, and the mesh has {}",
+                                               count.value(), mesh_.sites.size()));
+  made_.vertices = count.value();
+  return {};
+}
+
+failure values_reader::read_kind() {
+  const word w = source_.next();
+  const auto type = to_integer(source_, w, "type of a field");
+  if (!type) return type.failure();
+  if (type.value() < 1 || type.value() > 3)
+    return source_.failure(w.line, "type of a field: " + quoted_token(w.text) +
+                                       " is not 1 (scalar), 2 (vector) or 3 (symmetric tensor)");
+  made_.fields.push_back(
+      {std::to_string(made_.fields.size() + 1), static_cast<field_kind>(type.value()), {}});
+  return {};
+}
+
+result<double> values_reader::read_number(std::size_t field, std::size_t v) {
+  const word w = source_.next();
+  const auto place = [&] { return fmt::format("field {}, vertex {}", field + 1, v + 1); };
+  if (w.empty()) return source_.failure(w.line, place() + ": the file ends here");
+  const auto value = parse_number(w.text);
+  if (!value)
+    return source_.failure(w.line, value.failure().at(place()).message, value.failure().code);
+  return value;
+}
+
+failure values_reader::read_values(int dimension) {
+  for (std::size_t v = 0; v < made_.vertices; ++v)
+    for (std::size_t f = 0; f < made_.fields.size(); ++f) {
+      solution_field& field = made_.fields[f];
+      const std::size_t count = numbers_of(field.kind, dimension);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t line = source_.line();
+        const auto value = read_number(f, v);
+        if (!value) return value.failure();
+        if (i < components_of(field.kind))
+          field.values.push_back(value.value());
+        else if (field.kind == field_kind::vector && value.value() != 0)
+          return source_.failure(
+              line, fmt::format("field {}, vertex {}: the vector has a third component, {}", f + 1,
+                                v + 1, value.value()));
+      }
+    }
+  return {};
+}
+
+failure values_reader::check_end() {
+  const word more = source_.next();
+  if (more.empty() || more.text == "End") return {};
+  return source_.failure(more.line, quoted_token(more.text) + " after the last value");
+}
+
+failure values_reader::read_medit() {
+  const auto dimension = read_medit_header(source_);
+  if (!dimension) return dimension.failure();
+  const word keyword = source_.next();
+  if (keyword.text != "SolAtVertices")
+    return source_.failure(keyword.line, (keyword.empty() ? std::string("the file ends")
+                                                          : quoted_token(keyword.text)) +
+                                             " where the section SolAtVertices should be");
+  if (auto failed = read_count()) return failed;
+  const auto fields = to_count(source_, source_.next(), "number of fields");
+  if (!fields) return fields.failure();
+  for (std::size_t i = 0; i < fields.value(); ++i)
+    if (auto failed = read_kind()) return failed;
+  if (auto failed = read_values(dimension.value())) return failed;
+  return check_end();
+}
+
+failure values_reader::read_bamg(bool with_types) {
+  const word first = source_.next();
+  if (first.text != "2")
+    return source_.failure(first.line, "dimension: 2 wanted, not " + quoted_token(first.text));
+  const auto fields = to_count(source_, source_.next(), "number of fields");
+  if (!fields) return fields.failure();
+  for (std::size_t i = 0; i < fields.value(); ++i) {
+    if (!with_types)
+      made_.fields.push_back({std::to_string(i + 1), field_kind::scalar, {}});
+    else if (auto failed = read_kind())
+      return failed;
+  }
+  if (auto failed = read_count()) return failed;
+  const word where = source_.next();
+  if (where.text != "2")
+    return source_.failure(
+        where.line, "place of the values: 2 (at vertices) wanted, not " + quoted_token(where.text));
+  if (auto failed = read_values(2)) return failed;
+  return check_end();
+}
+
+// True if the file says so by capital letters: BAMG tells .BB, with types, from .bb.
+bool has_types(const std::filesystem::path& path) { return path.extension() == ".BB"; }
+
+failure check_fields(const solution& s, const std::string& file) {
+  if (s.fields.empty())
+    return error{file + ": there is no field in it", error_code::malformed_file};
+  if (s.fields.size() == 1 && s.fields[0].kind == field_kind::tensor)
+    return error{file + ": one symmetric tensor a vertex is a metric, and a solution is wanted",
+                 error_code::malformed_file};
+  return {};
+}
+
+const char* const suffixes[3][3] = {{"", "", ""}, {".x", ".y", ""}, {".xx", ".xy", ".yy"}};
+
+std::string name_of(const solution_field& f, std::size_t component) {
+  return f.name + suffixes[components_of(f.kind) - 1][component];
+}
+
+nodal_values component_of(const solution_field& f, std::size_t component, std::size_t vertices) {
+  nodal_values made{name_of(f, component), {}};
+  made.values.reserve(vertices);
+  for (std::size_t v = 0; v < vertices; ++v)
+    made.values.push_back(f.values[v * components_of(f.kind) + component]);
+  return made;
+}
+
+std::string names_of(const solution& s) {
+  std::string all;
+  for (const solution_field& f : s.fields) all += (all.empty() ? "" : ", ") + quoted_token(f.name);
+  return all;
+}
+
+}  // namespace
+
+result<solution> read_solution(const std::filesystem::path& path, const mesh& m) {
+  const std::string file = path.string();
+  const bool is_vtu = has_ending(file, ".vtu"), is_bamg = has_ending(file, ".bb");
+  if (!is_vtu && !is_bamg && !has_ending(file, ".sol"))
+    return error{file + ": a solution is a file whose name ends in .sol, .bb or .vtu",
+                 error_code::bad_option};
+  const auto text = read_text_file(path);
+  if (!text) return text.failure();
+  solution made;
+  if (is_vtu) {
+    auto read = read_vtu_solution(text.value(), file, m);
+    if (!read) return read;
+    made = std::move(read).value();
+  } else {
+    text_scanner source(file, text.value());
+    values_reader reader(source, m, made);
+    if (auto failed = is_bamg ? reader.read_bamg(has_types(path)) : reader.read_medit())
+      return *failed;
+  }
+  if (auto failed = check_fields(made, file)) return *failed;
+  return made;
+}
+
+result<std::vector<nodal_values>> select_values(const solution& from,
+                                                const std::vector<std::string>& names) {
+  std::vector<nodal_values> found;
+  std::vector<char> used(names.size(), 0);
+  for (const solution_field& f : from.fields)
+    for (std::size_t c = 0; c < components_of(f.kind); ++c) {
+      bool wanted = names.empty() && f.kind != field_kind::tensor;
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == f.name || names[i] == name_of(f, c)) {
+          wanted = true;
+          used[i] = 1;
+        }
+      if (!wanted) continue;
+      if (f.kind == field_kind::tensor)
+        return error{"field " + quoted_token(f.name) +
+                     " is a symmetric tensor, and a scalar or vector is wanted"};
+      found.push_back(component_of(f, c, from.vertices));
+    }
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (used[i] == 0)
+      return error{"there is no field " + quoted_token(names[i]) + "; there are " + names_of(from)};
+  if (found.empty()) return error{"there is no scalar or vector field"};
+  std::sort(found.begin(), found.end(),
+            [](const nodal_values& a, const nodal_values& b) { return a.name < b.name; });
+  return found;
+}
+
+std::string medit_fields_text(const solution& s) {
+  std::string contents =
+      fmt::format("MeshVersionFormatted 2\n\nDimension 2\n\nSolAtVertices\n{}\n{}", s.vertices,
+                  s.fields.size());
+  for (const solution_field& f : s.fields) contents += fmt::format(" {}", components_of(f.kind));
+  contents += '\n';
+  append_lines(contents, s.vertices, [&](std::size_t v, std::string& line) {
+    for (const solution_field& f : s.fields)
+      for (std::size_t i = 0; i < components_of(f.kind); ++i) {
+        append_number(line, f.values[v * components_of(f.kind) + i]);
+        line += ' ';
+      }
+    line.back() = '\n';
+  });
+  return contents + "\nEnd\n";
+}
+
+std::string bamg_fields_text(const solution& s) {
+  std::size_t scalars = 0;
+  for (const solution_field& f : s.fields) scalars += components_of(f.kind);
+  std::string contents = fmt::format("2 {} {} 2\n", scalars, s.vertices);
+  append_lines(contents, s.vertices, [&](std::size_t v, std::string& line) {
+    for (const solution_field& f : s.fields)
+      for (std::size_t i = 0; i < components_of(f.kind); ++i) {
+        append_number(line, f.values[v * components_of(f.kind) + i]);
+        line += ' ';
+      }
+    line.back() = '\n';
+  });
+  return contents;
+}
+
+namespace internal {
+
+result<std::filesystem::path> check_solution_output(const std::filesystem::path& path) {
+  if (!has_ending(path.string(), ".sol") && !has_ending(path.string(), ".bb"))
+    return error{path.string() + ": a solution is written as .sol or .bb", error_code::bad_option};
+  return check_writable(path);
+}
+
+std::string solution_text(const std::filesystem::path& path, const solution& s) {
+  return has_ending(path.string(), ".bb") ? bamg_fields_text(s) : medit_fields_text(s);
+}
+
+}  // namespace internal
+
+result<std::filesystem::path> write_solution(const std::filesystem::path& path, const solution& s) {
+  for (const solution_field& f : s.fields)
+    if (f.values.size() != s.vertices * components_of(f.kind))
+      return error{"field " + quoted_token(f.name) +
+                   " has not as many numbers as its vertices take"};
+  if (auto place = check_solution_output(path); !place) return place;
+  const auto written = write_files({{path, solution_text(path, s)}});
+  if (!written) return written.failure();
+  return written.value().front();
+}
+
+}  // namespace asterism

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads and writes solutions: numbers at the vertices of a mesh.
+//
+//   .sol   Medit: SolAtVertices with any list of types (1 scalar, 2 vector, 3 symmetric tensor);
+//   the
+//          fields are called 1, 2, ... in their order
+//   .bb    BAMG: `2 N V 2`, then N scalars for each of V vertices; .BB: `2 N T1 ... TN V 2`, with
+//          types 1 to 3
+//   .vtu   VTK: the point data of one piece, as text or base64, not compressed, by their names
+//
+// Refused, with file, line and vertex: numbers that are not finite, counts that are not the mesh's,
+// types and shapes that are none of these, anything after the last number.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/solution.hpp"
+
+namespace asterism {
+
+// Reads the solution on `m`, whose vertices it must have, in their order. Of a .vtu, arrays of
+// floating-point numbers with 1, 2 or 3 components are read, the third being 0; its points must be
+// those of `m` to six digits. A file that holds one tensor and nothing else is a metric and
+// refused.
+ASTERISM_EXPORT result<solution> read_solution(const std::filesystem::path& path, const mesh& m);
+
+// Returns the scalars named: `NAME`, all components of it, or NAME.x, NAME.y. Without names: all
+// scalars and vectors. They are sorted by name, each once. Fails for names that are not there, for
+// tensors, and where nothing is left.
+ASTERISM_EXPORT result<std::vector<nodal_values>> select_values(
+    const solution& from, const std::vector<std::string>& names);
+
+// Returns the contents of a .sol file, with the list of types.
+ASTERISM_EXPORT std::string medit_fields_text(const solution& s);
+// Returns the contents of a .bb file: all components as scalars.
+ASTERISM_EXPORT std::string bamg_fields_text(const solution& s);
+
+// Writes the solution in the format that the extension names, .sol or .bb.
+ASTERISM_EXPORT result<std::filesystem::path> write_solution(const std::filesystem::path& path,
+                                                             const solution& s);
+
+}  // namespace asterism

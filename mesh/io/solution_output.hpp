@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Prepares files of solutions for commands that write several files at once.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/solution.hpp"
+
+namespace asterism::internal {
+
+// Checks that a solution could be written there: the extension, the folder, the place.
+result<std::filesystem::path> check_solution_output(const std::filesystem::path& path);
+
+// Returns the contents of the file for the extension.
+std::string solution_text(const std::filesystem::path& path, const solution& s);
+
+}  // namespace asterism::internal

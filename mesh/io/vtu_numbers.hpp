@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Decodes the numbers of a VTK data array: written as text, or as bytes in base64 behind their
+// count.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+
+namespace asterism::internal {
+
+// How a file writes bytes.
+struct vtu_encoding {
+  bool big_endian = false;
+  bool wide_header = false;  // counts of bytes have 64 bits, else 32
+};
+
+// Returns the bytes of one type of number; none for a type that is not known.
+std::optional<std::size_t> vtu_bytes_of(std::string_view type);
+
+// Returns what base64 text stands for, blanks left out; stops at the first other character. Padding
+// may occur where one block ends and another begins.
+std::string decode_base64(std::string_view text, std::size_t most_bytes);
+
+// Returns `count` numbers of a type from base64 text: a header with the number of bytes, then the
+// bytes. An error is half a sentence. Values may be any doubles, not finite ones too.
+result<std::vector<double>> vtu_binary_numbers(std::string_view text, std::string_view type,
+                                               std::size_t count, const vtu_encoding& how);
+
+}  // namespace asterism::internal

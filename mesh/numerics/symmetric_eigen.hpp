@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Eigenvalues and eigenvectors of symmetric 2x2 matrices, of either sign. In doubles, for building
+// metrics; decides nothing.
+#pragma once
+
+#include <cmath>
+
+#include "asterism/core/site.hpp"
+
+namespace asterism::internal {
+
+// A symmetric matrix as first n n^T + second t t^T, with n = (c, s) and t = (-s, c). `first` is the
+// greater.
+struct symmetric_eigen {
+  double first = 0, second = 0, c = 1, s = 0;
+};
+
+// The eigenvalue of greater modulus has a relative error of a few units in the last place, the
+// other one an absolute error of that times the condition of the matrix's entries. Entries must be
+// below 1e150 in modulus.
+inline symmetric_eigen eigen_of(const metric_tensor& m) {
+  const double half = (m.m11 - m.m22) / 2, mean = (m.m11 + m.m22) / 2;
+  const double radius = std::sqrt(half * half + m.m12 * m.m12);
+  const double product = m.m12 * m.m12;
+  // With the error of the product given back, so that a thin tensor keeps its weak eigenvalue.
+  const double determinant = std::fma(m.m11, m.m22, -product) + std::fma(-m.m12, m.m12, product);
+  symmetric_eigen e;
+  const double strong = mean >= 0 ? mean + radius : mean - radius;
+  const double weak = strong != 0 ? determinant / strong : 0;
+  e.first = mean >= 0 ? strong : weak;
+  e.second = mean >= 0 ? weak : strong;
+  double c = half >= 0 ? half + radius : m.m12, s = half >= 0 ? m.m12 : radius - half;
+  const double length = std::sqrt(c * c + s * s);
+  if (length > 0) {
+    e.c = c / length;
+    e.s = s / length;
+  }
+  return e;
+}
+
+// Returns the matrix with these eigenvalues and the eigenvectors of `e`.
+inline metric_tensor with_eigenvalues(const symmetric_eigen& e, double first, double second) {
+  return {first * (e.c * e.c) + second * (e.s * e.s), (first - second) * (e.c * e.s),
+          first * (e.s * e.s) + second * (e.c * e.c)};
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// Recovers the second derivatives of a field from its values at the vertices of a mesh.
+//
+//   l2_projection  the gradients of the triangles at a vertex, averaged by area; then the same of
+//   the
+//                  gradient's components (Clement's operator, twice; refine's default). Linear
+//                  fields have none to rounding, and so have quadratic ones theirs at vertices
+//                  inside a patch that is its own image under a half turn, as in a grid.
+//   green          the weak form: -sum |T| d_i u d_j phi / (sum |T| / 3), as BAMG has it. Linear
+//   fields
+//                  as above; quadratic ones in a grid whose diagonals are parallel.
+//   least_squares  a quadratic fitted to two rings of neighbours, in coordinates in which their
+//                  covariance is the identity: else thin patches are singular. Linear and quadratic
+//                  fields to rounding, everywhere.
+//
+// At the boundary the first two take the mean of the neighbours inside, as one-sided patches say
+// nothing of second derivatives; gradients there, which the first needs, come from the third.
+// Second differences that rounding of the values alone may have made are set to zero.
+// Neighbours are those by edges of the mesh, so nothing is read across a gap.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism {
+
+// The ways to recover.
+enum class hessian_method { l2_projection, green, least_squares };
+
+// Second derivatives at the vertices of a mesh, as m11 = xx, m12 = xy, m22 = yy, of either sign.
+struct recovered_hessian {
+  std::vector<metric_tensor> at;
+  std::size_t at_boundary = 0;  // vertices whose tensor is the mean of neighbours
+  std::size_t noise = 0;        // vertices with nothing but rounding: their tensor is zero
+};
+
+// Returns the Hessian of the field. Requires a triangulation. Fails where the numbers are not as
+// many as vertices, or a derivative overflows, naming the vertex. Linear in time and memory,
+// parallel, the same for any number of threads.
+ASTERISM_EXPORT result<recovered_hessian> recover_hessian(
+    const mesh& m, const std::vector<double>& values,
+    hessian_method method = hessian_method::l2_projection);
+
+}  // namespace asterism

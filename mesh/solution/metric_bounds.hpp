@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// Bounds on the sizes a metric asks for, and on how many times as long as wide its triangles are.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "asterism/core/site.hpp"
+
+namespace asterism::internal {
+
+struct size_bounds {
+  double least = 0;                                           // length of an edge
+  double greatest = std::numeric_limits<double>::infinity();  // the same
+  double aspect = 1e6;
+};
+
+// Marks of what a bound has changed.
+enum clipped : std::uint8_t {
+  clipped_by_least = 1,
+  clipped_by_greatest = 2,
+  clipped_by_aspect = 4,
+  clipped_by_step = 8,
+  clipped_by_intersection = 16
+};
+
+// Returns the tensor with eigenvalues between 1 / greatest^2 and 1 / least^2, and then the smaller
+// one raised to keep the aspect; the same bits where nothing had to change. Adds marks to `what`.
+metric_tensor bounded(const metric_tensor& m, const size_bounds& bounds, std::uint8_t& what);
+
+// Returns the tensor changed so that no length is more than `factor` times, nor less than one
+// factor-th of, what it is in `now`.
+metric_tensor step_limited(const metric_tensor& m, const metric_tensor& now, double factor,
+                           std::uint8_t& what);
+
+}  // namespace asterism::internal

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes the metric, at the vertices of a mesh, in which the next mesh for a solution is best.
+//
+// The order of the steps is part of the result, and this one:
+//   1. the Hessian of each field is recovered (mesh/solution/hessian.hpp);
+//   2. each is made the L^p-optimal metric of complexity 1, eigenvalues below 1e-8 of the greatest
+//      raised to that;
+//   3. the fields, sorted by name, are intersected one after another by simultaneous reduction;
+//   4. that is multiplied by a factor;
+//   5. metrics given besides are intersected with it, in their order;
+//   6. with a step limit it is kept near the metric that the mesh implies;
+//   7. sizes are clipped to hmin and hmax, and the weaker eigenvalue is raised to keep the aspect;
+//   8. gradation.
+// The factor of step 4 is found such that the outcome of steps 4 to 8 has the complexity wanted.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/solution.hpp"
+#include "asterism/mesh/solution/hessian.hpp"
+
+namespace asterism {
+
+// Wishes. At most one of vertices, complexity and error; without, as many vertices as the mesh has.
+struct solution_metric_options {
+  hessian_method hessian = hessian_method::l2_projection;
+  std::optional<double> norm = 2;       // p of L^p, at least 1; none: the maximum norm
+  std::optional<double> vertices = {};  // a mesh of unit edges has 2 / sqrt 3 times the complexity
+  std::optional<double> complexity = {};  // area in the metric
+  std::optional<double> error = {};  // of linear interpolation in the norm, greatest of the fields
+  double least_size = 0;
+  double greatest_size = std::numeric_limits<double>::infinity();
+  double aspect = 1e6;
+  std::optional<double> gradation = {};  // beta above 1
+  bool gradation_keeps_shape = false;    // in metric space; else in mixed space
+  bool isotropic = false;
+  std::optional<double> step = {};  // greatest factor by which a length changes, above 1
+};
+
+// Numbers of what was done. Shares are parts of the vertices.
+struct solution_metric_report {
+  std::vector<std::string> fields;  // in the order of their intersection
+  std::size_t flat_fields = 0;      // without second derivatives
+  double share_noise = 0;           // of vertices and fields: nothing but rounding
+  double share_at_boundary = 0;     // of vertices and fields: the mean of neighbours
+  double share_floored = 0;         // of vertices and fields: an eigenvalue was raised
+  double complexity_asked = 0;      // 0 where an error was asked for
+  double complexity_before_gradation = 0;
+  double complexity_delivered = 0;
+  double factor = 0;           // of step 4
+  double error_predicted = 0;  // greatest of the fields
+  double share_intersected = 0, share_step = 0, share_least_size = 0, share_greatest_size = 0,
+         share_aspect = 0, share_graded = 0;
+  std::size_t gradation_rounds = 0;
+  bool gradation_ended = true;  // false: some neighbours still ask for more
+  bool reached = false;         // the target is met within 2 %
+  std::string reason;           // one sentence where it is not
+};
+
+// A metric at the vertices of a mesh, all tensors positive definite.
+struct solution_metric {
+  std::vector<metric_tensor> tensors;
+  solution_metric_report report;
+};
+
+// Makes the metric. `intersected` are tensors at the same vertices. Requires a triangulation. Fails
+// for options out of range, numbers that are not as many as vertices, derivatives that overflow.
+// Time and memory are linear; parallel, the same for any number of threads.
+ASTERISM_EXPORT result<solution_metric> make_solution_metric(
+    const mesh& m, const std::vector<nodal_values>& fields, const solution_metric_options& options,
+    const std::vector<std::vector<metric_tensor>>& intersected = {});
+
+// Puts bounds and gradation on a metric that is given, and scales it where a target is asked for;
+// the metric takes the place of
+// steps 1 to 3, and stays as it is where nothing is asked of it. With options.error it fails.
+ASTERISM_EXPORT result<solution_metric> shape_metric(
+    const mesh& m, const std::vector<metric_tensor>& given, const solution_metric_options& options,
+    const std::vector<std::vector<metric_tensor>>& intersected = {});
+
+}  // namespace asterism

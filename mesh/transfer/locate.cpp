@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/transfer/locate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <string>
+#include <utility>
+
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/search/box_index.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/solution/nodal_sums.hpp"
+
+namespace asterism::internal {
+namespace {
+
+class locator {
+ public:
+  locator(const mesh& in, const mesh_links& links, const mesh& of, const mesh_links& of_links)
+      : in_(in), links_(links), of_(of), of_links_(of_links) {
+    found_.triangle.assign(of.sites.size(), no_triangle);
+  }
+
+  result<located_vertices> run() {
+    walk_to_all();
+    look_up_the_rest();
+    for (const vertex_index v : missing()) ++found_.outside, outside_.push_back(v);
+    if (auto failed = follow_neighbours()) return *failed;
+    return std::move(found_);
+  }
+
+ private:
+  std::array<point, 3> corners(vertex_index t) const {
+    const triangle& c = in_.triangles[t];
+    return {in_.sites[c[0]].position, in_.sites[c[1]].position, in_.sites[c[2]].position};
+  }
+
+  // Returns a corner of t whose opposite edge has q on its other side, looked at from `first` on; 3
+  // if q is in the closed triangle.
+  std::size_t exit_from(vertex_index t, const point& q, std::size_t first) const {
+    const auto c = corners(t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (first + k) % 3;
+      if (kernel_.orientation(c[(i + 1) % 3], c[(i + 2) % 3], q) == sign::negative) return i;
+    }
+    return 3;
+  }
+
+  // Walks to q. The edge that is looked at first changes from step to step, as a walk that always
+  // prefers one may go round.
+  vertex_index walk(const point& q, vertex_index t) const {
+    const std::size_t most =
+        64 + 8 * static_cast<std::size_t>(std::sqrt(static_cast<double>(in_.triangles.size())));
+    for (std::size_t step = 0; step < most; ++step) {
+      const std::size_t i = exit_from(t, q, step % 3);
+      if (i == 3) return t;
+      const vertex_index next = links_.across(t, i);
+      if (next == no_triangle) return no_triangle;
+      t = next;
+    }
+    return no_triangle;
+  }
+
+  void walk_to_all() {
+    // The number of a vertex travels in its tensor, which the order along the curve does not look
+    // at.
+    std::vector<site> order;
+    for (std::size_t v = 0; v < of_.sites.size(); ++v)
+      order.push_back({of_.sites[v].position, {static_cast<double>(v), 0, 0}});
+    sort_along_curve(order, box_of_sites(of_.sites));
+    parallel_chunks(order.size(), nodal_chunk,
+                    [&](std::size_t, std::size_t begin, std::size_t end) {
+                      vertex_index last = 0;
+                      for (std::size_t i = begin; i < end; ++i) {
+                        const vertex_index t = walk(order[i].position, last);
+                        found_.triangle[static_cast<std::size_t>(order[i].metric.m11)] = t;
+                        if (t != no_triangle) last = t;
+                      }
+                    });
+  }
+
+  std::vector<vertex_index> missing() const {
+    std::vector<vertex_index> all;
+    for (vertex_index v = 0; v < found_.triangle.size(); ++v)
+      if (found_.triangle[v] == no_triangle) all.push_back(v);
+    return all;
+  }
+
+  void look_up_the_rest() {
+    const std::vector<vertex_index> rest = missing();
+    if (rest.empty()) return;
+    box_index boxes(box_of_sites(in_.sites));
+    for (vertex_index t = 0; t < in_.triangles.size(); ++t) {
+      const auto c = corners(t);
+      bounding_box around = box_of(c[0], c[1]);
+      around.include(c[2]);
+      boxes.insert(t, around);
+    }
+    for_each_node(rest.size(), [&](std::size_t i) {
+      const point& q = of_.sites[rest[i]].position;
+      vertex_index least = no_triangle;
+      boxes.visit({q, q}, [&](std::uint32_t t) {
+        if (t < least && exit_from(t, q, 0) == 3) least = t;
+        return true;
+      });
+      found_.triangle[rest[i]] = least;
+    });
+  }
+
+  double distance_to(vertex_index t, const point& q) const {
+    const auto c = corners(t);
+    if (exit_from(t, q, 0) == 3) return 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const point &a = c[i], &b = c[(i + 1) % 3];
+      const double x = b.x - a.x, y = b.y - a.y;
+      const double s = std::clamp(((q.x - a.x) * x + (q.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
+      const double dx = q.x - a.x - s * x, dy = q.y - a.y - s * y;
+      least = std::min(least, std::sqrt(dx * dx + dy * dy));
+    }
+    return least;
+  }
+
+  // Looks at triangles joined to `from`, the nearest to q first, as long as that may lead nearer.
+  std::pair<double, vertex_index> nearest_from(vertex_index from, const point& q) const {
+    constexpr std::size_t most = 512;
+    using entry = std::pair<double, vertex_index>;
+    std::priority_queue<entry, std::vector<entry>, std::greater<>> open;
+    std::vector<vertex_index> seen{from};
+    entry best{distance_to(from, q), from};
+    open.push(best);
+    while (!open.empty() && seen.size() < most && best.first > 0) {
+      const vertex_index t = open.top().second;
+      open.pop();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const vertex_index next = links_.across(t, i);
+        if (next == no_triangle || std::find(seen.begin(), seen.end(), next) != seen.end())
+          continue;
+        seen.push_back(next);
+        const entry e{distance_to(next, q), next};
+        best = std::min(best, e);
+        open.push(e);
+      }
+    }
+    return best;
+  }
+
+  // Gives those outside a triangle near a neighbour's, those next to located ones first.
+  std::optional<error> follow_neighbours() {
+    std::vector<vertex_index> waiting = outside_;
+    while (!waiting.empty()) {
+      std::vector<std::pair<vertex_index, vertex_index>> done;
+      std::vector<vertex_index> later;
+      for (const vertex_index v : waiting) {
+        std::pair<double, vertex_index> best{std::numeric_limits<double>::infinity(), no_triangle};
+        for (const vertex_index w : of_links_.neighbours(v))
+          if (found_.triangle[w] != no_triangle)
+            best = std::min(best, nearest_from(found_.triangle[w], of_.sites[v].position));
+        if (best.second == no_triangle) {
+          later.push_back(v);
+        } else {
+          done.emplace_back(v, best.second);
+          found_.greatest_distance = std::max(found_.greatest_distance, best.first);
+        }
+      }
+      if (done.empty())
+        return error{"vertex " + std::to_string(waiting[0] + 1) +
+                     " of the new mesh is in a part that the old mesh does not touch"};
+      for (const auto& [v, t] : done) found_.triangle[v] = t;
+      waiting = std::move(later);
+    }
+    return std::nullopt;
+  }
+
+  const mesh& in_;
+  const mesh_links& links_;
+  const mesh& of_;
+  const mesh_links& of_links_;
+  filtered_kernel kernel_;
+  located_vertices found_;
+  std::vector<vertex_index> outside_;
+};
+
+}  // namespace
+
+result<located_vertices> locate_vertices(const mesh& in, const mesh_links& links, const mesh& of,
+                                         const mesh_links& of_links) {
+  return locator(in, links, of, of_links).run();
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds the triangle of one mesh in which each vertex of another one lies.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/search/mesh_links.hpp"
+
+namespace asterism::internal {
+
+struct located_vertices {
+  std::vector<vertex_index> triangle;  // of the mesh searched
+  std::size_t outside = 0;             // vertices that are in none: theirs is near
+  double greatest_distance = 0;        // of those from it
+};
+
+// A vertex is in the closed triangle it is given, by exact orientations: found by a walk from its
+// neighbour on a space-filling curve, or by the boxes of triangles where the walk meets the
+// boundary. A vertex in none, as rounding or another boundary makes them, is given the nearest of
+// the triangles that are joined by edges to that of a neighbour of the vertex in its own mesh:
+// never one across a gap. Fails where no neighbour, however far, is in a triangle.
+result<located_vertices> locate_vertices(const mesh& in, const mesh_links& links, const mesh& of,
+                                         const mesh_links& of_links);
+
+}  // namespace asterism::internal

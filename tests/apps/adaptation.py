@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: MIT
+"""From a solution to the next mesh through the real command: files, statuses, sentences."""
+import math
+import re
+import unittest
+
+import command
+
+
+def grid(n, low=0.0, high=1.0):
+    """Points and triangles of n x n cells, each cut in two."""
+    step = (high - low) / n
+    points = [(low + i * step, low + j * step) for j in range(n + 1) for i in range(n + 1)]
+    cells = [j * (n + 1) + i for j in range(n) for i in range(n)]
+    triangles = [t for a in cells for t in ((a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1))]
+    return points, triangles
+
+
+def mesh_text(points, triangles):
+    lines = ["MeshVersionFormatted 2", "Dimension 2", "Vertices", str(len(points))]
+    lines += [f"{x!r} {y!r} 0" for x, y in points]
+    lines += ["Triangles", str(len(triangles))]
+    lines += [" ".join(str(v + 1) for v in t) + " 1" for t in triangles]
+    return "\n".join(lines + ["End", ""])
+
+
+def solution_text(rows, types=(1,)):
+    lines = ["MeshVersionFormatted 2", "Dimension 2", "SolAtVertices", str(len(rows)),
+             " ".join(map(str, (len(types), *types)))]
+    lines += [" ".join(map(repr, row)) for row in rows]
+    return "\n".join(lines + ["End", ""])
+
+
+def front(x, y):
+    return math.tanh(20 * (x * x + y * y - 0.5))
+
+
+class AdaptationTest(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        points, triangles = grid(20)
+        self.points = points
+        self.write("g.mesh", mesh_text(points, triangles))
+        self.write("u.sol", solution_text([(front(x, y),) for x, y in points]))
+
+    def refused(self, *arguments, sentence):
+        before = self.files()
+        done = self.run_command(*arguments)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn(sentence, done.stderr)
+        self.assertEqual(self.files(), before)
+
+
+class MetricTest(AdaptationTest):
+    def metric(self, *arguments, status=0):
+        done = self.run_command("metric", "g.mesh", *arguments, "-o", "m.mesh")
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done
+
+    def test_target_is_met_and_said(self):
+        done = self.metric("--solution", "u.sol", "--complexity", "900", "--gradation", "1.5",
+                           "--hmax", "0.2")
+        got = float(re.search(r"complexity ([0-9.]+) of 900 asked for", done.stdout).group(1))
+        self.assertLess(abs(got / 900 - 1), 0.02)
+        self.assertIn("graded", done.stdout)
+        self.assertEqual(self.files(), ["g.mesh", "m.mesh", "m.sol", "u.sol"])
+
+    def test_case_that_bounds_once_multiplied_by_a_million(self):
+        self.write("x.sol", solution_text([(50 * x * x,) for x, _ in self.points]))
+        done = self.metric("--solution", "x.sol", "--complexity", "1000", "--hmin", "1e-5", "--hmax",
+                           "0.2", "--aspect", "10")
+        got = float(re.search(r"complexity ([0-9.]+) of", done.stdout).group(1))
+        self.assertLess(abs(got - 1000), 20)
+
+    def test_target_out_of_reach_is_told(self):
+        done = self.metric("--solution", "u.sol", "--complexity", "1e6", "--hmin", "0.1", status=1)
+        self.assertIn("hmin at 100 % of the vertices", done.stderr)
+        self.assertIn("m.sol", self.files())
+        self.assertIn("The target was not met", (self.folder / "m.mesh").read_text())
+
+    def test_same_for_any_number_of_threads(self):
+        texts = []
+        for threads in ("1", "2"):
+            self.metric("--solution", "u.sol", "--gradation", "1.4", "--threads", threads)
+            texts.append((self.folder / "m.sol").read_bytes())
+        self.assertEqual(*texts)
+
+    def test_implied_metric_of_a_grid(self):
+        self.metric("--implied")
+        self.refused("metric", "g.mesh", "--implied", "--solution", "u.sol", "-o", "n.mesh",
+                     sentence="there are several")
+
+    def test_fields_are_chosen_by_name(self):
+        self.write("v.sol", solution_text([(front(x, y), x * x, y * y) for x, y in self.points],
+                                          types=(1, 2)))
+        one = self.metric("--solution", "v.sol", "--field", "2.x")
+        self.assertIn("1 field", one.stdout)
+        self.assertIn("3 fields", self.metric("--solution", "v.sol").stdout)
+        self.refused("metric", "g.mesh", "--solution", "v.sol", "--field", "p", "-o", "n.mesh",
+                     sentence="there is no field 'p'; there are '1', '2'")
+
+    def test_metric_is_no_solution(self):
+        self.metric("--implied")
+        self.refused("metric", "g.mesh", "--solution", "m.sol", "-o", "n.mesh",
+                     sentence="m.sol: one symmetric tensor a vertex is a metric")
+
+    def test_solution_is_no_metric(self):
+        self.refused("metric", "g.mesh", "--metric", "u.sol", "-o", "n.mesh", sentence="'1 3' wanted")
+
+    def test_no_file_is_used_twice(self):
+        self.refused("metric", "g.mesh", "--solution", "u.sol", "-o", "u.mesh",
+                     sentence="would be used twice")
+        self.refused("metric", "g.mesh", "--solution", "u.sol", "-o", "m.vtu",
+                     sentence="is written as .mesh")
+
+    def test_numbers_that_are_none(self):
+        self.write("nan.sol", (self.folder / "u.sol").read_text().replace("\nEnd", "\nEnd")
+                   .replace(repr(front(*self.points[3])), "nan", 1))
+        self.refused("metric", "g.mesh", "--solution", "nan.sol", "-o", "n.mesh", sentence="vertex")
+        for wish in (("--norm", "0.5"), ("--vertices", "0"), ("--hmin", "2", "--hmax", "1"),
+                     ("--gradation", "1"), ("--norm", "x"), ("--vertices", "9", "--error", "1")):
+            self.refused("metric", "g.mesh", "--solution", "u.sol", *wish, "-o", "n.mesh",
+                         sentence=wish[0].removeprefix("--vertices"))
+
+
+class AdaptTest(AdaptationTest):
+    def adapt(self, mesh, *arguments, status=0):
+        done = self.run_command("adapt", mesh, *arguments)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done
+
+    def test_mesh_solution_and_certificate(self):
+        done = self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "300", "--transfer", "project",
+                          "-o", "n.mesh", "--solution-out", "v.sol")
+        self.assertIn("domain: 4 of 80 boundary vertices kept", done.stdout)
+        self.assertEqual(self.files(), ["g.mesh", "n.certificate.json", "n.mesh", "n.sol", "u.sol",
+                                        "v.sol"])
+        sites = int(re.search(r"(\d+) sites", done.stdout).group(1))
+        self.assertLess(abs(sites / 300 - 1), 0.1)
+        checked = self.run_command("verify", "n.mesh")
+        self.assertEqual(checked.returncode, 0, checked.stdout)
+        self.assertIn("whose distance was measured again", checked.stdout)
+
+    def test_numbers_of_the_report_are_made_again(self):
+        self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "200", "--transfer", "bounded", "-o",
+                   "n.mesh", "--solution-out", "v.sol")
+        certificate = (self.folder / "n.certificate.json").read_text()
+        for name in ("metric-complexity-delivered", "metric-factor", "metric-floored",
+                     "transfer-area-after", "transfer-integral-after 1", "boundary-kept", "kept",
+                     "adapt-vertices"):
+            spoiled, count = re.subn(f'("{name}": ")([^"]*)"', r'\g<1>0.123"', certificate)
+            self.assertEqual(count, 1, name)
+            self.write("n.certificate.json", spoiled)
+            checked = self.run_command("verify", "n.mesh")
+            self.assertEqual(checked.returncode, 1, name)
+            self.assertIn("certificate: ", checked.stdout)
+        (self.folder / "u.sol").unlink()
+        self.write("n.certificate.json", certificate)
+        self.assertIn("field not checked", self.run_command("verify", "n.mesh").stdout)
+
+    def test_adapting_twice_with_the_metric_delivered_changes_nothing(self):
+        self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "300", "-o", "n.mesh")
+        done = self.adapt("n.mesh", "--metric", "n.sol", "-o", "m.mesh")
+        self.assertIn("stays as it is", done.stdout)
+        for ending in (".mesh", ".sol"):
+            self.assertEqual((self.folder / f"n{ending}").read_bytes(),
+                             (self.folder / f"m{ending}").read_bytes())
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+
+    def test_exact_domain(self):
+        self.write("unit.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 5\n2 2 3 6\n3 3 4 7\n"
+                                "4 4 1 8\n0\n")
+        self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "200", "--domain", "unit.poly", "-o",
+                   "n.mesh")
+        self.assertIn("unit.poly", (self.folder / "n.certificate.json").read_text())
+        self.refused("adapt", "g.mesh", "--solution", "u.sol", "--domain", "unit.poly",
+                     "--corner-angle", "20", "-o", "k.mesh", sentence="excludes")
+
+    def test_same_for_any_number_of_threads(self):
+        texts = []
+        for threads in ("1", "2"):
+            self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "200", "--threads", threads,
+                       "--transfer", "bounded", "-o", "n.mesh", "--solution-out", "v.sol")
+            texts.append([(self.folder / f).read_bytes()
+                          for f in ("n.mesh", "n.sol", "v.sol", "n.certificate.json")])
+        self.assertEqual(*texts)
+
+    def test_what_is_refused(self):
+        adapt = ("adapt", "g.mesh")
+        self.refused(*adapt, "-o", "n.mesh", sentence="there is none")
+        self.refused(*adapt, "--solution", "u.sol", "-o", "u.mesh", sentence="used twice")
+        self.refused(*adapt, "--solution", "u.sol", "-o", "n.mesh", "--solution-out", "n.sol",
+                     sentence="used twice")
+        self.refused(*adapt, "--implied", "-o", "n.mesh", "--solution-out", "v.sol",
+                     sentence="there is no --solution to transfer")
+        self.refused(*adapt, "--solution", "u.sol", "--domain", "no.poly", "-o", "n.mesh",
+                     sentence="no.poly")
+
+
+class SpoiledTest(AdaptationTest):
+    """Two hundred spoiled or hostile inputs: no crash, no hang, a sentence, nothing written."""
+
+    WORDS = ["nan", "inf", "-1", "0", "1e999", "99999999999999999999", "x", "", "\x00", "#", "1e-320",
+             "SolAtVertices", "End", "Dimension 3", "\xff\xfe"]
+
+    def test_spoiled_files(self):
+        points, triangles = grid(6)
+        mesh, values = mesh_text(points, triangles), solution_text([(x * x + y,) for x, y in points])
+        self.write("o.mesh", mesh)
+        refused = 0
+        state = 12345  # replays: the fixed sequence of a linear congruence
+        for i in range(200):
+            texts = {"g.mesh": mesh, "u.sol": values}
+            name = ("u.sol", "g.mesh")[i % 4 == 3]
+            words = texts[name].split(" ") if i % 5 == 4 else re.split(r"(\s+)", texts[name])
+            state = (state * 6364136223846793005 + 1442695040888963407) % 2**64
+            at = (state >> 33) % len(words)
+            if i % 7 == 6:
+                words = words[:at]
+            else:
+                words[at] = self.WORDS[(state >> 20) % len(self.WORDS)]
+            texts[name] = "".join(words) if i % 5 != 4 else " ".join(words)
+            for file, text in texts.items():
+                self.write(file, text.encode("latin-1"))
+            command_line = (("metric", "g.mesh", "--solution", "u.sol", "-o", "n.mesh"),
+                            ("adapt", "g.mesh", "--solution", "u.sol", "--max-seconds", "5", "-o",
+                             "n.mesh", "--solution-out", "v.sol"),
+                            ("transfer", "g.mesh", "u.sol", "o.mesh", "-o", "v.sol"))[i % 3]
+            done = self.run_command(*command_line, seconds=60)
+            with self.subTest(i=i, error=done.stderr):
+                self.assertIn(done.returncode, (0, 1, 2))
+                if done.returncode == 2:
+                    refused += 1
+                    self.assertTrue(done.stderr.startswith("asterism: "))
+                    self.assertEqual(self.files(), ["g.mesh", "o.mesh", "u.sol"])
+            for made in self.folder.glob("[nv].*"):
+                made.unlink()
+        self.assertGreater(refused, 100)
+
+
+class TransferTest(AdaptationTest):
+    def setUp(self):
+        super().setUp()
+        points, triangles = grid(17)
+        self.write("h.mesh", mesh_text(points, triangles))
+
+    def transfer(self, how, values="u.sol"):
+        done = self.run_command("transfer", "g.mesh", values, "h.mesh", "--transfer", how, "-o", "v.sol")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = re.search(r"integral (\S+) before, (\S+) after; from (\S+) to (\S+) before, (\S+) to "
+                          r"(\S+) after", done.stdout)
+        return [float(x) for x in found.groups()]
+
+    def test_integral_is_reported_and_kept(self):
+        for how in ("project", "bounded"):
+            before, after, *_ = self.transfer(how)
+            self.assertLess(abs(after - before), 1e-14)
+        before, after, *_ = self.transfer("interpolate")
+        self.assertGreater(abs(after - before), 1e-8)
+
+    def test_bounded_has_no_new_extrema(self):
+        *_, low, high, least, greatest = self.transfer("bounded")
+        self.assertGreaterEqual(least, low)
+        self.assertLessEqual(greatest, high)
+
+    def test_bamg_files(self):
+        self.write("u.bb", f"2 1 {len(self.points)} 2\n"
+                   + "\n".join(repr(x + 2 * y) for x, y in self.points) + "\n")
+        done = self.run_command("transfer", "g.mesh", "u.bb", "h.mesh", "-o", "v.bb")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        values = [float(w) for w in (self.folder / "v.bb").read_text().split()[4:]]
+        exact = [x + 2 * y for x, y in grid(17)[0]]
+        self.assertLess(max(abs(a - b) for a, b in zip(values, exact)), 1e-14)
+
+    def test_what_is_refused(self):
+        self.refused("transfer", "g.mesh", "u.sol", "h.mesh", "-o", "u.sol", sentence="used twice")
+        self.refused("transfer", "h.mesh", "u.sol", "g.mesh", "-o", "v.sol",
+                     sentence="values at 441 vertices, and the mesh has 324")
+        self.refused("transfer", "g.mesh", "u.sol", "h.mesh", "-o", "v.txt", sentence=".sol or .bb")
+        self.refused("transfer", "g.mesh", "u.sol", "no.mesh", "-o", "v.sol", sentence="no such file")
+        points, triangles = grid(3, 5, 6)
+        self.write("far.mesh", mesh_text(points, triangles))
+        self.refused("transfer", "g.mesh", "u.sol", "far.mesh", "-o", "v.sol",
+                     sentence="in a part that the old mesh does not touch")
+
+
+if __name__ == "__main__":
+    unittest.main()

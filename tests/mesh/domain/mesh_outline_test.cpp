@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+//
+// The domain of a mesh keeps what must stay and lets go of all else; it is the same for the mesh of
+// it.
+#include "asterism/mesh/domain/mesh_outline.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "asterism/tests/mesh/io/sample_mesh.hpp"
+
+using namespace asterism;
+using tests::divided_mesh;
+using tests::sample_mesh;
+
+namespace {
+
+mesh_outline outline(const mesh& m, const mesh_marks& marks = {}, double angle = 30) {
+  auto found = outline_of_mesh(m, marks, angle);
+  REQUIRE(found.ok());
+  return std::move(found).value();
+}
+
+// n vertices on a circle around the origin, fanned from there; the metric has this size.
+mesh disc(vertex_index n, double size) {
+  mesh m;
+  for (vertex_index i = 0; i < n; ++i) {
+    const double t = 2 * std::numbers::pi * i / n;
+    m.sites.push_back({{std::cos(t), std::sin(t)}, {1 / (size * size), 0, 1 / (size * size)}});
+  }
+  m.sites.push_back({{0, 0}, {1, 0, 1}});
+  for (vertex_index i = 0; i < n; ++i) {
+    m.triangles.push_back({i, (i + 1) % n, n});
+    m.boundary.push_back({i, (i + 1) % n, i, 7});
+  }
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("of a square's mesh its corners stay, with the markers of its sides") {
+  const auto found = outline(sample_mesh(9));
+  REQUIRE(found.shape.vertices.size() == 4);
+  REQUIRE(found.shape.segments.size() == 4);
+  CHECK(found.boundary_vertices == 36);
+  CHECK(found.kept == 4);
+  CHECK_FALSE(found.keeps_all);
+  std::vector<int> markers;
+  for (const segment& s : found.shape.segments) markers.push_back(s.marker);
+  std::sort(markers.begin(), markers.end());
+  CHECK(markers == std::vector<int>{1, 2, 3, 4});
+  REQUIRE(found.segment_of_edge.size() == 36);
+  const mesh m = sample_mesh(9);
+  for (std::size_t e = 0; e < 36; ++e)
+    CHECK(found.shape.segments[found.segment_of_edge[e]].marker == m.boundary[e].marker);
+}
+
+TEST_CASE("marked vertices and ends of marked edges stay, inner ones too") {
+  const mesh m = sample_mesh(6);
+  mesh_marks marks;
+  marks.required_vertices = {30};  // inside
+  marks.corners = {m.boundary[4].a};
+  marks.required_edges = {{m.boundary[8].a, m.boundary[8].b}};
+  const auto found = outline(m, marks);
+  const auto has = [&](vertex_index v) {
+    return std::count(found.shape.vertices.begin(), found.shape.vertices.end(),
+                      m.sites[v].position) == 1;
+  };
+  for (const vertex_index v : {vertex_index{30}, m.boundary[4].a, m.boundary[8].a, m.boundary[8].b})
+    CHECK(has(v));
+  CHECK(found.shape.vertices.size() == 8);
+}
+
+TEST_CASE("an end of a run of one marker stays where the boundary is straight") {
+  mesh m = sample_mesh(8);
+  for (boundary_edge& e : m.boundary)
+    if (e.marker == 1 && m.sites[e.a].position.x < 0) e.marker = 9;
+  CHECK(outline(m).shape.vertices.size() == 5);
+}
+
+TEST_CASE("internal segments and regions stay") {
+  const mesh m = divided_mesh(6);
+  const auto found = outline(m);
+  CHECK(found.shape.segments.size() == 5 + (found.shape.vertices.size() - 4));
+  REQUIRE(found.shape.regions.size() == 2);
+  CHECK(found.shape.regions[0].number + found.shape.regions[1].number == -5);
+}
+
+TEST_CASE("a curved boundary follows the polygon, coarser where the metric is") {
+  const auto fine = outline(disc(200, 0.02)), coarse = outline(disc(200, 0.5));
+  CHECK(fine.shape.vertices.size() == 200);
+  // A piece over k of the 1.8 degrees has its arc within k * 0.39 % of its length: two at most.
+  CHECK(coarse.shape.vertices.size() <= 102);
+  CHECK(coarse.greatest_distance < 0.01);
+  // All vertices turn by more than a degree.
+  CHECK(outline(disc(200, 0.5), {}, 1).shape.vertices.size() == 200);
+}
+
+TEST_CASE("holes stay holes") {
+  // A square ring: cells of a grid without the middle one.
+  mesh m;
+  for (int j = 0; j <= 3; ++j)
+    for (int i = 0; i <= 3; ++i) m.sites.push_back({{1.0 * i, 1.0 * j}, {1, 0, 1}});
+  const auto edge = [&](int a, int b) {
+    m.boundary.push_back({static_cast<vertex_index>(a), static_cast<vertex_index>(b), 0, 1});
+  };
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) {
+      if (i == 1 && j == 1) continue;
+      const auto a = static_cast<vertex_index>(4 * j + i);
+      m.triangles.push_back({a, a + 1, a + 5});
+      m.triangles.push_back({a, a + 5, a + 4});
+    }
+  for (int i = 0; i < 3; ++i) {
+    edge(i, i + 1);
+    edge(4 * i + 3, 4 * i + 7);
+    edge(15 - i, 14 - i);
+    edge(12 - 4 * i, 8 - 4 * i);
+  }
+  edge(5, 9), edge(9, 10), edge(10, 6), edge(6, 5);
+  const auto found = outline(m);
+  CHECK(found.shape.vertices.size() == 8);
+  CHECK(found.shape.segments.size() == 8);
+  CHECK_FALSE(found.keeps_all);
+}
+
+TEST_CASE("marks of vertices that do not exist are refused") {
+  const mesh m = sample_mesh(3);
+  mesh_marks marks;
+  marks.corners = {99};
+  CHECK_FALSE(outline_of_mesh(m, marks, 30).ok());
+  CHECK_FALSE(outline_of_mesh(m, {}, 0).ok());
+}

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+//
+// Linear fields stay themselves to rounding, integrals stay, bounded transfers make no new extrema,
+// and nothing is read across a gap.
+#include "asterism/mesh/transfer/transfer.hpp"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+
+#include "asterism/core/random.hpp"
+#include "asterism/mesh/transfer/triangle_overlap.hpp"
+#include "asterism/tests/mesh/io/sample_mesh.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using tests::sample_mesh;
+
+namespace {
+
+constexpr std::array methods = {transfer_method::interpolate, transfer_method::project,
+                                transfer_method::bounded};
+
+// nx x ny cells on [0,1]^2, all diagonals one way, without those that `is_out` takes out.
+mesh grid(vertex_index nx, vertex_index ny,
+          const std::function<bool(vertex_index, vertex_index)>& is_out = {}) {
+  mesh m;
+  std::vector<vertex_index> number((nx + 1) * (ny + 1), ~vertex_index{0});
+  const auto at = [&](vertex_index i, vertex_index j) {
+    vertex_index& v = number[j * (nx + 1) + i];
+    if (v == ~vertex_index{0}) {
+      v = static_cast<vertex_index>(m.sites.size());
+      m.sites.push_back({{1.0 * i / nx, 1.0 * j / ny}, {1, 0, 1}});
+    }
+    return v;
+  };
+  for (vertex_index j = 0; j < ny; ++j)
+    for (vertex_index i = 0; i < nx; ++i) {
+      if (is_out && is_out(i, j)) continue;
+      const vertex_index a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      m.triangles.push_back({a, b, c});
+      m.triangles.push_back({a, c, d});
+    }
+  return m;
+}
+
+solution scalar(const mesh& m, const std::function<double(const point&)>& f) {
+  solution s;
+  s.vertices = m.sites.size();
+  s.fields.push_back({"u", field_kind::scalar, {}});
+  for (const site& p : m.sites) s.fields[0].values.push_back(f(p.position));
+  return s;
+}
+
+transferred_solution moved(const mesh& from, const solution& s, const mesh& to,
+                           transfer_method how) {
+  auto done = transfer_solution(from, s, to, how);
+  INFO((done.ok() ? "" : done.failure().message));
+  REQUIRE(done.ok());
+  return std::move(done).value();
+}
+
+double greatest_difference(const mesh& m, const solution& s,
+                           const std::function<double(const point&)>& f) {
+  double greatest = 0;
+  for (std::size_t v = 0; v < m.sites.size(); ++v)
+    greatest = std::max(greatest, std::abs(s.fields[0].values[v] - f(m.sites[v].position)));
+  return greatest;
+}
+
+double bump(const point& q) {
+  return 1 + std::exp(-200 * ((q.x - 0.4) * (q.x - 0.4) + (q.y - 0.6) * (q.y - 0.6)));
+}
+double step(const point& q) { return q.x + 0.3 * q.y < 0.6 ? -1 : 2; }
+
+double area(const overlap& o) {
+  double sum = 0;
+  for (std::size_t k = 1; k + 1 < o.count; ++k) {
+    const point &p = o.corners[0].at, &q = o.corners[k].at, &r = o.corners[k + 1].at;
+    sum += ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)) / 2;
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a linear field is itself on any mesh, whatever the transfer") {
+  const auto linear = [](const point& q) { return 3 - 2 * q.x + 5 * q.y; };
+  for (const auto how : {transfer_method::interpolate, transfer_method::project}) {
+    const mesh from = sample_mesh(11), to = sample_mesh(17);
+    CHECK(greatest_difference(to, moved(from, scalar(from, linear), to, how).values, linear) <
+          4e-14);
+  }
+  const mesh from = grid(20, 25), to = grid(20, 20);
+  for (const auto how : {transfer_method::interpolate, transfer_method::project})
+    CHECK(greatest_difference(to, moved(from, scalar(from, linear), to, how).values, linear) <
+          4e-14);
+}
+
+TEST_CASE("a constant is itself to the last bit or nearly so") {
+  const mesh from = sample_mesh(9), to = sample_mesh(14);
+  for (const auto how : methods) {
+    const auto done = moved(from, scalar(from, [](const point&) { return 0.1; }), to, how);
+    CHECK(greatest_difference(to, done.values, [](const point&) { return 0.1; }) <
+          (how == transfer_method::interpolate ? 1e-300 : 1e-15));
+  }
+}
+
+TEST_CASE("fifty transfers to and fro keep the integral to 1e-13") {
+  const std::vector<std::pair<mesh, mesh>> pairs = {{grid(20, 25), grid(20, 20)},
+                                                    {sample_mesh(20), sample_mesh(27)}};
+  for (const auto& [a, b] : pairs)
+    for (const auto how : {transfer_method::project, transfer_method::bounded})
+      for (const auto& f : {bump, step}) {
+        solution s = scalar(a, f);
+        const double before = moved(a, s, a, how).report.components[0].integral_before;
+        double after = before, low = 1e9, high = -1e9;
+        for (int i = 0; i < 25; ++i) {
+          s = moved(a, s, b, how).values;
+          auto back = moved(b, s, a, how);
+          after = back.report.components[0].integral_after;
+          low = back.report.components[0].least_after;
+          high = back.report.components[0].greatest_after;
+          s = std::move(back.values);
+        }
+        CHECK(std::abs(after - before) <= 1e-13 * std::abs(before));
+        if (how == transfer_method::bounded) {
+          CHECK(low >= (f == step ? -1 : 1));
+          CHECK(high <= 2);
+        }
+      }
+}
+
+TEST_CASE("a bounded transfer has no new extremum at any vertex, a projection of a step has") {
+  const mesh from = sample_mesh(23), to = sample_mesh(31);
+  const solution s = scalar(from, step);
+  const auto bounded = moved(from, s, to, transfer_method::bounded).report.components[0],
+             plain = moved(from, s, to, transfer_method::project).report.components[0];
+  CHECK(bounded.least_after >= -1);
+  CHECK(bounded.greatest_after <= 2);
+  CHECK(plain.greatest_after > 2);
+  CHECK(std::abs(bounded.integral_after - bounded.integral_before) < 1e-13);
+}
+
+TEST_CASE("a bounded transfer of a smooth field is nearly the projection") {
+  const mesh from = sample_mesh(40), to = sample_mesh(33);
+  const solution s = scalar(from, [](const point& q) { return std::sin(3 * q.x) * q.y; });
+  const auto plain = moved(from, s, to, transfer_method::project).values.fields[0].values,
+             bounded = moved(from, s, to, transfer_method::bounded).values.fields[0].values;
+  double sum = 0;
+  for (std::size_t v = 0; v < plain.size(); ++v) sum += std::abs(plain[v] - bounded[v]);
+  CHECK(sum / static_cast<double>(plain.size()) < 2e-4);
+}
+
+TEST_CASE("nothing is read across a hole or a thin gap") {
+  // Two plates with a gap of one cell, value 0 below and 1 above; then a finer mesh of the same.
+  const auto plates = [](vertex_index n) {
+    return grid(n, 1000, [](vertex_index, vertex_index j) { return j == 500; });
+  };
+  const mesh from = plates(3), to = plates(7);
+  const solution s = scalar(from, [](const point& q) { return q.y < 0.5004 ? 0.0 : 1.0; });
+  for (const auto how : methods)
+    CHECK(greatest_difference(to, moved(from, s, to, how).values,
+                              [](const point& q) { return q.y < 0.5004 ? 0.0 : 1.0; }) < 1e-15);
+}
+
+TEST_CASE("a vertex that rounding has put outside takes its value from its own side") {
+  const auto plates = [](vertex_index n) {
+    return grid(n, 1000, [](vertex_index, vertex_index j) { return j == 500; });
+  };
+  const mesh from = plates(3);
+  mesh to = plates(7);
+  std::size_t pushed = 0;
+  for (site& v : to.sites)
+    if (v.position.y == 500.0 / 1000) {  // into the gap, more than half of it
+      v.position.y += 0.0006;
+      ++pushed;
+    }
+  const solution s = scalar(from, [](const point& q) { return q.y < 0.5004 ? 0.0 : 1.0; });
+  for (const auto how : methods) {
+    const auto done = moved(from, s, to, how);
+    CHECK(done.report.outside == pushed);
+    CHECK(done.report.greatest_distance == Approx(0.0006));
+    for (std::size_t v = 0; v < to.sites.size(); ++v)
+      if (to.sites[v].position.y < 0.50065)
+        CHECK(std::abs(done.values.fields[0].values[v]) < 1e-15);
+  }
+}
+
+TEST_CASE("a part that the old mesh does not touch is refused") {
+  const mesh from = grid(4, 4);
+  mesh to = grid(3, 3);
+  const auto base = static_cast<vertex_index>(to.sites.size());
+  for (const point& q : {point{5, 5}, point{6, 5}, point{5, 6}}) to.sites.push_back({q, {1, 0, 1}});
+  to.triangles.push_back({base, base + 1, base + 2});
+  const auto done = transfer_solution(from, scalar(from, bump), to, transfer_method::project);
+  REQUIRE_FALSE(done.ok());
+  CHECK(done.failure().message.find("vertex 17 of the new mesh") == 0);
+}
+
+TEST_CASE("all kinds of fields are transferred, component by component") {
+  const mesh from = sample_mesh(8), to = sample_mesh(9);
+  solution s = scalar(from, bump);
+  s.fields.push_back({"v", field_kind::vector, {}});
+  s.fields.push_back({"t", field_kind::tensor, {}});
+  for (const site& p : from.sites) {
+    for (const double x : {p.position.x, p.position.y}) s.fields[1].values.push_back(x);
+    for (const double x : {1.0, p.position.x, 2.0}) s.fields[2].values.push_back(x);
+  }
+  const auto done = moved(from, s, to, transfer_method::project);
+  REQUIRE(done.report.components.size() == 6);
+  CHECK(done.report.components[2].name == "v.y");
+  for (std::size_t v = 0; v < to.sites.size(); ++v) {
+    CHECK(done.values.fields[1].values[2 * v] == Approx(to.sites[v].position.x).margin(1e-13));
+    CHECK(done.values.fields[2].values[3 * v + 1] == Approx(to.sites[v].position.x).margin(1e-13));
+  }
+  s.fields[1].values.pop_back();
+  CHECK_FALSE(transfer_solution(from, s, to, transfer_method::project).ok());
+}
+
+TEST_CASE("common parts add up to the triangle, and degenerate positions are no exception") {
+  splitmix64 random(11);
+  const auto coordinate = [&] { return static_cast<double>(random.below(5)); };
+  const auto one = [&] {
+    while (true) {
+      const point a{coordinate(), coordinate()}, b{coordinate(), coordinate()},
+          c{coordinate(), coordinate()};
+      const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+      if (twice > 0) return std::array{a, b, c};
+    }
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const auto p = one(), q = one();
+    const numbered_triangle old_one{{0, 1, 2}, p}, new_one{{0, 1, 2}, q};
+    const overlap there = common_part(old_one, new_one, overlap_signs(old_one, new_one)),
+                  back = common_part(new_one, old_one, overlap_signs(new_one, old_one));
+    INFO("pair " << i);
+    CHECK(area(there) == Approx(area(back)).margin(1e-12));
+    CHECK(area(there) >= -1e-14);
+    // The square [0,4]^2 cut in four parts around the middle of the new triangle: parts add up.
+    double sum = 0;
+    const std::array<point, 4> square = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const numbered_triangle part{{0, 1, 2}, {square[k], square[(k + 1) % 4], {2, 2}}};
+      sum += area(common_part(part, new_one, overlap_signs(part, new_one)));
+    }
+    const double whole =
+        ((q[1].x - q[0].x) * (q[2].y - q[0].y) - (q[1].y - q[0].y) * (q[2].x - q[0].x)) / 2;
+    CHECK(sum == Approx(whole).margin(1e-12));
+  }
+}
+
+TEST_CASE("values are the same for any number of threads") {
+  const mesh from = sample_mesh(90), to = sample_mesh(101);
+  const solution s = scalar(from, bump);
+  for (const auto how : methods) {
+    const auto many = moved(from, s, to, how);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    CHECK(many.values.fields[0].values == moved(from, s, to, how).values.fields[0].values);
+  }
+}
