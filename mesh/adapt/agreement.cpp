@@ -49,6 +49,14 @@ double greatest_cotangent(const metric_tensor& m, const node& a, const node& b, 
   return std::max({uw, uu - uw, ww - uw}) * across;
 }
 
+// Returns the cotangent of the angle at a.
+double cotangent_at(const metric_tensor& m, const node& a, const node& b, const node& c) {
+  const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
+  const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
+  const double inner = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
+  return inner / (root_of_determinant(m) * (ux * wy - uy * wx));
+}
+
 double cotangent_of(double degrees) {
   return 1 / elementary::tan(std::max(1e-3, degrees) * std::numbers::pi / 180);
 }
@@ -60,42 +68,15 @@ agreement::agreement(working_mesh& m, const agreement_options& options)
       options_(options),
       cotangent_(cotangent_of(options.angle_bound + degrees_to_spare)),
       aim_(cotangent_of(options.angle_bound + degrees_above)) {
-  slow_down();
   active_.assign(m_.nodes().size(), 1);
 }
 
 void agreement::run() {
   for (std::size_t i = 0; i < options_.most_rounds; ++i) {
-    if (options_.stop && options_.stop()) return;
+    if (options_.stop.is_requested()) return;
     if (!round()) return;
     ++report_.rounds;
   }
-}
-
-// Brings the whole graph to the limit to begin with.
-void agreement::slow_down() {
-  std::vector<point> places;
-  std::vector<metric_tensor> tensors;
-  for (const node& n : m_.nodes()) {
-    places.push_back(n.position);
-    tensors.push_back(n.metric);
-  }
-  std::vector<graph_edge> edges;
-  for (const face& f : m_.faces()) {
-    if (!f.exists()) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const vertex_index a = f.v[after(i)], b = f.v[before(i)];
-      if (f.next[i] == none || a < b) edges.push_back({a, b});
-    }
-  }
-  gradation_limit limit;
-  limit.distortion = options_.distortion;
-  limit.unit = options_.unit;
-  limit.shortest = 0.5;
-  grade(places, edges, limit, tensors);
-  for (vertex_index v = 0; v < tensors.size(); ++v)
-    if (m_.at(v).kind != node_kind::gone && !identical(tensors[v], m_.at(v).metric))
-      m_.set_metric(v, tensors[v]);
 }
 
 bool agreement::is_active(vertex_index t) const {
@@ -164,7 +145,21 @@ bool agreement::is_low(vertex_index t) const {
   return false;
 }
 
-// True if the face is at a corner of the domain that is below the bound in its own metric.
+// True if an angle of t but the one at v is below the bound as one of the three measures it.
+bool agreement::has_low_angle_beside(vertex_index t, vertex_index v) const {
+  const face& f = m_.faces()[t];
+  const std::size_t i = f.corner_of(v);
+  const node &a = m_.at(v), &b = m_.at(f.v[after(i)]), &c = m_.at(f.v[before(i)]);
+  for (const node* n : {&a, &b, &c})
+    if (!(std::max(cotangent_at(n->metric, b, c, a), cotangent_at(n->metric, c, a, b)) <=
+          cotangent_))
+      return true;
+  return false;
+}
+
+// True if the face is at a corner of the domain that is below the bound in its own metric. Where
+// that is so in its metric alone, and other angles of the face are low as well, for which nothing
+// is exempt, the corner is to have another metric.
 bool agreement::is_exempt(vertex_index t) const {
   for (const vertex_index v : m_.faces()[t].v) {
     if (m_.at(v).kind != node_kind::given) continue;
@@ -192,7 +187,10 @@ bool agreement::is_exempt(vertex_index t) const {
     const double ux = p.x - o.x, uy = p.y - o.y, wx = q.x - o.x, wy = q.y - o.y;
     const double turned = m_.at(v).root * (ux * wy - uy * wx);
     const double inner = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
-    if (turned > 0 && inner > cotangent_of(options_.angle_bound) * turned) return true;
+    const double bound = cotangent_of(options_.angle_bound);
+    const bool is_sharp = turned > 0 && inner > bound * turned;
+    const bool is_plainly_sharp = ux * wx + uy * wy > bound * (ux * wy - uy * wx);
+    if (is_sharp && (is_plainly_sharp || !has_low_angle_beside(t, v))) return true;
   }
   return false;
 }

@@ -18,17 +18,17 @@
 
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
 
 struct agreement_options {
   double angle_bound = 20;
-  double unit = 1;        // length wanted of an edge
-  double distortion = 2;  // over an edge of that length, to begin with
+  double unit = 1;  // length wanted of an edge
   std::size_t most_rounds = 60;
   // Metric wanted at a place, for a node that has moved.
   std::function<std::optional<metric_tensor>(const point&)> wanted;
-  std::function<bool()> stop;
+  cancellation stop;
 };
 
 struct agreement_report {
@@ -54,7 +54,6 @@ class agreement {
     vertex_index a, b, c, d;  // the edge from a to b with c on its left, d on its right
   };
 
-  void slow_down();
   bool round();
   bool is_active(vertex_index t) const;
   quad quad_at(vertex_index t, std::size_t i) const;
@@ -63,6 +62,7 @@ class agreement {
   void check_angles(vertex_index t);
   bool is_low(vertex_index t) const;
   bool is_exempt(vertex_index t) const;
+  bool has_low_angle_beside(vertex_index t, vertex_index v) const;
   double excess(const node& a, const node& b, const node& c) const;
   bool merge_away(vertex_index t);
   void follow_shape(vertex_index t);

@@ -3,11 +3,11 @@
 // Changes tensors at the nodes of a graph as little as makes neighbours alike enough.
 //
 // Reduces the two tensors of an edge simultaneously (A = W W^T, B = W diag(l) W^T) when its ends
-// measure lengths too differently. Each |ln l_i| is clipped, half of the excess taken from each
-// end: the projection onto the pairs that are alike enough, which leaves the product of the
-// determinants. This is done edge after edge in their order, until none is left. It ends since all
-// sets of such pairs have the equal pairs in common (docs/math/delivered-metric.md), and is bounded
-// besides.
+// measure lengths too differently. Each |ln l_i| is clipped, a part of the excess taken from the
+// coarser end, the rest from the finer one; with halves that is the projection onto the pairs that
+// are alike enough, which leaves the product of the determinants. This is done edge after edge in
+// their order, until none is left. With halves it ends since all sets of such pairs have the equal
+// pairs in common (docs/math/delivered-metric.md), and it is bounded besides.
 //
 // Doubles throughout: the outcome is a metric, not a claim.
 #pragma once
@@ -32,15 +32,25 @@ struct gradation_limit {
   double distortion = 2;
   double unit = 1;  // length that counts as 1
   double shortest = 0.25, longest = 2;
-  std::size_t most_rounds = 400;
+  // Part of an edge's excess by which its coarser end is refined; its finer end is coarsened by the
+  // rest. Fine layers stay what they are with more than one half, and nodes are added beside them
+  // (docs/design/adaptation.md). After `uneven_rounds` rounds it is one half, with which rounds are
+  // known to end.
+  double coarser_part = 0.7;
+  std::size_t uneven_rounds = 50, most_rounds = 400;
 };
 
 // Returns the natural logarithm of the distortion between two tensors: the greatest |ln| of the
 // ratio in which they measure a length.
 double log_distortion(const metric_tensor& a, const metric_tensor& b);
 
-// Clips the pair to this log distortion, half from each side; true if that changed anything.
-bool make_alike(metric_tensor& a, metric_tensor& b, double most);
+// Returns the log distortion between two sites for each unit of the length between them, which is
+// that of a metric that changes geometrically on the way.
+double log_variation(const site& a, const site& b);
+
+// Clips the pair to this log distortion; true if that changed anything. `coarser_part` of the
+// excess is taken from the coarser side, in each of the two directions of the reduction.
+bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_part = 0.5);
 
 // Grades the tensors to the limit. Returns the rounds it took; most_rounds + 1 if some edge is
 // still above its limit.

@@ -3,15 +3,17 @@
 // Makes a triangulation whose edges have length one and whose triangles are as alike as their
 // sites' metrics let them be: nodes from the background, splits, merges, flips and moves, by turns.
 //
-// Every step but splits and merges lowers an energy, and those are bounded in number: it always
-// ends. In doubles; a proposal. Internal to mesh/adapt.
+// Flips and moves lower an energy, and so does each of them alone; splits and merges are bounded in
+// number: it always ends. In doubles; a proposal. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -22,7 +24,7 @@ struct unit_mesh_options {
   // Number of nodes wanted; 0, the default: as many as edges of length one take.
   std::size_t count = 0;
   std::size_t most_nodes = 1000000;
-  std::function<bool()> stop;
+  cancellation stop;
 };
 
 // Returns the energy of a triangle, 1 for an equilateral one of the area of a unit one. `unit` is
@@ -30,38 +32,57 @@ struct unit_mesh_options {
 // left.
 double shape_energy(const node& a, const node& b, const node& c, double unit);
 
+using face_energies = boost::container::small_vector<double, 16>;
+
 class unit_mesher {
  public:
-  unit_mesher(working_mesh& m, metric_at field, unit_mesh_options options)
-      : m_(m), field_(std::move(field)), options_(std::move(options)) {}
+  unit_mesher(working_mesh& m, unit_mesh_options options) : m_(m), options_(std::move(options)) {}
 
-  // Makes the mesh. `seeds` are places to begin with, in an order in which neighbours follow each
-  // other.
-  void run(const std::vector<point>& seeds);
+  // Makes the mesh anew in this metric. `seeds` are places to begin with, in an order in which
+  // neighbours follow each other.
+  void run(metric_at field, const std::vector<point>& seeds);
+  // Changes the mesh there is as another metric wants it.
+  void refit(metric_at field);
+  // Returns the length of an edge that came out, or was wanted to.
   double unit() const { return unit_; }
 
  private:
+  static constexpr std::size_t no_limit = ~std::size_t{0};
+
+  void fit(int rounds, int sweeps);
   void seed(const std::vector<point>& seeds);
+  bool is_crowded(vertex_index t, const node& there) const;
   vertex_index locate(const point& q, vertex_index from) const;
-  std::size_t split_long(double longest);
-  std::size_t merge_short(double shortest);
-  std::size_t flip_all();
-  std::size_t smooth();
+  void measure_unit();
   void meet_count();
-  bool flip_if_better(vertex_index t, std::size_t edge);
-  void settle_around(vertex_index v);
-  bool is_stopped() const { return options_.stop && options_.stop(); }
-  double energy(vertex_index t) const;
-  double energy_around(const face_list& at) const;
-  bool merge_if_good(vertex_index v, vertex_index w, double longest);
+  bool is_stopped() const { return options_.stop.is_requested(); }
   void measure(vertex_index v) { m_.set_metric(v, field_(m_.at(v).position, m_.at(v).hint)); }
-  point pulled(vertex_index v, const face_list& at) const;
+  double energy(vertex_index t) const;
+
+  // In unit_mesh_changes.cpp.
+  std::size_t split_long(double longest, std::size_t most = no_limit);
+  std::size_t merge_short(double shortest, std::size_t most = no_limit);
+  bool merge_if_good(vertex_index v, vertex_index w, double longest);
+  void flip_all();
+  void smooth();
+  void settle_around(vertex_index v);
+  bool flip_if_better(vertex_index t, std::size_t edge);
+  double energies_of(const face_list& at, face_energies& each) const;
+  point pulled(vertex_index v, const face_list& at, const face_energies& each) const;
   bool try_move(vertex_index v, const point& to, const face_list& at, double before);
+  void note_change(vertex_index t);
+  void note_changes_around(vertex_index v);
 
   working_mesh& m_;
   metric_at field_;
   unit_mesh_options options_;
   double unit_ = 1;
+  // By how much the unit has to be longer than equilateral triangles would have it, for as many
+  // nodes as are wanted: learnt from round to round.
+  double crowding_ = 1.05;
+  // Faces whose edges are to be checked for flips, in that order, and nodes that may want to move.
+  std::vector<vertex_index> due_;
+  std::vector<char> is_due_, is_restless_;
 };
 
 }  // namespace asterism::internal::adapting

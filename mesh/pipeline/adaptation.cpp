@@ -3,22 +3,23 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
-#include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/adapt/agreement.hpp"
+#include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/audit/audit.hpp"
-#include "asterism/mesh/metric/unit_frame.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/pipeline/background.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
-#include "asterism/mesh/refine/mesh_domain.hpp"
+#include "asterism/mesh/refine/coarser_mesh.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism::internal {
@@ -34,51 +35,38 @@ struct strictness {
   double background, mesh;
 };
 constexpr std::array<strictness, 4> ladder = {{{4, 2}, {3, 1.7}, {1.8, 1.4}, {1.25, 1.15}}};
+// How often the mesh is fitted to the metric as its own graph has graded it. Once makes what is
+// left to mend a tenth of what it is without; twice costs time and error, and gains nothing.
+constexpr int refits = 1;
 // Most audits of one mesh, each after what the one before had found was mended.
 constexpr int most_audits = 12;
-// Part of the limit on sites that may be wanted. Beyond it the way by way of a fill tells what is
-// not possible.
-constexpr double part_of_limit = 0.8;
-
-class euclidean_field final : public metric_field {
- public:
-  result<metric_tensor> at(const point&) const override { return metric_tensor{1, 0, 1}; }
+// Metric wanted, at the nodes of a background.
+struct metric_at_nodes {
+  nodal_field nodes;
+  bool is_field_itself;  // rather than samples of it
+  std::size_t count;     // of vertices wanted
 };
-
-// Returns a triangulation of the domain with hardly more sites than it is given with.
-std::optional<mesh> coarse_mesh(const domain& d, const mesh_options& options) {
-  mesh_options coarse;
-  coarse.angle_bound = 0;
-  coarse.strategy = refinement_strategy::voronoi_arcs;
-  coarse.max_sites = options.max_sites;
-  coarse.stop = options.stop;
-  const star_predicates_on<filtered_kernel> stars_on;
-  const euclidean_field round;
-  auto made = mesh_domain({stars_on, d, round, coarse});
-  if (!made || !made.value().complete) return std::nullopt;
-  return std::move(made.value().result);
-}
 
 class adaptation {
  public:
-  adaptation(const domain& d, const metric_field& field, const mesh_options& options)
-      : domain_(d), field_(field), options_(options), wanted_(*field.background()) {
-    constexpr double vertices_of_unit = 2 / std::numbers::sqrt3;
-    count_ = static_cast<std::size_t>(vertices_of_unit * wanted_.complexity());
-  }
+  adaptation(const domain& d, const metric_field& field, const mesh_options& options,
+             const mesh& start, metric_at_nodes wanted)
+      : domain_(d),
+        field_(field),
+        options_(options),
+        start_(start),
+        wanted_(std::move(wanted.nodes)),
+        is_field_itself_(wanted.is_field_itself),
+        count_(wanted.count) {}
 
   std::optional<mesh_outcome> run() {
-    const double most = part_of_limit * static_cast<double>(options_.max_sites);
-    if (count_ < 1 || static_cast<double>(count_ + domain_.vertices.size()) > most)
-      return std::nullopt;
-    const auto start = coarse_mesh(domain_, options_);
-    if (!start) return std::nullopt;
+    if (count_ < 1) return std::nullopt;
     order_places();
     for (const strictness& how : ladder) {
-      if (!attempt(*start, how)) return std::nullopt;
+      if (!attempt(start_, how)) return std::nullopt;
       if (outcome_.audited->certified || stop_reason()) break;
     }
-    if (outcome_.audited->certified) meet_count(*start);
+    if (outcome_.audited->certified) meet_count(start_);
     if (const auto why = stop_reason(); why && !outcome_.audited->certified) return stopped(*why);
     if (!outcome_.audited->certified) return std::nullopt;
     return conclude();
@@ -94,7 +82,7 @@ class adaptation {
   // Makes the mesh once more if mending has changed the number of sites by much, with as many more
   // or fewer wanted to begin with. The new mesh stays if it is nearer to the number wanted.
   void meet_count(const mesh& start) {
-    constexpr double tolerable = 0.03;
+    constexpr double tolerable = 0.04;
     const std::size_t wanted = count_, got = outcome_.result.sites.size();
     if (off_count(got, wanted) <= tolerable || stop_reason()) return;
     mesh_outcome before = outcome_;
@@ -132,6 +120,25 @@ class adaptation {
     return there ? std::optional(there.value()) : std::nullopt;
   }
 
+  // Gives the nodes what is interpolated between the background's: the metric wanted but for
+  // rounding, and looked up sooner.
+  void take_interpolated(working_mesh& m) const {
+    for (vertex_index v = 0; v < m.nodes().size(); ++v)
+      if (m.at(v).kind != node_kind::gone)
+        m.set_metric(v, wanted_.at(m.at(v).position, m.at(v).hint));
+  }
+
+  // Gives the nodes the metric wanted where they are. Returns false where it fails.
+  bool take_wanted(working_mesh& m) const {
+    for (vertex_index v = 0; v < m.nodes().size(); ++v) {
+      if (m.at(v).kind == node_kind::gone) continue;
+      const auto there = wanted_at(m.at(v).position);
+      if (!there) return false;
+      m.set_metric(v, *there);
+    }
+    return true;
+  }
+
   // Makes the mesh and its audit in outcome_. Returns false where it cannot be made.
   bool attempt(const mesh& start, const strictness& how) {
     auto built = working_mesh::build(domain_, start);
@@ -140,30 +147,37 @@ class adaptation {
     const nodal_field background = graded(how.background);
     unit_mesh_options making;
     making.count = count_;
-    making.most_nodes = options_.max_sites;
-    making.stop = [this] { return stop_reason().has_value(); };
-    unit_mesher maker(
-        m, [&background](const point& q, vertex_index& hint) { return background.at(q, hint); },
-        making);
-    maker.run(seeds_);
-    length_factor_ = maker.unit();
-    for (vertex_index v = 0; v < m.nodes().size(); ++v) {
-      if (m.at(v).kind == node_kind::gone) continue;
-      const auto there = wanted_at(m.at(v).position);
-      if (!there) return false;
-      m.set_metric(v, *there);
+    // Where edges are still too long with so many more nodes, the metric is too thin for splitting
+    // to get anywhere.
+    constexpr std::size_t times_as_many = 4, at_least = 1000;
+    making.most_nodes =
+        std::min(options_.max_sites, times_as_many * count_ + at_least + start_.sites.size());
+    making.stop = options_.stop;
+    unit_mesher maker(m, making);
+    maker.run([&background](const point& q, vertex_index& hint) { return background.at(q, hint); },
+              seeds_);
+    for (int i = 0; i < refits; ++i) {
+      if (is_field_itself_)
+        take_interpolated(m);
+      else if (!take_wanted(m))
+        return false;
+      grade_mesh(m, how.mesh, maker.unit());
+      const nodal_field own = field_of(m);
+      maker.refit([&own](const point& q, vertex_index& hint) { return own.at(q, hint); });
     }
-    deliver(m, how);
+    length_factor_ = maker.unit();
+    if (!take_wanted(m)) return false;
+    grade_mesh(m, how.mesh, length_factor_);
+    deliver(m);
     return true;
   }
 
   // Makes tensors alike until the auditor has nothing against the mesh.
-  void deliver(working_mesh& m, const strictness& how) {
+  void deliver(working_mesh& m) {
     agreement_options agree;
     agree.angle_bound = options_.angle_bound;
     agree.unit = length_factor_;
-    agree.distortion = how.mesh;
-    agree.stop = [this] { return stop_reason().has_value(); };
+    agree.stop = options_.stop;
     agree.wanted = [this](const point& q) { return wanted_at(q); };
     agreement agreeing(m, agree);
     for (int audits = 0; audits < most_audits; ++audits) {
@@ -219,14 +233,12 @@ class adaptation {
     return std::move(outcome_);
   }
 
-  std::optional<mesh_outcome> conclude() {
+  mesh_outcome conclude() {
     count_up();
-    auto compared = compare_with_wanted(outcome_.result, field_, options_.angle_bound);
-    if (!compared) return std::nullopt;
-    compared.value().length_factor = length_factor_;
-    outcome_.delivered = std::move(compared).value();
+    outcome_.delivered.emplace().length_factor = length_factor_;
     outcome_.complete = true;
     outcome_.ended.how = ending::complete;
+    outcome_.ended.max_sites = options_.max_sites;
     outcome_.ended.sites = outcome_.sites;
     const audit_report& found = *outcome_.audited;
     for (const vertex_index v : found.exempt_corners)
@@ -239,24 +251,112 @@ class adaptation {
   const domain& domain_;
   const metric_field& field_;
   const mesh_options& options_;
+  const mesh& start_;
   nodal_field wanted_;
-  std::size_t count_ = 0;
+  bool is_field_itself_;
+  std::size_t count_;
   std::vector<point> seeds_;
   double length_factor_ = 1;
   mesh_outcome outcome_;
 };
 
-}  // namespace
+// Number of vertices of a mesh whose edges have length 1, for each unit of its area.
+constexpr double vertices_of_unit = 2 / std::numbers::sqrt3;
 
-bool wants_adaptation(const metric_field& field, const mesh_options& options) {
-  return options.relax && options.limit_size && options.strategy == refinement_strategy::fill &&
-         !options.keep_if_complete && !options.tolerance && field.background() != nullptr;
+mesh in_frame(const unit_frame& frame, const mesh& m) {
+  mesh image = m;
+  for (site& s : image.sites) s = {frame.inward(s.position), frame.inward(s.metric)};
+  return image;
 }
 
-std::optional<mesh_outcome> adapt_mesh(const domain& d, const metric_field& field,
-                                       const mesh_options& options) {
-  if (!unit_frame::choose(d, field, false).is_identity()) return std::nullopt;
-  return adaptation(d, field, options).run();
+}  // namespace
+
+bool may_adapt(const mesh_options& options) {
+  return options.relax && options.strategy == refinement_strategy::fill && !options.tolerance;
+}
+
+metric_delivery::metric_delivery(const domain& d, const metric_field& field,
+                                 const mesh_options& options)
+    : field_(field), options_(options), image_(d, field, options) {}
+
+// Makes the coarse mesh and the background, once; false where there are none.
+bool metric_delivery::prepare() {
+  if (prepared_) return start_ && background_;
+  prepared_ = true;
+  start_ = coarse_mesh(image_.shape(), image_.field(), options_);
+  if (!start_) return false;
+  if (const mesh* const given = field_.background()) {
+    background_ = in_frame(image_.frame(), *given);
+    return true;
+  }
+  constexpr double any_length = std::numeric_limits<double>::infinity();
+  auto sampled = sample_field(image_.shape(), *start_, image_.field(), any_length, options_.stop);
+  if (!sampled) return false;
+  background_ = std::move(sampled->nodes);
+  variation_ = sampled->variation;
+  return true;
+}
+
+bool metric_delivery::is_first_choice() const {
+  return options_.limit_size && !options_.keep_if_complete &&
+         (field_.background() != nullptr || options_.vertices);
+}
+
+bool metric_delivery::varies_fast() {
+  constexpr double most_that_is_met = 0.6;
+  return options_.limit_size && prepare() && variation_ > most_that_is_met;
+}
+
+// Returns how often the number of sites is to be halved: until there is room for them, or, without
+// a size, until there are as many as `few`.
+std::optional<int> metric_delivery::halvings(double vertices, std::size_t few) const {
+  constexpr double part_of_limit = 0.8;
+  const double most = part_of_limit * static_cast<double>(options_.max_sites);
+  if (!(vertices > 0) || !std::isfinite(vertices)) return std::nullopt;
+  const double times = elementary::log2(vertices / static_cast<double>(few));
+  if (!options_.limit_size) return static_cast<int>(std::lround(times));
+  return std::max(0, static_cast<int>(std::ceil(elementary::log2(vertices / most))));
+}
+
+std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
+  if (!prepare()) return std::nullopt;
+  const double vertices = vertices_of_unit * nodal_field(*background_).complexity();
+  const auto halved = halvings(vertices, few);
+  if (!halved) return std::nullopt;
+  const coarser_field coarser(image_.field(), *halved);
+  mesh background = *background_;
+  const double factor = elementary::exp2(-*halved);
+  for (site& s : background.sites)
+    s.metric = {s.metric.m11 * factor, s.metric.m12 * factor, s.metric.m22 * factor};
+  if (field_.background() == nullptr) {
+    auto fine = sample_field(image_.shape(), *start_, coarser, 1, options_.stop);
+    if (!fine) return std::nullopt;
+    background = std::move(fine->nodes);
+  }
+  nodal_field wanted(background);
+  const double count = *halved == 0 && options_.vertices ? static_cast<double>(*options_.vertices)
+                                                         : vertices_of_unit * wanted.complexity();
+  if (!(count < static_cast<double>(options_.max_sites))) return std::nullopt;
+  auto made = adaptation(image_.shape(), coarser, options_, *start_,
+                         {std::move(wanted), field_.background() != nullptr,
+                          static_cast<std::size_t>(count)})
+                  .run();
+  if (!made) return std::nullopt;
+  return in_given_units(std::move(*made), *halved);
+}
+
+std::optional<mesh_outcome> metric_delivery::in_given_units(mesh_outcome made, int halved) {
+  restore_lengths(halved, made);
+  image_.outward(made);
+  if (halved != 0 || !image_.frame().is_identity()) made.audited.reset();
+  if (!made.complete) return made;
+  const double length_factor = made.delivered->length_factor;
+  auto compared = compare_with_wanted(made.result, field_, options_.angle_bound);
+  if (!compared) return std::nullopt;
+  made.delivered = std::move(compared).value();
+  made.delivered->length_factor = length_factor;
+  if (options_.limit_size) report_coarser(halved, false, options_, made);
+  return made;
 }
 
 }  // namespace asterism::internal

@@ -8,22 +8,46 @@
 // and the outcome says by how much. The mesh is certified in the metric delivered.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/pipeline/unit_image.hpp"
 
 namespace asterism::internal {
 
-// True if the run is one for adapt_mesh: the metric is given at the vertices of a mesh, with a
-// size, may be relaxed, and the domain is not a mesh that may stay as it is.
-bool wants_adaptation(const metric_field& field, const mesh_options& options);
+// True if the options allow another metric than the one wanted to be delivered.
+bool may_adapt(const mesh_options& options);
 
-// Makes everything of the outcome but the counters. Returns none where this way did not lead to a
-// certified mesh and was not stopped, and some other should be tried.
-std::optional<mesh_outcome> adapt_mesh(const domain& d, const metric_field& field,
-                                       const mesh_options& options);
+// Way to a mesh by a metric delivered. All references must outlive it.
+class metric_delivery {
+ public:
+  metric_delivery(const domain& d, const metric_field& field, const mesh_options& options);
+
+  // True if this is the way to begin with: with a size, where the metric comes on a mesh.
+  bool is_first_choice() const;
+  // True if the metric is a formula with a size that varies by so much over an edge that meshes
+  // seldom meet it as it is.
+  bool varies_fast();
+
+  // Makes everything of the outcome but the counters. Without a size there will be about `few`
+  // sites. Returns none where this way did not lead to a certified mesh and was not stopped.
+  std::optional<mesh_outcome> make(std::size_t few);
+
+ private:
+  bool prepare();
+  std::optional<int> halvings(double vertices, std::size_t few) const;
+  std::optional<mesh_outcome> in_given_units(mesh_outcome made, int halved);
+
+  const metric_field& field_;
+  const mesh_options& options_;
+  unit_image image_;
+  std::optional<mesh> start_, background_;  // in the frame
+  double variation_ = 0;
+  bool prepared_ = false;
+};
 
 }  // namespace asterism::internal

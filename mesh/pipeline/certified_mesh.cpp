@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 
+#include <new>
 #include <utility>
 
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
@@ -25,6 +26,24 @@ audit_options questions_for(const mesh_outcome& outcome, const domain& d,
   return asked;
 }
 
+// Returns what the auditor finds. Where there is no memory for an audit, which takes more than the
+// mesh does, it says so: the mesh must not be lost for that.
+audit_report audit_if_possible(const mesh& subject, const audit_options& asked) {
+  try {
+    return audit(subject, asked);
+  } catch (const std::bad_alloc&) {
+    audit_report nothing;
+    nothing.sites = subject.sites.size();
+    nothing.triangles = subject.triangles.size();
+    nothing.boundary_subsegments = subject.boundary.size();
+    nothing.given = subject.given;
+    nothing.found[static_cast<std::size_t>(finding_kind::stopped)] = 1;
+    nothing.findings.push_back({finding_kind::stopped, "there was not enough memory for it"});
+    if (asked.check_voronoi) nothing.voronoi = voronoi_verdict::not_reached;
+    return nothing;
+  }
+}
+
 }  // namespace
 
 certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_options& options) {
@@ -32,7 +51,7 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
   certified_mesh judged;
   const bool is_known =
       outcome.audited && asked.check_stars && !asked.check_voronoi && asked.exempt_corners.empty();
-  judged.report = is_known ? *outcome.audited : audit(outcome.result, asked);
+  judged.report = is_known ? *outcome.audited : audit_if_possible(outcome.result, asked);
   if (options.prove_voronoi && outcome.stopped)
     judged.report.voronoi = voronoi_verdict::not_reached;
   certificate& claim = judged.claim;

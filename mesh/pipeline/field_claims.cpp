@@ -13,8 +13,10 @@
 #include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/adaptation_claims.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/metric_complexity.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -55,46 +57,46 @@ std::optional<std::string> difference_from(const metric_field& field, const mesh
                      differing, subject.sites.size(), first);
 }
 
-// Returns the metric of a mesh, where its file is still there and the same.
+// Returns the metric of a mesh, where its file is still there.
 result<std::unique_ptr<metric_field>> background_of(const certificate& claim, double size) {
   auto background = read_medit(claim.metric);
   if (!background) return background.failure();
   const auto adopted = adopt_mesh(std::move(background).value());
   if (!adopted) return adopted.failure();
-  auto field = make_sampled_field(adopted.value().subject, size);
-  if (option_of(claim, "metric-fingerprint") !=
-      std::to_string(mesh_fingerprint(*field->background())))
+  return make_sampled_field(adopted.value().subject, size);
+}
+
+// Passes on a field that is on a mesh if that is the mesh the certificate names, graded as it was.
+result<std::unique_ptr<metric_field>> if_the_same(const certificate& claim,
+                                                  std::unique_ptr<metric_field> field) {
+  const mesh* const background = field->background();
+  if (background != nullptr &&
+      option_of(claim, "metric-fingerprint") != std::to_string(mesh_fingerprint(*background)))
     return error{"its file holds another mesh now"};
   return field;
 }
 
 }  // namespace
 
+// Tensors are those of the size asked for even where the limit on sites made edges longer.
 result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) {
   if (!claim.original) return error{"the certificate has no domain to place it in"};
-  // The metric asked for is of the size asked for where another one is delivered.
-  const bool is_delivered = !claim.relaxed && !claim.delivered &&
-                            claim.options.count("size-delivered") != 0 &&
-                            option_of(claim, "size-delivered") != "none";
-  const auto size = size_of(claim, is_delivered ? "size-delivered" : "size");
+  const auto size = size_of(claim, "size");
   if (!size) return error{"the size is no number"};
   const bounding_box box = claim.original->box();
   auto field = has_ending(claim.metric, ".mesh")
                    ? background_of(claim, size.value())
                    : make_metric_field(claim.metric, box, size.value());
   const std::string gradation = option_of(claim, "gradation");
-  if (!field || gradation == "none") return field;
-  // Gradation is of the metric of the size asked for; a size that took too many sites is made
-  // larger afterwards.
-  if (option_of(claim, "size") != option_of(claim, "size-delivered"))
-    return error{"it was graded, and the size is not the one asked for"};
+  if (!field) return field;
+  if (gradation == "none") return if_the_same(claim, std::move(field).value());
   const auto beta = parse_number(gradation);
   if (!beta) return error{"the gradation is no number"};
   gradation_options options;
   options.beta = beta.value();
-  auto graded = grade_metric(std::move(field).value(), box, options);
+  auto graded = grade_as_given(std::move(field).value(), *claim.original, options);
   if (!graded) return graded.failure();
-  return std::move(graded.value().field);
+  return if_the_same(claim, std::move(graded.value().field));
 }
 
 namespace {
@@ -121,17 +123,19 @@ field_check check_field(const mesh& subject, const certificate& claim) {
     check.why_not = "the certificate names none";
     return check;
   }
-  const auto field = field_asked_for(claim);
+  const bool is_adapted = is_of_adaptation(claim);
+  const auto field = is_adapted ? check_adaptation(subject, claim, check) : field_asked_for(claim);
   if (!field) {
     check.why_not = field.failure().message;
     // A file may be gone, or another by now.
-    if (has_ending(claim.metric, ".mesh")) return check;
+    if (is_adapted || has_ending(claim.metric, ".mesh")) return check;
     check.contradictions.push_back("\"asked.metric\" cannot be made again: " + check.why_not);
     return check;
   }
   check.made = true;
   if (claim.delivered) {
-    check.contradictions = contradictions_in_delivered(subject, claim, *field.value());
+    for (std::string& said : contradictions_in_delivered(subject, claim, *field.value()))
+      check.contradictions.push_back(std::move(said));
     return check;
   }
   const auto said = claim.relaxed ? contradiction_in_low_triangles(subject, claim, *field.value())

@@ -14,7 +14,7 @@
 
 namespace asterism::internal {
 
-// Makes the metric asked for again, of the size delivered, graded as it was. Fails, saying why in
+// Makes the metric asked for again, of the size asked for, graded as it was. Fails, saying why in
 // half a sentence, where the certificate does not hold what that takes: a metric on a mesh.
 result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim);
 

@@ -90,21 +90,18 @@ constexpr std::array unusable = {
 
 // Builds the stars as the mesher would have them, on the mesh's own boundary, and counts the
 // triangles in them.
-void compare_with_stars(const adopted_mesh& adopted, const std::function<bool()>& enough,
+void compare_with_stars(const adopted_mesh& adopted, const cancellation& stop,
                         certify_report& report) {
   const mesh& m = adopted.subject;
-  const star_predicates_on<filtered_kernel> kernel;
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> kernel(decided);
   const auto edges = boundary::build(adopted.shape, kernel);
   if (!edges) return;
   const neighbourhood near(m.sites, edges.value());
   const site_oracle oracle(m.sites, edges.value(), kernel, nullptr, &near);
   star_set stars;
   stars.bound_work(0);
-  if (enough)
-    stars.cancel_by([&enough]() -> std::optional<std::string> {
-      if (enough()) return "there is no time left";
-      return std::nullopt;
-    });
+  stars.cancel_by(stop);
   stars.construct_all(oracle);
   std::vector<vertex_index> all(m.sites.size());
   std::iota(all.begin(), all.end(), vertex_index{0});
@@ -168,14 +165,14 @@ audit_options questions_for(const adopted_mesh& adopted) {
 }
 
 certify_report certify(const adopted_mesh& adopted, double angle_bound, bool check_voronoi,
-                       std::size_t findings_kept, const std::function<bool()>& enough) {
+                       std::size_t findings_kept, const cancellation& stop) {
   const mesh& m = adopted.subject;
   certify_report report;
   audit_options options = questions_for(adopted);
   options.angle_bound = angle_bound;
   options.check_voronoi = check_voronoi;
   options.findings_kept = findings_kept;
-  options.enough = enough;
+  options.stop = stop;
   report.audit = audit(m, options);
   report.inverted = report.audit.found[static_cast<std::size_t>(finding_kind::orientation)];
   report.below_bound = [&audit = report.audit] {
@@ -185,8 +182,9 @@ certify_report certify(const adopted_mesh& adopted, double angle_bound, bool che
     return all.size();
   }();
   measure_edges(m, report);
+  if (report.certified()) report.theorem = measure_theorem_hypotheses(m, angle_bound);
   if (report.audit.stars_checked && is_worth_comparing(report.audit))
-    compare_with_stars(adopted, enough, report);
+    compare_with_stars(adopted, stop, report);
   return report;
 }
 

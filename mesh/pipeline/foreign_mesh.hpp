@@ -10,14 +10,16 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
+#include <optional>
 #include <vector>
 
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/theorem_hypotheses.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism {
 
@@ -50,6 +52,8 @@ struct certify_report {
   // among them; those that are inverted or flat have no angles.
   std::size_t below_bound = 0;
   std::size_t edges = 0, unit_edges = 0;
+  // Measurements for the theorem on nets; set for a certified mesh.
+  std::optional<theorem_hypotheses> theorem;
 
   // True if the auditor certifies the mesh: the answer `verify` gives. Stars built afresh may be
   // others where arcs are not wedged; the report has both.
@@ -66,10 +70,10 @@ ASTERISM_EXPORT audit_options questions_for(const adopted_mesh& adopted);
 // Builds the stars, compares and audits. An edge is a unit edge when its length, the mean of what
 // its two ends measure, is in [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With
 // `check_voronoi` the audit has a verdict on point 5, which certified() does not depend on.
-// `enough` is polled during the judgement; true ends it.
+// `stop` is polled during the judgement, which it ends.
 ASTERISM_EXPORT certify_report certify(const adopted_mesh& adopted, double angle_bound,
                                        bool check_voronoi = false,
                                        std::size_t findings_kept = audit_options{}.findings_kept,
-                                       const std::function<bool()>& enough = {});
+                                       const cancellation& stop = {});
 
 }  // namespace asterism

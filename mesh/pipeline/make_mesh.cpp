@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/make_mesh.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "asterism/kernels/filtered_kernel.hpp"
@@ -15,17 +16,31 @@ using namespace internal;
 
 result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
                                const mesh_options& options, const progress_listener& progress) {
-  if (wants_adaptation(field, options))
-    if (auto adapted = adapt_mesh(d, field, options)) return *std::move(adapted);
-  const star_predicates_on<filtered_kernel> stars_on;
+  if (auto refused = check_options(d, options)) return *refused;
+  metric_delivery delivery(d, field, options);
+  const bool is_first = may_adapt(options) && delivery.is_first_choice();
+  const bool is_second = may_adapt(options) && !is_first;
+  if (is_first)
+    if (auto made = delivery.make(0)) return *std::move(made);
+  // Where the metric varies too fast for a mesh to be likely, little is spent on finding that out.
+  constexpr double little = 0.1;
+  const double work_share = is_second && delivery.varies_fast() ? little : 1;
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> stars_on(decided);
   const unit_image image(d, field, options);
-  auto outcome = mesh_domain({stars_on, image.shape(), image.field(), options, progress});
+  auto outcome =
+      mesh_domain({stars_on, image.shape(), image.field(), options, progress, work_share});
   if (!outcome) return outcome;
   image.outward(outcome.value());
-  if (wants_relaxation(outcome.value(), options))
+  if (wants_relaxation(outcome.value(), options)) {
+    constexpr std::size_t fewest = 400, most = 2000;
+    const std::size_t few = std::clamp(outcome.value().sites, fewest, most);
+    if (is_second)
+      if (auto made = delivery.make(few)) return *std::move(made);
     outcome = refine_relaxed({stars_on, d, field, options, progress}, std::move(outcome).value());
+  }
   if (!outcome) return outcome;
-  outcome.value().counters = stars_on.counters();
+  outcome.value().counters = decided;
   assign_regions(outcome.value().result, d);
   return outcome;
 }

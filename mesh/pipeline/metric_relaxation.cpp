@@ -196,9 +196,10 @@ class relaxation {
 
   void refine(const budgeted_filling& filled, const meshing_context& job) {
     ++tries_;
-    const auto own_kernel = job.kernel.fork();  // the work done for one mesh is counted from zero
+    tier_counters own;  // the work done for one mesh is counted from zero
+    const auto own_kernel = job.kernel.fork(own);
     auto made = mesh_from_sites(job.on(*own_kernel), filled);
-    job.kernel.count(own_kernel->counters());
+    job.kernel.counters() += own;
     if (!made) return;
     tried_ = std::move(made).value();
     unit_.outward(*tried_);
@@ -249,8 +250,8 @@ class relaxation {
   // Fits the mesh to the metric given, and returns it if the auditor then certifies it there. Aims
   // differ in what comes of them by little, which may be what is missing.
   std::optional<mesh_outcome> fit_to_given(const relaxation_report& report) {
-    if (step_.kind != relaxation_kind::softened || !tried_->complete ||
-        report.low_triangles.empty())
+    const bool mended = tried_->complete || tried_->ended.how == ending::collateral;
+    if (step_.kind != relaxation_kind::softened || !mended || report.low_triangles.empty())
       return std::nullopt;
     for (const double aim : {4.5, 6.0, 3.5}) {
       fitting_options wanted;

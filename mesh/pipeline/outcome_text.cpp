@@ -55,6 +55,11 @@ std::string plain_text(const refinement_ending& e) {
   switch (e.how) {
     case ending::site_limit:
       return fmt::format("the limit of {} sites was reached", e.max_sites);
+    case ending::collateral:
+      return fmt::format(
+          "all stars agree, but {} triangles beside corners of the domain below the bound have "
+          "another angle below it, which splitting did not mend{}",
+          e.bad_triangles, places_text(e));
     case ending::stuck:
       return stuck_text(e);
     case ending::too_steep:

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/refine/off_centre.hpp"
 #include "asterism/mesh/refine/site_insertion.hpp"
 #include "asterism/mesh/refine/voronoi_arc_candidates.hpp"
 
@@ -40,7 +41,16 @@ arc_insertion::pass_result arc_insertion::insert_at_worst() {
   return pass_result::exhausted;
 }
 
+// Off-centres are tried first where collateral angles are mended: Voronoi vertices there encroach
+// on the long subsegments at the tips of wedges, which then are split, and all begins anew at half
+// the size. A quarter more than the bound leaves room for metrics that vary.
 bool arc_insertion::insert_at(const triangle& t, double tolerance) {
+  constexpr double part_of_bound = 1.25;
+  if (mends_collateral_)
+    if (const auto s = find_off_centre(state_, t, part_of_bound * angle_.degrees(), tolerance)) {
+      state_.add_interior(*s);
+      return true;
+    }
   return shorten_tight_corner(state_, t, angle_, tolerance) ||
          refine_by_arcs(state_, t, tolerance, rejected_);
 }

@@ -45,6 +45,9 @@ class arc_insertion {
   // this cannot run away.
   bool insert_at_exempt_corners();
 
+  // From now on tries places nearer to the triangles as well: for collateral angles.
+  void mend_collateral() { mends_collateral_ = true; }
+
   double tolerance() const { return tolerance_; }  // in force
   // Returns how many candidates were tried in vain.
   std::size_t rejected() const { return rejected_; }
@@ -69,6 +72,7 @@ class arc_insertion {
   std::set<bad_triangle> failed_at_tolerance_;  // tried in vain with the tolerance in force
   bool retry_ = false;  // true if a site was inserted since one of them failed
   std::size_t rejected_ = 0;
+  bool mends_collateral_ = false;
 };
 
 }  // namespace asterism::internal

@@ -22,29 +22,58 @@ bool lies_in(const site_oracle& oracle, const domain_corner& c, vertex_index v, 
          oracle.orientation(v, y, ends.last) == sign::positive;
 }
 
-// Returns which of the triangle's corners lie in one of the domain's, which are sorted by vertex.
-std::array<bool, 3> corners_in(const site_oracle& oracle, const triangle& t,
-                               const std::vector<domain_corner>& corners) {
-  std::array<bool, 3> in{};
+// The domain's corner that each corner of a triangle lies in; null where that is none.
+using corners_of_domain = std::array<const domain_corner*, 3>;
+
+// Returns the corners of the list, which is sorted by vertex, that the triangle's lie in.
+corners_of_domain corners_in(const site_oracle& oracle, const triangle& t,
+                             const std::vector<domain_corner>& corners) {
+  corners_of_domain in{};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [first, last] = std::equal_range(
         corners.begin(), corners.end(), domain_corner{t[i], 0, 0},
         [](const domain_corner& a, const domain_corner& b) { return a.vertex < b.vertex; });
-    in[i] = std::any_of(first, last, [&](const domain_corner& c) {
+    const auto found = std::find_if(first, last, [&](const domain_corner& c) {
       return lies_in(oracle, c, t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
     });
+    if (found != last) in[i] = &*found;
   }
   return in;
 }
 
-// Keeps of these corners those that fill the domain's corner from one subsegment to the other. A
-// part of a divided corner could be wider.
-std::array<bool, 3> unavoidable(const boundary& edges, const triangle& t,
-                                std::array<bool, 3> in_corner) {
+// Returns the angles at those corners that the triangle fills from one subsegment to the other, in
+// all three metrics. A part of a divided corner could be wider.
+angle_set unavoidable(const boundary& edges, const triangle& t, const corners_of_domain& in) {
+  angle_set at;
   for (std::size_t i = 0; i < 3; ++i)
-    in_corner[i] = in_corner[i] && edges.is_subsegment(t[i], t[(i + 1) % 3]) &&
-                   edges.is_subsegment(t[(i + 2) % 3], t[i]);
-  return in_corner;
+    if (in[i] != nullptr && edges.is_subsegment(t[i], t[(i + 1) % 3]) &&
+        edges.is_subsegment(t[(i + 2) % 3], t[i]))
+      at.which[i].fill(true);
+  return at;
+}
+
+// Returns the angles that the auditor exempts: those at these corners, in metrics that measure the
+// domain's own angle there below the bound. Errs only towards fewer.
+angle_set exempt_angles(const refine_state& state, const triangle& t, const corners_of_domain& in,
+                        double bound) {
+  constexpr double guard = 1 - 1e-9;
+  angle_set exempt;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (in[i] == nullptr) continue;
+    const std::vector<site>& sites = state.sites();
+    const boundary_corner ends = state.edges().corners(t[i])[in[i]->sector];
+    for (std::size_t j = 0; j < 3; ++j)
+      exempt.which[i][j] =
+          corner_angle({sites[t[i]].position, sites[t[j]].metric}, sites[ends.first].position,
+                       sites[ends.last].position) < guard * bound;
+  }
+  return exempt;
+}
+
+angle_set all_but(angle_set angles) {
+  for (auto& corner : angles.which)
+    for (bool& angle : corner) angle = !angle;
+  return angles;
 }
 
 }  // namespace
@@ -83,8 +112,20 @@ std::vector<triangle> bad_triangle_queue::exempt() const {
   return all;
 }
 
+void bad_triangle_queue::demand_collateral() {
+  demands_collateral_ = true;
+  first_ = true;  // all is judged anew
+}
+
+std::set<vertex_index> bad_triangle_queue::collateral_sites() const {
+  std::set<vertex_index> all;
+  for (const auto& [v, r] : records_)
+    for (const triangle& t : r.collateral) all.insert(t.begin(), t.end());
+  return all;
+}
+
 // True if the triangle's corners are all on two segments, not both of the rim, that meet in a
-// corner below half the bound. Their low angles are left (docs/math/refinement.md, "Corners").
+// corner below half the bound.
 bool bad_triangle_queue::crosses_wedge(const refine_state& state, const triangle& t) const {
   const auto accepts = [&](const domain_wedge& w) {
     return w.internal && is_narrower(state.sites(), w, w.corner.vertex, angle_.degrees() / 2) &&
@@ -95,22 +136,31 @@ bool bad_triangle_queue::crosses_wedge(const refine_state& state, const triangle
   return state.segments().wedges().across(t, accepts) != nullptr;
 }
 
+// Judges a triangle with a low angle; true if it is bad because of that.
+bool bad_triangle_queue::judge_low(const refine_state& state, const site_oracle& oracle,
+                                   const triangle& t, record& into) const {
+  const triangle_sites sites = sites_of(state, t);
+  const bad_triangle low{badness::low_angle, smallest_angle(sites), t};
+  const corners_of_domain in = corners_in(oracle, t, corners_below_);
+  const bool at_corner = in[0] != nullptr || in[1] != nullptr || in[2] != nullptr;
+  const angle_set exempt = exempt_angles(state, t, in, angle_.degrees());
+  if (at_corner && angle_.is_low(sites, all_but(exempt))) into.exempt.push_back(t);
+  if (angle_.is_low(sites, exempt)) {
+    if (demands_collateral_ || !(at_corner || crosses_wedge(state, t))) {
+      into.bad.push_back(low);
+      return true;
+    }
+    into.collateral.push_back(t);
+  }
+  if (at_corner && angle_.is_low(sites, unavoidable(state.edges(), t, in)))
+    into.improvable.push_back(low);
+  return false;
+}
+
 void bad_triangle_queue::judge(const refine_state& state, const site_oracle& oracle,
                                const triangle& t, record& into) const {
   const triangle_sites sites = sites_of(state, t);
-  const bool low = angle_.is_low(sites);
-  std::array<bool, 3> in_corner{};
-  if (low) in_corner = corners_in(oracle, t, corners_below_);
-  if (in_corner[0] || in_corner[1] || in_corner[2]) {
-    into.exempt.push_back(t);
-    if (angle_.is_low(sites, unavoidable(state.edges(), t, in_corner)))
-      into.improvable.push_back({badness::low_angle, smallest_angle(sites), t});
-  } else if (low && crosses_wedge(state, t)) {
-    into.exempt.push_back(t);
-  } else if (low) {
-    into.bad.push_back({badness::low_angle, smallest_angle(sites), t});
-    return;
-  }
+  if (angle_.is_low(sites) && judge_low(state, oracle, t, into)) return;
   if (!limit_size_) return;
   const double circumradius = metric_circumradius(sites);
   if (circumradius > largest_circumradius)
@@ -165,6 +215,7 @@ void bad_triangle_queue::forget(vertex_index v) {
     --counts_[static_cast<std::size_t>(b.why)];
   }
   for (const bad_triangle& b : old.improvable) improvable_.erase(b);
+  collateral_ -= old.collateral.size();
   for (const vertex_index u : old.one_sided) {
     std::vector<vertex_index>& claimants = claimed_by_[u];
     claimants.erase(std::remove(claimants.begin(), claimants.end(), v), claimants.end());
@@ -189,6 +240,7 @@ void bad_triangle_queue::remember(const refine_state& state, vertex_index v, rec
     ++counts_[static_cast<std::size_t>(b.why)];
   }
   for (const bad_triangle& b : now.improvable) improvable_.insert(b);
+  collateral_ += now.collateral.size();
   for (const vertex_index u : now.one_sided) claimed_by_[u].push_back(v);
   records_.emplace(v, std::move(now));
 }
@@ -227,14 +279,13 @@ void bad_triangle_queue::update(refine_state& state) {
   std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
   std::vector<spoken> all = collect_chunks<spoken>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<spoken>& out) {
-        const auto kernel = state.kernel().fork();
+        const auto kernel = state.kernel().fork(counts[begin / chunk]);
         for (std::size_t i = begin; i < end; ++i) {
           record found = examine(state, *kernel, which[i]);
           if (!found.empty()) out.push_back({which[i], std::move(found)});
         }
-        counts[begin / chunk] = kernel->counters();
       });
-  for (const tier_counters& c : counts) state.kernel().count(c);
+  for (const tier_counters& c : counts) state.kernel().counters() += c;
   for (const vertex_index v : which) forget(v);
   for (spoken& s : all) remember(state, s.who, std::move(s.what));
 }

@@ -4,12 +4,15 @@
 //
 // A triangle is bad as in the thesis (section 4.1) when it disagrees, when an angle is below the
 // bound from the perspective of any vertex, or, with a size limit, when it is too large. A wide gap
-// of a star and the triangles of a star that did not settle count as disagreeing. Exempt from the
-// angle bound, and listed, are triangles in a corner of the domain whose own angle is below it: no
-// mesh meets the bound there. Another corner at the same vertex exempts nothing. Exempt are also
-// triangles across a wedge below half the bound between two segments one of which is internal. All
-// their corners must be on these two segments, and each of them must measure the wedge below the
-// bound.
+// of a star and the triangles of a star that did not settle count as disagreeing.
+//
+// Exempt from the angle bound is the angle of the domain at a corner that is below it, in metrics
+// that measure it so: no mesh meets the bound there. Another corner at the same vertex exempts
+// nothing. Collateral are other low angles of triangles at such a corner, and those of triangles
+// across a wedge below half the bound between two segments one of which is internal. All corners of
+// the latter must be on these two segments, and each of them must measure the wedge below the
+// bound. Collateral triangles are bad only once that is demanded: mending them may go on for ever
+// (docs/math/refinement.md, "Corners"), so the rest is mended first.
 //
 // Examines a star again only when it, or a star it has triangles with, has changed.
 #pragma once
@@ -55,8 +58,13 @@ class bad_triangle_queue {
   // Returns triangles at exempt corners with low angles elsewhere than at the corner. They are
   // worth trying, not demanded.
   const std::set<bad_triangle>& improvable() const { return improvable_; }
+  // Counts collateral triangles; 0 once they are demanded to be mended, and are bad.
+  std::size_t collateral() const { return collateral_; }
+  std::set<vertex_index> collateral_sites() const;
+  // Makes collateral triangles bad from the next update on.
+  void demand_collateral();
   std::size_t count(badness why) const { return counts_[static_cast<std::size_t>(why)]; }
-  // Returns the exempt triangles in lexicographic order.
+  // Returns the triangles with an exempt angle below the bound in lexicographic order.
   std::vector<triangle> exempt() const;
   const std::vector<exempt_corner>& exempt_corners() const { return exempt_corners_; }
 
@@ -66,17 +74,19 @@ class bad_triangle_queue {
     std::vector<triangle> disagreeing;  // may be found by several stars
     std::vector<bad_triangle> bad;      // low or large: by the star of the smallest index alone
     std::vector<bad_triangle> improvable;
-    std::vector<triangle> exempt;
+    std::vector<triangle> exempt, collateral;
     std::vector<vertex_index> one_sided;  // neighbours that do not have the star's centre as theirs
 
     bool empty() const {
       return disagreeing.empty() && bad.empty() && improvable.empty() && exempt.empty() &&
-             one_sided.empty();
+             collateral.empty() && one_sided.empty();
     }
   };
 
   record examine(const refine_state& state, const star_predicates& kernel, vertex_index v) const;
   bool crosses_wedge(const refine_state& state, const triangle& t) const;
+  bool judge_low(const refine_state& state, const site_oracle& oracle, const triangle& t,
+                 record& into) const;
   void judge(const refine_state& state, const site_oracle& oracle, const triangle& t,
              record& into) const;
   void forget(vertex_index v);
@@ -93,6 +103,8 @@ class bad_triangle_queue {
       claimed_by_;  // the other end of one_sided
   std::set<bad_triangle> bad_, improvable_;
   std::size_t counts_[3] = {0, 0, 0};
+  std::size_t collateral_ = 0;
+  bool demands_collateral_ = false;
   bool first_ = true;
 };
 

@@ -13,25 +13,6 @@
 namespace asterism::internal {
 namespace {
 
-std::optional<error> check_options(const domain& d, const mesh_options& o) {
-  const auto refuse = [](const std::string& what, const std::string& got) {
-    return error{what + ", not " + got, error_code::bad_option};
-  };
-  if (!(o.angle_bound >= 0 && o.angle_bound < 60))
-    return refuse("the angle bound must be at least 0 and less than 60 degrees",
-                  format_number(o.angle_bound));
-  if (o.tolerance && !(*o.tolerance > 0 && std::isfinite(*o.tolerance)))
-    return refuse("the tolerance must be positive and finite", format_number(*o.tolerance));
-  if (o.max_rejected < 1)
-    return refuse("the number of rejected darts must be at least 1",
-                  std::to_string(o.max_rejected));
-  if (o.max_sites < d.vertices.size())
-    return refuse("the limit on sites must be at least " + std::to_string(d.vertices.size()) +
-                      ", the number of the domain's vertices",
-                  std::to_string(o.max_sites));
-  return std::nullopt;
-}
-
 // Refines the proposal, and improves the mesh if that is asked for.
 result<mesh_outcome> refine_and_improve(const meshing_context& job, const filled_domain& proposed) {
   auto made = refine(job, proposed);
@@ -39,11 +20,12 @@ result<mesh_outcome> refine_and_improve(const meshing_context& job, const filled
   improve(
       job,
       [&job](const filled_domain& other, std::size_t most_sites) {
-        const auto own_kernel = job.kernel.fork();  // work for one mesh is counted from zero
+        tier_counters own;  // work for one mesh is counted from zero
+        const auto own_kernel = job.kernel.fork(own);
         mesh_options limited = job.options;
         limited.max_sites = most_sites;
         auto tried = refine(job.on(*own_kernel).with(limited), other);
-        job.kernel.count(own_kernel->counters());
+        job.kernel.counters() += own;
         return tried;
       },
       made.value());
@@ -93,8 +75,27 @@ result<mesh_outcome> mesh_without(const crowded_site& crowded, const meshing_con
 
 }  // namespace
 
+std::optional<error> check_options(const domain& d, const mesh_options& o) {
+  const auto refuse = [](const std::string& what, const std::string& got) {
+    return error{what + ", not " + got, error_code::bad_option};
+  };
+  if (!(o.angle_bound >= 0 && o.angle_bound < 60))
+    return refuse("the angle bound must be at least 0 and less than 60 degrees",
+                  format_number(o.angle_bound));
+  if (o.tolerance && !(*o.tolerance > 0 && std::isfinite(*o.tolerance)))
+    return refuse("the tolerance must be positive and finite", format_number(*o.tolerance));
+  if (o.max_rejected < 1)
+    return refuse("the number of rejected darts must be at least 1",
+                  std::to_string(o.max_rejected));
+  if (o.max_sites < d.vertices.size())
+    return refuse("the limit on sites must be at least " + std::to_string(d.vertices.size()) +
+                      ", the number of the domain's vertices",
+                  std::to_string(o.max_sites));
+  return std::nullopt;
+}
+
 result<mesh_outcome> mesh_domain(const meshing_context& job) {
-  if (const auto refused = check_options(job.shape, job.options)) return *refused;
+  if (auto refused = check_options(job.shape, job.options)) return *refused;
   const bool keep = job.options.keep_if_complete;
   if (keep)
     if (auto kept = mesh_as_given(job, 0); is_final(kept)) return kept;

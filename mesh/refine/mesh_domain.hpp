@@ -4,12 +4,17 @@
 // improves it.
 #pragma once
 
+#include <optional>
+
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/outcome.hpp"
 #include "asterism/mesh/refine/meshing_context.hpp"
 #include "asterism/mesh/refine/site_budget.hpp"
 
 namespace asterism::internal {
+
+// Returns what is wrong with the options of a run in this domain, if anything is.
+std::optional<error> check_options(const domain& d, const mesh_options& options);
 
 // Makes the mesh that make_mesh promises, on any kernel and without relaxing the metric, in the
 // unit frame; fills in everything of the outcome but the counters. Fails for options out of range,

@@ -19,16 +19,17 @@ struct meshing_context {
   const metric_field& field;
   const mesh_options& options;  // with the cancellation, options.stop
   progress_listener progress = {};
+  double work_share = 1;  // of the work that is allowed for so many sites (stars/work_limit.hpp)
 
   // Returns the same job with one thing changed.
   meshing_context on(const star_predicates& other) const {
-    return {other, shape, field, options, progress};
+    return {other, shape, field, options, progress, work_share};
   }
   meshing_context in(const metric_field& other) const {
-    return {kernel, shape, other, options, progress};
+    return {kernel, shape, other, options, progress, work_share};
   }
   meshing_context with(const mesh_options& other) const {
-    return {kernel, shape, field, other, progress};
+    return {kernel, shape, field, other, progress, work_share};
   }
 };
 

@@ -12,7 +12,7 @@ namespace asterism::internal {
 result<refine_state> refine_state::start(const domain& d, const metric_field& field,
                                          const star_predicates& kernel, std::size_t most_sites,
                                          const filled_domain& filling,
-                                         const cancellation& cancelled) {
+                                         const cancellation& cancelled, double work_share) {
   auto given = site_set::start(d, field, most_sites);
   if (!given) return given.failure();
   auto sites = std::make_unique<site_set>(std::move(given).value());
@@ -21,6 +21,7 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
   refine_state state(kernel, d.vertices.size(), std::move(sites), std::move(segments).value());
   state.stars_.cancel_by(cancelled);
   state.cancelled_ = cancelled;
+  state.work_share_ = work_share;
   state.divide(d, filling);
   state.add_proposed(filling.interior);
   state.construct_stars();
@@ -28,7 +29,7 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
 }
 
 void refine_state::construct_stars() {
-  stars_.bound_work(given_);
+  stars_.bound_work(given_, work_share_);
   stars_.construct_all(oracle());
   segments_.suspect_all();
 }
@@ -52,7 +53,8 @@ void refine_state::add_proposed(const std::vector<site>& proposed) {
   constexpr std::size_t chunk = 256;
   const std::vector<char> fits = collect_chunks<char>(
       proposed.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<char>& out) {
-        const auto kernel = kernel_->fork();
+        tier_counters apart;  // proposing is no part of the work that is bounded
+        const auto kernel = kernel_->fork(apart);
         for (std::size_t i = begin; i < end; ++i)
           out.push_back(strictly_inside_near(*kernel, proposed[i].position) &&
                         segments_.encroached_by(*kernel, proposed[i]).empty());
@@ -62,7 +64,7 @@ void refine_state::add_proposed(const std::vector<site>& proposed) {
 }
 
 bool refine_state::is_overworked() const {
-  return part_of_work_bound(kernel_->counters(), sites().size(), given_) > 1;
+  return part_of_work_bound(kernel_->counters(), sites().size(), given_) > work_share_;
 }
 
 bool refine_state::strictly_inside(const point& q) const {

@@ -34,7 +34,7 @@ class refine_state {
   static result<refine_state> start(const domain& d, const metric_field& field,
                                     const star_predicates& kernel, std::size_t most_sites,
                                     const filled_domain& filling,
-                                    const cancellation& cancelled = {});
+                                    const cancellation& cancelled = {}, double work_share = 1);
 
   const std::vector<site>& sites() const { return sites_->all(); }
   const split_boundary& segments() const { return segments_; }
@@ -46,6 +46,8 @@ class refine_state {
     return {sites(), edges(), *kernel_, memory_.get(), &std::as_const(*sites_).near()};
   }
   bool is_full() const { return sites_->is_full(); }
+  // Lowers the limit on sites to this many.
+  void limit_sites(std::size_t most_sites) { sites_->limit(most_sites); }
 
   // True if the work allowed for so many sites was done (stars/work_limit.hpp). It is counted, not
   // timed, so that every run ends at the same place.
@@ -90,6 +92,7 @@ class refine_state {
   bool strictly_inside_near(const star_predicates& kernel, const point& q) const;
 
   const star_predicates* kernel_;
+  double work_share_ = 1;            // of the work allowed (stars/work_limit.hpp)
   std::size_t given_;                // the domain's vertices, which are the first sites
   std::unique_ptr<site_set> sites_;  // here, so that the boundary finds it when the state is moved
   split_boundary segments_;

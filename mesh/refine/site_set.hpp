@@ -4,6 +4,7 @@
 // near.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -25,6 +26,8 @@ class site_set {
 
   const std::vector<site>& all() const { return sites_; }
   bool is_full() const { return sites_.size() >= most_sites_; }
+  // Lowers the limit on sites to this many.
+  void limit(std::size_t most_sites) { most_sites_ = std::min(most_sites_, most_sites); }
   // Returns the index of sites and subsegments by place. The boundary, which splits subsegments,
   // keeps these up to date.
   const neighbourhood& near() const { return near_; }

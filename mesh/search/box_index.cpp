@@ -10,8 +10,8 @@ box_index::box_index(const bounding_box& box) {
   root.middle = {box.low.x + root.half.x, box.low.y + root.half.y};
 }
 
-// Down while the child's cell is no smaller than the item. With `grow` missing children are made
-// and the boxes on the way widened.
+// Goes down while the child's cell is no smaller than the item. With `grow` missing children are
+// made and the boxes on the way widened.
 std::uint32_t box_index::place(const bounding_box& box, bool grow) {
   // Halved, as sums and differences of finite doubles may overflow.
   const point half_size{box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2};

@@ -130,7 +130,8 @@ site_index::centre site_index::centre_of(const site& v, double reach) {
   return {&v, known ? det.low : 0, reach};
 }
 
-// Half the trace of M_w^-1 M_v for all sites of the node, from above; infinite when not known.
+// Returns half the trace of M_w^-1 M_v for all sites of the node, from above; infinite when not
+// known.
 double site_index::half_trace_above(const node& n, const centre& c) {
   if (!(c.determinant_below > 0)) return infinity;
   const metric_tensor& m = c.v->metric;
@@ -140,8 +141,8 @@ double site_index::half_trace_above(const node& n, const centre& c) {
   return t < 0x1p500 ? t : infinity;  // infinite if not a number
 }
 
-// (1 + sigma) R for all sites of the node; infinite when not known. sigma^2 = t + sqrt(t^2 - d), t
-// half the trace and d the determinant of M_w^-1 M_v, grows with t and falls with d.
+// Returns (1 + sigma) R for all sites of the node; infinite when not known. sigma^2 = t + sqrt(t^2
+// - d), t half the trace and d the determinant of M_w^-1 M_v, grows with t and falls with d.
 double site_index::limit(const node& n, const centre& c) {
   const double t = half_trace_above(n, c);
   if (t == infinity) return infinity;
@@ -151,8 +152,8 @@ double site_index::limit(const node& n, const centre& c) {
   return (1 + (sigma > 1 ? sigma : 1)) * c.reach * up;
 }
 
-// The square of a limit that is not as near, without a root: (1 + sigma)^2 <= 2 + 2 sigma^2, and
-// sigma^2 <= 2 t.
+// Returns the square of a limit that is not as near, without a root: (1 + sigma)^2 <= 2 + 2
+// sigma^2, and sigma^2 <= 2 t.
 double site_index::rough_squared_limit(const node& n, const centre& c) {
   const double t = half_trace_above(n, c);
   if (t == infinity) return infinity;
@@ -198,7 +199,7 @@ bool site_index::out_of_reach(const node& n, const centre& c) {
   return a.is_beyond(most * most * up);
 }
 
-// |q - v|_v > limit, certainly. Monomials of at most six roundings.
+// True if |q - v|_v > limit, certainly. Monomials of at most six roundings.
 bool site_index::is_beyond(const point& q, const centre& c, double limit) {
   const metric_tensor& m = c.v->metric;
   const point d{q.x - c.v->position.x, q.y - c.v->position.y};

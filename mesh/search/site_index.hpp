@@ -40,15 +40,15 @@ class site_index {
   template <class Visit>
   bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
                  Visit&& visit) const;
-  // Likewise for each site w that may see q within the distance: |q - w|_w <= distance.
+  // Calls visit(w) for each site w that may see q within the distance: |q - w|_w <= distance.
   template <class Visit>
   bool visit_seeing(const point& q, double distance, Visit&& visit) const;
 
   // Returns about how far sites are apart near v, as v measures; 0 where that cannot be told.
   double spacing_near(const site& v) const;
 
-  // Likewise for each site not certainly out of reach of v, with R = reach in v's metric, infinite
-  // where nothing is known; v itself may be among them.
+  // Calls visit(w) for each site not certainly out of reach of v, with R = reach in v's metric,
+  // infinite where nothing is known; v itself may be among them.
   template <class Visit>
   bool visit_reach(const std::vector<site>& sites, const site& v, double reach,
                    Visit&& visit) const;

@@ -51,6 +51,7 @@ constructed_star settle(const site_oracle& oracle, vertex_index v, star begun,
   std::size_t refused_in_a_row = 0;  // by the star as it is now
   for (std::size_t i = 0; i < most_offers && refused_in_a_row < order.size(); ++i) {
     const vertex_index w = order[i % order.size()];
+    if (oracle.is_over()) return built;
     ++refused_in_a_row;
     if (s.contains(w)) continue;
     if (offer(oracle, v, s, w)) {
@@ -84,7 +85,7 @@ std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, verte
   if (const auto reach = final_reach(oracle, v, s))
     return constructed_star{std::move(s), true, false, reach};
   for (const vertex_index w : order)
-    if (!s.contains(w) && would_accept(oracle, v, s, w)) return std::nullopt;
+    if (oracle.is_over() || (!s.contains(w) && would_accept(oracle, v, s, w))) return std::nullopt;
   return constructed_star{std::move(s), true, false, {}};
 }
 
@@ -216,8 +217,13 @@ constructed_star construct_thoroughly(const site_oracle& oracle, vertex_index v,
   if (from.built.final_reach) return from.built;
   for (std::size_t round = 0; round < most_rounds && !from.among.everything; ++round) {
     std::vector<vertex_index> missed;
-    for (const vertex_index w : others_in_reach(oracle, v, from))
+    for (const vertex_index w : others_in_reach(oracle, v, from)) {
+      if (oracle.is_over()) {
+        from.built.settled = false;
+        return from.built;
+      }
       if (would_accept(oracle, v, from.built.content, w)) missed.push_back(w);
+    }
     if (missed.empty()) return from.built;
     std::vector<candidate> all;
     for (const auto* list : {&from.among.order, &missed})

@@ -111,6 +111,7 @@ std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, con
   }
   const auto refused = [&](vertex_index w) {
     if (w == v || s.contains(w)) return true;
+    if (oracle.is_over()) return false;
     return std::all_of(sectors.begin(), sectors.end(),
                        [w](const prepared_sector& p) { return p.certainly_refuses(w); }) ||
            !would_accept(oracle, v, s, w);

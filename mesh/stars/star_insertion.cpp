@@ -94,7 +94,7 @@ bool prune(const site_oracle& oracle, vertex_index v, star& s) {
   bool removed = false;
   for (sector& part : s.sectors) {
     for (std::size_t i = 0, standing = 0; standing < part.size();) {
-      if (stands(oracle, v, part, i)) {
+      if (oracle.is_over() || stands(oracle, v, part, i)) {
         ++standing;
         i = part.after(i);
       } else {

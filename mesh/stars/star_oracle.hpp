@@ -11,6 +11,7 @@
 #include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/stars/edge_test_cache.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
+#include "asterism/mesh/stars/star_patience.hpp"
 #include "asterism/mesh/stars/star_predicates.hpp"
 
 namespace asterism::internal {
@@ -34,6 +35,14 @@ class site_oracle {
   site_oracle with_kernel(const star_predicates& kernel) const {
     return {*sites_, *boundary_, kernel, nullptr, near_};
   }
+  // Returns the same oracle with a patience, which must outlive it.
+  site_oracle with_patience(star_patience& patience) const {
+    site_oracle other = *this;
+    other.patience_ = &patience;
+    return other;
+  }
+  // True if a star is to be left as it is (stars/star_patience.hpp); never without a patience.
+  bool is_over() const { return patience_ != nullptr && patience_->is_over(*kernel_); }
 
   // Returns the orientation of u, v, w: positive when they turn counter-clockwise.
   sign orientation(vertex_index u, vertex_index v, vertex_index w) const;
@@ -59,6 +68,7 @@ class site_oracle {
   const star_predicates* kernel_;
   edge_test_memory* memory_;
   const neighbourhood* near_;
+  star_patience* patience_ = nullptr;
 };
 
 }  // namespace asterism::internal

@@ -5,8 +5,8 @@
 //
 // A virtual call costs a few nanoseconds, an edge_test microseconds. The answers are those of the
 // kernel behind it (predicates/ defines them). Only filtered_kernel and exact_kernel are always
-// right; double_kernel is for comparison. Each thread needs an object of its own, as for the
-// kernels.
+// right; double_kernel is for comparison. The decisions are counted elsewhere, where the caller
+// says: one place a thread, to be added up.
 #pragma once
 
 #include <memory>
@@ -20,23 +20,31 @@ namespace asterism::internal {
 
 class star_predicates {
  public:
+  // Counts in `decided`, which must outlive the predicates. For one thread.
+  explicit star_predicates(tier_counters& decided) : decided_(&decided) {}
   virtual ~star_predicates() = default;
+  star_predicates(const star_predicates&) = delete;
+  star_predicates& operator=(const star_predicates&) = delete;
+
   virtual sign orientation(const point& p, const point& q, const point& r) const = 0;
   virtual bool encroaches(const site& a, const site& b, const site& w) const = 0;
   virtual bool edge_test(const site& v, const site& w, const site& x, const site& y) const = 0;
 
-  // Returns predicates of the same arithmetic for another thread.
-  virtual std::unique_ptr<star_predicates> fork() const = 0;
-  // Returns how many questions each tier decided here, and in the forks given to count().
-  virtual tier_counters counters() const = 0;
-  virtual void count(const tier_counters& of_fork) const = 0;
+  // Returns predicates of the same arithmetic that count in `decided`: for another thread, or for
+  // work that is to be counted apart.
+  virtual std::unique_ptr<star_predicates> fork(tier_counters& decided) const = 0;
+  // Returns the place where decisions are counted.
+  tier_counters& counters() const { return *decided_; }
+
+ private:
+  tier_counters* decided_;
 };
 
-// Asks a kernel of its own, which counts here if it counts at all.
+// Asks a kernel, which counts if it can.
 template <class Kernel>
 class star_predicates_on final : public star_predicates {
  public:
-  star_predicates_on() = default;
+  using star_predicates::star_predicates;
 
   sign orientation(const point& p, const point& q, const point& r) const override {
     return kernel().orientation(p, q, r);
@@ -47,21 +55,17 @@ class star_predicates_on final : public star_predicates {
   bool edge_test(const site& v, const site& w, const site& x, const site& y) const override {
     return kernel().edge_test(v, w, x, y);
   }
-  std::unique_ptr<star_predicates> fork() const override {
-    return std::make_unique<star_predicates_on>();
+  std::unique_ptr<star_predicates> fork(tier_counters& decided) const override {
+    return std::make_unique<star_predicates_on>(decided);
   }
-  tier_counters counters() const override { return decided_; }
-  void count(const tier_counters& of_fork) const override { decided_ += of_fork; }
 
  private:
   Kernel kernel() const {
     if constexpr (std::is_constructible_v<Kernel, tier_counters&>)
-      return Kernel(decided_);
+      return Kernel(counters());
     else
       return Kernel();
   }
-
-  mutable tier_counters decided_;  // answers of one thread, and of counted forks
 };
 
 }  // namespace asterism::internal

@@ -27,10 +27,13 @@ constexpr double most_work = 2;
 // (stars/star_construction.hpp).
 std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_index w,
                                           const star& own) {
+  // Twice the distance of the farthest vertex holds all of them where metrics are equal, and a
+  // tenth more most where they vary (docs/results/constants.md).
+  constexpr double reach_of_candidates = 2.2;
   std::vector<vertex_index> candidates;
   const neighbourhood* near = oracle.near();
   const double reach = near == nullptr ? std::numeric_limits<double>::infinity()
-                                       : 2.2 * farthest_vertex(oracle, w, own);
+                                       : reach_of_candidates * farthest_vertex(oracle, w, own);
   if (near == nullptr || !(reach < std::numeric_limits<double>::infinity())) {
     for (vertex_index v = 0; v < oracle.size(); ++v)
       if (v != w) candidates.push_back(v);
@@ -100,7 +103,16 @@ void star_set::touch(vertex_index v) {
 
 double star_set::part_of_work_bound(const site_oracle& oracle) const {
   if (!given_) return 0;
-  return asterism::internal::part_of_work_bound(oracle.kernel().counters(), oracle.size(), *given_);
+  return asterism::internal::part_of_work_bound(oracle.kernel().counters(), oracle.size(),
+                                                *given_) /
+         work_share_;
+}
+
+star_patience star_set::patience_for(const site_oracle& oracle) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double units =
+      given_ ? most_work * work_share_ * most_work_units(oracle.size(), *given_) : infinity;
+  return {cancelled_, units};
 }
 
 std::size_t star_set::stars_missing() const {
@@ -149,21 +161,23 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
   std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
   std::vector<made_star> all = collect_chunks<made_star>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
-        const auto kernel = oracle.kernel().fork();
+        const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
         // Remembers answers if there are few stars, as this thread alone then makes them.
-        const site_oracle own = few ? oracle : oracle.with_kernel(*kernel);
+        star_patience patience = patience_for(oracle);
+        const site_oracle own =
+            (few ? oracle : oracle.with_kernel(*kernel)).with_patience(patience);
         for (std::size_t i = begin; i < end; ++i) {
           constexpr std::size_t at_a_time = 8;
           if (i % at_a_time == 0 && cancelled_.is_requested()) break;
           // Checks the work at every star: tensors may be so thin that a chunk alone takes too
           // long.
           if (part_of_work_bound(own) > most_work) break;
-          if (auto built = remake(own, which[i], search, latest))
-            out.push_back({which[i], *std::move(built)});
+          auto built = remake(own, which[i], search, latest);
+          if (own.is_over()) break;
+          if (built) out.push_back({which[i], *std::move(built)});
         }
-        counts[begin / chunk] = kernel->counters();
       });
-  for (const tier_counters& c : counts) oracle.kernel().count(c);
+  for (const tier_counters& c : counts) oracle.kernel().counters() += c;
   return all;
 }
 
@@ -262,14 +276,13 @@ void star_set::add_many(const site_oracle& oracle, vertex_index first) {
   std::vector<tier_counters> counts(chunk_count(added.size(), chunk));
   std::vector<vertex_index> disturbed = collect_chunks<vertex_index>(
       added.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
-        const auto kernel = oracle.kernel().fork();
+        const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
         const site_oracle own = oracle.with_kernel(*kernel);
         for (std::size_t i = begin; i < end; ++i)
           for (const vertex_index v : candidate_stars(own, added[i], stars_[added[i]]))
             if (v < first && would_accept(own, v, stars_[v], added[i])) out.push_back(v);
-        counts[begin / chunk] = kernel->counters();
       });
-  for (const tier_counters& c : counts) oracle.kernel().count(c);
+  for (const tier_counters& c : counts) oracle.kernel().counters() += c;
   sort_unique(disturbed);
   for (const vertex_index v : disturbed) mark_stale(v);
   construct(oracle, disturbed, star_search::near);
@@ -307,7 +320,8 @@ void star_set::accept(const site_oracle& oracle, vertex_index v, constructed_sta
 }
 
 bool star_set::rebuild(const site_oracle& oracle, vertex_index v, star_search search) {
-  constructed_star built = construct_star(oracle, v, search);
+  star_patience patience = patience_for(oracle);
+  constructed_star built = construct_star(oracle.with_patience(patience), v, search);
   const bool changed = is_news(v, built);
   accept(oracle, v, std::move(built));
   return changed;

@@ -32,10 +32,13 @@ class star_set {
   // stay as they are: stale, and empty if they are new. Whoever sets it must end refinement then.
   void cancel_by(cancellation cancelled) { cancelled_ = std::move(cancelled); }
 
-  // Bounds the work of making many stars: gives up once the kernel was asked twice the bound
-  // (stars/work_limit.hpp) for so many sites, with `given` vertices among them. The rest stay as
-  // they are, as above.
-  void bound_work(std::size_t given) { given_ = given; }
+  // Bounds the work of making stars: gives up, even inside a star, once the kernel was asked twice
+  // `share` of the bound (stars/work_limit.hpp) for so many sites, with `given` vertices among
+  // them. The rest stay as they are, as above.
+  void bound_work(std::size_t given, double share = 1) {
+    given_ = given;
+    work_share_ = share;
+  }
 
   // Returns how many stars were never made; they are empty.
   std::size_t stars_missing() const;
@@ -88,6 +91,7 @@ class star_set {
   };
 
   double part_of_work_bound(const site_oracle& oracle) const;
+  star_patience patience_for(const site_oracle& oracle) const;
   std::vector<made_star> construct_block(const site_oracle& oracle,
                                          std::span<const vertex_index> which, star_search search,
                                          const site_index* latest, std::size_t in_all);
@@ -105,6 +109,7 @@ class star_set {
 
   cancellation cancelled_;
   std::optional<std::size_t> given_;
+  double work_share_ = 1;
   std::vector<vertex_index> touched_;
   std::vector<star> stars_;
   std::vector<condition> condition_;

@@ -111,3 +111,31 @@ TEST_CASE("a graph of wild tensors is graded in few rounds, and the same way eac
   for (const graph_edge& e : edges)
     CHECK(log_distortion(tensors[e.a], tensors[e.b]) <= std::log(2) * limit.longest * (1 + 1e-9));
 }
+
+TEST_CASE("the coarser end of an edge takes its part of the excess, in each direction by itself") {
+  // The first is finer in x, the second in y.
+  metric_tensor a{1e4, 0, 1}, b{1, 0, 1e4};
+  const double whole = std::log(100), most = std::log(2), excess = whole - 0.98 * most;
+  REQUIRE(make_alike(a, b, most, 0.7));
+  CHECK(std::log(1e4 / a.m11) / 2 == Approx(0.3 * excess).epsilon(1e-9));
+  CHECK(std::log(a.m22) / 2 == Approx(0.7 * excess).epsilon(1e-9));
+  CHECK(std::log(b.m11) / 2 == Approx(0.7 * excess).epsilon(1e-9));
+  CHECK(std::log(1e4 / b.m22) / 2 == Approx(0.3 * excess).epsilon(1e-9));
+}
+
+TEST_CASE("a graph that uneven shares have not graded in time is graded by halves") {
+  std::vector<point> places;
+  std::vector<graph_edge> edges;
+  std::vector<metric_tensor> tensors;
+  tensor_sequence sequence(4);
+  for (vertex_index i = 0; i < 60; ++i) {
+    places.push_back({static_cast<double>(i), 0});
+    tensors.push_back(sequence.next());
+    if (i > 0) edges.push_back({i - 1, i});
+  }
+  gradation_limit limit;
+  limit.uneven_rounds = 1;
+  const std::size_t rounds = grade(places, edges, limit, tensors);
+  CHECK(rounds > 2);
+  CHECK(rounds <= limit.most_rounds);
+}

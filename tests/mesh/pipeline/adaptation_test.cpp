@@ -96,6 +96,18 @@ TEST_CASE("a smooth metric on a mesh is delivered to the last bit") {
     CHECK(identical(s.metric, field->at(s.position).value()));
 }
 
+TEST_CASE("corners that are sharp in the metric alone had low angles beside them, never mended") {
+  // Thirty times as long along the diagonal as across it: two corners of the square are seen as
+  // below four degrees.
+  const auto diagonal = [](const point&) { return stretched(0.02, 0.6, 0.785); };
+  const auto field = make_sampled_field(background(diagonal, 0.1), 1);
+  const certified_mesh made = adapted(*field);
+  INFO(ending_text(made.outcome));
+  REQUIRE(made.certified());
+  REQUIRE(made.outcome.delivered.has_value());
+  CHECK(made.report.worst().degrees >= 20);
+}
+
 TEST_CASE("the same metric on a mesh gives the same mesh") {
   const auto field = make_sampled_field(background(ring_front, 0.1), 1);
   const certified_mesh one = adapted(*field), other = adapted(*field);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Metrics in which stars cannot agree: what comes out is a mesh without disagreeing triangles, of a
-// metric that says how it differs from the one given, and what is low in that is named.
+// Metrics in which stars cannot agree, where a metric delivered did not lead to a mesh: what comes
+// out is a mesh without disagreeing triangles, of a metric that says how it differs from the one
+// given, and what is low in that is named.
+#include "asterism/mesh/pipeline/metric_relaxation.hpp"
+
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -10,9 +13,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/pipeline/unit_image.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
 #include "fixtures/domain_kinds.hpp"
 #include "fixtures/judged_mesh.hpp"
 
@@ -20,6 +27,23 @@ using namespace asterism;
 using namespace asterism::testing;
 
 namespace {
+
+// Makes the mesh as make_mesh does, but for the metric delivered.
+mesh_outcome relaxed_mesh_of(const domain& d, const metric_field& field,
+                             const mesh_options& options) {
+  using namespace asterism::internal;
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> stars_on(decided);
+  const unit_image image(d, field, options);
+  auto made = mesh_domain({stars_on, image.shape(), image.field(), options});
+  REQUIRE(made.ok());
+  image.outward(made.value());
+  if (wants_relaxation(made.value(), options))
+    made = refine_relaxed({stars_on, d, field, options}, std::move(made).value());
+  REQUIRE(made.ok());
+  assign_regions(made.value().result, d);
+  return std::move(made).value();
+}
 
 mesh_options with_size() {
   mesh_options options;
@@ -46,7 +70,7 @@ formula_field swirl(double k, double size) {
 // One mesh for many questions.
 const mesh_outcome& checkered() {
   static const mesh_outcome made =
-      mesh_of(accepted(square()), checkerboard(0.52, 0.8), with_size());
+      relaxed_mesh_of(accepted(square()), checkerboard(0.52, 0.8), with_size());
   return made;
 }
 
@@ -104,7 +128,7 @@ TEST_CASE("relaxation: perpendicular stretchings side by side, with a size and w
     mesh_options options;
     options.limit_size = limit_size;
     const formula_field field = checkerboard(0.52, 0.8);
-    const mesh_outcome made = limit_size ? checkered() : mesh_of(d, field, options);
+    const mesh_outcome made = limit_size ? checkered() : relaxed_mesh_of(d, field, options);
     check_conforming(d, made, 20);
     check_named(made, 20);
     CHECK_FALSE(made.complete);
@@ -124,7 +148,7 @@ TEST_CASE("relaxation: a jump of the size alone is met by gradation, and complet
       return metric_tensor{s, 0, s};
     });
     const domain d = accepted(square());
-    const mesh_outcome made = mesh_of(d, field, with_size());
+    const mesh_outcome made = relaxed_mesh_of(d, field, with_size());
     check_conforming(d, made, 20);
     check_named(made, 20);
     CHECK(made.complete);
@@ -134,7 +158,7 @@ TEST_CASE("relaxation: a jump of the size alone is met by gradation, and complet
 
 TEST_CASE("relaxation: a metric too wild to follow at all becomes one metric for all") {
   const domain d = accepted(square());
-  const mesh_outcome made = mesh_of(d, swirl(1e8, 10), with_size());
+  const mesh_outcome made = relaxed_mesh_of(d, swirl(1e8, 10), with_size());
   check_conforming(d, made, 20);
   CHECK(made.relaxed->kind == relaxation_kind::constant);
   CHECK(made.sites > 100);
@@ -145,7 +169,7 @@ TEST_CASE("relaxation: not where it is not wanted, and not for the thesis's heur
   const domain d = accepted(square());
   mesh_options options = with_size();
   options.relax = false;
-  const mesh_outcome kept = mesh_of(d, checkerboard(0.52, 0.8), options);
+  const mesh_outcome kept = relaxed_mesh_of(d, checkerboard(0.52, 0.8), options);
   CHECK_FALSE(kept.complete);
   CHECK(kept.disagreeing > 0);
   CHECK_FALSE(kept.relaxed.has_value());
@@ -154,7 +178,7 @@ TEST_CASE("relaxation: not where it is not wanted, and not for the thesis's heur
   for (const auto strategy :
        {refinement_strategy::voronoi_arcs, refinement_strategy::poisson_darts}) {
     options.strategy = strategy;
-    const mesh_outcome made = mesh_of(d, checkerboard(0.52, 0.8), options);
+    const mesh_outcome made = relaxed_mesh_of(d, checkerboard(0.52, 0.8), options);
     CHECK_FALSE(made.complete);
     CHECK_FALSE(made.relaxed.has_value());
   }
@@ -165,7 +189,7 @@ TEST_CASE("relaxation: agreement within a small limit on sites") {
   for (const std::size_t most : {8, 20, 60, 200}) {
     mesh_options options;
     options.max_sites = most;
-    const mesh_outcome made = mesh_of(d, swirl(400, 1), options);
+    const mesh_outcome made = relaxed_mesh_of(d, swirl(400, 1), options);
     INFO(most << ": " << ending_text(made));
     CHECK(made.sites <= most);
     CHECK(made.disagreeing == 0);
@@ -190,7 +214,7 @@ TEST_CASE("relaxation: a field that says nothing outside the domain") {
     const metric_field* inside_;
   };
   const undefined_outside field(jump);
-  const mesh_outcome made = mesh_of(d, field, with_size());
+  const mesh_outcome made = relaxed_mesh_of(d, field, with_size());
   check_conforming(d, made, 20);
 }
 
@@ -199,7 +223,7 @@ TEST_CASE("relaxation: the same for any number of threads and at any scale") {
   const mesh_outcome& first = checkered();
   {
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const mesh_outcome again = mesh_of(d, checkerboard(0.52, 0.8), with_size());
+    const mesh_outcome again = relaxed_mesh_of(d, checkerboard(0.52, 0.8), with_size());
     CHECK(mesh_fingerprint(again.result) == mesh_fingerprint(first.result));
     CHECK(ending_text(again) == ending_text(first));
     CHECK(again.relaxed->low_triangles == first.relaxed->low_triangles);
@@ -214,7 +238,7 @@ TEST_CASE("relaxation: the same for any number of threads and at any scale") {
       return metric_tensor{std::ldexp(m.m11, -2 * exponent), std::ldexp(m.m12, -2 * exponent),
                            std::ldexp(m.m22, -2 * exponent)};
     });
-    const mesh_outcome made = mesh_of(accepted(scaled), field, with_size());
+    const mesh_outcome made = relaxed_mesh_of(accepted(scaled), field, with_size());
     INFO(exponent << ": " << ending_text(made));
     // Logarithms are rounded otherwise there.
     CHECK(made.relaxed->kind == first.relaxed->kind);
@@ -233,7 +257,7 @@ TEST_CASE("relaxation: a stop is kept to while the metric is relaxed") {
     ++asked;
     return std::nullopt;
   };
-  mesh_of(d, checkerboard(0.52, 0.8), options);
+  relaxed_mesh_of(d, checkerboard(0.52, 0.8), options);
   const std::size_t without = asked;
   asked = 0;
   options.relax = true;
@@ -241,7 +265,7 @@ TEST_CASE("relaxation: a stop is kept to while the metric is relaxed") {
     if (++asked <= without) return std::nullopt;
     return "enough";
   };
-  const mesh_outcome made = mesh_of(d, checkerboard(0.52, 0.8), options);
+  const mesh_outcome made = relaxed_mesh_of(d, checkerboard(0.52, 0.8), options);
   INFO(ending_text(made));
   CHECK(made.stopped);
   CHECK_FALSE(made.complete);
@@ -264,11 +288,11 @@ TEST_CASE("relaxation: gradation went on for a minute after the run was stopped"
     return "enough";
   };
   options.relax = false;
-  mesh_of(d, field, options);
+  relaxed_mesh_of(d, field, options);
   most = asked + 1;  // the next is gradation's
   asked = 0;
   options.relax = true;
-  const mesh_outcome made = mesh_of(d, field, options);
+  const mesh_outcome made = relaxed_mesh_of(d, field, options);
   INFO(ending_text(made));
   CHECK(made.stopped);
   CHECK(ending_text(made).find("stopped: enough, in the metric relaxed; before that") == 0);

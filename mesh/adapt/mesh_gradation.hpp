@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// Grades the tensors of a triangulation that is being fitted, on its own graph, and makes a field
+// of them. Internal to mesh/adapt.
+#pragma once
+
+#include "asterism/mesh/adapt/nodal_field.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
+
+namespace asterism::internal::adapting {
+
+// Grades the tensors of the nodes to this distortion over an edge of length `unit`.
+void grade_mesh(working_mesh& m, double distortion, double unit);
+
+// Returns the field that the nodes' tensors are, and sets the nodes' hints to where they are in it.
+nodal_field field_of(working_mesh& m);
+
+}  // namespace asterism::internal::adapting

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Samples a metric at the nodes of a triangulation that is so fine that interpolating between them
+// comes near to it.
+//
+// The metric of a formula is only known where it is asked for. Edges are halved while the metric
+// half way along them is another than the one interpolated from their ends, or they are long as it
+// measures them. Edges along which nothing changes stay long, so that a front is sampled finely
+// across and coarsely along. Where the metric jumps no sampling is fine enough; there the least
+// length ends it. Narrow details between all samples are missed: what is bounded is the difference
+// at the middle of every edge that was looked at. Internal to mesh/adapt.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
+
+namespace asterism::internal::adapting {
+
+// Returns the metric at a place; nothing where it fails.
+using sampled_metric = std::function<std::optional<metric_tensor>(const point&)>;
+
+struct sampling_limits {
+  double difference = 0.2;  // log distortion allowed between the metric sampled and interpolated
+  double longest = 1;       // an edge may be, as the metric measures it
+  double shortest = 0.35;   // edges below this stay, whatever the metric does on them
+  // Part of the domain's extent that an edge may be long, so that what is narrow is noticed.
+  double part_of_domain = 1.0 / 24;
+  std::size_t most_nodes = 60000;  // sampling ends at this many
+  cancellation stop;
+};
+
+// Returns the background: the nodes of `m`, and those added, with the metric there. Returns nothing
+// where the metric fails.
+std::optional<mesh> sample_background(working_mesh m, const sampled_metric& metric,
+                                      const sampling_limits& limits);
+
+}  // namespace asterism::internal::adapting

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+//
+// The changes that make a unit mesh: splits, merges, flips, moves.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+
+namespace asterism::internal::adapting {
+namespace {
+
+constexpr double root3 = std::numbers::sqrt3;
+
+struct long_edge {
+  double length;
+  vertex_index a, b;
+};
+
+bool longer(const long_edge& p, const long_edge& q) {
+  return p.length != q.length ? p.length > q.length : p.a != q.a ? p.a < q.a : p.b < q.b;
+}
+
+// Returns the edges for which `wanted(length)`, longest first.
+template <class Wanted>
+std::vector<long_edge> edges_where(const working_mesh& m, Wanted&& wanted) {
+  std::vector<long_edge> found;
+  for (const face& f : m.faces()) {
+    if (!f.exists()) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+      if (f.next[i] != none && a > b) continue;
+      const double length = m.length(a, b);
+      if (wanted(length)) found.push_back({length, std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(found.begin(), found.end(), longer);
+  return found;
+}
+
+// Returns the face with the edge from a to b on its border, and which of its edges that is.
+std::pair<vertex_index, std::size_t> find_edge(const working_mesh& m, vertex_index a,
+                                               vertex_index b) {
+  face_list at;
+  m.around(a, at);
+  for (const vertex_index t : at) {
+    const face& f = m.faces()[t];
+    const std::size_t i = f.corner_of(a);
+    if (f.v[after(i)] == b) return {t, before(i)};
+    if (f.v[before(i)] == b) return {t, after(i)};
+  }
+  return {none, 0};
+}
+
+// Returns the place half way from a to b in a metric that changes geometrically between them.
+point middle(const node& a, const node& b) {
+  const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
+  const double ratio = std::sqrt(squared(b.metric, x, y) / squared(a.metric, x, y));
+  double t = 0.5;
+  if (std::isfinite(ratio) && ratio > 0 && std::abs(ratio - 1) > 1e-3)
+    t = std::clamp(elementary::log((1 + ratio) / 2) / elementary::log(ratio), 0.25, 0.75);
+  return {a.position.x + t * x, a.position.y + t * y};
+}
+
+}  // namespace
+
+// Has the edges of t checked for flips, and its nodes tried for moves.
+void unit_mesher::note_change(vertex_index t) {
+  if (is_due_.size() < m_.faces().size()) is_due_.resize(m_.faces().size(), 0);
+  if (is_restless_.size() < m_.nodes().size()) is_restless_.resize(m_.nodes().size(), 0);
+  for (const vertex_index v : m_.faces()[t].v) is_restless_[v] = 1;
+  if (is_due_[t] != 0) return;
+  is_due_[t] = 1;
+  due_.push_back(t);
+}
+
+void unit_mesher::note_changes_around(vertex_index v) {
+  face_list at;
+  m_.around(v, at);
+  for (const vertex_index t : at) note_change(t);
+}
+
+bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
+  const face& f = m_.faces()[t];
+  const vertex_index s = f.next[edge];
+  if (s == none || f.segment[edge] != none) return false;
+  const face& g = m_.faces()[s];
+  const node &c = m_.at(f.v[edge]), &a = m_.at(f.v[after(edge)]), &b = m_.at(f.v[before(edge)]);
+  const node& d = m_.at(g.v[after(g.corner_of(f.v[after(edge)]))]);
+  const double now = shape_energy(c, a, b, 0) + shape_energy(d, b, a, 0);
+  // No triangle has less than 1: what is nearly that cannot get better.
+  constexpr double good = 2.1;
+  if (now < good || !m_.can_flip(t, edge)) return false;
+  const double then = shape_energy(c, a, d, 0) + shape_energy(d, b, c, 0);
+  constexpr double margin = 1e-6;
+  if (!(then < now * (1 - margin))) return false;
+  m_.flip(t, edge);
+  note_change(t);
+  note_change(s);
+  return true;
+}
+
+// Flips from v outwards until nothing gets better.
+void unit_mesher::settle_around(vertex_index v) {
+  note_changes_around(v);
+  face_list at;
+  constexpr int most = 8;
+  for (int round = 0; round < most; ++round) {
+    bool any = false;
+    m_.around(v, at);
+    for (const vertex_index t : at) {
+      const face& f = m_.faces()[t];
+      if (f.v[0] != v && f.v[1] != v && f.v[2] != v) continue;
+      any = flip_if_better(t, f.corner_of(v)) || any;
+    }
+    if (!any) return;
+  }
+}
+
+std::size_t unit_mesher::split_long(double longest, std::size_t most) {
+  std::size_t done = 0;
+  const double shortest = 0.55 * unit_;
+  for (const long_edge& e : edges_where(m_, [&](double l) { return l > longest; })) {
+    if (done >= most || m_.nodes().size() >= options_.most_nodes) return done;
+    const auto [t, edge] = find_edge(m_, e.a, e.b);
+    if (t == none || !(m_.length(e.a, e.b) > longest)) continue;
+    const face& f = m_.faces()[t];
+    point q = middle(m_.at(e.a), m_.at(e.b));
+    node there;
+    there.position = q;
+    there.hint = m_.at(e.a).hint;
+    there.metric = field_(q, there.hint);
+    // Not so near to the nodes across that it would have to go again.
+    bool crowded = false;
+    for (const vertex_index s : {t, f.next[edge]}) {
+      if (s == none) continue;
+      const face& g = m_.faces()[s];
+      const std::size_t across = g.v[0] != e.a && g.v[0] != e.b   ? 0
+                                 : g.v[1] != e.a && g.v[1] != e.b ? 1
+                                                                  : 2;
+      const node& n = m_.at(g.v[across]);
+      const double x = n.position.x - q.x, y = n.position.y - q.y;
+      crowded = crowded || (squared(there.metric, x, y) < shortest * shortest &&
+                            e.length < 2 * longest && f.segment[edge] == none);
+    }
+    if (crowded) continue;
+    const auto made = m_.split(t, edge, q);
+    if (!made) continue;
+    m_.at(*made).hint = there.hint;
+    m_.set_metric(*made, there.metric);
+    settle_around(*made);
+    ++done;
+  }
+  return done;
+}
+
+bool unit_mesher::merge_if_good(vertex_index v, vertex_index w, double longest) {
+  if (!m_.can_merge(v, w)) return false;
+  face_list at;
+  m_.neighbours(v, at);
+  for (const vertex_index u : at)
+    if (u != w && m_.length(w, u) > longest) return false;
+  m_.around(v, at);
+  double worst_before = 0, worst = 0;
+  for (const vertex_index t : at) {
+    const face& f = m_.faces()[t];
+    worst_before = std::max(worst_before, energy(t));
+    const std::size_t i = f.corner_of(v);
+    const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+    if (a != w && b != w)
+      worst = std::max(worst, shape_energy(m_.at(w), m_.at(a), m_.at(b), unit_));
+  }
+  constexpr double acceptable = 2.5;
+  if (worst > std::max(acceptable, worst_before)) return false;
+  m_.merge(v, w);
+  note_changes_around(w);
+  settle_around(w);
+  return true;
+}
+
+std::size_t unit_mesher::merge_short(double shortest, std::size_t most) {
+  std::size_t done = 0;
+  std::vector<long_edge> found = edges_where(m_, [&](double l) { return l < shortest; });
+  std::reverse(found.begin(), found.end());
+  for (const long_edge& e : found) {
+    if (done >= most) return done;
+    if (m_.at(e.a).kind == node_kind::gone || m_.at(e.b).kind == node_kind::gone) continue;
+    if (find_edge(m_, e.a, e.b).first == none || !(m_.length(e.a, e.b) < shortest)) continue;
+    const double longest = std::numbers::sqrt2 * unit_;
+    if (merge_if_good(e.b, e.a, longest) || merge_if_good(e.a, e.b, longest)) ++done;
+  }
+  return done;
+}
+
+// Flips where something has changed until nothing gets better.
+void unit_mesher::flip_all() {
+  const std::size_t most = 20 * m_.faces().size();
+  for (std::size_t next = 0; next < due_.size() && next < most; ++next) {
+    const vertex_index t = due_[next];
+    is_due_[t] = 0;
+    for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i) flip_if_better(t, i);
+  }
+  for (const vertex_index t : due_) is_due_[t] = 0;
+  due_.clear();
+}
+
+double unit_mesher::energies_of(const face_list& at, face_energies& each) const {
+  double sum = 0;
+  each.clear();
+  for (const vertex_index t : at) {
+    each.push_back(energy(t));
+    sum += each.back();
+  }
+  return sum;
+}
+
+// Returns the place the triangles around v would have it at: above the edge across from it, as high
+// as an equilateral one is, poor triangles counting more.
+point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energies& each) const {
+  double x = 0, y = 0, weights = 0;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const face& f = m_.faces()[at[k]];
+    const std::size_t i = f.corner_of(v);
+    const node &a = m_.at(f.v[after(i)]), &b = m_.at(f.v[before(i)]);
+    const metric_tensor m{a.metric.m11 + b.metric.m11, a.metric.m12 + b.metric.m12,
+                          a.metric.m22 + b.metric.m22};
+    const double root = root_of_determinant(m);
+    const double ex = b.position.x - a.position.x, ey = b.position.y - a.position.y;
+    const double length = std::sqrt(squared(m, ex, ey) / 2);
+    if (!(root > 0 && length > 0)) continue;
+    // The quarter turn as m sees it, sqrt(det m) m^-1 J, to the height of a unit triangle's and of
+    // one that stands on this edge, half each.
+    const double height = root3 / 4 * (1 + unit_ / length);
+    const double tx = (-m.m22 * ey - m.m12 * ex) / root, ty = (m.m12 * ey + m.m11 * ex) / root;
+    const double w = each[k];
+    x += w * (a.position.x + ex / 2 + height * tx);
+    y += w * (a.position.y + ey / 2 + height * ty);
+    weights += w;
+  }
+  return {x / weights, y / weights};
+}
+
+bool unit_mesher::try_move(vertex_index v, const point& to, const face_list& at, double before) {
+  // Less is not worth the moves it makes its neighbours try.
+  constexpr double gain = 1e-3;
+  const node old = m_.at(v);
+  m_.move(v, to);
+  measure(v);
+  double sum = 0;
+  for (const vertex_index t : at) {
+    sum += energy(t);
+    if (!(sum < before * (1 - gain))) break;
+  }
+  if (sum < before * (1 - gain)) return true;
+  m_.at(v) = old;
+  return false;
+}
+
+// Moves each node that may want to where its triangles pull it, if that lowers their energy.
+void unit_mesher::smooth() {
+  face_list at;
+  face_energies each;
+  is_restless_.resize(m_.nodes().size(), 0);
+  for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
+    const node_kind kind = m_.at(v).kind;
+    if (kind == node_kind::given || kind == node_kind::gone || is_restless_[v] == 0) continue;
+    is_restless_[v] = 0;
+    m_.around(v, at);
+    const double before = energies_of(at, each);
+    const point goal = pulled(v, at, each), here = m_.at(v).position;
+    if (!std::isfinite(goal.x) || !std::isfinite(goal.y)) continue;
+    for (const double part : {0.8, 0.3}) {
+      point to{here.x + part * (goal.x - here.x), here.y + part * (goal.y - here.y)};
+      if (kind == node_kind::sliding) to = m_.on_segment(v, to);
+      if (!try_move(v, to, at, before)) continue;
+      for (const vertex_index t : at) note_change(t);
+      break;
+    }
+  }
+}
+
+}  // namespace asterism::internal::adapting

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes the next mesh of an adaptation loop: the one that a metric at the vertices of this one asks
+// for.
+//
+//   auto metric = make_solution_metric(old.subject, fields, wishes);          //
+//   solution_metric.hpp for (size_t v = 0; v < old.subject.sites.size(); ++v)
+//     old.subject.sites[v].metric = metric.value().tensors[v];
+//   const auto next = adapt_to_metric(old, options);
+//   const auto values = transfer_solution(old.subject, u, next.value().made.outcome.result,
+//                                         transfer_method::project);           // transfer.hpp
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh_marks.hpp"
+#include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/pipeline/certified_mesh.hpp"
+
+namespace asterism {
+
+// Wishes beyond the metric.
+struct mesh_adaptation_options {
+  double corner_angle = 30;  // degrees: where the boundary turns by more it keeps its vertex
+  std::optional<domain> exact =
+      {};  // the domain itself, as check_domain accepts it, in place of the mesh's
+  mesh_options refinement = {};   // limit_size is set
+  bool keeps_site_limit = false;  // else max_sites is raised to three times what is wanted
+};
+
+// The next mesh.
+struct adapted_mesh {
+  domain shape;  // what it is a mesh of
+  certified_mesh made;
+  bool kept = false;                  // the mesh given meets its metric already, and is the result
+  std::size_t boundary_vertices = 0;  // of the mesh given
+  std::size_t boundary_kept = 0;      // of those
+  double boundary_distance = 0;       // of a dropped one from the new boundary
+};
+
+// Makes the mesh. The metric is that of `from`'s sites. Its domain is the exact one, or that of the
+// mesh (mesh/domain/mesh_outline.hpp). A mesh that is certified in its metric with the angle bound
+// wanted, and has as many vertices as it asks for to a tenth, stays as it is: adapting twice with
+// the metric delivered changes nothing. Fails for what is no triangulation.
+ASTERISM_EXPORT result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
+                                                     const mesh_adaptation_options& options,
+                                                     const progress_listener& progress = {});
+
+}  // namespace asterism

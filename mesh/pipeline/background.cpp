@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/background.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/adapt/nodal_field.hpp"
+#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/adapt/sampled_background.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
+
+namespace asterism::internal {
+namespace {
+
+class constant_field final : public metric_field {
+ public:
+  explicit constant_field(const metric_tensor& everywhere) : everywhere_(everywhere) {}
+  result<metric_tensor> at(const point&) const override { return everywhere_; }
+
+ private:
+  metric_tensor everywhere_;
+};
+
+// Part of the work that is allowed for so many sites.
+constexpr double work_share = 0.1;
+
+std::optional<mesh> coarse_mesh_in(const metric_tensor& m, const domain& d,
+                                   const mesh_options& options) {
+  constexpr std::size_t times_as_many = 3, at_least = 500;
+  mesh_options coarse;
+  coarse.angle_bound = 0;
+  coarse.strategy = refinement_strategy::voronoi_arcs;
+  coarse.max_sites = std::min(options.max_sites, times_as_many * d.vertices.size() + at_least);
+  coarse.stop = options.stop;
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> stars_on(decided);
+  const constant_field everywhere(m);
+  auto made = mesh_domain({stars_on, d, everywhere, coarse, {}, work_share});
+  if (!made || !made.value().complete) return std::nullopt;
+  return std::move(made.value().result);
+}
+
+std::optional<metric_tensor> mean_at_vertices(const domain& d, const metric_field& field) {
+  tensor_logarithm sum;
+  const auto count = static_cast<double>(d.vertices.size());
+  for (const point& q : d.vertices) {
+    const auto there = field.at(q);
+    if (!there) return std::nullopt;
+    const tensor_logarithm l = logarithm(there.value());
+    sum = {sum.l11 + l.l11 / count, sum.l12 + l.l12 / count, sum.l22 + l.l22 / count};
+  }
+  return exponential(sum);
+}
+
+}  // namespace
+
+std::optional<mesh> coarse_mesh(const domain& d, const metric_field& field,
+                                const mesh_options& options) {
+  if (auto made = coarse_mesh_in({1, 0, 1}, d, options)) return made;
+  const auto mean = mean_at_vertices(d, field);
+  if (!mean || !filtered_kernel().is_positive_definite(*mean)) return std::nullopt;
+  return coarse_mesh_in(*mean, d, options);
+}
+
+std::optional<sampled_field> sample_field(const domain& d, const mesh& start,
+                                          const metric_field& field, double longest,
+                                          const cancellation& stop) {
+  auto built = adapting::working_mesh::build(d, start);
+  if (!built) return std::nullopt;
+  adapting::sampling_limits limits;
+  limits.longest = longest;
+  limits.stop = stop;
+  const auto at = [&field](const point& q) -> std::optional<metric_tensor> {
+    auto there = field.at(q);
+    if (!there) return std::nullopt;
+    return there.value();
+  };
+  auto nodes = adapting::sample_background(std::move(built).value(), at, limits);
+  if (!nodes) return std::nullopt;
+  sampled_field sampled{std::move(*nodes), 0};
+  const adapting::nodal_field graph(sampled.nodes);
+  std::vector<double> found;
+  for (const adapting::graph_edge& e : graph.edges())
+    found.push_back(adapting::log_variation({graph.places()[e.a], graph.tensors()[e.a]},
+                                            {graph.places()[e.b], graph.tensors()[e.b]}));
+  constexpr std::size_t one_in = 50;
+  const auto place =
+      found.begin() + static_cast<std::ptrdiff_t>(found.size() - 1 - found.size() / one_in);
+  std::nth_element(found.begin(), place, found.end());
+  sampled.variation = *place;
+  return sampled;
+}
+
+}  // namespace asterism::internal

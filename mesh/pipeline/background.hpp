@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Prepares what an adaptation starts from: a coarse triangulation of the domain, and a mesh that
+// carries the metric wanted.
+#pragma once
+
+#include <optional>
+
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/options.hpp"
+
+namespace asterism::internal {
+
+// Returns a triangulation of the domain with hardly more sites than it is given with: in the plane,
+// or, where that takes many more, in the mean of the metric at the vertices. Returns nothing where
+// that does not do either.
+std::optional<mesh> coarse_mesh(const domain& d, const metric_field& field,
+                                const mesh_options& options);
+
+// Metric of a formula, sampled at the nodes of a mesh.
+struct sampled_field {
+  mesh nodes;
+  // Logarithm of the distortion over an edge, for each unit of the edge's length, that one edge in
+  // fifty exceeds: how fast the metric varies, as far as the samples tell.
+  double variation = 0;
+};
+
+// Samples the field on a mesh that begins with `start`, with edges that are at most `longest` long
+// in it. Returns nothing where the field fails.
+std::optional<sampled_field> sample_field(const domain& d, const mesh& start,
+                                          const metric_field& field, double longest,
+                                          const cancellation& stop);
+
+}  // namespace asterism::internal

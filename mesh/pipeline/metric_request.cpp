@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/metric_request.hpp"
+
+#include <utility>
+
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/solution_file.hpp"
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
+#include "asterism/mesh/solution/implied_metric.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using tensors = std::vector<metric_tensor>;
+
+// Reads the tensors of a metric file for the vertices of a mesh file.
+result<tensors> read_tensors(const std::string& mesh_file, const std::string& file) {
+  medit_read_options how;
+  how.solution = file;
+  const auto read = read_medit(mesh_file, how);
+  if (!read) return read.failure();
+  tensors found;
+  for (const site& s : read.value().sites) found.push_back(s.metric);
+  return found;
+}
+
+result<std::vector<tensors>> read_intersected(const metric_request& request) {
+  std::vector<tensors> all;
+  for (const std::string& file : request.intersected) {
+    auto read = read_tensors(request.mesh, file);
+    if (!read) return read.failure();
+    all.push_back(std::move(read).value());
+  }
+  return all;
+}
+
+result<solution_metric> metric_of_solution(const metric_request& request,
+                                           const std::vector<tensors>& intersected,
+                                           requested_metric& made) {
+  auto values = read_solution(request.solution, made.background);
+  if (!values) return values.failure();
+  made.values = std::move(values).value();
+  const auto fields = select_values(made.values, request.fields);
+  if (!fields) return fields.failure().at(request.solution);
+  return make_solution_metric(made.background, fields.value(), request.wishes, intersected);
+}
+
+result<solution_metric> metric_given(const metric_request& request,
+                                     const std::vector<tensors>& intersected,
+                                     const requested_metric& made) {
+  const auto given = request.implied ? implied_metric(made.background)
+                                     : read_tensors(request.mesh, request.metric);
+  if (!given) return given.failure();
+  return shape_metric(made.background, given.value(), request.wishes, intersected);
+}
+
+}  // namespace
+
+result<requested_metric> answer(const metric_request& request) {
+  auto read = read_plain_triangulation(request.mesh);
+  if (!read) return read.failure();
+  requested_metric made{std::move(read).value(), {}, {}};
+  const auto intersected = read_intersected(request);
+  if (!intersected) return intersected.failure();
+  auto metric = request.solution.empty() ? metric_given(request, intersected.value(), made)
+                                         : metric_of_solution(request, intersected.value(), made);
+  if (!metric) return metric.failure();
+  for (std::size_t v = 0; v < made.background.sites.size(); ++v)
+    made.background.sites[v].metric = metric.value().tensors[v];
+  made.report = std::move(metric.value().report);
+  return made;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// A metric asked for by files: a mesh, a solution on it, and wishes. The same words make the metric
+// for a run and, from its certificate, once more for verify.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/solution/solution_metric.hpp"
+
+namespace asterism::internal {
+
+struct metric_request {
+  std::string mesh, solution;            // files; no solution where the mesh's own metric is wanted
+  std::string metric;                    // file of a metric in place of a solution
+  std::vector<std::string> fields;       // names; none: all scalars and vectors
+  std::vector<std::string> intersected;  // files of metrics on the same mesh
+  bool implied = false;                  // the mesh's own metric in place of a solution
+  solution_metric_options wishes;
+};
+
+// A request, read and answered.
+struct requested_metric {
+  mesh background;            // with the metric at its vertices
+  asterism::solution values;  // empty where there is no solution
+  solution_metric_report report;
+};
+
+// Reads the files and makes the metric. Sites of the background are numbered as in its file.
+result<requested_metric> answer(const metric_request& request);
+
+// Returns the request in words, by names that begin with "adapt-"; empty words are "none".
+std::map<std::string, std::string> words_of(const metric_request& request);
+// Returns the request that has these words. Fails for words that are none of a request's.
+result<metric_request> request_of(const std::map<std::string, std::string>& words);
+
+// Returns the report in words, by names that begin with "metric-": numbers read back as they were.
+std::map<std::string, std::string> words_of(const solution_metric_report& report);
+// Returns the report in a line for people.
+std::string text_of(const solution_metric_report& report);
+
+}  // namespace asterism::internal

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
+
+#include <utility>
+
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
+
+namespace asterism::internal {
+
+result<adopted_mesh> checked_triangulation(mesh read, const std::string& path) {
+  auto adopted = adopt_mesh(std::move(read));
+  if (!adopted) return error{path + ": " + adopted.failure().message};
+  audit_options options;
+  options.check_stars = false;
+  options.angle_bound = 0;
+  const audit_report found = audit(adopted.value().subject, options);
+  if (!found.certified)
+    return error{path + " is no triangulation: " + found.findings.at(0).witness};
+  return adopted;
+}
+
+result<mesh> read_plain_triangulation(const std::string& path) {
+  medit_read_options how;
+  how.without_solution = true;
+  auto read = read_medit(path, how);
+  if (!read) return read;
+  const auto checked = checked_triangulation(read.value(), path);
+  if (!checked) return checked.failure();
+  return read;
+}
+
+result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wanted) {
+  medit_read_options how;
+  how.identity_without_solution = !metric_wanted;
+  auto read = read_mesh(path, how);
+  if (!read) return read.failure();
+  return checked_triangulation(std::move(read).value(), path);
+}
+
+}  // namespace asterism::internal

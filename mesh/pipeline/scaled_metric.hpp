@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes the metric wanted of a size, or of the size that gives it the complexity wanted, graded
+// where that is asked for.
+//
+// The complexity of a metric is the area of the domain as it measures it, the integral of
+// sqrt(det M). A mesh of unit edges has about 2 / sqrt 3 vertices for each unit of it, half as many
+// triangles again as an area has equilateral ones of side 1 to its vertex.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/metric/graded_field.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
+
+namespace asterism {
+
+// Makes the metric for edges of this length, as make_metric_field and make_sampled_field do. Called
+// several times.
+using field_of_size = std::function<result<std::unique_ptr<metric_field>>(double size)>;
+
+// Demands on the scale of a metric. At most one of `size` and `complexity`.
+struct scale_demand {
+  std::optional<double> size;        // length of an edge; default: 1
+  std::optional<double> complexity;  // positive, finite
+  std::optional<double> gradation;   // beta, above 1
+  cancellation stop = {};            // polled now and then
+};
+
+// The metric, and by what it came about.
+struct scaled_metric {
+  std::unique_ptr<metric_field> field;
+  double size = 1;  // the one asked for, or found
+  std::optional<gradation_report> gradation;
+  std::optional<double> complexity;  // of the field, if one was asked for: within half a percent
+};
+
+// Returns the complexity for this many vertices.
+ASTERISM_EXPORT double complexity_of_vertices(std::size_t vertices);
+
+// Makes the metric. Gradation changes the complexity, and a size the gradation: they are done by
+// turns until the complexity is within half a percent of the one wanted. Fails where the field
+// does, for demands out of range, when it was stopped, and where twenty turns do not come that
+// near.
+ASTERISM_EXPORT result<scaled_metric> make_scaled_metric(const domain& d, const field_of_size& make,
+                                                         const scale_demand& wanted);
+
+}  // namespace asterism

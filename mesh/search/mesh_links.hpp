@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Triangles of a mesh with their neighbours: across edges, and around vertices.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal {
+
+inline constexpr vertex_index no_triangle = std::numeric_limits<vertex_index>::max();
+
+// A triangle at a vertex: its number, and which of its corners the vertex is.
+struct incidence {
+  vertex_index triangle = 0;
+  std::uint32_t corner = 0;
+};
+
+// Requires a triangulation: indices in range, each directed edge in one triangle at most. Time and
+// memory are linear; made by as many threads as there are, the same for any number.
+class mesh_links {
+ public:
+  mesh_links(std::size_t vertices, const std::vector<triangle>& triangles);
+  explicit mesh_links(const mesh& m) : mesh_links(m.sites.size(), m.triangles) {}
+
+  // Returns the triangle across from corner i of t, or no_triangle at the boundary.
+  vertex_index across(vertex_index t, std::size_t i) const { return across_[t][i]; }
+  // Returns the triangles at v, ascending.
+  std::span<const incidence> around(vertex_index v) const {
+    return {corners_.data() + first_corner_[v], first_corner_[v + 1] - first_corner_[v]};
+  }
+  // Returns the vertices joined to v by an edge, ascending.
+  std::span<const vertex_index> neighbours(vertex_index v) const {
+    return {neighbours_.data() + first_neighbour_[v],
+            first_neighbour_[v + 1] - first_neighbour_[v]};
+  }
+  // True if v has an edge with a triangle on one side alone, or is in no triangle.
+  bool on_boundary(vertex_index v) const { return on_boundary_[v] != 0; }
+  std::size_t vertices() const { return first_corner_.size() - 1; }
+  std::size_t triangles() const { return across_.size(); }
+
+ private:
+  void list_corners(const std::vector<triangle>& triangles);
+  void list_neighbours(const std::vector<triangle>& triangles);
+  void find_across(const std::vector<triangle>& triangles);
+
+  std::vector<std::size_t> first_corner_, first_neighbour_;
+  std::vector<incidence> corners_;
+  std::vector<vertex_index> neighbours_;
+  std::vector<std::array<vertex_index, 3>> across_;
+  std::vector<char> on_boundary_;
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// Sampling a metric on a triangulation: near to it half way along every edge, finite where it
+// jumps, and nothing where it fails.
+#include "asterism/mesh/adapt/sampled_background.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "asterism/mesh/adapt/nodal_field.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/pipeline/background.hpp"
+#include "fixtures/domain_kinds.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::internal::adapting;
+using namespace asterism::testing;
+
+namespace {
+
+const formula_field flat([](const point&) { return metric_tensor{1, 0, 1}; });
+
+working_mesh coarse_square(const domain& d) {
+  const auto start = coarse_mesh(d, flat, {});
+  REQUIRE(start);
+  auto built = working_mesh::build(d, *start);
+  REQUIRE(built.ok());
+  return std::move(built).value();
+}
+
+std::optional<metric_tensor> front(const point& q) {
+  const double across = 0.02 + std::abs(q.x - 0.3 * q.y * q.y);
+  return metric_tensor{1 / (across * across), 0, 4};
+}
+
+}  // namespace
+
+TEST_CASE("a sampled metric is near to the one wanted half way along every edge") {
+  const domain d = accepted(square());
+  sampling_limits limits;
+  const auto sampled = sample_background(coarse_square(d), front, limits);
+  REQUIRE(sampled);
+  CHECK(sampled->sites.size() < limits.most_nodes);
+  const nodal_field graph(*sampled);
+  for (const graph_edge& e : graph.edges()) {
+    const point &p = graph.places()[e.a], &q = graph.places()[e.b];
+    const point middle{(p.x + q.x) / 2, (p.y + q.y) / 2};
+    const metric_tensor wanted = *front(middle);
+    const double length = std::sqrt(squared(wanted, q.x - p.x, q.y - p.y));
+    CHECK(length <= limits.longest);
+    vertex_index hint = 0;
+    if (length > limits.shortest)
+      CHECK(log_distortion(graph.at(middle, hint), wanted) <= limits.difference * 1.001);
+  }
+}
+
+TEST_CASE("sampling a metric that jumps ends") {
+  const domain d = accepted(square());
+  const auto jump = [](const point& q) -> std::optional<metric_tensor> {
+    return q.x < 0.1 ? metric_tensor{1e4, 0, 1} : metric_tensor{1, 0, 100};
+  };
+  sampling_limits limits;
+  const auto sampled = sample_background(coarse_square(d), jump, limits);
+  REQUIRE(sampled);
+  CHECK(sampled->sites.size() < limits.most_nodes);
+}
+
+TEST_CASE("sampling a metric that fails gives nothing") {
+  const domain d = accepted(square());
+  const auto half = [](const point& q) -> std::optional<metric_tensor> {
+    if (q.x > 0.5) return std::nullopt;
+    return metric_tensor{1, 0, 1};
+  };
+  CHECK_FALSE(sample_background(coarse_square(d), half, {}));
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+//
+// Meshes with as many nodes as are wanted, in metrics that no coarse mesh measures well, and fitted
+// again to another metric.
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "asterism/mesh/adapt/mesh_gradation.hpp"
+#include "asterism/mesh/mesher.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::internal::adapting;
+
+namespace {
+
+working_mesh coarse(const domain& d) {
+  const auto field = make_metric_field("identity", d.box());
+  mesh_options options;
+  options.angle_bound = 0;
+  auto made = make_mesh(d, *field.value(), options);
+  REQUIRE(made.ok());
+  auto built = working_mesh::build(d, made.value().result);
+  REQUIRE(built.ok());
+  return std::move(built).value();
+}
+
+// A thin layer along y = 0.3 x, a thousand times as fine across as along it.
+metric_tensor layer(const point& q, vertex_index&) {
+  const double away = (q.y - 0.3 * q.x) / 0.02;
+  const double across = 4 + 1e4 * std::exp(-away * away);
+  return {1 + 0.09 * across, -0.3 * across, 1 + across};
+}
+
+// True if every face turns left, and they are as many as they should be.
+bool is_whole(const working_mesh& m) {
+  std::size_t faces = 0;
+  for (const face& f : m.faces()) {
+    if (!f.exists()) continue;
+    ++faces;
+    if (!turns_left(m.at(f.v[0]).position, m.at(f.v[1]).position, m.at(f.v[2]).position))
+      return false;
+  }
+  return faces > m.count();
+}
+
+}  // namespace
+
+TEST_CASE("as many nodes are made as are wanted, within three percent") {
+  const domain d = square();
+  for (const std::size_t wanted : {300u, 1000u, 3000u}) {
+    working_mesh m = coarse(d);
+    unit_mesh_options options;
+    options.count = wanted;
+    unit_mesher maker(m, options);
+    maker.run(layer, {});
+    INFO(wanted << " nodes wanted, " << m.count() << " made");
+    CHECK(std::abs(static_cast<double>(m.count()) / static_cast<double>(wanted) - 1) < 0.03);
+    CHECK(is_whole(m));
+  }
+}
+
+TEST_CASE("without a count edges have length one") {
+  const domain d = square();
+  working_mesh m = coarse(d);
+  unit_mesher maker(m, {});
+  maker.run([](const point&, vertex_index&) { return metric_tensor{400, 0, 100}; }, {});
+  CHECK(maker.unit() == 1);
+  // The area is 4, or 800 as the metric measures it; nodes of equilateral triangles take 0.87.
+  CHECK(m.count() > 800);
+  CHECK(m.count() < 1200);
+}
+
+TEST_CASE("a mesh fitted again to its own graded metric keeps its count") {
+  const domain d = square();
+  working_mesh m = coarse(d);
+  unit_mesh_options options;
+  options.count = 1000;
+  unit_mesher maker(m, options);
+  maker.run(layer, {});
+  grade_mesh(m, 2, maker.unit());
+  const nodal_field own = field_of(m);
+  maker.refit([&own](const point& q, vertex_index& hint) { return own.at(q, hint); });
+  CHECK(std::abs(static_cast<double>(m.count()) / 1000 - 1) < 0.03);
+  CHECK(is_whole(m));
+}
+
+TEST_CASE("a field of a mesh's own tensors has each of them at its node") {
+  const domain d = square();
+  working_mesh m = coarse(d);
+  unit_mesh_options options;
+  options.count = 200;
+  unit_mesher maker(m, options);
+  maker.run(layer, {});
+  const nodal_field own = field_of(m);
+  for (const node& n : m.nodes()) {
+    if (n.kind == node_kind::gone) continue;
+    vertex_index hint = n.hint;
+    CHECK(log_distortion(own.at(n.position, hint), n.metric) < 1e-6);
+    CHECK(hint == n.hint);
+  }
+}

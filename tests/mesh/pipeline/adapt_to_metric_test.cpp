@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// The next mesh of a loop: vertices come and go, the domain stays, and doing it again changes
+// nothing.
+#include "asterism/mesh/pipeline/adapt_to_metric.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/solution/solution_metric.hpp"
+#include "asterism/mesh/transfer/transfer.hpp"
+#include "asterism/tests/mesh/io/sample_mesh.hpp"
+
+using namespace asterism;
+using tests::divided_mesh;
+using tests::sample_mesh;
+
+namespace {
+
+double front(const point& q) { return std::tanh(10 * (q.x * q.x + q.y * q.y - 0.5)); }
+
+marked_mesh with_metric(mesh m, double vertices) {
+  nodal_values u{"u", {}};
+  for (const site& s : m.sites) u.values.push_back(front(s.position));
+  solution_metric_options wishes;
+  wishes.vertices = vertices;
+  wishes.gradation = 1.5;
+  auto metric = make_solution_metric(m, {u}, wishes);
+  REQUIRE(metric.ok());
+  for (std::size_t v = 0; v < m.sites.size(); ++v) m.sites[v].metric = metric.value().tensors[v];
+  return {std::move(m), {}};
+}
+
+adapted_mesh adapted(const marked_mesh& from) {
+  auto next = adapt_to_metric(from, {});
+  INFO((next.ok() ? "" : next.failure().message));
+  REQUIRE(next.ok());
+  return std::move(next).value();
+}
+
+}  // namespace
+
+TEST_CASE("vertices come and go, and the number wanted is there") {
+  for (const double wanted : {150.0, 900.0}) {
+    const auto next = adapted(with_metric(sample_mesh(20), wanted));
+    CHECK(next.made.certified());
+    CHECK_FALSE(next.kept);
+    CHECK(next.shape.vertices.size() == 4);
+    const auto sites = static_cast<double>(next.made.outcome.result.sites.size());
+    CHECK(std::abs(sites / wanted - 1) < 0.12);
+  }
+}
+
+TEST_CASE("adapting twice with the metric delivered changes nothing") {
+  const auto first = adapted(with_metric(sample_mesh(20), 400));
+  REQUIRE(first.made.certified());
+  const auto second = adapted({first.made.outcome.result, {}});
+  CHECK(second.kept);
+  CHECK(second.made.certified());
+  CHECK(mesh_fingerprint(second.made.outcome.result) ==
+        mesh_fingerprint(first.made.outcome.result));
+}
+
+TEST_CASE("markers, regions and internal segments stay") {
+  const auto next = adapted(with_metric(divided_mesh(16), 500));
+  CHECK(next.made.certified());
+  const mesh& m = next.made.outcome.result;
+  bool has_internal = false;
+  for (const boundary_edge& e : m.boundary)
+    has_internal = has_internal || (e.internal && e.marker == 5);
+  CHECK(has_internal);
+  CHECK(std::count(m.regions.begin(), m.regions.end(), 2) > 50);
+  CHECK(std::count(m.regions.begin(), m.regions.end(), -7) > 50);
+}
