@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/challenge/isolation.hpp"
+
+#include <algorithm>
+
+namespace asterism::challenge {
+namespace {
+
+class search {
+ public:
+  search(const std::vector<std::string>& command, std::span<const std::string> questions,
+         const run_limits& limits)
+      : command_(command), questions_(questions), limits_(limits) {
+    all_.replies.resize(questions.size());
+  }
+
+  std::optional<error> run() {
+    std::size_t from = 0, failures = 0;
+    while (from < questions_.size() && failures < most_failures && all_.hung == 0) {
+      const auto whole = ask(from, questions_.size());
+      if (!whole) return whole.failure();
+      if (whole.value().how == run_end::answered) {
+        take(whole.value(), from, questions_.size());
+        return std::nullopt;
+      }
+      const auto at = first_failure(from, whole.value());
+      if (!at) return at.failure();
+      from = at.value() + 1;
+      ++failures;
+    }
+    return std::nullopt;
+  }
+
+  batch_replies all() && { return std::move(all_); }
+
+ private:
+  result<program_run> ask(std::size_t from, std::size_t to) const {
+    return run_program(command_, questions_.subspan(from, to - from), limits_);
+  }
+
+  void take(const program_run& run, std::size_t from, std::size_t to) {
+    all_.seconds += run.seconds;
+    all_.lingered = all_.lingered || run.lingered;
+    for (std::size_t i = from; i < to; ++i) all_.replies[i].answer = run.answers[i - from];
+    for (const std::size_t i : run.slow)
+      if (from + i < to) all_.replies[from + i].late = true;
+  }
+
+  void fail(std::size_t at, const program_run& run) {
+    reply& r = all_.replies[at];
+    r.failure = run.how;
+    r.told = said_at_end(run);
+    all_.hung += run.how == run_end::hung ? 1 : 0;
+  }
+
+  // The failing run asked from `from` to the end. Answers before the failure are taken.
+  result<std::size_t> first_failure(std::size_t from, const program_run& failed) {
+    const std::size_t answered = failed.answers.size();
+    const std::size_t rest = questions_.size() - from;
+    // Whoever writes each answer at once fails at the first question without one.
+    if (failed.how != run_end::too_many && answered < rest) {
+      auto alone = ask(from + answered, from + answered + 1);
+      if (!alone || alone.value().how != run_end::answered) {
+        if (!alone) return alone.failure();
+        take(failed, from, from + answered);
+        fail(from + answered, alone.value());
+        return from + answered;
+      }
+    }
+    return halved(from, failed);
+  }
+
+  // The first `good` questions from `from` are answered well; the first `bad` are not.
+  result<std::size_t> halved(std::size_t from, program_run failed) {
+    std::size_t good = 0, bad = questions_.size() - from;
+    program_run well;
+    while (bad - good > 1) {
+      const std::size_t middle = good + (bad - good) / 2;
+      auto run = ask(from, from + middle);
+      if (!run) return run.failure();
+      const bool answered = run.value().how == run_end::answered;
+      (answered ? good : bad) = middle;
+      (answered ? well : failed) = std::move(run.value());
+    }
+    take(well, from, from + good);
+    fail(from + good, failed);
+    return from + good;
+  }
+
+  const std::vector<std::string>& command_;
+  std::span<const std::string> questions_;
+  const run_limits& limits_;
+  batch_replies all_;
+};
+
+}  // namespace
+
+result<batch_replies> ask_in_turn(const std::vector<std::string>& command,
+                                  std::span<const std::string> questions,
+                                  const run_limits& limits) {
+  search asked(command, questions, limits);
+  if (auto failure = asked.run()) return *failure;
+  return std::move(asked).all();
+}
+
+}  // namespace asterism::challenge

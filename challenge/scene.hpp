@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// The numbers that questions are cut from, and how: four sites, a point and a tensor, made by an
+// input class. Deterministic: class and seed name a record for ever.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "asterism/challenge/question.hpp"
+#include "asterism/core/random.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/kernels/batch_question.hpp"
+
+namespace asterism::challenge {
+
+using random_source = internal::splitmix64;
+
+// Four sites, a point for the predicates that want one, and a tensor for is_spd, which may be
+// anything.
+struct scene {
+  std::array<site, 4> sites;
+  point at;
+  metric_tensor tensor;
+};
+
+// A way to make scenes.
+struct input_class {
+  std::string_view name;  // as on the command line
+  std::string_view text;  // a sentence for people
+  // May return a scene that is not valid: draw_record tries again.
+  scene (*attempt)(random_source&);
+};
+
+// True if all numbers are finite, the sites' metrics positive definite, the four positions
+// distinct.
+bool is_valid(const scene& s);
+
+// Returns the record of one predicate, from a valid scene.
+batch_record cut_record(predicate question, const scene& s);
+
+// Returns a valid record of this class. `in_circle` of a plain question is in the plane.
+batch_record draw_record(const input_class& from, predicate question, random_source& random);
+
+// Writes the record as a line of the batch protocol, without an end of line.
+std::string record_text(const question& asked, const batch_record& record, bool decimal);
+
+}  // namespace asterism::challenge
