@@ -98,7 +98,7 @@ void fill_triangles(cairo_t* cairo, const page& p, const mesh& m, double angle_b
   }
 }
 
-// Each edge once, so that lines shared by two triangles are no darker than others.
+// Draws each edge once, so that lines shared by two triangles are no darker than others.
 void stroke_edges(cairo_t* cairo, const page& p, const mesh& m) {
   std::set<std::pair<vertex_index, vertex_index>> edges;
   for (const auto* triangles : {&m.triangles, &m.disagreeing})

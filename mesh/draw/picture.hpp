@@ -27,8 +27,8 @@ struct picture_options {
   double angle_bound = 0;  // degrees; tints triangles below it as seen from one of their vertices
 };
 
-// The bytes of the file. Fails for a width out of range, a mesh without extent or with numbers that
-// are not finite, a height beyond 20000, and when cairo does.
+// Returns the bytes of the file. Fails for a width out of range, a mesh without extent or with
+// numbers that are not finite, a height beyond 20000, and when cairo does.
 ASTERISM_EXPORT result<std::string> draw_picture(const mesh& m, picture_format format,
                                                  const picture_options& options = {});
 

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// Words, tables and charts beside the picture. Text from files goes in as text, never as markup.
+
+function make(tag, attributes = {}, ...children) {
+  const made = document.createElementNS(["svg", "rect", "line", "text", "title"].includes(tag) ? "http://www.w3.org/2000/svg"
+                                                                            : "http://www.w3.org/1999/xhtml", tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children.map((c) => (typeof c === "number" ? String(c) : c)));
+  return made;
+}
+
+function table(heads, rows, caption) {
+  const row = (cells, tag) => make("tr", {}, ...cells.map((cell, i) => {
+    const { text = cell, kind = "", title } = cell?.text === undefined ? {} : cell;
+    const head = tag === "th" ? { scope: "col" } : i === 0 ? { scope: "row" } : {};
+    return make(i === 0 ? "th" : tag, { ...head, class: kind, ...(title === undefined ? {} : { title }) }, text);
+  }));
+  return make("table", { "aria-label": caption }, make("thead", {}, row(heads, "th")),
+              make("tbody", {}, ...rows.map((cells) => row(cells, "td"))));
+}
+
+const full = (x) => (x === null || x === undefined ? "none" : typeof x === "number" ? String(Number(x.toPrecision(12))) : String(x));
+const angle = (x) => (x === null || x === undefined ? "none" : `${Number(x).toFixed(2)} degrees`);
+const count = (n) => Number(n).toLocaleString("en-US");
+const plural = (n, one, many = `${one}s`) => `${count(n)} ${n === 1 ? one : many}`;
+
+// The badge, its kind, and one sentence; never more than the certificate says.
+function verdictOf(facts, claim) {
+  if (claim === null)
+    return ["Not judged", "open", "There is no certificate with this page; the commands at its end judge the mesh."];
+  if (!facts.is_of_this_mesh)
+    return ["NOT the certificate's mesh", "bad", `The certificate is of a mesh with the fingerprint ${claim.mesh.fingerprint}.`];
+  const { outcome, audit, asked } = claim;
+  const bound = asked.angle_bound === null ? "no bound" : `${full(asked.angle_bound)} degrees`;
+  const delivered = outcome.delivered && outcome.delivered.vertices_changed > 0;
+  const where = outcome.relaxed ? "in a metric relaxed from the one asked for"
+    : delivered ? "in the metric delivered, which is not everywhere the one asked for" : "in the metric at its vertices";
+  if (audit.certified && outcome.complete)
+    return [outcome.relaxed ? "Certified in a relaxed metric" : "Certified", "good", `${bound}, ${where}: ${outcome.reason}.`];
+  if (audit.certified && outcome.relaxed)
+    return ["Certified in a relaxed metric, NOT complete", "open", `${bound}, ${where}: ${outcome.reason}.`];
+  return ["NOT certified", "bad", `${outcome.reason}.`];
+}
+
+function showVerdict(facts, claim) {
+  const [badge, kind, why] = verdictOf(facts, claim);
+  element("badge").textContent = badge;
+  element("badge").className = kind;
+  element("why").textContent = why.replace(/\.\.$/, ".");
+}
+
+function metricRow(claim) {
+  const { relaxed, delivered } = claim.outcome;
+  if (relaxed)
+    return ["Metric", claim.asked.metric, `relaxed (${relaxed.kind}) at ${plural(relaxed.vertices_changed, "vertex", "vertices")}, lengths up to ${full(relaxed.most_longer)} times as long and ${full(relaxed.most_shorter)} times as short`];
+  if (delivered)
+    return ["Metric", claim.asked.metric, `another at ${plural(delivered.vertices_changed, "vertex", "vertices")}; at ${short(100 * delivered.beyond_tenth)} % of all some length differs by more than a tenth, at most ${short(Math.exp(delivered.greatest))} times`];
+  return ["Metric", claim.asked.metric, "the tensors at the vertices"];
+}
+
+// What was asked, what the certificate says of it, and what this page measures where it can.
+function askedRows(facts, claim, mesh) {
+  const { asked, outcome, audit, measured } = claim, options = asked.options;
+  const least = Math.min(...[audit.worst_angle, audit.worst_collateral_angle, audit.worst_exempt_angle].map((x) => x ?? 180));
+  const same = Math.abs(least - mesh.angles.worst.degrees) < 1e-6;
+  const rows = [["Least angle", asked.angle_bound === null ? "none" : `${full(asked.angle_bound)} degrees`, full(audit.worst_angle) + " degrees", ""]];
+  if (audit.worst_exempt_angle !== null) rows.push(["of exempt corners", "", full(audit.worst_exempt_angle) + " degrees"]);
+  if (audit.worst_collateral_angle !== null) rows.push(["of collateral triangles", "", full(audit.worst_collateral_angle) + " degrees"]);
+  if (audit.angles_checked)
+    rows.push(["Least of all, measured by this page", "", { text: `${full(mesh.angles.worst.degrees)} degrees, ${same ? "the same" : "NOT the same"}`, kind: same ? "good" : "bad" }]);
+  const delivered = options["size-delivered"];
+  rows.push(["Size", options.size ?? "none", delivered && delivered !== options.size ? delivered : options.size && options.size !== "none" ? "as asked" : "not asked for"]);
+  rows.push(["Vertices", options["max-sites"] ? `at most ${count(options["max-sites"])}` : "", count(claim.mesh.vertices)]);
+  rows.push(["Triangles", "", count(claim.mesh.triangles)]);
+  if (outcome.delivered)
+    rows.push(["Complexity", full(outcome.delivered.complexity_wanted), full(outcome.delivered.complexity_delivered)]);
+  else if (measured.metric_area !== undefined) rows.push(["Complexity", "", full(measured.metric_area)]);
+  rows.push(metricRow(claim));
+  if (measured.unit_edges !== undefined) rows.push(["Edges of length 0.71 to 1.41", "", `${short(100 * measured.unit_edges)} %`]);
+  rows.push(["Boundary off its segments", "", audit.largest_boundary_deviation === null ? "not known" : audit.largest_boundary_deviation === 0 ? "nowhere" : `at most ${full(audit.largest_boundary_deviation)}`]);
+  if (audit.voronoi !== "not asked") rows.push(["Dual of the Voronoi diagram", "yes", audit.voronoi]);
+  rows.push(["Findings against it", "none", Object.entries(audit.findings).map(([kind, n]) => `${n} ${kind}`).join(", ") || "none"]);
+  return rows.map((cells) => cells.slice(0, 3));
+}
+
+function showAsked(facts, claim, mesh) {
+  const holder = element("asked");
+  if (claim === null)
+    holder.replaceChildren(table(["", "Here"], [["Vertices", count(facts.vertices)], ["Triangles", count(facts.triangles)],
+      ["Least angle, measured by this page", `${full(mesh.angles.worst.degrees)} degrees`]], "What there is"));
+  else
+    holder.replaceChildren(table(["", "Asked", "Delivered"], askedRows(facts, claim, mesh), "Asked and delivered"));
+  if (facts.claim_from) holder.append(make("p", { class: "soft" }, facts.claim_from));
+}
+
+// A bar chart with its numbers as a table for those who do not see it. `bars` have from, to, n, low.
+function chart(holder, name, bars, ticks, mark) {
+  const width = 420, height = 130, foot = 18, most = Math.max(1, ...bars.map((b) => b.n));
+  const svg = make("svg", { viewBox: `0 0 ${width} ${height + foot}`, class: "chart", role: "img", "aria-label": name });
+  const x = (i) => i * width / bars.length;
+  bars.forEach((bar, i) => {
+    const h = bar.n > 0 ? Math.max(1, bar.n / most * height) : 0;
+    svg.append(make("rect", { x: x(i) + 0.5, y: height - h, width: width / bars.length - 1, height: h, class: bar.low ? "low" : "" },
+                    make("title", {}, `${bar.name}: ${count(bar.n)}`)));
+  });
+  svg.append(make("line", { x1: 0, x2: width, y1: height, y2: height }));
+  for (const [place, text] of ticks)
+    svg.append(make("text", { x: Math.min(width - 2, place * width), y: height + 14, "text-anchor": place <= 0 ? "start" : place >= 1 ? "end" : "middle" }, text));
+  if (mark !== null) svg.append(make("line", { x1: mark * width, x2: mark * width, y1: 0, y2: height, class: "bound" }));
+  const rows = bars.filter((b) => b.n > 0).map((b) => [b.name, { text: count(b.n), kind: "n" }]);
+  holder.replaceChildren(svg, make("details", {}, make("summary", {}, "The numbers"), table([name, { text: "Number", kind: "n" }], rows, name)));
+}
+
+function showAngles(mesh, bound) {
+  const bars = [];
+  for (let from = 0; from < 180; from += 3)
+    bars.push({ name: `${from} to ${from + 3} degrees`, low: bound !== null && from + 3 <= bound,
+                n: mesh.angles.bins.slice(from, from + 3).reduce((a, b) => a + b, 0) });
+  const total = mesh.angles.bins.reduce((a, b) => a + b, 0);
+  chart(element("angles"), "Angles, each as all three vertices measure it", bars,
+        [[0, "0"], [60 / 180, "60"], [120 / 180, "120"], [1, "180 degrees"]], bound === null ? null : bound / 180);
+  element("angles").append(make("p", {}, `${count(total)} angles: three of each triangle, each as its three vertices measure it. The least is ${angle(mesh.angles.worst.degrees)}${bound === null ? "" : `; the line is the bound, ${full(bound)} degrees`}.`));
+}
+
+function showLengths(mesh) {
+  const { bins, edges, unit } = mesh.lengths, bars = [];
+  const text = (i) => short(2 ** (i / 12 - 3));
+  for (let i = 0; i < bins.length; i += 2)
+    bars.push({ name: i === 0 ? `below ${text(1)}` : i === 72 ? `above ${text(71)}` : `${text(i - 1)} to ${text(i + 1)}`, n: bins[i] + bins[i + 1] });
+  chart(element("lengths"), "Edge lengths in the metric", bars, [[0, "1/8"], [1 / 3, "1/2"], [1 / 2, "1"], [2 / 3, "2"], [1, "8"]], null);
+  element("lengths").append(make("p", {}, `${plural(edges, "edge")}, each as long as its two ends measure it in the mean; ${count(unit)} (${short(100 * unit / Math.max(1, edges))} %) from 0.71 to 1.41.`));
+}
+
+// The lists of places: a name, what it means, and items that are {triangle} or {vertex} with a text.
+function listsOf(facts, claim, mesh) {
+  const triangles = (numbers) => numbers.map((t) => ({ triangle: t, text: String(t + 1) }));
+  const fromOne = (numbers = []) => triangles(numbers.map((n) => n - 1));
+  const lists = [];
+  const add = (name, items, long = false) => { if (items.length > 0) lists.push({ name, items, long }); };
+  if (claim !== null && facts.is_of_this_mesh) {
+    const { audit, outcome } = claim;
+    add("Findings", audit.witnesses.map((text) => ({ text, ...placeOf(text) })), true);
+    add("Low triangles: below the bound", fromOne(audit.low_triangles));
+    add("Exempt corners of the domain, sharper than the bound", audit.exempt_corners.map((n) => ({ vertex: n - 1, text: `vertex ${n}` })));
+    add("Triangles with an exempt angle", fromOne(audit.exempt_triangles));
+    add("Collateral triangles: below the bound beside a sharp corner", fromOne(audit.collateral_triangles));
+    add("Low triangles as the metric given measures them", fromOne(outcome.relaxed?.low_triangles_as_given));
+    add("Low triangles as the metric wanted measures them", fromOne(outcome.delivered?.low_triangles_as_wanted));
+  }
+  add("Disagreeing triangles", triangles(Array.from({ length: facts.disagreeing }, (_, i) => facts.triangles + i)));
+  add("Triangles not in the stars of all their vertices", triangles([...mesh.notOfStars]));
+  const changed = [...mesh.distances.keys()].filter((v) => mesh.distances[v] > 0).sort((v, w) => mesh.distances[w] - mesh.distances[v] || v - w);
+  add("Changed metrics, the most changed first", changed.map((v) => ({ vertex: v, text: `vertex ${v + 1}: ${short(Math.exp(mesh.distances[v]))} times` })));
+  const least = mesh.angles.least, worst = [...leastOf(least, 10)];
+  add("The ten smallest angles", worst.map((t) => ({ triangle: t, text: `${t + 1}: ${least[t].toFixed(2)}°` })));
+  return lists;
+}
+
+function leastOf(values, n) {
+  let limit = Infinity;
+  const kept = [];
+  for (let t = 0; t < values.length; ++t) {
+    if (!(values[t] < limit)) continue;
+    kept.push(t);
+    kept.sort((a, b) => values[a] - values[b] || a - b);
+    if (kept.length > n) kept.pop();
+    if (kept.length === n) limit = values[kept[n - 1]];
+  }
+  return kept;
+}
+
+// The first triangle, or else vertex, that a sentence names.
+function placeOf(sentence) {
+  const triangle = /triangle (\d+)/.exec(sentence), vertex = /vert(?:ex|ices) (\d+)/.exec(sentence);
+  if (triangle) return { triangle: Number(triangle[1]) - 1 };
+  return vertex ? { vertex: Number(vertex[1]) - 1 } : {};
+}
+
+function showLists(lists, go) {
+  const holder = element("places");
+  holder.replaceChildren();
+  if (lists.length === 0) holder.append(make("p", {}, "None."));
+  for (const { name, items, long } of lists) {
+    const list = make("ul", { class: long ? "list long" : "list" }), most = 100;
+    const more = (from) => {
+      items.slice(from, from + most).forEach((item) => {
+        const button = make("button", { type: "button" }, item.text);
+        button.addEventListener("click", () => go(item));
+        list.append(make("li", {}, button));
+      });
+      if (from + most >= items.length) return;
+      const next = make("button", { type: "button" }, `${count(items.length - from - most)} more`);
+      const entry = make("li", {}, next);
+      next.addEventListener("click", () => { entry.remove(); more(from + most); });
+      list.append(entry);
+    };
+    more(0);
+    holder.append(make("details", items.length <= 20 ? { open: "" } : {}, make("summary", {}, `${name} (${count(items.length)})`), list));
+  }
+}
+
+// Numbers to seven digits; the whole double is the cell's title.
+function tensorTable(mesh, corners) {
+  const { positions: p, metrics: m } = mesh, circles = corners.map((v) => unitCircle(m, v));
+  const row = (name, of) => [name, ...corners.map((v) => ({ text: Number(of(v).toPrecision(7)), kind: "n", title: of(v) }))];
+  const words = (name, of) => [name, ...circles.map((circle) => ({ text: of(circle), kind: "n" }))];
+  return table(["Vertex", ...corners.map((v) => ({ text: v + 1, kind: "n" }))], [
+    row("x", (v) => p[2 * v]), row("y", (v) => p[2 * v + 1]),
+    row("m11", (v) => m[3 * v]), row("m12", (v) => m[3 * v + 1]), row("m22", (v) => m[3 * v + 2]),
+    words("unit circle, length", (circle) => short(2 * circle.longest)),
+    words("and width", (circle) => short(2 * circle.shortest)),
+    words("lies at", (circle) => `${(((circle.angle * degrees) % 180 + 180) % 180).toFixed(1)}°`),
+  ], "Positions and metric tensors");
+}
+
+function angleTable(mesh, t, corners, bound) {
+  const nine = nineAngles(mesh, t);
+  return table(["Measured by", ...corners.map((v) => ({ text: `at ${v + 1}`, kind: "n" }))],
+               corners.map((v, from) => [`vertex ${v + 1}`, ...corners.map((_, corner) => {
+                 const x = nine[3 * from + corner];
+                 return { text: `${x.toFixed(4)}°`, kind: bound !== null && x < bound ? "n low" : "n" };
+               })]), "The nine angles");
+}
+
+// Sentences of the certificate that name the triangle, or two of its vertices.
+function witnessesOf(claim, t, corners) {
+  if (claim === null) return [];
+  return claim.audit.witnesses.filter((sentence) => {
+    if (new RegExp(`triangle ${t + 1}\\b`).test(sentence)) return true;
+    return corners.filter((v) => new RegExp(`\\b${v + 1}\\b`).test(sentence.replace(/\([^)]*\)/g, ""))).length >= 2;
+  });
+}
+
+function showChosen(facts, claim, mesh, bound, item) {
+  const holder = element("chosen");
+  if (item === null) return holder.replaceChildren(make("p", {}, "None chosen."));
+  if (item.triangle === undefined) {
+    holder.replaceChildren(make("p", {}, `Vertex ${item.vertex + 1}${item.vertex < facts.given ? ", given" : ""}.`), tensorTable(mesh, [item.vertex]));
+    if (mesh.distances.length > 0) holder.append(make("p", {}, distanceText(mesh.distances[item.vertex])));
+    return undefined;
+  }
+  const t = item.triangle, corners = [...mesh.triangles.subarray(3 * t, 3 * t + 3)];
+  element("number").value = t + 1;
+  const kind = t >= mesh.agreeing ? "disagreeing" : mesh.regions.length > 0 ? `region ${mesh.regions[t]}` : "region 1";
+  const said = witnessesOf(claim, t, corners);
+  holder.replaceChildren(
+    make("p", {}, `Triangle ${count(t + 1)} of vertices ${corners.map((v) => v + 1).join(", ")}; ${kind}; least angle ${angle(mesh.angles.least[t])}; length over width ${short(triangleAspect(mesh, t))}.`),
+    angleTable(mesh, t, corners, bound), tensorTable(mesh, corners),
+    make("p", {}, "Edges: " + corners.map((v, i) => {
+      const w = corners[(i + 1) % 3];
+      return `${v + 1}-${w + 1} ${short((lengthFrom(mesh, v, w) + lengthFrom(mesh, w, v)) / 2)}`;
+    }).join(", ") + "."),
+    make("p", {}, said.length > 0 ? "Witnesses:" : "No finding names it."), ...said.map((s) => make("p", { class: "bad" }, s)));
+  if (mesh.distances.length > 0)
+    holder.append(make("p", {}, "Metric delivered at its vertices: " + corners.map((v) => distanceText(mesh.distances[v])).join("; ") + "."));
+  return undefined;
+}
+
+const distanceText = (d) => d === 0 ? "as wanted, to the last bit" : `lengths up to ${short(Math.exp(d))} times those wanted`;
+
+function showAgain(facts, claim) {
+  const holder = element("again");
+  holder.replaceChildren(table(["", "Fingerprint"], [["This mesh", facts.fingerprint],
+    ...(claim === null ? [] : [["The certificate's mesh", claim.mesh.fingerprint], ["The metric asked for", claim.asked.options["metric-fingerprint"] ?? "none"]])], "Fingerprints"));
+  if (facts.repeat) holder.append(make("p", {}, "This page measures and does not prove. The proof is repeated, by exact arithmetic, by"), make("pre", {}, facts.repeat));
+  holder.append(make("p", { class: "soft" }, `Made by asterism ${facts.program}. Vertices and triangles are counted from 1, as in the .mesh file.`));
+}
+
+function showLegend(mode) {
+  const { low, high, names } = mode.legend;
+  const box = (colour, text) => make("span", {}, make("span", { class: "box", style: `background:${css(colour)}` }), text);
+  if (names) return element("legend").replaceChildren(...names.map(([text, colour]) => box(colour, text)));
+  const stops = Array.from({ length: 9 }, (_, i) => css(mode.colour(Math.round(i * 255 / 8)))).join(",");
+  return element("legend").replaceChildren(make("span", {}, mode.name + ":"), make("span", {}, low),
+    make("span", { class: "bar", role: "img", "aria-label": `colours from ${low} to ${high}`, style: `background:linear-gradient(to right,${stops})` }), make("span", {}, high));
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/draw/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/core/version.h"
+#include "asterism/mesh/draw/packed_arrays.hpp"
+#include "asterism/mesh/draw/page_template.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
+
+namespace asterism {
+using namespace internal;
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+std::optional<error> refusal(const mesh& m, const report_facts& facts) {
+  if (m.sites.empty()) return error{"there is nothing to show: the mesh has no sites"};
+  for (std::size_t v = 0; v < m.sites.size(); ++v) {
+    const auto& [p, t] = m.sites[v];
+    for (const double number : {p.x, p.y, t.m11, t.m12, t.m22})
+      if (!std::isfinite(number))
+        return error{"vertex " + std::to_string(v + 1) + " is not finite",
+                     error_code::invalid_mesh};
+  }
+  if (!facts.wanted.empty() && facts.wanted.size() != m.sites.size())
+    return error{"there are not as many tensors wanted as sites", error_code::bad_option};
+  return std::nullopt;
+}
+
+// The greatest ratio, as a logarithm, in which the tensor delivered and the one wanted measure a
+// length; 0 where they are the same to the last bit.
+std::vector<float> distances(const mesh& m, const std::vector<metric_tensor>& wanted) {
+  std::vector<float> all;
+  all.reserve(wanted.size());
+  for (std::size_t v = 0; v < wanted.size(); ++v)
+    all.push_back(
+        identical(m.sites[v].metric, wanted[v])
+            ? 0.0F
+            : static_cast<float>(elementary::log(distortion(m.sites[v].metric, wanted[v]))));
+  return all;
+}
+
+void add_sites(packed_arrays& arrays, const mesh& m) {
+  std::vector<double> positions, metrics;
+  positions.reserve(2 * m.sites.size());
+  metrics.reserve(3 * m.sites.size());
+  for (const site& s : m.sites) {
+    positions.insert(positions.end(), {s.position.x, s.position.y});
+    metrics.insert(metrics.end(), {s.metric.m11, s.metric.m12, s.metric.m22});
+  }
+  arrays.add("positions", "f64", positions);
+  arrays.add("metrics", "f64", metrics);
+}
+
+void add_boundary(packed_arrays& arrays, const mesh& m) {
+  std::vector<vertex_index> ends;
+  std::vector<std::int32_t> markers;
+  std::vector<std::uint8_t> inside;
+  for (const boundary_edge& e : m.boundary) {
+    ends.insert(ends.end(), {e.a, e.b});
+    markers.push_back(e.marker);
+    inside.push_back(e.internal ? 1 : 0);
+  }
+  arrays.add("boundary", "u32", ends);
+  arrays.add("markers", "i32", markers);
+  arrays.add("inside", "u8", inside);
+}
+
+packed_arrays pack(const mesh& m, const report_facts& facts) {
+  packed_arrays arrays;
+  add_sites(arrays, m);
+  std::vector<vertex_index> corners;
+  corners.reserve(3 * (m.triangles.size() + m.disagreeing.size()));
+  for (const auto* triangles : {&m.triangles, &m.disagreeing})
+    for (const triangle& t : *triangles) corners.insert(corners.end(), t.begin(), t.end());
+  arrays.add("triangles", "u32", corners);
+  arrays.add("regions", "i32", std::vector<std::int32_t>(m.regions.begin(), m.regions.end()));
+  add_boundary(arrays, m);
+  arrays.add("distances", "f32", distances(m, facts.wanted));
+  arrays.add("not_of_stars", "u32", facts.not_of_stars);
+  return arrays;
+}
+
+json facts_json(const mesh& m, const report_facts& facts, const packed_arrays& arrays) {
+  const std::uint64_t fingerprint = mesh_fingerprint(m);
+  json entries = json::array();
+  for (const auto& entry : arrays.entries())
+    entries.push_back({{"name", entry.name}, {"type", entry.type}, {"length", entry.length}});
+  return {{"format", "asterism report 1"},
+          {"program", ASTERISM_VERSION_TEXT},
+          {"title", facts.title.empty() ? "Mesh" : facts.title},
+          {"vertices", m.sites.size()},
+          {"given", m.given},
+          {"triangles", m.triangles.size()},
+          {"disagreeing", m.disagreeing.size()},
+          {"fingerprint", fmt::format("{:016x}", fingerprint)},
+          {"is_of_this_mesh", facts.claim && facts.claim->fingerprint == fingerprint},
+          {"claim_from", facts.claim_from},
+          {"repeat", facts.repeat},
+          {"arrays", std::move(entries)}};
+}
+
+// Text of a script element: without "<", which could end it.
+std::string for_script(std::string text) {
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1))
+    text.replace(at, 1, "\\u003c");
+  return text;
+}
+
+std::string for_html(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '<')
+      safe += "&lt;";
+    else if (c == '&')
+      safe += "&amp;";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+// Returns `page` with each name in double braces replaced, in one pass: what is put in is not
+// looked at again.
+std::string fill_in(std::string_view page,
+                    const std::vector<std::pair<std::string_view, std::string_view>>& values) {
+  std::string filled;
+  while (!page.empty()) {
+    const std::size_t open = page.find("{{");
+    filled += page.substr(0, open);
+    if (open == std::string_view::npos) break;
+    const std::size_t close = page.find("}}", open);
+    const std::string_view name = page.substr(open + 2, close - open - 2);
+    for (const auto& [known, value] : values)
+      if (known == name) filled += value;
+    page.remove_prefix(close + 2);
+  }
+  return filled;
+}
+
+}  // namespace
+
+result<std::string> report_page(const mesh& m, const report_facts& facts) {
+  if (const auto refused = refusal(m, facts)) return *refused;
+  const packed_arrays arrays = pack(m, facts);
+  const auto data = arrays.text();
+  if (!data) return data.failure();
+  const std::string told =
+      for_script(facts_json(m, facts, arrays).dump(1, ' ', false, json::error_handler_t::replace));
+  const std::string claim = facts.claim ? for_script(certificate_text(*facts.claim)) : "null";
+  const std::string title = for_html(facts.title.empty() ? "Mesh" : facts.title);
+  return fill_in(page_template::page, {{"title", title},
+                                       {"style", page_template::style},
+                                       {"script", page_template::script},
+                                       {"facts", told},
+                                       {"certificate", claim},
+                                       {"data", data.value()}});
+}
+
+}  // namespace asterism

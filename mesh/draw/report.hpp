@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes a page about a mesh: one HTML file that works offline, to look at and to judge by.
+//
+// The page holds the mesh itself, every coordinate and tensor the double it is, and the certificate
+// where there is one. A browser draws it on the graphics card, measures it again, and shows asked
+// against delivered, histograms, places to look at, and the nine angles of any triangle. It loads
+// nothing from anywhere. It proves nothing: the line at its end names the command that does.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism {
+
+// Facts that a page gives beside the mesh.
+struct report_facts {
+  std::string title = {};  // default: "Mesh"
+  // The certificate; without one the page says that the mesh is not judged.
+  std::optional<certificate> claim = {};
+  // A sentence that says where the claim comes from; default: none.
+  std::string claim_from = {};
+  // A command that repeats the judgement; default: none.
+  std::string repeat = {};
+  // The tensors wanted at the sites, one for each; default: none, and no distances are shown.
+  std::vector<metric_tensor> wanted = {};
+  // Triangles that are not in the stars of all their vertices, where that was looked at.
+  std::vector<vertex_index> not_of_stars = {};
+};
+
+// Returns the bytes of the file, which depend on the arguments and on the version of zlib. Every
+// index of the mesh must be in range. Fails for a mesh without sites, for positions and tensors
+// that are not finite, for tensors wanted that are not as many as the sites, and when zlib does.
+ASTERISM_EXPORT result<std::string> report_page(const mesh& m, const report_facts& facts);
+
+}  // namespace asterism

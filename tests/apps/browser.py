@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""Headless Chromium with a software graphics card, driven by Selenium: for tests and screenshots."""
+import time
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select
+
+RIGHT, ENTER, ESCAPE = Keys.ARROW_RIGHT, Keys.ENTER, Keys.ESCAPE
+
+
+def start(profile, width=1300, height=900):
+    options = Options()
+    for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
+                     "--enable-unsafe-swiftshader", "--hide-scrollbars", f"--window-size={width},{height}",
+                     f"--user-data-dir={profile}", "--disable-dev-shm-usage"):
+        options.add_argument(argument)
+    options.binary_location = "/usr/bin/chromium"
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    driver.set_script_timeout(60)
+    return driver
+
+
+def open_page(driver, path, fragment="", seconds=120):
+    """Returns the seconds until everything was drawn and measured."""
+    driver.get("about:blank")
+    began = time.monotonic()
+    driver.get(path.resolve().as_uri() + fragment)
+    while not (state := driver.execute_script("return document.documentElement.dataset.state")):
+        if time.monotonic() - began > seconds:
+            raise TimeoutError(f"{path}: not ready after {seconds} seconds")
+        time.sleep(0.05)
+    if state != "ready":
+        raise AssertionError(driver.find_element("id", "verdict").text)
+    return time.monotonic() - began
+
+
+def repaint(driver):
+    driver.execute_script("asterism.stage.paint()")
+
+
+def choose(driver, name, index):
+    Select(driver.find_element("id", name)).select_by_index(index)
+
+
+def click_middle(driver):
+    """A little off the middle, where domains have vertices."""
+    ActionChains(driver).move_to_element_with_offset(driver.find_element("id", "canvas"), 31, 17).click().perform()
+
+
+def colours_of_canvas(driver):
+    """How many pixels of a grid have each colour, as the graphics card drew them."""
+    return driver.execute_script("""
+        const gl = document.getElementById("canvas").getContext("webgl2"), counts = {};
+        const w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, pixels = new Uint8Array(4 * w * h);
+        gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+        for (let i = 0; i < w * h; i += 7) {
+          const colour = pixels.slice(4 * i, 4 * i + 3).join();
+          counts[colour] = (counts[colour] ?? 0) + 1;
+        }
+        return counts;""")
+
+
+def luminance(driver, colour):
+    """Relative luminance (WCAG 2) of a computed colour."""
+    numbers = driver.execute_script(f"return {colour}.match(/\\d+/g).slice(0, 3).map(Number)")
+    linear = [x / 255 / 12.92 if x / 255 <= 0.04045 else ((x / 255 + 0.055) / 1.055) ** 2.4 for x in numbers]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
