@@ -62,7 +62,7 @@ json points_json(const std::vector<point>& points) {
   return result;
 }
 
-// Three numbers; six where there is something to say of sides and regions.
+// Writes three numbers; six where there is something to say of sides and regions.
 json segment_json(const segment& s) {
   json written = {std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker};
   if (s.internal || s.left_region != 1 || s.right_region != 1)
@@ -99,12 +99,12 @@ json measured_json(const certificate& c) {
   return result;
 }
 
-// Null where no triangle is away from the exempt corners.
+// Writes null where no triangle is away from the exempt corners.
 json worst_angle_json(double degrees) {
   return degrees < no_angle_to_judge ? json(degrees) : json(nullptr);
 }
 
-// The metric the mesh is of, held against the one asked for.
+// Writes how the metric the mesh is of differs from the one asked for.
 json relaxed_json(const certificate& c) {
   if (!c.relaxed) return nullptr;
   const relaxation_report& r = *c.relaxed;
@@ -121,7 +121,7 @@ json relaxed_json(const certificate& c) {
           {"low_triangles_as_given", from_one(r.low_triangles)}};
 }
 
-// The metric of the mesh against the one wanted.
+// Writes the metric of the mesh against the one wanted.
 json delivered_json(const certificate& c) {
   if (!c.delivered) return nullptr;
   const delivered_report& r = *c.delivered;
@@ -159,6 +159,24 @@ json audit_json(const certificate& c) {
           {"decided", counters_json(c.audit_counters)}};
 }
 
+// Null for what is not bounded.
+json bound_json(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
+
+// Null where it was not asked whether the theorem on nets applies.
+json theorem_json(const certificate& c) {
+  if (!c.theorem) return nullptr;
+  const theorem_hypotheses& h = *c.theorem;
+  return {{"theorem_applies", h.applies},
+          {"reason", h.reason},
+          {"sigma_eps", bound_json(h.sigma_eps)},
+          {"proved_angle", h.proved_angle},
+          {"covering_radius", bound_json(h.covering_radius)},
+          {"spacing", bound_json(h.spacing)},
+          {"longest_subsegment", bound_json(h.longest_subsegment)},
+          {"distortion", bound_json(h.distortion)},
+          {"variation", bound_json(h.variation)}};
+}
+
 // The readers: each names the key it wanted.
 const json& member(const json& object, const std::string& key) {
   const auto place = object.find(key);
@@ -175,7 +193,7 @@ T read(const json& object, const std::string& key) {
   }
 }
 
-// Older certificates hold the number itself where there is none to judge.
+// Reads an angle. Older certificates hold the number itself where there is none to judge.
 double worst_angle_of(const json& object, const std::string& key) {
   return member(object, key).is_null() ? no_angle_to_judge : read<double>(object, key);
 }
@@ -321,6 +339,26 @@ std::optional<delivered_report> delivered_of(const json& outcome) {
   return r;
 }
 
+double bound_of(const json& object, const std::string& key) {
+  return member(object, key).is_null() ? std::numeric_limits<double>::infinity()
+                                       : read<double>(object, key);
+}
+
+std::optional<theorem_hypotheses> theorem_of(const json& object) {
+  if (object.is_null()) return std::nullopt;
+  theorem_hypotheses h;
+  h.applies = read<bool>(object, "theorem_applies");
+  h.reason = read<std::string>(object, "reason");
+  h.sigma_eps = bound_of(object, "sigma_eps");
+  h.proved_angle = read<double>(object, "proved_angle");
+  h.covering_radius = bound_of(object, "covering_radius");
+  h.spacing = bound_of(object, "spacing");
+  h.longest_subsegment = bound_of(object, "longest_subsegment");
+  h.distortion = bound_of(object, "distortion");
+  h.variation = bound_of(object, "variation");
+  return h;
+}
+
 void read_audit(const json& object, certificate& c) {
   c.certified = read<bool>(object, "certified");
   c.domain_checked = read<bool>(object, "domain_checked");
@@ -362,6 +400,7 @@ certificate certificate_of(const json& root) {
   read_mesh(member(root, "mesh"), c);
   if (root.contains("measured")) c.measured = read<std::map<std::string, double>>(root, "measured");
   read_audit(member(root, "audit"), c);
+  c.theorem = theorem_of(member(root, "theorem"));
   if (!member(root, "domain").is_null()) c.original = domain_of(member(root, "domain"));
   return c;
 }
@@ -386,6 +425,7 @@ json json_of(const certificate& c) {
           {"mesh", mesh_json(c)},
           {"measured", measured_json(c)},
           {"audit", audit_json(c)},
+          {"theorem", theorem_json(c)},
           {"domain", c.original ? domain_json(*c.original) : json(nullptr)}};
 }
 
@@ -399,7 +439,7 @@ std::string joined(const std::string& name, const std::string& member) {
   return name.empty() ? member : name + "." + member;
 }
 
-// The first field of `read` that is not one of `written`, the reverse, or another value.
+// Returns the first field of `read` that is not one of `written`, the reverse, or another value.
 std::optional<difference> first_difference(const json& read, const json& written,
                                            const std::string& name) {
   if (read.is_object() && written.is_object()) {
@@ -417,7 +457,7 @@ std::optional<difference> first_difference(const json& read, const json& written
   return difference{name, "is not what it should be"};
 }
 
-// Of the first field with this name, or that ends in it; 0 if there is none.
+// Returns the line of the first field with this name, or that ends in it; 0 if there is none.
 std::size_t line_of(const json_places& places, const std::string& name) {
   const auto whole = places.lines.find(name);
   if (whole != places.lines.end()) return whole->second;

@@ -9,7 +9,7 @@
 
 namespace asterism::internal {
 
-// Not std::tolower, whose answer depends on the locale.
+// Replaces std::tolower, whose answer depends on the locale.
 inline char lower_case(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }

@@ -39,7 +39,7 @@ std::optional<error> write_bytes(const fs::path& path, const std::string& bytes,
   return {};
 }
 
-// A name beside `path` that nothing has; it is not ours to replace what is there.
+// Returns a name beside `path` that nothing has: it is not ours to replace what is there.
 fs::path temporary_path(const fs::path& path, const std::string& ending) {
   std::error_code status;
   fs::path part = path;
@@ -53,29 +53,19 @@ fs::path temporary_path(const fs::path& path, const std::string& ending) {
   return part;
 }
 
-// Removes the temporary files that have not been renamed.
-class temporary_files {
- public:
-  ~temporary_files() {
-    std::error_code ignored;
-    for (const fs::path& path : paths) fs::remove(path, ignored);
-  }
-  std::vector<fs::path> paths;
-};
-
 // Renames temporary files to their places, or none.
 class replacement {
  public:
-  explicit replacement(std::vector<fs::path> temporary) : temporary_(std::move(temporary)) {}
+  explicit replacement(const std::vector<fs::path>& places) : places_(places) {}
 
-  std::optional<error> run(const std::vector<output_file>& files) {
-    for (std::size_t i = 0; i < files.size(); ++i) {
+  std::optional<error> run(const std::vector<fs::path>& temporary) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
       std::error_code status;
-      keep_old(files[i].path, status);
-      if (!status) fs::rename(temporary_[i], files[i].path, status);
+      keep_old(places_[i], status);
+      if (!status) fs::rename(temporary[i], places_[i], status);
       if (!status) continue;
-      put_back(files, i);
-      return error{files[i].path.string() + ": " + status.message(), error_code::unwritable_file};
+      put_back(i);
+      return error{places_[i].string() + ": " + status.message(), error_code::unwritable_file};
     }
     std::error_code ignored;
     for (const std::optional<fs::path>& old : old_)
@@ -84,45 +74,64 @@ class replacement {
   }
 
  private:
-  // A second name, or where there are no such links another one.
+  // Gives the file at `path` a second name, or where there are no such links another one. Fails for
+  // a directory, which may have come there since the place was checked.
   void keep_old(const fs::path& path, std::error_code& status) {
     old_.emplace_back();
     std::error_code linked;
-    if (!fs::exists(fs::symlink_status(path, linked))) return;
+    const fs::file_status there = fs::symlink_status(path, linked);
+    if (!fs::exists(there)) return;
+    if (fs::is_directory(there)) {
+      status = std::make_error_code(std::errc::is_a_directory);
+      return;
+    }
     old_.back() = temporary_path(path, ".old");
     fs::create_hard_link(path, *old_.back(), linked);
     if (linked) fs::rename(path, *old_.back(), status);
     if (status) old_.back().reset();
   }
 
-  void put_back(const std::vector<output_file>& files, std::size_t failed) {
+  // Undoes the renamings before number `failed`.
+  void put_back(std::size_t failed) {
     std::error_code ignored;
     for (std::size_t i = 0; i < old_.size(); ++i)
       if (old_[i]) {
         // Renaming one name of a file to another of its names does nothing.
-        fs::rename(*old_[i], files[i].path, ignored);
+        fs::rename(*old_[i], places_[i], ignored);
         fs::remove(*old_[i], ignored);
       } else if (i < failed) {
-        fs::remove(files[i].path, ignored);
+        fs::remove(places_[i], ignored);
       }
   }
 
-  std::vector<fs::path> temporary_;
+  const std::vector<fs::path>& places_;
   std::vector<std::optional<fs::path>> old_;
 };
 
 }  // namespace
 
+pending_files::~pending_files() {
+  std::error_code ignored;
+  for (const fs::path& path : temporary_) fs::remove(path, ignored);
+}
+
+std::optional<error> pending_files::add(const output_file& file) {
+  if (auto failed = write_bytes(temporary_path(file.path, ".part"), file.bytes, temporary_))
+    return failed;
+  places_.push_back(file.path);
+  return std::nullopt;
+}
+
+result<std::vector<fs::path>> pending_files::put_in_place() {
+  if (auto failed = replacement(places_).run(temporary_)) return *std::move(failed);
+  return places_;
+}
+
 result<std::vector<fs::path>> write_files(const std::vector<output_file>& files) {
-  temporary_files temporary;
-  for (const output_file& file : files) {
-    const fs::path part = temporary_path(file.path, ".part");
-    if (auto failed = write_bytes(part, file.bytes, temporary.paths)) return std::move(*failed);
-  }
-  if (auto failed = replacement(temporary.paths).run(files)) return std::move(*failed);
-  std::vector<fs::path> written;
-  for (const output_file& file : files) written.push_back(file.path);
-  return written;
+  pending_files pending;
+  for (const output_file& file : files)
+    if (auto failed = pending.add(file)) return *std::move(failed);
+  return pending.put_in_place();
 }
 
 result<fs::path> check_writable(const fs::path& path) {

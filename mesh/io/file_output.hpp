@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,31 @@ struct output_file {
   std::string bytes;
 };
 
-// Writes every file under a temporary name beside its place (`.part` appended, and a number if that
-// is taken), then renames them in order; existing files are replaced. Whatever fails, the error
-// names the file and the system's reason, nothing is changed and nothing stays behind: files that
-// are replaced have a second name meanwhile (`.old`), from which those already renamed are put
-// back. A process that is killed by force, or a machine that stops, between two renamings leaves
-// some new files and some old. Returns the paths.
+// Files of one run, which appear together or not at all. Each is written under a temporary name
+// beside its place (`.part` appended, and a number if that is taken); put_in_place() renames them
+// all. A process that is killed by force, or a machine that stops, between two renamings leaves
+// some new files and some old.
+class pending_files {
+ public:
+  pending_files() = default;
+  // Removes what was not put in place.
+  ~pending_files();
+  pending_files(const pending_files&) = delete;
+  pending_files& operator=(const pending_files&) = delete;
+
+  // Writes the bytes under a temporary name, so that they need not be held any longer. The error
+  // names the file and the system's reason.
+  std::optional<error> add(const output_file& file);
+  // Renames the files to their places in the order in which they were added, and returns the paths;
+  // existing files are replaced, but a directory is not. Files that are replaced have a second name
+  // meanwhile (`.old`). If a renaming fails, those made before are undone, and nothing is changed.
+  result<std::vector<std::filesystem::path>> put_in_place();
+
+ private:
+  std::vector<std::filesystem::path> places_, temporary_;
+};
+
+// Writes all of the files, or none. Returns the paths.
 result<std::vector<std::filesystem::path>> write_files(const std::vector<output_file>& files);
 
 // Checks that the directory of `path` exists and can be written to, and that `path` itself is free

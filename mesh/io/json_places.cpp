@@ -90,7 +90,7 @@ class place_finder {
     return at_ > begin;
   }
 
-  // Of a number that is out of range: whether it is not too small.
+  // True if a number that is out of range is too large, not too small.
   static bool is_large(std::string_view number) {
     const auto exponent = number.find_first_of("eE");
     return exponent == std::string_view::npos || number.substr(exponent + 1, 1) != "-";

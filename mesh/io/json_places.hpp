@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the values of a JSON text are, for messages that name a line.
+// Finds where the values of a JSON text are, for messages that name a line.
 #pragma once
 
 #include <cstddef>

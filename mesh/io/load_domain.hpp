@@ -11,8 +11,9 @@
 
 namespace asterism {
 
-// `square`, `airfoil` (or `naca0012`), or the path of a .poly file (mesh/io/poly.hpp). The domain
-// is as written there: check_domain has yet to accept it.
+// Loads `square`, `airfoil` (or `naca0012`), or the file of that path: .poly (mesh/io/poly.hpp),
+// .geojson, .json or .wkt (mesh/io/polygons.hpp). The domain is as written there: check_domain has
+// yet to accept it.
 ASTERISM_EXPORT result<domain> load_domain(std::string_view what);
 
 }  // namespace asterism

@@ -8,8 +8,7 @@
 // vertices where the boundary turns), RequiredVertices (the given vertices); SolAtVertices, one
 // symmetric tensor a vertex as `m11 m12 m22`. All numbers have 17 significant digits, so that the
 // same doubles are read back. Medit has no place for the input segment a boundary subsegment
-// belongs to: it is kept in comments
-// (`#segments`, numbers from 1), which other programs skip.
+// belongs to: it is kept in comments (`#segments`, numbers from 1), which other programs skip.
 //
 // Read: versions 1 to 3, keywords in any order and any number to a line; comments; sections of
 // known shape that mean nothing here, BAMG's among them, are skipped by their counts. Refused:
@@ -25,14 +24,15 @@
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/mesh_marks.hpp"
 
 namespace asterism {
 
-// The place of the metric.
+// Options of reading: where the metric comes from, and which edges are segments.
 struct medit_read_options {
-  // Gives every vertex the identity if there is no .sol. Default: a missing .sol is an error.
+  // True to give every vertex the identity if there is no .sol, which else is an error.
   bool identity_without_solution = false;
-  // Gives every vertex the identity without looking for a .sol.
+  // True to give every vertex the identity without looking for a .sol.
   bool without_solution = false;
   // True if every edge listed is a segment, marked or not (mesh/io/medit_edges.hpp).
   bool all_edges = false;
@@ -49,6 +49,10 @@ struct medit_read_options {
 // about the geometry: that is the auditor's.
 ASTERISM_EXPORT result<mesh> read_medit(const std::filesystem::path& path,
                                         const medit_read_options& options = {});
+
+// Returns what the file says must stay: its Corners, RequiredVertices and RequiredEdges. Sites are
+// numbered as read_medit numbers them.
+ASTERISM_EXPORT result<mesh_marks> read_medit_marks(const std::filesystem::path& path);
 
 // Returns the contents of the .mesh file; mesh/io/write_mesh.hpp writes both files.
 ASTERISM_EXPORT std::string medit_mesh_text(const mesh& m);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which edges of a .mesh file are segments of a domain?
+// Decides which edges of a .mesh file are segments of a domain.
 //
 // Edges are a set: their order and direction mean nothing. One with a triangle on one side alone is
 // of the boundary. One with triangles on both is a segment only if the file marks it: by
@@ -23,8 +23,8 @@ struct edge_marks {
 // internal, and leaves out inner edges that are no segments.
 void keep_segments(mesh& m, const edge_marks& marks);
 
-// The marker of a boundary subsegment at each vertex, 0 for vertices on none: what is written as
-// their references.
+// Returns the marker of a boundary subsegment at each vertex, 0 for vertices on none: what is
+// written as their references.
 std::vector<int> vertex_references(const mesh& m);
 
 }  // namespace asterism::internal

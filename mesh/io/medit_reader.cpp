@@ -64,8 +64,9 @@ class medit_reader {
   medit_reader(text_scanner& source, mesh& m, bool all_edges)
       : source_(source), m_(m), all_edges_(all_edges) {}
 
-  // Header, then sections until End or the end of the file.
+  // Reads the header, then sections until End or the end of the file.
   failure read_mesh();
+  const mesh_marks& marks() const { return marks_; }
 
  private:
   failure read_section(const word& keyword);
@@ -78,7 +79,7 @@ class medit_reader {
   failure skip(const word& keyword, int words);
   failure skip_text(const word& keyword);
 
-  // The count of a section that may occur once.
+  // Reads the count of a section that may occur once.
   result<std::size_t> read_count(std::string_view keyword, bool& seen);
   result<double> read_number(std::string_view meaning) {
     return to_number(source_, source_.next(), meaning);
@@ -86,10 +87,12 @@ class medit_reader {
   result<int> read_reference(std::string_view meaning) {
     return to_marker(source_, source_.next(), meaning);
   }
-  // A vertex number of the file. Whether it exists is known when all sections have been read.
+  // Reads a vertex number of the file. Whether it exists is known when all sections have been
+  // read.
   result<vertex_index> read_vertex(std::string_view meaning);
   failure check_vertices();
   failure check_required_edges();
+  void note_marks();
   bool take_segment_numbers();
   void find_segments(bool is_own);
 
@@ -112,6 +115,7 @@ class medit_reader {
     std::size_t line;
   };
   std::vector<named_edge> required_edges_;
+  mesh_marks marks_;
 };
 
 failure medit_reader::read_mesh() {
@@ -127,6 +131,7 @@ failure medit_reader::read_mesh() {
   if (!triangles_seen_) return source_.failure(source_.line(), "there is no section Triangles");
   if (auto failed = check_vertices()) return failed;
   if (auto failed = check_required_edges()) return failed;
+  note_marks();
   find_segments(take_segment_numbers());
   if (m_.references == vertex_references(m_)) m_.references.clear();
   if (std::all_of(m_.regions.begin(), m_.regions.end(), [](int region) { return region == 1; }))
@@ -259,12 +264,15 @@ failure medit_reader::read_required() {
   return {};
 }
 
-// Read as they have to be, and not used.
+// Reads corners as they have to be, and does not use them.
 failure medit_reader::read_corners() {
   const auto count = read_count("Corners", corners_seen_);
   if (!count.ok()) return count.failure();
-  for (std::size_t i = 0; i < count.value(); ++i)
-    if (const auto v = read_vertex("corner"); !v.ok()) return v.failure();
+  for (std::size_t i = 0; i < count.value(); ++i) {
+    const auto v = read_vertex("corner");
+    if (!v.ok()) return v.failure();
+    marks_.corners.push_back(v.value());
+  }
   return {};
 }
 
@@ -306,7 +314,14 @@ failure medit_reader::skip_text(const word& keyword) {
   return {};
 }
 
-// A file of ours lists subsegments alone.
+// Notes edges by their ends while they are numbered as in the file.
+void medit_reader::note_marks() {
+  marks_.required_vertices = required_;
+  for (const named_edge& e : required_edges_)
+    marks_.required_edges.push_back({m_.boundary[e.number].a, m_.boundary[e.number].b});
+}
+
+// Decides which edges are segments. A file of ours lists subsegments alone.
 void medit_reader::find_segments(bool is_own) {
   edge_marks marks{std::vector<char>(m_.boundary.size(), 0), all_edges_ || is_own};
   for (const named_edge& e : required_edges_) marks.required[e.number] = 1;
@@ -365,6 +380,16 @@ result<mesh> read_medit(const std::filesystem::path& path, const medit_read_opti
   const auto& solution = options.solution.empty() ? beside : options.solution;
   if (auto failed = read_medit_solution(solution, m, options)) return std::move(*failed);
   return m;
+}
+
+result<mesh_marks> read_medit_marks(const std::filesystem::path& path) {
+  const auto text = read_text_file(path);
+  if (!text.ok()) return text.failure();
+  text_scanner source(path.string(), text.value());
+  mesh m;
+  medit_reader reader(source, m, false);
+  if (auto failed = reader.read_mesh()) return std::move(*failed);
+  return reader.marks();
 }
 
 }  // namespace asterism

@@ -20,8 +20,8 @@ namespace {
 using words = std::vector<word>;
 using failure = std::optional<error>;
 
-// The attribute of a region. Triangle's is any number; here it names a region, so it is a whole
-// one, however it is written.
+// Returns the attribute of a region. Triangle's is any number; here it names a region, so it is a
+// whole one, however it is written.
 result<int> to_region_number(const text_scanner& source, const word& w) {
   const auto value = to_number(source, w, "attribute of a region");
   if (!value.ok()) return value.failure();
@@ -37,7 +37,7 @@ class poly_reader {
  public:
   poly_reader(text_scanner& source, domain& d) : source_(source), d_(d) {}
 
-  // `count` is set to the number of vertices the header announces.
+  // Reads the vertices; `count` is set to the number of vertices the header announces.
   failure read_vertices(std::size_t& count);
   failure read_segments();
   failure read_holes();
@@ -45,15 +45,15 @@ class poly_reader {
   failure expect_end();
 
  private:
-  // The header of the vertices: their number, and how many words each line has.
+  // Reads the header of the vertices: their number, and how many words each line has.
   failure read_vertex_header(std::size_t& count, std::size_t& record_size);
   failure read_vertex(const words& record);
   failure read_segment(const words& record, std::size_t expected_size);
   failure read_region(const words& record);
   failure read_point(const words& record, std::string_view what, point& p);
-  // A header line with 1 to `most` words; `wanted` says what it should hold.
+  // Reads a header line with 1 to `most` words; `wanted` says what it should hold.
   failure read_header(std::string_view wanted, std::size_t most, words& header);
-  // The next line, as record `position` (from 0) of `count`: its number must follow on.
+  // Reads the next line, as record `position` (from 0) of `count`: its number must follow on.
   failure read_record(std::string_view what, std::size_t position, std::size_t count,
                       std::size_t least, std::size_t most, words& record);
   failure check_number(std::string_view what, const word& number, std::size_t position);
@@ -291,7 +291,7 @@ failure poly_reader::expect_end() {
                          quoted_token(extra.text) + " is too much: the file should end here");
 }
 
-// Triangle's convention for a .poly file without vertices of its own.
+// Follows Triangle's convention for a .poly file without vertices of its own.
 failure read_node_file(const std::filesystem::path& poly_path, domain& d) {
   const std::filesystem::path path = std::filesystem::path(poly_path).replace_extension(".node");
   const auto text = read_text_file(path);

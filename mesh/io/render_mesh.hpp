@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The files of a mesh, not yet written: so that those of a run can be written together.
+// Makes the files of a mesh without writing them, so that those of a run can be written together.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// What write_mesh writes, for write_files. Fails as write_mesh does before it writes.
+// Returns the files that write_mesh would write, for write_files. Fails as write_mesh does.
 result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, const mesh& m,
                                              const write_options& options);
 

@@ -14,8 +14,8 @@
 
 namespace asterism::internal {
 
-// Seventeen significant digits, enough to read the same double back; what printf's %.17g writes in
-// the C locale.
+// Appends seventeen significant digits, enough to read the same double back; what printf's %.17g
+// writes in the C locale.
 inline void append_number(std::string& text, double x) {
   std::array<char, 32> digits{};  // sign, 17 digits, point, exponent of five
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x,

@@ -11,21 +11,29 @@
 
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/gmsh.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/plain_meshes.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/vtu.hpp"
 
 namespace asterism {
 using namespace internal;
+namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, mesh_format>, 5> formats = {
+constexpr std::array<std::pair<std::string_view, mesh_format>, 10> formats = {
     {{".mesh", mesh_format::medit},
      {".vtu", mesh_format::vtu},
      {".svg", mesh_format::svg},
      {".png", mesh_format::png},
-     {".pdf", mesh_format::pdf}}};
+     {".pdf", mesh_format::pdf},
+     {".html", mesh_format::html},
+     {".msh", mesh_format::gmsh},
+     {".msh2", mesh_format::gmsh2},
+     {".su2", mesh_format::su2},
+     {".node", mesh_format::node}}};
 
 std::string lower(std::string text) {
   for (char& c : text) c = lower_case(c);
@@ -54,8 +62,8 @@ std::optional<error> check_indices(const mesh& m) {
   return {};
 }
 
-// `contents` with the note as a comment after its first line, which all three text formats want to
-// be theirs. In XML a comment must not hold two hyphens in a row.
+// Returns `contents` with the note as a comment after its first line, which all three text formats
+// want to be theirs. In XML a comment must not hold two hyphens in a row.
 std::string with_note(std::string contents, mesh_format format, const std::string& note) {
   if (note.empty()) return contents;
   std::string line;
@@ -67,19 +75,66 @@ std::string with_note(std::string contents, mesh_format format, const std::strin
   return contents.insert(contents.find('\n') + 1, line);
 }
 
-result<std::vector<output_file>> render(const std::filesystem::path& path, mesh_format format,
-                                        const mesh& m, const write_options& options) {
-  if (format == mesh_format::medit)
-    return std::vector<output_file>{{path, with_note(medit_mesh_text(m), format, options.note)},
-                                    {solution_path(path), medit_solution_text(m)}};
-  if (format == mesh_format::vtu)
-    return std::vector<output_file>{{path, with_note(vtu_text(m), format, options.note)}};
+using output_files = std::vector<output_file>;
+
+fs::path beside(const fs::path& path, const char* extension) {
+  return fs::path(path).replace_extension(extension);
+}
+
+result<output_files> render_picture(const fs::path& path, mesh_format format, const mesh& m,
+                                    const write_options& options) {
   auto picture = draw_picture(m, picture_format_of(format), options.picture);
   if (!picture.ok()) return picture.failure().at(path.string());
-  if (format == mesh_format::svg)
-    return std::vector<output_file>{
-        {path, with_note(std::move(picture).value(), format, options.note)}};
-  return std::vector<output_file>{{path, std::move(picture).value()}};
+  if (format != mesh_format::svg) return output_files{{path, std::move(picture).value()}};
+  return output_files{{path, with_note(std::move(picture).value(), format, options.note)}};
+}
+
+result<output_files> render_page(const fs::path& path, const mesh& m,
+                                 const write_options& options) {
+  auto page = report_page(m, options.report);
+  if (!page.ok()) return page.failure().at(path.string());
+  return output_files{{path, std::move(page).value()}};
+}
+
+// The note as a line of its own; nothing where there is none.
+std::string comment(const std::string& mark, std::string note) {
+  std::replace_if(
+      note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return note.empty() ? "" : mark + note + "\n";
+}
+
+// The note follows the first section, before which nothing may stand.
+std::string render_gmsh(const mesh& m, const write_options& options, gmsh_version version) {
+  std::string text = gmsh_text(m, options.names, version);
+  if (options.note.empty()) return text;
+  const std::string_view first = "$EndMeshFormat\n";
+  return text.insert(text.find(first) + first.size(),
+                     "$Comments\n" + comment("", options.note) + "$EndComments\n");
+}
+
+result<output_files> render(const fs::path& path, mesh_format format, const mesh& m,
+                            const write_options& options) {
+  switch (format) {
+    case mesh_format::medit:
+      return output_files{{path, with_note(medit_mesh_text(m), format, options.note)},
+                          {solution_path(path), medit_solution_text(m)}};
+    case mesh_format::vtu:
+      return output_files{{path, with_note(vtu_text(m), format, options.note)}};
+    case mesh_format::gmsh:
+      return output_files{{path, render_gmsh(m, options, gmsh_version::four)}};
+    case mesh_format::gmsh2:
+      return output_files{{path, render_gmsh(m, options, gmsh_version::two)}};
+    case mesh_format::su2:
+      return output_files{{path, comment("% ", options.note) + su2_text(m, options.names)}};
+    case mesh_format::node:
+      return output_files{{path, comment("# ", options.note) + node_text(m)},
+                          {beside(path, ".ele"), ele_text(m)},
+                          {beside(path, ".edge"), edge_text(m)}};
+    case mesh_format::html:
+      return render_page(path, m, options);
+    default:
+      return render_picture(path, format, m, options);
+  }
 }
 
 }  // namespace
@@ -89,17 +144,24 @@ result<mesh_format> mesh_format_of(const std::filesystem::path& path) {
   for (const auto& [name, format] : formats)
     if (extension == name) return format;
   return error{path.string() + ": unknown kind of file '" + extension +
-                   "'; there are .mesh, .vtu, .svg, .png and .pdf",
+                   "'; there are .mesh, .msh, .msh2, .vtu, .su2, .node, .svg, .png, .pdf and "
+                   ".html",
                error_code::bad_option};
+}
+
+std::vector<fs::path> files_of_output(const fs::path& path) {
+  const auto format = mesh_format_of(path);
+  if (format && format.value() == mesh_format::medit) return {path, solution_path(path)};
+  if (format && format.value() == mesh_format::node)
+    return {path, beside(path, ".ele"), beside(path, ".edge")};
+  return {path};
 }
 
 result<mesh_format> check_output(const std::filesystem::path& path) {
   auto format = mesh_format_of(path);
   if (!format.ok()) return format;
-  if (const auto writable = check_writable(path); !writable.ok()) return writable.failure();
-  if (format.value() == mesh_format::medit)
-    if (const auto writable = check_writable(solution_path(path)); !writable.ok())
-      return writable.failure();
+  for (const fs::path& file : files_of_output(path))
+    if (const auto writable = check_writable(file); !writable.ok()) return writable.failure();
   return format;
 }
 

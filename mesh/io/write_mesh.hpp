@@ -4,7 +4,11 @@
 //
 //   .mesh              Medit, and the metric in .sol beside it (mesh/io/medit.hpp)
 //   .vtu               VTK unstructured grid for ParaView (mesh/io/vtu.hpp)
+//   .msh  .msh2        gmsh 4.1 and 2.2, with the metric (mesh/io/gmsh.hpp)
+//   .su2               SU2 (mesh/io/plain_meshes.hpp)
+//   .node              Triangle, with .ele and .edge beside it (mesh/io/plain_meshes.hpp)
 //   .svg  .png  .pdf   a picture (mesh/draw/picture.hpp)
+//   .html              a page about the mesh (mesh/draw/report.hpp)
 //
 // A file appears complete or not at all: it is written under a temporary name beside its place and
 // renamed. The bytes depend on the mesh and the options alone.
@@ -18,11 +22,13 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/draw/picture.hpp"
+#include "asterism/mesh/draw/report.hpp"
+#include "asterism/mesh/io/physical_names.hpp"
 
 namespace asterism {
 
-// The formats of meshes and pictures.
-enum class mesh_format { medit, vtu, svg, png, pdf };
+// The formats of meshes, pictures and pages.
+enum class mesh_format { medit, vtu, svg, png, pdf, html, gmsh, gmsh2, su2, node };
 
 // Returns the format that the extension names, in upper or lower case; the error lists the known
 // ones.
@@ -33,9 +39,15 @@ ASTERISM_EXPORT result<mesh_format> mesh_format_of(const std::filesystem::path& 
 // long computation.
 ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& path);
 
+// Returns every file that is written with `path`, itself first.
+ASTERISM_EXPORT std::vector<std::filesystem::path> files_of_output(
+    const std::filesystem::path& path);
+
 // Options of writing.
 struct write_options {
-  picture_options picture;  // for .svg, .png and .pdf
+  picture_options picture;    // for .svg, .png and .pdf
+  report_facts report = {};   // for .html
+  physical_names names = {};  // for .msh and .su2
   // A sentence about the mesh for whoever opens the file: a comment in .mesh, .vtu and .svg.
   std::string note = {};
 };

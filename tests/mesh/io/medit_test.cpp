@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/tests/mesh/fixtures/temporary_directory.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 
 using namespace asterism;

@@ -5,6 +5,7 @@
 #include <clocale>
 #include <limits>
 
+#include "asterism/tests/mesh/fixtures/temporary_directory.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 
 using namespace asterism;

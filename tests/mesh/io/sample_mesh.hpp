@@ -3,13 +3,8 @@
 // Meshes for the tests of formats and pictures: valid ones whose numbers need all their digits.
 #pragma once
 
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <string>
 #include <utility>
 
 #include "asterism/mesh/data/mesh.hpp"
@@ -63,37 +58,5 @@ inline mesh divided_mesh(vertex_index n) {
   }
   return m;
 }
-
-// A directory of one test, removed with everything in it at the end.
-class temporary_directory {
- public:
-  // Tests run side by side, each in its own process.
-  explicit temporary_directory(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() /
-              ("asterism-" + name + "-" + std::to_string(::getpid()))) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  temporary_directory(const temporary_directory&) = delete;
-  temporary_directory& operator=(const temporary_directory&) = delete;
-  ~temporary_directory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  std::size_t files() const {
-    std::size_t count = 0;
-    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(path_)) ++count;
-    return count;
-  }
-  std::filesystem::path write(const std::string& name, const std::string& contents) const {
-    std::ofstream(path_ / name, std::ios::binary) << contents;
-    return path_ / name;
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace asterism::tests

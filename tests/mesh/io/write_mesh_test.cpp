@@ -5,7 +5,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/vtu.hpp"
+#include "asterism/tests/mesh/fixtures/temporary_directory.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 
 using namespace asterism;
@@ -71,6 +73,39 @@ TEST_CASE(
   REQUIRE(write_mesh(here / "m.svg", sample_mesh(2)).ok());
   REQUIRE(bytes_of(here / "m.svg.part") == "precious");
   REQUIRE(here.files() == 3);
+}
+
+TEST_CASE("renamings before one that fails are undone") {
+  const std::vector<std::string> names = {"a", "b", "c", "d"};
+  for (const std::string& blocked : names)
+    for (const bool had_files : {true, false}) {
+      const temporary_directory here("undone");
+      std::vector<output_file> files;
+      for (const std::string& name : names) {
+        if (had_files && name != blocked) here.write(name, "old " + name);
+        files.push_back({here / name, "new " + name});
+      }
+      std::filesystem::create_directory(here / blocked);
+      const auto written = write_files(files);
+      REQUIRE_FALSE(written.ok());
+      REQUIRE_THAT(written.failure().message, Catch::Contains("/" + blocked + ": Is a directory"));
+      REQUIRE(std::filesystem::is_directory(here / blocked));
+      REQUIRE(here.files() == (had_files ? names.size() : 1));
+      for (const std::string& name : names)
+        if (had_files && name != blocked) REQUIRE(bytes_of(here / name) == "old " + name);
+    }
+}
+
+TEST_CASE("a link to a file is replaced, and put back as a link") {
+  const temporary_directory here("link");
+  here.write("kept", "kept");
+  std::filesystem::create_symlink("kept", here / "a");
+  std::filesystem::create_directory(here / "b");
+  REQUIRE_FALSE(write_files({{here / "a", "new"}, {here / "b", "new"}}).ok());
+  REQUIRE(std::filesystem::is_symlink(here / "a"));
+  REQUIRE(write_files({{here / "a", "new"}}).ok());
+  REQUIRE(bytes_of(here / "a") == "new");
+  REQUIRE(bytes_of(here / "kept") == "kept");
 }
 
 TEST_CASE("a mesh whose numbers are wrong is not written") {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads and writes gmsh's ASCII formats, .msh 4.1 and 2.2.
+//
+// Written: the vertices with the tags 1, 2, ...; one surface a region, one curve a marker, each
+// with a physical group of that number and its name; a point element for each given vertex; the
+// triangles; the boundary subsegments as lines, domain on the left, internal ones too; and the
+// metric as node data "metric", nine components. All numbers have 17 significant digits. The
+// number of a physical group must be positive: 0 and negative numbers take a free one, with their
+// own in the name, "marker -7", where it is read back from.
+//
+// Read: sections in the order that gmsh writes, tags in any order and with gaps; lines and
+// triangles of first order, points; node data "metric"; other sections are passed over. Each line
+// is a segment. Refused: binary files, other versions, elements of other kinds, a third coordinate
+// other than 0, parametric nodes, tags that do not exist or twice, numbers that are not finite,
+// elements of an entity in several physical groups. Source: the gmsh 4.11 manual, "MSH file
+// format", and "MSH file format version 2 (Legacy)".
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/io/physical_names.hpp"
+
+namespace asterism::internal {
+
+struct gmsh_file {
+  mesh content;
+  physical_names names;
+  bool has_metric = false;  // else every vertex has the identity
+};
+
+// Reads a file. Where no triangle is in a physical group, the regions are empty. `given` is the
+// number of points if these are the first vertices, else 0. Tensors are checked to be positive
+// definite, exactly.
+result<gmsh_file> read_gmsh(const std::filesystem::path& path);
+
+enum class gmsh_version { two, four };
+
+// Returns the contents of the file.
+std::string gmsh_text(const mesh& m, const physical_names& names, gmsh_version version);
+
+}  // namespace asterism::internal

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "asterism/mesh/data/bounding_box.hpp"
+#include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/io/gmsh.hpp"
+#include "asterism/mesh/io/text_lines.hpp"
+
+namespace asterism::internal {
+namespace {
+
+// The group of one number: its entity from 1, its physical tag and its name. Every element is in
+// one: meshio reads a file in which all are, or none.
+struct group {
+  std::size_t entity = 0;
+  int tag = 0;
+  std::string name;
+};
+using groups = std::map<int, group>;
+
+groups make_groups(const std::set<int>& numbers, const std::map<int, std::string>& names,
+                   std::string_view what) {
+  groups made;
+  long long next = numbers.empty() ? 1 : std::max(1LL, 1LL + *numbers.rbegin());
+  for (const int number : numbers) {
+    group& g = made[number];
+    g.entity = made.size();
+    const auto named = names.find(number);
+    g.name = what;
+    g.name += ' ';
+    append_integer(g.name, number);
+    if (number > 0 && named != names.end()) g.name = named->second;
+    g.tag = number > 0 ? number : static_cast<int>(next++);
+  }
+  return made;
+}
+
+int region_of(const mesh& m, std::size_t t) { return m.regions.empty() ? 1 : m.regions[t]; }
+
+class gmsh_writer {
+ public:
+  gmsh_writer(const mesh& m, const physical_names& names) : m_(m) {
+    std::set<int> markers, regions;
+    for (const boundary_edge& e : m.boundary) markers.insert(e.marker);
+    for (std::size_t t = 0; t < m.triangles.size(); ++t) regions.insert(region_of(m, t));
+    curves_ = make_groups(markers, names.markers, "marker");
+    surfaces_ = make_groups(regions, names.regions, "region");
+  }
+
+  std::string two() {
+    text_ = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+    write_names();
+    text_ += "$Nodes\n";
+    line(m_.sites.size());
+    append_lines(text_, m_.sites.size(), [&](std::size_t v, std::string& text) {
+      append_integer(text, v + 1);
+      text += ' ';
+      append_point(text, v);
+    });
+    text_ += "$EndNodes\n";
+    write_elements_of_two();
+    write_metric();
+    return std::move(text_);
+  }
+
+  std::string four() {
+    text_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+    write_names();
+    write_entities();
+    write_nodes_of_four();
+    write_elements_of_four();
+    write_metric();
+    return std::move(text_);
+  }
+
+ private:
+  template <class... Integers>
+  void line(Integers... numbers) {
+    append_words(text_, numbers...);
+  }
+  template <class First, class... Rest>
+  static void append_words(std::string& text, First first, Rest... rest) {
+    append_integer(text, first);
+    ((text += ' ', append_integer(text, rest)), ...);
+    text += '\n';
+  }
+  void append_point(std::string& text, std::size_t v) const {
+    append_number(text, m_.sites[v].position.x);
+    text += ' ';
+    append_number(text, m_.sites[v].position.y);
+    text += " 0\n";
+  }
+
+  void write_names() {
+    std::string names = m_.given > 0 ? "0 1 \"given\"\n" : "";
+    std::size_t count = m_.given > 0 ? 1 : 0;
+    for (const auto& [dimension, all] : {std::pair{1, &curves_}, {2, &surfaces_}})
+      for (const auto& [number, g] : *all) {
+        append_integer(names, dimension);
+        names += ' ';
+        append_integer(names, g.tag);
+        names.append(" \"").append(g.name).append("\"\n");
+        ++count;
+      }
+    text_ += "$PhysicalNames\n";
+    line(count);
+    text_.append(names).append("$EndPhysicalNames\n");
+  }
+
+  // An entity's box is not looked at by readers of meshes, so that each gets the whole mesh's.
+  void write_entities() {
+    text_ += "$Entities\n";
+    line(std::size_t{m_.given}, curves_.size(), surfaces_.size(), 0);
+    for (std::size_t v = 0; v < m_.given; ++v) {
+      append_integer(text_, v + 1);
+      text_ += ' ';
+      append_point(text_, v);
+      text_.back() = ' ';
+      text_ += "1 1\n";
+    }
+    const bounding_box box = m_.sites.empty() ? bounding_box{} : box_of_sites(m_.sites);
+    for (const auto* all : {&curves_, &surfaces_})
+      for (const auto& [number, g] : *all) {
+        append_integer(text_, g.entity);
+        for (const double x : {box.low.x, box.low.y, 0.0, box.high.x, box.high.y, 0.0}) {
+          text_ += ' ';
+          append_number(text_, x);
+        }
+        text_ += " 1 ";
+        append_integer(text_, g.tag);
+        text_ += " 0\n";
+      }
+    text_ += "$EndEntities\n";
+  }
+
+  void write_nodes_of_four() {
+    const std::size_t n = m_.sites.size();
+    text_ += "$Nodes\n";
+    line(n > 0 ? 1 : 0, n, n > 0 ? 1 : 0, n);
+    if (n > 0) {
+      line(2, 1, 0, n);
+      append_lines(text_, n, [](std::size_t v, std::string& text) { append_words(text, v + 1); });
+      append_lines(text_, n, [&](std::size_t v, std::string& text) { append_point(text, v); });
+    }
+    text_ += "$EndNodes\n";
+  }
+
+  std::size_t element_count() const { return m_.given + m_.boundary.size() + m_.triangles.size(); }
+
+  void write_elements_of_two() {
+    text_ += "$Elements\n";
+    line(element_count());
+    std::size_t tag = 0;
+    for (std::size_t v = 0; v < m_.given; ++v) line(++tag, 15, 2, 1, v + 1, v + 1);
+    for (const boundary_edge& e : m_.boundary) {
+      const group& g = curves_.at(e.marker);
+      line(++tag, 1, 2, g.tag, g.entity, std::size_t{e.a} + 1, std::size_t{e.b} + 1);
+    }
+    append_lines(text_, m_.triangles.size(), [&](std::size_t t, std::string& text) {
+      const group& g = surfaces_.at(region_of(m_, t));
+      const triangle& c = m_.triangles[t];
+      append_words(text, tag + t + 1, 2, 2, g.tag, g.entity, std::size_t{c[0]} + 1,
+                   std::size_t{c[1]} + 1, std::size_t{c[2]} + 1);
+    });
+    text_ += "$EndElements\n";
+  }
+
+  // A block for each run of elements of one entity: so they keep their order.
+  void write_elements_of_four() {
+    std::string blocks;
+    std::swap(blocks, text_);
+    std::size_t tag = 0, count = 0;
+    for (std::size_t v = 0; v < m_.given; ++v, ++count) {
+      line(0, v + 1, 15, 1);
+      line(++tag, v + 1);
+    }
+    write_runs(
+        m_.boundary.size(), count, [&](std::size_t i) { return m_.boundary[i].marker; },
+        [&](std::size_t i, std::size_t run) {
+          if (run > 0) line(1, curves_.at(m_.boundary[i].marker).entity, 1, run);
+          const boundary_edge& e = m_.boundary[i];
+          line(++tag, std::size_t{e.a} + 1, std::size_t{e.b} + 1);
+        });
+    write_runs(
+        m_.triangles.size(), count, [&](std::size_t t) { return region_of(m_, t); },
+        [&](std::size_t t, std::size_t run) {
+          if (run > 0) line(2, surfaces_.at(region_of(m_, t)).entity, 2, run);
+          const triangle& c = m_.triangles[t];
+          line(++tag, std::size_t{c[0]} + 1, std::size_t{c[1]} + 1, std::size_t{c[2]} + 1);
+        });
+    std::swap(blocks, text_);
+    text_ += "$Elements\n";
+    line(count, element_count(), element_count() > 0 ? 1 : 0, element_count());
+    text_.append(blocks).append("$EndElements\n");
+  }
+
+  // Calls write(i, run) in order; `run` is the length of the run that begins there, else 0.
+  template <class Number, class Write>
+  static void write_runs(std::size_t size, std::size_t& count, const Number& number,
+                         const Write& write) {
+    for (std::size_t i = 0; i < size;) {
+      std::size_t end = i;
+      while (end < size && number(end) == number(i)) ++end;
+      ++count;
+      write(i, end - i);
+      for (++i; i < end; ++i) write(i, 0);
+    }
+  }
+
+  void write_metric() {
+    text_ += "$NodeData\n1\n\"metric\"\n1\n0\n3\n0\n9\n";
+    line(m_.sites.size());
+    append_lines(text_, m_.sites.size(), [&](std::size_t v, std::string& text) {
+      const metric_tensor& t = m_.sites[v].metric;
+      append_integer(text, v + 1);
+      for (const double x : {t.m11, t.m12, 0.0, t.m12, t.m22, 0.0, 0.0, 0.0, 1.0}) {
+        text += ' ';
+        append_number(text, x);
+      }
+      text += '\n';
+    });
+    text_ += "$EndNodeData\n";
+  }
+
+  const mesh& m_;
+  groups curves_, surfaces_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string gmsh_text(const mesh& m, const physical_names& names, gmsh_version version) {
+  gmsh_writer writer(m, names);
+  return version == gmsh_version::two ? writer.two() : writer.four();
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads a mesh in the format that the extension names: .msh (and .msh2) by mesh/io/gmsh.hpp,
+// anything else as Medit's .mesh (mesh/io/medit.hpp).
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/physical_names.hpp"
+
+namespace asterism {
+
+// True if a file of this name is a mesh: .mesh, .msh or .msh2.
+ASTERISM_EXPORT bool is_mesh_file(std::string_view name);
+
+// Reads a mesh with its metric. A .msh file has its own as node data; the options about a .sol mean
+// that for it, and options.solution is an error.
+ASTERISM_EXPORT result<mesh> read_mesh(const std::filesystem::path& path,
+                                       const medit_read_options& options = {});
+
+// Returns the names that a .msh file gives to markers and regions; of other files none. Empty, too,
+// where the file cannot be read.
+ASTERISM_EXPORT physical_names names_in(const std::filesystem::path& path);
+
+}  // namespace asterism

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: MIT
+"""Regions and markers, names and positions, through programs that are not ours: gmsh, meshio and VTK read
+what is written, and what they write is read. Skipped where gmsh or VTK are missing."""
+import shutil
+import subprocess
+import sys
+import unittest
+
+from command import CommandTest
+
+try:
+    import meshio
+    import numpy
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+except ImportError as missing:
+    print(f"skipped: {missing}; the test needs python3-meshio and python3-vtk9")
+    sys.exit(77)
+if not shutil.which("gmsh"):
+    print("skipped: the test needs gmsh (scripts/setup.sh, large_packages)")
+    sys.exit(77)
+
+# Two regions, 3 and 5, with a segment between them; sides 11 to 16.
+DOMAIN = """6 2 0 0
+1 0 0
+2 2 0
+3 2 1
+4 0 1
+5 1 0
+6 1 1
+7 1
+1 1 5 11
+2 5 2 12
+3 2 3 13
+4 3 6 14
+5 6 4 15
+6 4 1 16
+7 5 6 7
+0
+2
+1 0.5 0.5 3
+2 1.5 0.5 5
+"""
+FORMULA = ("--metric", "swirl:4", "--size", "0.3")
+
+
+class RoundTrips(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("two.poly", DOMAIN)
+        done = self.run_command("mesh", "two.poly", *FORMULA, *"-o t.mesh -o t.msh -o t.msh2 -o t.vtu -o t.su2".split())
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.expected = self.content("t.mesh")
+
+    def content(self, name):
+        """Triangles by their corners' places, with regions; edges likewise, with markers."""
+        lines = iter((self.folder / name).read_text().split("\n"))
+        sections = {}
+        for line in lines:
+            if line in ("Vertices", "Triangles", "Edges"):
+                sections[line] = [next(lines).split() for _ in range(int(next(lines)))]
+        place = [tuple(round(float(x), 10) + 0.0 for x in v[:2]) for v in sections["Vertices"]]
+        return {kind: sorted((sorted(place[int(v) - 1] for v in row[:-1]), int(row[-1])) for row in sections[kind])
+                for kind in ("Triangles", "Edges")}
+
+    def gmsh(self, source, form, target):
+        subprocess.run(["gmsh", source, "-setnumber", "Mesh.SaveElementTagType", "2", "-save", "-format", form, "-o", target], cwd=self.folder, check=True,
+                       capture_output=True, timeout=120)
+
+    def check_certified(self, name):
+        """The mesh is read, certified in the same metric, and has everything it had."""
+        done = self.run_command("certify", name, *FORMULA, "-o", "again.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(self.content("again.mesh"), self.expected)
+
+    def test_our_own(self):
+        for name in ("t.mesh", "t.msh", "t.msh2"):
+            self.check_certified(name)
+        self.assertEqual(self.run_command("certify", "t.msh").returncode, 0)  # in its own metric
+
+    def test_gmsh_4(self):
+        self.gmsh("t.msh", "msh41", "g.msh")
+        self.check_certified("g.msh")
+        self.assertIn('1 13 "marker 13"', (self.folder / "g.msh").read_text())
+
+    def test_gmsh_2(self):
+        self.gmsh("t.msh2", "msh2", "g.msh")
+        self.check_certified("g.msh")
+
+    def test_gmsh_and_medit(self):
+        self.gmsh("t.msh", "mesh", "g.mesh")
+        self.check_certified("g.mesh")
+
+    def test_names_of_a_gmsh_domain(self):
+        text = (self.folder / "t.msh").read_text().replace('"marker 13"', '"outlet to sea"').replace('"region 3"', '"steel"')
+        self.write("named.msh", text)
+        self.gmsh("named.msh", "msh41", "g.msh")
+        done = self.run_command("mesh", "g.msh", "--size", "0.15", "-o", "n.msh", "-o", "n.su2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in ('1 13 "outlet to sea"', '2 3 "steel"', '2 5 "region 5"'):
+            self.assertIn(name, (self.folder / "n.msh").read_text())
+        self.assertIn("MARKER_TAG= outlet_to_sea\n", (self.folder / "n.su2").read_text())
+
+    def test_a_geometry_meshed_by_gmsh(self):
+        self.write("plate.geo", """lc = 0.3; Point(1) = {0,0,0,lc}; Point(2) = {1,0,0,lc}; Point(3) = {1,1,0,lc}; Point(4) = {0,1,0,lc};
+Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,4}; Line(4) = {4,1}; Curve Loop(1) = {1,2,3,4}; Plane Surface(1) = {1};
+Physical Curve("floor", 7) = {1}; Physical Curve("rest", 8) = {2,3,4}; Physical Surface("air", 2) = {1};
+""")
+        subprocess.run(["gmsh", "plate.geo", "-2", "-format", "msh41", "-o", "plate.msh"], cwd=self.folder, check=True,
+                       capture_output=True, timeout=120)
+        done = self.run_command("mesh", "plate.msh", "--size", "0.1", "-o", "fine.msh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        read = meshio.read(self.folder / "fine.msh")
+        self.assertEqual(read.field_data["floor"].tolist(), [7, 1])
+        self.assertEqual(read.field_data["air"].tolist(), [2, 2])
+        self.assertEqual(set(read.cell_data_dict["gmsh:physical"]["line"].tolist()), {7, 8})
+
+    def test_meshio(self):
+        for name in ("t.msh", "t.msh2"):
+            read = meshio.read(self.folder / name, file_format="gmsh")
+            physical = read.cell_data_dict["gmsh:physical"]
+            found = {kind: sorted((sorted(tuple(round(x, 10) + 0.0 for x in read.points[v][:2]) for v in row), number)
+                                  for row, number in zip(read.cells_dict[cells], physical[cells].tolist()))
+                     for kind, cells in (("Triangles", "triangle"), ("Edges", "line"))}
+            self.assertEqual(found, self.expected)
+            self.assertEqual(read.point_data["metric"].shape, (len(read.points), 9))
+
+    def test_meshio_and_su2(self):
+        read = meshio.read(self.folder / "t.su2")
+        self.assertEqual(len(read.cells_dict["triangle"]), len(self.expected["Triangles"]))
+        self.assertEqual(set(read.cell_data_dict["su2:tag"]["line"].tolist()), {11, 12, 13, 14, 15, 16})
+
+    def test_vtk(self):
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(self.folder / "t.vtu"))
+        reader.Update()
+        grid = reader.GetOutput()
+        regions = vtk_to_numpy(grid.GetCellData().GetArray("region"))
+        self.assertEqual(sorted(regions.tolist()), sorted(r for _, r in self.expected["Triangles"]))
+        cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 3)
+        points = numpy.round(vtk_to_numpy(grid.GetPoints().GetData()), 10) + 0.0
+        found = sorted((sorted(tuple(points[v][:2].tolist()) for v in row), int(r)) for row, r in zip(cells, regions))
+        self.assertEqual(found, self.expected["Triangles"])
+
+
+if __name__ == "__main__":
+    unittest.main()

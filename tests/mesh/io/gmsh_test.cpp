@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/gmsh.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "asterism/core/random.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/io/plain_meshes.hpp"
+#include "asterism/tests/mesh/fixtures/temporary_directory.hpp"
+#include "asterism/tests/mesh/io/sample_mesh.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using tests::divided_mesh;
+using tests::temporary_directory;
+
+namespace {
+
+mesh marked_mesh() {
+  mesh m = divided_mesh(5);
+  for (boundary_edge& e : m.boundary) e.marker -= 2;  // -1, 0, 1, 2, 3
+  return m;
+}
+
+// Leaves out the segments of subsegments, for which a .msh file has no place.
+mesh without_segments(mesh m) {
+  for (std::size_t i = 0; i < m.boundary.size(); ++i)
+    m.boundary[i].segment = static_cast<vertex_index>(i);
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("a .msh file of either version is read back to the last bit") {
+  const temporary_directory here("gmsh");
+  for (const auto version : {gmsh_version::two, gmsh_version::four}) {
+    const mesh m = marked_mesh();
+    const auto read = read_gmsh(here.write("m.msh", gmsh_text(m, {}, version)));
+    INFO((read.ok() ? "" : read.failure().message));
+    REQUIRE(read.ok());
+    CHECK(read.value().has_metric);
+    CHECK(mesh_fingerprint(without_segments(read.value().content)) ==
+          mesh_fingerprint(without_segments(m)));
+    CHECK(read.value().content.given == m.given);
+    CHECK(read.value().content.regions == m.regions);
+  }
+}
+
+TEST_CASE("physical names survive") {
+  const temporary_directory here("gmsh-names");
+  physical_names names;
+  names.markers = {{2, "inlet of air"}, {3, "wall"}};
+  names.regions = {{2, "steel"}};
+  for (const auto version : {gmsh_version::two, gmsh_version::four}) {
+    const auto read = read_gmsh(here.write("m.msh", gmsh_text(marked_mesh(), names, version)));
+    REQUIRE(read.ok());
+    CHECK(read.value().names.markers.at(2) == "inlet of air");
+    CHECK(read.value().names.markers.at(3) == "wall");
+    CHECK(read.value().names.regions.at(2) == "steel");
+    CHECK(read.value().names.regions.at(-7) == "region -7");
+  }
+}
+
+TEST_CASE("what a .msh file may not hold is refused with its line") {
+  const temporary_directory here("gmsh-refused");
+  const std::string good = gmsh_text(divided_mesh(2), {}, gmsh_version::two);
+  const auto message = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    const auto read = read_gmsh(here.write("m.msh", text.replace(at, from.size(), to)));
+    REQUIRE_FALSE(read.ok());
+    return read.failure().message;
+  };
+  using Catch::Contains;
+  CHECK_THAT(message("2.2 0 8", "2.2 1 8"), Contains("m.msh:2: a binary file"));
+  CHECK_THAT(message("2.2 0 8", "3 0 8"), Contains("4.1 and 2.2 can be read"));
+  CHECK_THAT(message("$EndNodes", "$EndKnots"), Contains("$EndNodes wanted, not '$EndKnots'"));
+  CHECK_THAT(message("\n2 1 -1 0\n", "\n1 1 -1 0\n"), Contains("node \"2\" does not exist") ||
+                                                          Contains("is there twice") ||
+                                                          Contains("metric"));
+  CHECK_THAT(message("$Elements", "$Ignored\n$EndIgnored\n$Strange"), Contains("$EndStrange"));
+}
+
+TEST_CASE("spoiled .msh files are read or refused, and nothing else") {
+  const temporary_directory here("gmsh-spoiled");
+  splitmix64 random(20);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random.bits() % n); };
+  std::size_t refused = 0;
+  for (const auto version : {gmsh_version::two, gmsh_version::four}) {
+    const std::string good = gmsh_text(marked_mesh(), {}, version);
+    for (int i = 0; i < 400; ++i) {
+      std::string text = good;
+      for (int k = 0; k < 3; ++k) text[below(text.size())] = "0123456789 -.$e\n"[below(16)];
+      if (i % 4 == 0) text.resize(below(text.size()));
+      const auto read = read_gmsh(here.write("m.msh", text));
+      if (!read.ok()) {
+        ++refused;
+        CHECK_THAT(read.failure().message, Catch::Contains("m.msh"));
+        continue;
+      }
+      const mesh& m = read.value().content;
+      for (const triangle& t : m.triangles)
+        CHECK(*std::max_element(t.begin(), t.end()) < m.sites.size());
+    }
+  }
+  CHECK(refused > 200);
+}
+
+TEST_CASE("SU2 gets the boundary alone, Triangle the edges inside too") {
+  const mesh m = divided_mesh(3);
+  const std::string su2 = su2_text(m, {.markers = {{2, "far field"}}, .regions = {}});
+  CHECK_THAT(su2, Catch::Contains("NDIME= 2\nNELEM= 18\n5 ") && Catch::Contains("NMARK= 4\n") &&
+                      Catch::Contains("MARKER_TAG= far_field\nMARKER_ELEMS= 3\n3 "));
+  CHECK_THAT(edge_text(m), Catch::StartsWith("15 1\n1 "));
+  CHECK_THAT(node_text(m), Catch::StartsWith("16 2 3 1\n1 -1 -1 "));
+  CHECK_THAT(ele_text(m), Catch::StartsWith("18 3 1\n1 "));
+}
