@@ -12,6 +12,7 @@ import sys
 import closeness_plot
 import tables
 from measurements import measurements
+from page import wrapped
 
 
 def first_line(*command):
@@ -67,7 +68,7 @@ def page(raw, cache, plot_link):
         " where the answer changes. The filtered kernel's answers are all right.\n",
         f"![error rate and time against closeness]({plot_link})\n",
         "## The whole job\n", tables.whole(whole)]
-    return "\n".join(parts)
+    return wrapped("\n".join(parts))
 
 
 def main():

@@ -1,12 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The tables of the performance page."""
 from measurements import Ratio, duration, short
-
-
-def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
-    lines += ["| " + " | ".join(row) + " |" for row in rows]
-    return "\n".join(lines) + "\n"
+from page import table
 
 
 def goals(timed):
@@ -54,20 +49,35 @@ def goals(timed):
 
 
 def times(timed):
-    """Median and quartiles of every contender."""
-    rows = []
+    """A table a predicate: medians of every contender on every input, and their ratios to doubles."""
+    parts, spreads = [], []
     for predicate, inputs in timed.items():
         if predicate == "batch":
             continue
-        for given, samples in inputs.items():
-            for contender, sample in samples.items():
-                low, high = sample.quartiles()
-                against = Ratio(sample, samples["double"])
-                rows.append([predicate, given, contender, duration(sample.median),
-                             f"{duration(low)} - {duration(high)}", f"{short(against.value)}x"])
-    return ("`in_circle` is `edge_test` with four equal metrics. `interval` and `exact` are these tiers alone, on the"
-            " same questions; the semi-static tier alone is the filtered kernel where it decides everything.\n\n"
-            + table(["predicate", "input", "contender", "median", "quartiles", "/ double"], rows))
+        contenders = dict.fromkeys(name for samples in inputs.values() for name in samples)
+        rows = [[contender] + [time_cell(samples, contender) for samples in inputs.values()]
+                for contender in contenders]
+        spreads += [half_spread(sample) for samples in inputs.values() for sample in samples.values()]
+        parts += [f"### {predicate}\n", table(["contender"] + list(inputs), rows)]
+    note = ("Medians; in brackets, over that of the double kernel. `in_circle` is `edge_test` with four equal metrics."
+            " `interval` and `exact` are these tiers alone, on the same questions; the semi-static tier alone is the"
+            " filtered kernel where it decides everything. The quartiles are within 5 % of the median in"
+            f" {sum(s <= 0.05 for s in spreads)} of {len(spreads)} measurements, and within"
+            f" {100 * max(spreads):.0f} % in all.\n")
+    return "\n".join([note] + parts)
+
+
+def time_cell(samples, contender):
+    if contender not in samples:
+        return "-"
+    sample = samples[contender]
+    return f"{duration(sample.median)} ({short(Ratio(sample, samples['double']).value)}x)"
+
+
+def half_spread(sample):
+    """Returns the part of the median by which the farther quartile is off."""
+    low, high = sample.quartiles()
+    return max(high - sample.median, sample.median - low) / sample.median
 
 
 def batches(timed):
@@ -103,13 +113,16 @@ def wrong(shares):
 
 
 def tiers(shares):
+    predicates = list(shares["classes"][0]["predicates"])
     names = list(shares["classes"][0]["predicates"]["edge_test"]["tiers"])
-    rows = []
-    for entry in shares["classes"]:
-        for predicate, counts in entry["predicates"].items():
-            rows.append([entry["name"], predicate]
-                        + [percent(counts["tiers"][n], counts["questions"]) for n in names])
-    return table(["input", "predicate"] + names, rows)
+    rows = [[entry["name"]] + [tier_cell(entry["predicates"][p], names) for p in predicates]
+            for entry in shares["classes"]]
+    return (f"Percent of the questions that each tier decided: {', '.join(names)}.\n\n"
+            + table(["input"] + predicates, rows))
+
+
+def tier_cell(counts, names):
+    return ", ".join(percent(counts["tiers"][n], counts["questions"]).removesuffix(" %") for n in names)
 
 
 def with_doubles(runs):
@@ -131,22 +144,34 @@ def with_doubles(runs):
 
 
 def whole(runs):
-    rows = []
-    for run in runs:
-        base = sorted(run["kernels"]["filtered"]["milliseconds"])
-        middle = base[len(base) // 2]
-        for kernel in ("double", "filtered", "exact"):
-            entry, found = run["kernels"][kernel], run["kernels"][kernel]["outcome"]
-            spent = sorted(entry["milliseconds"])
-            verdict = "certified" if found.get("certified") else "refused: " + ", ".join(
-                f"{n} {kind}" for kind, n in found.get("findings", {}).items())
-            if not found["complete"]:
-                verdict = f"not complete ({found['reason']}); " + verdict
-            rows.append([run["name"], kernel, f"{short(spent[len(spent) // 2])} ms",
-                         f"{short(spent[0])} - {short(spent[-1])}",
-                         f"{short(spent[len(spent) // 2] / middle)}x", str(found.get("sites", "-")),
-                         str(found.get("triangles", "-")), verdict])
+    kernels = ("double", "filtered", "exact")
+    names = "\n".join(f"{number}. {run['name']}" for number, run in enumerate(runs, 1))
+    rows, refused = [], []
+    for number, run in enumerate(runs, 1):
+        base = middle(run["kernels"]["filtered"]["milliseconds"])
+        spent = [middle(run["kernels"][k]["milliseconds"]) for k in kernels]
+        outcomes = [run["kernels"][k]["outcome"] for k in kernels]
+        rows.append([str(number)] + [f"{short(s)} ms ({short(s / base)}x)" for s in spent]
+                    + [", ".join(str(o.get(what, "-")) for o in outcomes) for what in ("sites", "triangles")])
+        refused += [f"- {number}, {kernel}: {verdict(found)}"
+                    for kernel, found in zip(kernels, outcomes) if verdict(found)]
     return ("The square at 20 degrees with the command's own strategy, in the metric named. Each kernel meshes with its own"
             " answers; the auditor, exact and sharing no code with the mesher, judges what comes out.\n\n"
-            + with_doubles(runs) + "\n\n"
-            + table(["domain", "kernel", "median", "range", "/ filtered", "sites", "triangles", "auditor"], rows))
+            + with_doubles(runs) + "\n\n" + names
+            + "\n\nMedian times; in brackets, over that of the filtered kernel. Sites and triangles with the double, the"
+            " filtered and the exact kernel:\n\n"
+            + table(["job"] + list(kernels) + ["sites", "triangles"], rows)
+            + "\nThe auditor certifies all but these:\n\n" + "\n".join(refused or ["- none"]) + "\n")
+
+
+def middle(times):
+    return sorted(times)[len(times) // 2]
+
+
+def verdict(found):
+    """Returns why a run's mesh is not certified, or nothing if it is."""
+    told = "" if found["complete"] else f"not complete ({found['reason']})"
+    if not found.get("certified"):
+        findings = ", ".join(f"{n} {kind}" for kind, n in found.get("findings", {}).items())
+        told += f"{'; ' if told else ''}refused: {findings}"
+    return told

@@ -118,8 +118,10 @@ json judge(const job& j, const mesh_outcome& outcome) {
 
 template <class Kernel>
 void run(const job& j, json& into) {
+  tier_counters decided;
   const auto start = std::chrono::steady_clock::now();
-  const auto outcome = mesh_domain({star_predicates_on<Kernel>(), j.shape, *j.field, j.options});
+  const auto outcome =
+      mesh_domain({star_predicates_on<Kernel>(decided), j.shape, *j.field, j.options});
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   into["milliseconds"].push_back(taken.count());
   if (into.contains("outcome")) return;

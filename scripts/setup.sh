@@ -8,11 +8,16 @@ build=$project/build/release
 packages=(
   g++ cmake ninja-build pkg-config
   libcgal-dev libgmp-dev libmpfr-dev libboost-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libcairo2-dev libtbb-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libcairo2-dev libtbb-dev zlib1g-dev
   catch2 doxygen python3 python3-meshio python3-numpy freefem++
   pybind11-dev python3-dev python3-pytest python3-skbuild python3-setuptools mypy
-  python3-matplotlib python3-shapely
+  python3-matplotlib python3-shapely python3-scipy python3-nbclient python3-ipykernel
 )
+
+# Large ones, for tests alone, which say so and are skipped without them. ASTERISM_LARGE_PACKAGES=1
+# has them installed as well.
+large_packages=(chromium chromium-driver python3-selenium python3-pil gmsh python3-vtk9)
+[ "${ASTERISM_LARGE_PACKAGES:-0}" = 0 ] || packages+=("${large_packages[@]}")
 
 installed() { dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }
 

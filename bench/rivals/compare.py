@@ -14,13 +14,12 @@ import sys
 import growth_plot
 from contenders import Asterism, Bamg, Case, Failed
 
-HEAD = ["metric", "wanted", "program", "lengths", "triangles", "wall", "processor", "peak memory",
-        "triangles/s", "/ processor s", "unit edges", "worst angle", "below 20", "turned over"]
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent))
+from page import table, wrapped  # noqa: E402
 
-
-def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+COST = ["wanted", "program", "lengths", "triangles", "wall", "processor", "peak memory", "triangles/s",
+        "/ processor s"]
+QUALITY = ["wanted", "program", "unit edges", "worst angle", "below 20", "turned over"]
 
 
 def seconds(x):
@@ -52,20 +51,22 @@ class Measured:
         return json.loads(case.ask("judge", str(self.contender.folder / self.contender.mesh),
                                    case.metric, repr(case.size)))
 
-    def row(self):
-        case, name = self.contender.case, self.contender.name
-        start = [case.metric, str(case.triangles), name]
+    def rows(self):
+        """A row of what the mesh cost, and one of how good it is."""
+        start = [str(self.contender.case.triangles), self.contender.name]
         if self.failure:
-            return start + [self.failure.replace("\n", " ")] + ["-"] * (len(HEAD) - 4)
+            told = [self.failure.replace("\n", " ")]
+            return [start + told + ["-"] * (len(head) - len(start) - 1) for head in (COST, QUALITY)]
         found = self.judged()
         processor = statistics.median(r.processor for r in self.runs)
         verdict = "" if all(r.status == 0 for r in self.runs) else " (not certified)"
-        return start + [
-            f"x {self.contender.factor:.2f}", str(found["triangles"]) + verdict, seconds(self.wall()),
-            seconds(processor), f"{max(r.megabytes for r in self.runs):.0f} MB",
-            f"{found['triangles'] / self.wall():.3g}", f"{found['triangles'] / processor:.3g}", f"{100 * found['unit edges']:.1f} %",
-            f"{found['worst angle']:.1f} ({found['worst angle unforced']:.1f})", str(found["low"]),
-            str(found["turned over"])]
+        cost = [f"x {self.contender.factor:.2f}", str(found["triangles"]) + verdict, seconds(self.wall()),
+                seconds(processor), f"{max(r.megabytes for r in self.runs):.0f} MB",
+                f"{found['triangles'] / self.wall():.3g}", f"{found['triangles'] / processor:.3g}"]
+        quality = [f"{100 * found['unit edges']:.1f} %",
+                   f"{found['worst angle']:.1f} ({found['worst angle unforced']:.1f})", str(found["low"]),
+                   str(found["turned over"])]
+        return [start + cost, start + quality]
 
 
 def repetitions(measured):
@@ -83,7 +84,7 @@ def compare(case, contenders):
         for m in measured:
             m.once()
     for m in measured:
-        print(" ".join(m.row()), file=sys.stderr, flush=True)
+        print(case.metric, *m.rows()[0], file=sys.stderr, flush=True)
     return measured
 
 
@@ -130,13 +131,21 @@ def phases(build, metric, size, wall):
     both, audit = "refinement, all threads", "audit, all threads"
     return "\n".join([
         f"`{metric}`, {found['triangles']} triangles, {found['threads']} threads, medians of {found['rounds']} rounds"
-        " that took turns. Refinement is fill, stars, survey and mending; bulk building makes all stars at once from"
+        " that took turns. Refinement is fill, stars, queue of bad triangles and mending; bulk building makes all stars at once from"
         " the sites and boundary of the mesh that came out, and holds each against all sites.\n",
         table(["phase", "one thread", "all threads", "speed-up"], rows),
         f"The audit is {100 * t[audit] / (t[audit] + t[both]):.1f} % of refinement and audit together, files left out"
         + (f", and {100 * t[audit] / wall:.1f} % of the {wall:.3g} s of the whole command" if wall else "") + ";"
         f" refinement with filtered predicates takes {t[both] / t['refinement in doubles, all threads']:.2f} times as"
         " long as with plain doubles, whose stars disagree more often.\n"])
+
+
+def compared(rows):
+    """A section a metric: {metric: [rows of cost, rows of quality]}."""
+    parts = []
+    for metric, (cost, quality) in rows.items():
+        parts += [f"## {metric}\n", table(COST, cost), table(QUALITY, quality)]
+    return "\n".join(parts)
 
 
 def introduction(bamg):
@@ -185,7 +194,7 @@ def main():
     opening, done = introduction(bamg), []
     sizes = [(metric, triangles, True) for metric in asked.metrics for triangles in asked.triangles]
     sizes += [(metric, int(n), False) for metric, _, n in (entry.partition("@") for entry in asked.alone)]
-    rows = []
+    rows = {}
     for metric, triangles, beside in sizes:
         folder = asked.work.resolve() / f"{metric.replace(':', '_')}-{triangles}"
         shutil.rmtree(folder, ignore_errors=True)
@@ -194,13 +203,15 @@ def main():
         contenders += [Asterism(case, command, words) for words, most in ours
                        if most is None or triangles <= most]
         measured = compare(case, contenders)
-        rows += [m.row() for m in measured]
+        for m in measured:
+            for column, row in zip(rows.setdefault(metric, ([], [])), m.rows()):
+                column.append(row)
         done += measured
         for m in measured:
             m.triangles = m.contender.count() if m.runs else 0
         shutil.rmtree(folder)
     text, curves = growth(done)
-    page = [opening, table(HEAD, rows), "## Growth\n", "Time is wall time; 10 would be linear.\n", text]
+    page = [opening, compared(rows), "## Growth\n", "Time is wall time; 10 would be linear.\n", text]
     if asked.plot:
         asked.plot.write_text(growth_plot.svg(curves), encoding="utf-8")
         page.append("![time a triangle against triangles](../figures/growth.svg)\n")
@@ -210,7 +221,7 @@ def main():
         wall = next((m.wall() for m in done if isinstance(m.contender, Asterism) and m.runs and
                      (m.contender.case.metric, m.contender.case.triangles) == ("swirl:24", asked.phases)), None)
         page += ["## Threads, and the audit's share\n", phases(build, "swirl:24", size, wall)]
-    print("\n".join(page), end="")
+    print(wrapped("\n".join(page)), end="")
 
 
 if __name__ == "__main__":

@@ -3,9 +3,9 @@
 //   phases_bench METRIC SIZE [ROUNDS]
 //
 // Measures the phases of the main job on the square, on one thread and on all of them, by turns:
-// refinement (fill, stars, survey, mending), the audit, and bulk building: all stars at once from
-// the sites and the boundary of the mesh that came out. Measures refinement also on plain doubles.
-// Prints medians as JSON.
+// refinement (fill, stars, bad-triangle queue, mending), the audit, and bulk building: all stars at
+// once from the sites and the boundary of the mesh that came out. Measures refinement also on plain
+// doubles. Prints medians as JSON.
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
@@ -72,7 +72,8 @@ struct job {
 
 template <class Kernel>
 mesh_outcome refined(const job& j) {
-  auto outcome = mesh_domain({star_predicates_on<Kernel>(), j.shape, *j.field, j.options});
+  tier_counters decided;
+  auto outcome = mesh_domain({star_predicates_on<Kernel>(decided), j.shape, *j.field, j.options});
   return outcome ? std::move(outcome).value() : mesh_outcome{};
 }
 
@@ -86,7 +87,8 @@ bool audited(const job& j, const mesh_outcome& outcome) {
 }
 
 std::size_t stars_at_once(const adopted_mesh& adopted) {
-  const star_predicates_on<filtered_kernel> kernel;
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> kernel(decided);
   const auto edges = boundary::build(adopted.shape, kernel);
   if (!edges) return 0;
   const neighbourhood near(adopted.subject.sites, edges.value());

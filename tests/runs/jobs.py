@@ -112,7 +112,7 @@ def of_runs_not_reached():
                             "-o out.mesh", "verify out.mesh"))
     yield Job("jump", (f"{jump} --size 0.5 -o out.mesh -o out.vtu", "verify out.mesh",
                        Change("out.certificate.json", "hidden.json",
-                              r'("low_triangles_as_given": )\[[^\]]*\]', r"\1[]"),
+                              r'("low_triangles_as_wanted": )\[[^\]]*\]', r"\1[]"),
                        "verify out.mesh --certificate hidden.json"))
     yield Job("unrelaxed", (f"{jump} --no-relaxation -o out.mesh -o out.svg", "verify out.mesh"))
     yield Job("relaxed", ("mesh square --metric shock:10 --size 2 -o out.mesh",
