@@ -22,12 +22,15 @@ from ._asterism import (
     orientation,
     voronoi_vertex_count,
 )
+from ._adapt import implied_metric, metric, transfer
 from ._domain import Domain
 from ._mesh import Certificate, Mesh, NotReachedWarning, certify, in_circle, mesh, read, verify
+from ._reported import ReportedArray
 
 __all__ = [
-    "Certificate", "Domain", "InputError", "Mesh", "NotReachedWarning", "__version__",
+    "Certificate", "Domain", "InputError", "Mesh", "NotReachedWarning", "ReportedArray", "__version__",
     "arc_intersection_count", "certify", "compare_distance", "dominates", "edge_test", "encroaches",
-    "in_circle", "in_wedge", "insertion_test", "is_positive_definite", "mesh", "orientation", "read",
-    "verify", "voronoi_vertex_count",
+    "implied_metric", "in_circle", "in_wedge", "insertion_test", "is_positive_definite", "mesh", "metric",
+    "orientation", "read",
+    "transfer", "verify", "voronoi_vertex_count",
 ]

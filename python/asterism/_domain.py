@@ -21,6 +21,9 @@ class Domain(_Domain):
     overlapping segments are split.
     """
 
+    def __repr__(self) -> str:
+        return f"<Domain: {len(self.points)} points, {len(self.segments)} segments>"
+
     @classmethod
     def from_arrays(cls, points: npt.ArrayLike, segments: npt.ArrayLike, **more: Any) -> Domain:
         """The same as Domain(points, segments, ...)."""

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import _Domain, _Mesh
+from ._reported import ReportedArray
 
 Metric = Union[str, Callable[[Any], Any], Tuple["Mesh", npt.ArrayLike], npt.ArrayLike]
 
@@ -137,21 +138,27 @@ class Mesh:
 def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = None,
          angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: int = 100000,
          gradation: Optional[float] = None, relax: bool = True, prove_voronoi: bool = False,
-         improve: int = 0, progress: Optional[Callable[[Dict[str, Any]], Any]] = None) -> Mesh:
+         improve: int = 0, vertices: Optional[int] = None, complexity: Optional[float] = None,
+         progress: Optional[Callable[[Dict[str, Any]], Any]] = None) -> Mesh:
     """Makes a mesh whose angles are at least angle_bound degrees, each measured by the metric of all
     three vertices of its triangle, and audits it.
 
     metric: a text as the command takes it ("swirl:12", "expr:1+x*x;0;1"); a callable from (n, 2) points
     to (n, 3) tensors; a pair (mesh, tensors (n, 3)), or the tensors alone with on=mesh.
-    size: edges are to have this length in the metric; None: no longer than angles need.
+    size: edges are to have this length in the metric; None: no longer than angles need, but 1 in a
+    metric that asterism.metric() made.
+    vertices, complexity: in place of a size, the number of vertices, or the area of the domain as the
+    metric measures it; the metric is scaled to that.
     progress: called now and then with a dict of counts. Ctrl-C ends the run.
     """
     if on is not None:
         metric = (on, metric)  # type: ignore[assignment]
     if isinstance(metric, tuple) and len(metric) == 2 and isinstance(metric[0], Mesh):
+        if (size, vertices, complexity) == (None,) * 3 and isinstance(metric[1], ReportedArray):
+            size = 1
         metric = (metric[0]._made, metric[1])
     made = Mesh._of(_asterism._mesh(domain, metric, size, angle_bound, max_sites, gradation, relax,
-                                    prove_voronoi, improve, progress))
+                                    prove_voronoi, improve, vertices, complexity, progress))
     if not made.complete:
         warnings.warn(made.reason, NotReachedWarning, stacklevel=2)
     return made

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// numpy arrays as the library's rows of numbers, without copies where their layout allows it, and
-// errors as Python's.
+// Reads numpy arrays as the library's rows of numbers, without copies where their layout allows it,
+// and errors as Python's.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -36,7 +36,7 @@ class number_table {
   number_table(const py::object& from, py::ssize_t width, const char* name);
 
   bool is_single() const { return single_; }
-  // Of a single row: 1.
+  // Returns the number of rows, 1 where a single row stands for all.
   std::size_t rows() const { return rows_; }
   // A single row stands for as many as there are.
   asterism_rows every() const { return {first_, single_ ? 0 : stride_}; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The parts of the module asterism._asterism, a source file each.
+// Declares the parts of the module asterism._asterism, a source file each.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -11,5 +11,6 @@ void define_predicates(pybind11::module_& m);
 void define_domain(pybind11::module_& m);
 void define_mesh(pybind11::module_& m);
 void define_meshing(pybind11::module_& m);
+void define_solution(pybind11::module_& m);
 
 }  // namespace asterism::python

@@ -11,22 +11,23 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <vector>
 
 #include "arguments.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/c_interface/arrays.hpp"
-#include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/scaled_metric.hpp"
 #include "bindings.hpp"
 #include "py_mesh.hpp"
 
 namespace asterism::python {
 namespace {
 
-// What Python raised in a callback, kept until the run has ended.
+// Keeps what Python raised in a callback until the run has ended.
 class raised_error {
  public:
   void keep() {
@@ -133,7 +134,7 @@ python_metric metric_of(const py::object& metric, const domain& d, double size,
 }
 
 struct mesh_arguments {
-  std::optional<double> size, gradation;
+  std::optional<double> size, gradation, complexity;
   mesh_options options;
   py::object progress;
 };
@@ -141,8 +142,15 @@ struct mesh_arguments {
 mesh_arguments arguments_of(const std::optional<double>& size, double angle_bound,
                             std::size_t max_sites, const std::optional<double>& gradation,
                             bool relax, bool prove_voronoi, std::size_t improve,
-                            const py::object& progress) {
-  mesh_arguments a{size, gradation, {}, progress};
+                            const std::optional<std::size_t>& vertices,
+                            const std::optional<double>& complexity, const py::object& progress) {
+  mesh_arguments a{size, gradation, complexity, {}, progress};
+  if (size.has_value() + vertices.has_value() + complexity.has_value() > 1)
+    throw input_error("size, vertices, complexity: one of them at most is wanted");
+  if (vertices && (*vertices < 3 || *vertices > max_sites))
+    throw input_error("vertices: from 3 to max_sites is wanted");
+  if (complexity && !(*complexity > 0 && std::isfinite(*complexity)))
+    throw input_error("complexity: a positive finite number is wanted");
   if (size && !(*size > 0 && std::isfinite(*size)))
     throw input_error("size: a positive finite number is wanted");
   if (!(angle_bound >= 0 && angle_bound < 60))
@@ -150,7 +158,8 @@ mesh_arguments arguments_of(const std::optional<double>& size, double angle_boun
   if (gradation && !(*gradation > 1 && std::isfinite(*gradation)))
     throw input_error("gradation: a finite number above 1 is wanted");
   a.options.angle_bound = angle_bound;
-  a.options.limit_size = size.has_value();
+  a.options.limit_size = size || vertices || complexity;
+  a.options.vertices = vertices;
   a.options.max_sites = max_sites;
   a.options.relax = relax;
   a.options.prove_voronoi = prove_voronoi;
@@ -192,32 +201,37 @@ std::string text_of(double x) {
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr};
 }
 
-py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_arguments& a) {
+py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_arguments& a,
+                 const std::optional<double>& complexity) {
   made.claim.metric = metric;
   const mesh_outcome& outcome = made.outcome;
   const std::string size = a.size ? text_of(*a.size) : "none";
   const std::string delivered =
       a.size ? text_of(*a.size * outcome.ended.length_factor) : std::string("none");
   // The names are those of the command, which verify() looks for.
-  made.claim.options = {{"domain", "given"},
-                        {"angle-bound", text_of(a.options.angle_bound)},
-                        {"size", size},
-                        {"size-delivered", delivered},
-                        {"gradation", a.gradation ? text_of(*a.gradation) : "none"},
-                        {"gradation-done", a.gradation ? "done" : "none"},
-                        {"refine", "fill"},
-                        {"tol", "chosen"},
-                        {"tol-at-end", text_of(outcome.ended.tolerance)},
-                        {"improve", std::to_string(a.options.improve_passes)},
-                        {"improve-done", outcome.improved ? "done" : "none"},
-                        {"certify", a.options.prove_voronoi ? "voronoi" : "stars"},
-                        {"max-sites", std::to_string(a.options.max_sites)},
-                        {"metric-fingerprint", "none"},
-                        {"regions", "as given"},
-                        {"random-points", "0"},
-                        {"fit-done", outcome.fitted ? "done" : "none"},
-                        {"relax", a.options.relax ? "where needed" : "no"},
-                        {"seed", "1"}};
+  made.claim.options = {
+      {"domain", "given"},
+      {"angle-bound", text_of(a.options.angle_bound)},
+      {"size", size},
+      {"size-delivered", delivered},
+      {"vertices", a.options.vertices ? std::to_string(*a.options.vertices) : "none"},
+      {"complexity", a.complexity ? text_of(*a.complexity) : "none"},
+      {"complexity-delivered", complexity ? text_of(*complexity) : "none"},
+      {"gradation", a.gradation ? text_of(*a.gradation) : "none"},
+      {"gradation-done", a.gradation ? "done" : "none"},
+      {"refine", "fill"},
+      {"tol", "chosen"},
+      {"tol-at-end", text_of(outcome.ended.tolerance)},
+      {"improve", std::to_string(a.options.improve_passes)},
+      {"improve-done", outcome.improved ? "done" : "none"},
+      {"certify", a.options.prove_voronoi ? "voronoi" : "stars"},
+      {"max-sites", std::to_string(a.options.max_sites)},
+      {"metric-fingerprint", "none"},
+      {"regions", "as given"},
+      {"random-points", "0"},
+      {"fit-done", outcome.fitted ? "done" : "none"},
+      {"relax", a.options.relax ? "where needed" : "no"},
+      {"seed", "1"}};
   py_mesh m;
   m.complete = made.outcome.complete;
   m.certified = made.certified();
@@ -232,34 +246,37 @@ py_mesh run(const domain& d, const py::object& metric, mesh_arguments a) {
   if (d.vertices.size() > a.options.max_sites)
     throw input_error("max_sites: the domain has " + std::to_string(d.vertices.size()) +
                       " vertices already");
+  if (a.options.vertices && d.vertices.size() > *a.options.vertices)
+    throw input_error("vertices: the domain has " + std::to_string(d.vertices.size()) + " already");
   raised_error errors;
-  python_metric wanted = metric_of(metric, d, a.size.value_or(1), errors);
+  // A function called for a metric must live as long as the last field that calls it.
+  std::vector<python_metric> wanted;
+  const field_of_size metric_of_size = [&](double size) -> result<std::unique_ptr<metric_field>> {
+    const py::gil_scoped_acquire locked;
+    wanted.push_back(metric_of(metric, d, size, errors));
+    return std::move(wanted.back().field);
+  };
   a.options.stop = [&errors] { return reason_to_stop(errors); };
   std::function<void(const mesh_progress&)> progress;
   if (!a.progress.is_none())
     progress = [&](const mesh_progress& now) { tell(a.progress, now, errors); };
+  scale_demand scale{a.size, a.complexity, a.gradation, a.options.stop};
+  if (a.options.vertices) scale.complexity = complexity_of_vertices(*a.options.vertices);
   std::optional<result<certified_mesh>> made;
-  std::optional<error> refused;
+  std::optional<result<scaled_metric>> scaled;
   {
     const py::gil_scoped_release unlocked;
-    if (a.gradation) {
-      gradation_options how;
-      how.beta = *a.gradation;
-      how.stop = a.options.stop;
-      auto graded = grade_metric(std::move(wanted.field), d.box(), how);
-      if (graded)
-        wanted.field = std::move(graded.value().field);
-      else
-        refused = graded.failure();
-    }
-    if (!refused) made = make_certified_mesh(d, *wanted.field, a.options, progress);
+    scaled = make_scaled_metric(d, metric_of_size, scale);
+    if (*scaled) made = make_certified_mesh(d, *scaled->value().field, a.options, progress);
   }
   errors.raise();
-  if (refused) throw input_error(refused->message);
-  return packaged(value_or_raise(std::move(*made)), wanted.name, a);
+  if (!*scaled) throw input_error(scaled->failure().message);
+  if (scaled->value().complexity) a.size = scaled->value().size;
+  return packaged(value_or_raise(std::move(*made)), wanted.back().name, a,
+                  scaled->value().complexity);
 }
 
-// What the auditor found, as Python reads it.
+// Returns the findings of the auditor, as Python reads them.
 py::dict findings_of(const audit_report& audit) {
   py::list witnesses;
   for (const audit_finding& f : audit.findings)
@@ -316,14 +333,15 @@ py::dict certify_mesh(const py_mesh& m, double angle_bound, bool prove_voronoi) 
 }  // namespace
 
 void define_meshing(py::module_& m) {
-  m.def("_mesh",
-        [](const domain& d, const py::object& metric, const std::optional<double>& size,
-           double angle_bound, std::size_t max_sites, const std::optional<double>& gradation,
-           bool relax, bool prove_voronoi, std::size_t improve, const py::object& progress) {
-          return run(d, metric,
-                     arguments_of(size, angle_bound, max_sites, gradation, relax, prove_voronoi,
-                                  improve, progress));
-        });
+  m.def("_mesh", [](const domain& d, const py::object& metric, const std::optional<double>& size,
+                    double angle_bound, std::size_t max_sites,
+                    const std::optional<double>& gradation, bool relax, bool prove_voronoi,
+                    std::size_t improve, const std::optional<std::size_t>& vertices,
+                    const std::optional<double>& complexity, const py::object& progress) {
+    return run(d, metric,
+               arguments_of(size, angle_bound, max_sites, gradation, relax, prove_voronoi, improve,
+                            vertices, complexity, progress));
+  });
   m.def("_verify", &verify_mesh);
   m.def("_certify", &certify_mesh);
 }

@@ -14,4 +14,5 @@ PYBIND11_MODULE(_asterism, m) {
   define_domain(m);
   define_mesh(m);
   define_meshing(m);
+  define_solution(m);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What Python holds of a mesh.
+// Holds a mesh for Python.
 #pragma once
 
 #include <optional>

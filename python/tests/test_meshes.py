@@ -61,6 +61,14 @@ def test_the_metric_in_every_form_gives_the_same_mesh(made):
     assert on.certified and np.array_equal(on.points, same.points)
 
 
+def test_vertices_and_complexity_in_place_of_a_size():
+    back = asterism.mesh(asterism.Domain.square(), "swirl:3", 0.2)
+    made = asterism.mesh(asterism.Domain.square(), np.array(back.metric), vertices=500, on=back)
+    assert made.certified and abs(len(made.points) / 500 - 1) < 0.05
+    called = asterism.mesh(asterism.Domain.square(), lambda p: np.tile([4.0, 0, 1], (len(p), 1)), complexity=80)
+    assert called.certified and abs(len(called.points) / (80 * 2 / 3**0.5) - 1) < 0.4
+
+
 def test_domains_from_arrays_and_shapes():
     hole = [(0.5, 0.25), (1.5, 0.25), (1.0, 0.75)]
     by_arrays = asterism.Domain(CORNERS + hole, SIDES + [(4, 5), (5, 6), (6, 4)],
@@ -105,7 +113,8 @@ def test_domains_that_cannot_be_meant(arguments, message):
     ({"metric": "whirl"}, "whirl"), ({"size": -1}, "size"), ({"angle_bound": 60}, "angle_bound"),
     ({"metric": 7}, "metric"), ({"metric": lambda p: [1, 5, 1]}, "not positive definite"),
     ({"metric": lambda p: [1, 1]}, "the metric's answer"), ({"max_sites": 3}, "max_sites"),
-    ({"gradation": 0.5}, "gradation"),
+    ({"gradation": 0.5}, "gradation"), ({"vertices": 100, "size": 1}, "one of them"),
+    ({"vertices": 2}, "vertices"), ({"complexity": -1}, "complexity"),
 ])
 def test_meshes_that_cannot_be_meant(options, message):
     with pytest.raises(asterism.InputError, match=message):

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""Adaptation from Python: the metric a solution asks for, and a mesh in it."""
+import numpy as np
+import pytest
+
+import asterism
+
+
+@pytest.fixture(scope="module")
+def background():
+    return asterism.mesh(asterism.Domain.square(), size=0.12)
+
+
+def ridge(points):
+    return np.tanh(8 * (points[:, 0] ** 2 + points[:, 1] ** 2 - 0.5))
+
+
+def test_the_metric_of_a_solution_has_the_complexity_asked_for(background):
+    u = ridge(background.points)
+    wanted = asterism.metric(background, u, norm=2, complexity=400, gradation=1.5, hmin=1e-4, hmax=0.5)
+    assert wanted.shape == (len(background.points), 3)
+    assert wanted.report["reached"] and abs(wanted.report["complexity_delivered"] - 400) < 8
+    assert (asterism.is_positive_definite(wanted) == 1).all()
+    made = asterism.mesh(asterism.Domain.square(), metric=(background, wanted))
+    assert made.complete and made.certified
+    assert 0.8 * 400 < len(made.points) / (2 / np.sqrt(3)) < 1.35 * 400
+
+
+def test_fields_by_name_are_intersected_in_the_order_of_the_names(background):
+    x, y = background.points.T
+    both = asterism.metric(background, {"b": x * x, "a": y * y}, vertices=300)
+    swapped = asterism.metric(background, {"a": y * y, "b": x * x}, vertices=300)
+    assert np.array_equal(both, swapped) and both.report["fields"] == ["a", "b"]
+
+
+@pytest.mark.filterwarnings("ignore::asterism.NotReachedWarning")
+def test_a_metric_that_is_given_is_bounded(background):
+    graded = np.array(background.metric) * np.linspace(0.2, 5, len(background.points))[:, None]
+    bounded = asterism.metric(background, graded, hmin=0.1, hmax=0.2)
+    values = np.linalg.eigvalsh(bounded[:, [0, 1, 1, 2]].reshape(-1, 2, 2))
+    assert values.min() >= 25 * (1 - 1e-12) and values.max() <= 100 * (1 + 1e-12)
+
+
+def test_the_implied_metric_is_that_of_the_edges(background):
+    implied = asterism.implied_metric(background)
+    sizes = np.linalg.det(implied[:, [0, 1, 1, 2]].reshape(-1, 2, 2)) ** -0.25
+    assert 0.05 < np.median(sizes) < 0.2
+
+
+def test_targets_that_cannot_be_met_are_warnings(background):
+    with pytest.warns(asterism.NotReachedWarning):
+        missed = asterism.metric(background, ridge(background.points), complexity=1e5, hmin=0.3)
+    assert not missed.report["reached"] and missed.report["reason"]
+
+
+@pytest.mark.parametrize("values, options, message", [
+    (np.zeros(3), {}, "numbers is wanted"),
+    (np.zeros((2, 2)), {}, "one number a point"),
+    ({"u": np.zeros(2)}, {}, "u: an array of"),
+    (None, {"norm": 0.5}, "norm"),
+    (None, {"hessian": "guess"}, "'least_squares' is wanted"),
+    (None, {"complexity": 10, "vertices": 10}, "one of"),
+    (None, {"intersect": [np.ones((2, 3))]}, "intersect: 2 tensors"),
+])
+def test_what_is_refused(background, values, options, message):
+    if values is None:
+        values = ridge(background.points)
+    with pytest.raises(asterism.InputError, match=message):
+        asterism.metric(background, values, **options)
+    bad = ridge(background.points)
+    bad[7] = np.nan
+    with pytest.raises(asterism.InputError, match="number 7 is not finite"):
+        asterism.metric(background, bad)
+
+
+def integral(mesh, values):
+    a, b, c = (mesh.points[mesh.triangles[:, k]] for k in range(3))
+    return (np.cross(b - a, c - a) / 6 * values[mesh.triangles].sum(axis=1)).sum()
+
+
+def test_the_loop_of_the_manual():
+    """A solver, the metric it asks for, the next mesh, and the solution brought there."""
+    domain = asterism.Domain.square()
+    mesh = asterism.mesh(domain, metric="swirl:3", size=0.3)
+    for _ in range(2):
+        u = ridge(mesh.points)
+        wanted = asterism.metric(mesh, u, norm=2, complexity=300, gradation=1.5, hmin=1e-4, hmax=0.5)
+        new = asterism.mesh(domain, metric=(mesh, wanted))
+        before = integral(mesh, u)
+        u, mesh = asterism.transfer(mesh, u, new, how="conservative"), new
+        assert u.shape == (len(mesh.points),) and abs(integral(mesh, u) - before) < 1e-12
+    assert mesh.complete and mesh.certified and mesh.certificate.worst_angle >= 20
+
+
+def test_transfer_of_vectors_and_by_name(background):
+    finer = asterism.mesh(asterism.Domain.square(), size=0.09)
+    x, y = background.points.T
+    linear = np.column_stack([1 + x, x - 2 * y])
+    for how in ("interpolate", "conservative", "bounded"):
+        moved = asterism.transfer(background, {"v": linear, "s": ridge(background.points)}, finer, how)
+        if how != "bounded":  # which may diffuse at the boundary
+            assert abs(moved["v"] - np.column_stack([1 + finer.points[:, 0], finer.points @ (1, -2)])).max() < 1e-12
+        assert moved["s"].report["components"]["s"]["integral_before"] == pytest.approx(
+            integral(background, ridge(background.points)))
+        if how != "conservative":
+            assert moved["s"].max() <= ridge(background.points).max() + 1e-12
+    with pytest.raises(asterism.InputError, match="'bounded' is wanted"):
+        asterism.transfer(background, x, finer, "guess")
+    with pytest.raises(asterism.InputError, match="rows of one, two or three"):
+        asterism.transfer(background, x[1:], finer)
