@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The subcommands of `asterism`. Each adds its options and help to the program and, when the
-// arguments ask for it, stores in `chosen` what is to be run; running it returns the exit status.
+// Declares the subcommands of `asterism`. Each adds its options and help to the program and, when
+// the arguments ask for it, stores in `chosen` what is to be run; running it returns the status.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,9 +12,13 @@ namespace asterism::apps {
 using command = std::function<int()>;
 
 void add_eval_command(CLI::App& program, command& chosen);
+void add_challenge_command(CLI::App& program, command& chosen);
 void add_mesh_command(CLI::App& program, command& chosen);
 void add_verify_command(CLI::App& program, command& chosen);
 void add_certify_command(CLI::App& program, command& chosen);
 void add_draw_command(CLI::App& program, command& chosen);
+void add_adapt_command(CLI::App& program, command& chosen);
+void add_metric_command(CLI::App& program, command& chosen);
+void add_transfer_command(CLI::App& program, command& chosen);
 
 }  // namespace asterism::apps

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How a command ends, and how it says why.
+// Ends a command with a status, and says why.
 #pragma once
 
 #include <iostream>

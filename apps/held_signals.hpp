@@ -8,8 +8,8 @@
 
 namespace asterism::apps {
 
-// While it lives SIGHUP, SIGINT and SIGTERM are only noted. The first that came is raised again at
-// the end, to whatever was set before.
+// While it lives, signals that would end the program and can be held are only noted. The first that
+// came is raised again at the end, to whatever was set before.
 class held_signals {
  public:
   held_signals();
@@ -18,7 +18,8 @@ class held_signals {
   held_signals& operator=(const held_signals&) = delete;
 
  private:
-  static constexpr std::array held_ = {SIGHUP, SIGINT, SIGTERM};
+  static constexpr std::array held_ = {SIGHUP,  SIGINT,    SIGTERM, SIGQUIT, SIGPIPE, SIGALRM,
+                                       SIGXCPU, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2};
   std::array<struct sigaction, held_.size()> before_{};
 };
 

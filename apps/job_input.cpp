@@ -2,60 +2,50 @@
 #include "asterism/apps/job_input.hpp"
 
 #include <iostream>
+#include <memory>
 #include <string>
 #include <utility>
 
-#include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
-#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
-#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
+#include "asterism/mesh/pipeline/scaled_metric.hpp"
 
 namespace asterism::apps {
 using namespace internal;
 namespace {
 
-// Reads a mesh that is a triangulation, with whatever metric is beside it.
-result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wanted) {
-  medit_read_options how;
-  how.identity_without_solution = !metric_wanted;
-  auto read = read_medit(path, how);
-  if (!read) return read.failure();
-  auto adopted = adopt_mesh(std::move(read).value());
-  if (!adopted) return error{path + ": " + adopted.failure().message};
-  audit_options options;
-  options.check_stars = false;
-  options.angle_bound = 0;
-  const audit_report found = audit(adopted.value().subject, options);
-  if (!found.certified)
-    return error{path + " is no triangulation: " + found.findings.at(0).witness};
-  return adopted;
-}
-
-using made_field = result<std::unique_ptr<metric_field>>;
-
-made_field make_field(const mesh_job& job, const domain& shape) {
-  const double size = job.size.value_or(1);
-  if (!has_ending(job.metric, ".mesh")) return make_metric_field(job.metric, shape.box(), size);
-  const auto background = read_triangulation(job.metric, true);
+// Returns what makes the metric of any size; a mesh is read once.
+result<field_of_size> metric_of(const mesh_job& job, const domain& shape) {
+  if (!has_ending(job.metric, ".mesh"))
+    return field_of_size([spec = job.metric, box = shape.box()](double size) {
+      return make_metric_field(spec, box, size);
+    });
+  auto background = read_triangulation(job.metric, true);
   if (!background) return background.failure();
-  return make_sampled_field(background.value().subject, size);
+  return field_of_size([given = std::move(background.value().subject)](
+                           double size) -> result<std::unique_ptr<metric_field>> {
+    return make_sampled_field(given, size);
+  });
 }
 
 result<prepared_input> with_metric(const mesh_job& job, domain shape) {
-  auto field = make_field(job, shape);
-  if (!field) return field.failure();
-  if (!job.gradation)
-    return prepared_input{std::move(shape), std::move(field).value(), std::nullopt};
-  gradation_options options;
-  options.beta = *job.gradation;
-  auto graded = grade_metric(std::move(field).value(), shape.box(), options);
-  if (!graded) return graded.failure();
-  return prepared_input{std::move(shape), std::move(graded.value().field), graded.value().report};
+  const auto metric = metric_of(job, shape);
+  if (!metric) return metric.failure();
+  scale_demand wanted;
+  wanted.size = job.size;
+  wanted.gradation = job.gradation;
+  wanted.complexity = job.complexity;
+  if (job.refinement.vertices) wanted.complexity = complexity_of_vertices(*job.refinement.vertices);
+  auto made = make_scaled_metric(shape, metric.value(), wanted);
+  if (!made) return made.failure();
+  return prepared_input{std::move(shape), std::move(made.value().field), made.value().gradation,
+                        made.value().size, made.value().complexity};
 }
 
 result<domain> load_and_check(const mesh_job& job) {
@@ -82,7 +72,7 @@ result<domain> domain_of_mesh(const mesh_job& job) {
 
 }  // namespace
 
-bool is_mesh(const mesh_job& job) { return has_ending(job.domain, ".mesh"); }
+bool is_mesh(const mesh_job& job) { return is_mesh_file(job.domain); }
 
 result<prepared_input> prepare(const mesh_job& job) {
   const auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job);
@@ -93,6 +83,12 @@ result<prepared_input> prepare(const mesh_job& job) {
   if (given > job.refinement.max_sites)
     return error{"--max-sites " + std::to_string(job.refinement.max_sites) + ": the domain has " +
                  std::to_string(given) + " vertices already"};
+  if (job.refinement.vertices && given > *job.refinement.vertices)
+    return error{"--vertices " + std::to_string(*job.refinement.vertices) + ": the domain has " +
+                 std::to_string(given) + " already"};
+  if (job.refinement.vertices && *job.refinement.vertices > job.refinement.max_sites)
+    return error{"--vertices " + std::to_string(*job.refinement.vertices) +
+                 ": more than --max-sites " + std::to_string(job.refinement.max_sites)};
   return with_metric(job, std::move(populated).value());
 }
 

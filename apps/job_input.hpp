@@ -18,6 +18,8 @@ struct prepared_input {
   domain shape;
   std::unique_ptr<metric_field> field;
   std::optional<gradation_report> gradation;
+  double size = 1;                   // of the job, or the one that gives the complexity asked for
+  std::optional<double> complexity;  // of the metric, where one was asked for
 };
 
 // True if the job's domain is what a finished mesh covers.

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
@@ -24,11 +25,17 @@ int run(int argc, char** argv) {
   add_mesh_command(program, chosen);
   add_verify_command(program, chosen);
   add_certify_command(program, chosen);
+  add_adapt_command(program, chosen);
+  add_metric_command(program, chosen);
+  add_transfer_command(program, chosen);
   add_eval_command(program, chosen);
+  add_challenge_command(program, chosen);
   add_draw_command(program, chosen);
   try {
     program.parse(argc, argv);
-    if (!chosen) throw CLI::RequiredError("a command (mesh, verify, certify, eval or draw)");
+    if (!chosen)
+      throw CLI::RequiredError(
+          "a command (mesh, adapt, metric, transfer, verify, certify, eval, challenge or draw)");
   } catch (const CLI::ParseError& failure) {
     if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
     std::cerr << "asterism: " << failure.what() << "\nRun with --help for more information.\n";
@@ -47,7 +54,10 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run(argc, argv);
-  } catch (const std::exception& failure) {  // out of memory, or a failing stream library
+  } catch (const std::bad_alloc&) {
+    std::cerr << "asterism: there is not enough memory\n";
+    return asterism::apps::not_reached;
+  } catch (const std::exception& failure) {  // of a failing stream library
     std::cerr << "asterism: " << failure.what() << '\n';
     return asterism::apps::not_reached;
   }

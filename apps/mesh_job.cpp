@@ -6,14 +6,16 @@
 
 #include <array>
 #include <iostream>
-#include <iterator>
 #include <map>
+#include <new>
 #include <system_error>
 #include <utility>
 
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/job_input.hpp"
+#include "asterism/apps/memory_account.hpp"
+#include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
@@ -22,6 +24,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
@@ -31,7 +34,7 @@ using namespace internal;
 namespace fs = std::filesystem;
 namespace {
 
-// Every file the job reads or writes is a different one, and each can be written.
+// Checks that every file the job reads or writes is a different one, and each can be written.
 std::optional<error> check_files(const mesh_job& job, const fs::path& certificate_path) {
   std::vector<fs::path> used = {certificate_path};
   std::error_code ignored;
@@ -48,16 +51,14 @@ std::optional<error> check_files(const mesh_job& job, const fs::path& certificat
   for (const fs::path& output : job.outputs) {
     const auto format = check_output(output);
     if (!format) return format.failure();
-    used.push_back(output);
-    if (format.value() != mesh_format::medit) continue;
-    used.push_back(solution_path(output));
-    if (auto failure = check_place(used.back())) return failure;
+    for (const fs::path& file : files_of_output(output)) used.push_back(file);
   }
   if (auto failure = check_distinct(used)) return failure;
   return check_place(certificate_path);
 }
 
-// The size the mesh was made for; none, too, where the relaxed mesh was made without demands.
+// Returns the size the mesh was made for; "none", too, where the relaxed mesh was made without
+// demands.
 std::string text_of_size_delivered(const mesh_job& job, const mesh_outcome& outcome) {
   const bool demanded =
       !outcome.relaxed || outcome.relaxed->kind != relaxation_kind::without_demands;
@@ -70,6 +71,9 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
   const std::array<const char*, 3> strategies = {"voronoi", "darts", "fill"};
   return {{"domain", job.domain},
           {"angle-bound", number_text(asked.angle_bound)},
+          {"vertices", asked.vertices ? std::to_string(*asked.vertices) : "none"},
+          {"complexity", job.complexity ? number_text(*job.complexity) : "none"},
+          {"complexity-delivered", input.complexity ? number_text(*input.complexity) : "none"},
           {"size", job.size ? number_text(*job.size) : "none"},
           {"size-delivered", text_of_size_delivered(job, outcome)},
           {"gradation", job.gradation ? number_text(*job.gradation) : "none"},
@@ -102,11 +106,29 @@ std::string text_of_low(const relaxation_report& relaxed, double angle_bound) {
          number_text(angle_bound) + " degrees as the metric given measures them";
 }
 
-// All files are written before the first gets its name, the certificate last: where it is,
-// everything else is too.
+report_facts facts_of_page(const mesh_job& job, const fs::path& certificate_path,
+                           const metric_field& wanted, const certified_mesh& made) {
+  report_facts facts;
+  facts.title = job.domain + ", metric " + job.metric;
+  facts.claim = made.claim;
+  facts.claim_from = "As the run that made this page judged the mesh it had made.";
+  facts.repeat = repeating_command(job.outputs, certificate_path);
+  if (made.outcome.relaxed)
+    facts.wanted = made.outcome.relaxed->given;
+  else if (made.outcome.delivered)
+    facts.wanted = tensors_at_sites(wanted, made.outcome.result);
+  return facts;
+}
+
+// Writes all files before the first gets its name, the certificate last: where it is,
+// everything else is too. Each is written as soon as it is made, since all of them together may
+// take more room than the mesh.
 std::optional<error> write_files(const mesh_job& job, const fs::path& certificate_path,
-                                 const mesh& made, const certificate& claim) {
+                                 const metric_field& wanted, const certified_mesh& made) {
+  const certificate& claim = made.claim;
   write_options options;
+  if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, wanted, made);
+  options.names = names_in(job.domain);
   options.picture.ellipses = job.ellipses;
   options.picture.angle_bound = job.refinement.angle_bound;
   if (!claim.complete || !claim.certified)
@@ -114,15 +136,21 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
                        ? "Incomplete, certified in a relaxed metric: " +
                              text_of_low(*claim.relaxed, job.refinement.angle_bound)
                        : "Incomplete, not certified: " + claim.reason;
-  std::vector<output_file> files;
-  for (const fs::path& output : job.outputs) {
-    auto rendered = render_mesh(output, made, options);
-    if (!rendered) return rendered.failure();
-    std::move(rendered.value().begin(), rendered.value().end(), std::back_inserter(files));
-  }
-  files.push_back({certificate_path, certificate_text(claim)});
   const held_signals held;
-  const auto written = asterism::internal::write_files(files);
+  pending_files files;
+  for (const fs::path& output : job.outputs) {
+    try {
+      const auto rendered = render_mesh(output, made.outcome.result, options);
+      if (!rendered) return rendered.failure();
+      for (const output_file& file : rendered.value())
+        if (auto failed = files.add(file)) return failed;
+    } catch (const std::bad_alloc&) {
+      return error{output.string() + ": there is not enough memory to write it",
+                   error_code::unwritable_file};
+    }
+  }
+  if (auto failed = files.add({certificate_path, certificate_text(claim)})) return failed;
+  const auto written = files.put_in_place();
   if (!written) return written.failure();
   return std::nullopt;
 }
@@ -147,45 +175,93 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
   if (reached && dual_as_asked) return done;
   if (!outcome.complete) return complain({"not reached: " + made.claim.reason}, not_reached);
   const std::string witness = report.findings.empty() ? "" : ": " + report.findings[0].witness;
-  return complain({reached ? "not proved to be the dual of the Voronoi diagram" + witness
-                           : "the audit refuses the mesh" + witness},
+  if (reached)
+    return complain({"not proved to be the dual of the Voronoi diagram" + witness}, not_reached);
+  const bool ended = report.found[static_cast<std::size_t>(finding_kind::stopped)] == 0;
+  return complain({(ended ? "the audit refuses the mesh" : "the audit did not end") + witness},
                   not_reached);
 }
 
 result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_input& input,
-                                          const run_limits& limits) {
+                                          run_limits& limits) {
   mesh_options options = job.refinement;
   options.keep_if_complete = is_mesh(job);
   options.stop = [&limits] { return limits.reason(); };
   progress_line line(!job.quiet);
   return make_certified_mesh(input.shape, *input.field, options,
-                             [&line](const mesh_progress& progress) { line.show(progress); });
+                             [&](const mesh_progress& progress) {
+                               limits.expect(progress.sites);
+                               line.show(progress);
+                             });
 }
 
-}  // namespace
+// Makes the mesh. If that takes more memory than there may be, all of it is given back, and the
+// mesh of the run is what there is without a step of the mesher: the domain's vertices and
+// segments.
+result<certified_mesh> mesh_within_memory(const mesh_job& job, const prepared_input& input,
+                                          run_limits& limits) {
+  try {
+    return mesh_with_progress(job, input, limits);
+  } catch (const std::bad_alloc&) {
+    limits.note_want_of_memory();
+  }
+  return mesh_with_progress(job, input, limits);
+}
 
-int run_mesh_job(const mesh_job& job) {
+// Says how near the mesh is to what was asked of its size in all.
+void tell_scale(const mesh_job& job, const prepared_input& input, const mesh_outcome& outcome) {
+  if (job.quiet || !input.complexity) return;
+  if (job.refinement.vertices)
+    std::cout << fmt::format(
+        "vertices: {} wanted, {} delivered ({:+.1f} %)", *job.refinement.vertices, outcome.sites,
+        100 * (static_cast<double>(outcome.sites) / static_cast<double>(*job.refinement.vertices) -
+               1));
+  else
+    std::cout << fmt::format("complexity: {:g} wanted, {:g} delivered", *job.complexity,
+                             *input.complexity);
+  std::cout << ", size " << number_text(*job.size) << '\n';
+}
+
+int run_within_limits(const mesh_job& asked) {
+  mesh_job job = asked;
   std::optional<tbb::global_control> threads;
   if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
   fs::path certificate_path = job.certificate;
   if (certificate_path.empty())
     certificate_path = fs::path(job.outputs[0]).replace_extension(".certificate.json");
   if (const auto failure = check_files(job, certificate_path)) return complain(*failure, refused);
+  std::optional<memory_account> account;
+  if (job.max_megabytes) account.emplace(*job.max_megabytes * 1e6);
   const auto input = prepare(job);
   if (!input) return complain(input.failure(), refused);
+  if (input.value().complexity) job.size = input.value().size;
   if (input.value().gradation && !job.quiet)
     std::cout << "gradation: " << text_of(*input.value().gradation) << '\n';
 
   // Until all is written: an interrupt during the audit must not lose the mesh, nor one between two
   // files the second.
-  const run_limits limits(job.max_seconds, job.max_megabytes);
-  auto made = mesh_with_progress(job, input.value(), limits);
+  run_limits limits(job.max_seconds, job.max_megabytes);
+  auto made = mesh_within_memory(job, input.value(), limits);
   if (!made) return complain(made.failure(), refused);
   describe(made.value(), job, input.value());
-  if (const auto failure =
-          write_files(job, certificate_path, made.value().outcome.result, made.value().claim))
+  if (const auto failure = write_files(job, certificate_path, *input.value().field, made.value()))
     return complain(*failure, not_reached);
+  tell_scale(job, input.value(), made.value().outcome);
   return conclude(job, made.value());
+}
+
+}  // namespace
+
+int run_mesh_job(const mesh_job& job) {
+  try {
+    return run_within_limits(job);
+  } catch (const std::bad_alloc&) {
+    if (!job.max_megabytes) throw;
+    return complain({fmt::format("not reached: stopped: more than {:g} megabytes would be in use; "
+                                 "nothing is written",
+                                 *job.max_megabytes)},
+                    not_reached);
+  }
 }
 
 }  // namespace asterism::apps

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The main job, step by step: domain, metric, mesh, audit, files.
+// Runs the main job, step by step: domain, metric, mesh, audit, files.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,9 @@ struct mesh_job {
   std::string domain;
   std::string metric = "identity";
   std::optional<double> size;
-  std::optional<double> gradation;  // beta; empty: the metric is taken as it is
-  bool number_regions = false;      // those the domain does not number, too
+  std::optional<double> complexity;  // in place of a size: the area as the metric measures it
+  std::optional<double> gradation;   // beta; empty: the metric is taken as it is
+  bool number_regions = false;       // those the domain does not number, too
   std::size_t random_points = 0;
   mesh_options refinement;  // its seed is the random points' too
   std::vector<std::filesystem::path> outputs;
@@ -31,8 +32,8 @@ struct mesh_job {
   bool quiet = false;
 };
 
-// The exit status. What can be refused is refused before meshing; messages go to standard error,
-// the summary to standard output.
+// Returns the exit status. What can be refused is refused before meshing; messages go to standard
+// error, the summary to standard output.
 int run_mesh_job(const mesh_job& job);
 
 }  // namespace asterism::apps

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Options with numbers, read exactly and checked at once: a value that is no number, not finite or
-// out of range ends the parsing with a message naming the option and the value.
+// Reads options with numbers exactly, and checks them at once: a value that is no number, not
+// finite or out of range ends the parsing with a message naming the option and the value.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -25,11 +25,11 @@ inline constexpr real_range angle_bounds = {
 // Range of --size. Beyond it the square of the size leaves the range of doubles, or nearly so.
 inline constexpr real_range sizes = {1e-150, 1e150, true, true, "positive, from 1e-150 to 1e150"};
 
-// `assign` gets the value once it is accepted.
+// Adds an option with a real number. `assign` gets the value once it is accepted.
 CLI::Option* add_real(CLI::App& app, const std::string& name, const real_range& range,
                       const std::function<void(double)>& assign, const std::string& description);
 
-// Decimal digits alone: 10 is ten, 010 is ten too.
+// Adds an option with a count. Decimal digits alone: 10 is ten, 010 is ten too.
 CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint64_t low,
                        std::uint64_t high, const std::function<void(std::uint64_t)>& assign,
                        const std::string& description);

@@ -11,7 +11,7 @@
 
 namespace asterism::apps {
 
-// Could a regular file be created or replaced there? Empty if so.
+// Returns why no regular file could be created or replaced there; empty if one could.
 std::optional<error> check_place(const std::filesystem::path& path);
 
 // Refuses a path given twice, however it is spelled. Empty if all differ.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How far refinement has come, on one line of a terminal that is written over and wiped at the end.
+// Shows how far refinement has come on one line of a terminal, written over and wiped at the end.
 #pragma once
 
 #include <chrono>
@@ -20,7 +20,7 @@ class progress_line {
   // Wipes the line; what is written next begins at its start.
   void clear();
 
-  // At most ten times a second.
+  // Shows the state, at most ten times a second.
   void show(const mesh_progress& progress);
 
  private:

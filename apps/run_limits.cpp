@@ -2,10 +2,10 @@
 #include "asterism/apps/run_limits.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <csignal>
-#include <fstream>
+
+#include "asterism/apps/memory_account.hpp"
 
 namespace asterism::apps {
 namespace {
@@ -16,14 +16,6 @@ volatile std::sig_atomic_t interrupt_noted = 0;
 extern "C" void note_interrupt(int signal) {
   interrupt_noted = 1;
   std::signal(signal, SIG_DFL);
-}
-
-// Zero where the system does not tell.
-double resident_megabytes() {
-  std::ifstream status("/proc/self/statm");
-  double size = 0, resident = 0;
-  if (!(status >> size >> resident)) return 0;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
 }  // namespace
@@ -47,9 +39,16 @@ std::optional<std::string> run_limits::reason() const {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   if (seconds_ && seconds > *seconds_) return fmt::format("{:g} seconds have passed", *seconds_);
-  if (megabytes_ && resident_megabytes() > *megabytes_)
-    return fmt::format("more than {:g} megabytes are in use", *megabytes_);
+  if (lacks_memory_ && !megabytes_) return "there is not enough memory";
+  if (lacks_memory_ ||
+      (megabytes_ && memory_account::resident() + to_conclude() > *megabytes_ * 1e6))
+    return fmt::format("more than {:g} megabytes would be in use", *megabytes_);
   return std::nullopt;
+}
+
+double run_limits::to_conclude() const {
+  constexpr double bytes_a_site = 150;
+  return bytes_a_site * static_cast<double>(sites_.load(std::memory_order_relaxed));
 }
 
 }  // namespace asterism::apps

@@ -4,7 +4,9 @@
 // then writes what is certain.
 #pragma once
 
+#include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -19,12 +21,21 @@ class run_limits {
   run_limits(const run_limits&) = delete;
   run_limits& operator=(const run_limits&) = delete;
 
-  // Why to end now, in half a sentence.
+  // Returns why to end now, in half a sentence, or nothing.
   std::optional<std::string> reason() const;
   static bool interrupted();
 
+  // Tells how many sites there are, for what it will take to conclude the run.
+  void expect(std::size_t sites) { sites_.store(sites, std::memory_order_relaxed); }
+  // Makes `reason` say from now on that there is not enough memory.
+  void note_want_of_memory() { lacks_memory_ = true; }
+
  private:
+  double to_conclude() const;
+
   std::optional<double> seconds_, megabytes_;
+  std::atomic<std::size_t> sites_ = 0;
+  bool lacks_memory_ = false;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -37,10 +37,12 @@ std::string worst_angle_text(double degrees) {
 
 std::string text_of(const gradation_report& done) {
   std::string text = std::to_string(done.changed) + " of " + std::to_string(done.nodes) +
-                     " nodes changed, density at most times " + number_text(done.largest_growth) +
-                     ", cells from " + number_text(done.smallest_cell) + " to " +
-                     number_text(done.largest_cell) + ", " + std::to_string(done.sweeps) +
-                     " sweeps";
+                     " nodes changed, density at most times " + number_text(done.largest_growth);
+  // The nodes of a mesh have no cells.
+  if (done.largest_cell > 0)
+    text +=
+        ", cells from " + number_text(done.smallest_cell) + " to " + number_text(done.largest_cell);
+  text += ", " + std::to_string(done.sweeps) + " sweeps";
   if (!done.resolved) text += "; the grid could not be made as fine as it should be";
   if (!done.settled) text += "; NOT settled";
   return text;
@@ -77,6 +79,7 @@ void write_summary(std::ostream& out, const certified_mesh& made,
                    std::optional<double> unit_edges) {
   const mesh_outcome& outcome = made.outcome;
   const audit_report& report = made.report;
+  if (made.claim.theorem) out << "theorem on nets: " << theorem_text(*made.claim.theorem) << '\n';
   out << report.sites << " sites, " << report.triangles << " triangles, " << angles_text(report)
       << ", " << std::fixed << std::setprecision(2) << outcome.disagreeing << " disagreeing, "
       << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle) << " low-angle";
@@ -87,6 +90,7 @@ void write_summary(std::ostream& out, const certified_mesh& made,
   if (report.voronoi != voronoi_verdict::not_asked)
     out << ", dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)];
+  out << deviation_text(report);
   const char* relaxed = outcome.relaxed ? " in a relaxed metric" : "";
   if (made.certified())
     out << ": certified" << relaxed << '\n';
@@ -111,6 +115,7 @@ void write_report(std::ostream& out, const certify_report& report, const mesh& m
         << (!report.is_triangulation()   ? "this is no triangulation\n"
             : report.audit.stars_checked ? "for this they are too far from agreeing\n"
                                          : "there was no time\n");
+  if (report.audit.stars_cut_short) out << cut_short_text(report.audit) << '\n';
   if (report.unsettled > 0) out << "stars that did not settle: " << report.unsettled << '\n';
   out << "inverted or flat: " << report.inverted << '\n'
       << angles_text(report.audit) << ", triangles below " << angle_bound << ": "
@@ -124,6 +129,7 @@ void write_report(std::ostream& out, const certify_report& report, const mesh& m
   if (report.audit.voronoi != voronoi_verdict::not_asked)
     out << "dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.audit.voronoi)] << '\n';
+  if (report.theorem) out << "theorem on nets: " << theorem_text(*report.theorem) << '\n';
   out << (report.certified() ? "certified\n" : "NOT certified\n");
 }
 

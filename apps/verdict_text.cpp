@@ -39,6 +39,23 @@ std::string angles_text(const audit_report& report) {
   return text;
 }
 
+std::string deviation_text(const audit_report& report) {
+  if (!(report.largest_deviation_ulps > 1)) return "";
+  return fmt::format("; points of split segments off them by up to {:.3g} ({:.2f} ulps)",
+                     report.largest_deviation, report.largest_deviation_ulps);
+}
+
+std::string cut_short_text(const audit_report& report) {
+  if (!report.stars_cut_short) return "";
+  return "not all stars were looked at, as a tenth of the sites or more was refused already";
+}
+
+std::string theorem_text(const theorem_hypotheses& measured) {
+  if (!measured.applies) return "does not apply: " + measured.reason;
+  return fmt::format("applies: at sigma eps {:.4g} angles of {} degrees are proved",
+                     measured.sigma_eps, measured.proved_angle);
+}
+
 std::string voronoi_text(const audit_report& report) {
   if (report.voronoi == voronoi_verdict::not_asked) return "";
   return fmt::format("; dual of the Voronoi diagram: {}",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Exact dyadic numbers m * 2^e with an integer m of any size: closed under +, -, * and halving,
-// and every finite double is one. No rationals and no gcd are ever needed.
+// Defines exact dyadic numbers m * 2^e with an integer m of any size: closed under +, -, * and
+// halving, and every finite double is one. No rationals and no gcd are ever needed.
 //
 // Ranges: the exponent is a long; sums align mantissas, so adding 2^1000 and 2^-1000 costs 2000
 // bits, not an error. Mantissas of up to integer::inline_limbs limbs ask for no memory.

@@ -57,7 +57,7 @@ double_pair quotient(const double_pair& a, const double_pair& b) {
   return {q, (((a.head - back.head) - back.tail) + a.tail - q * b.tail) / b.head};
 }
 
-// coefficients[0] + x coefficients[1] + ...
+// Returns coefficients[0] + x coefficients[1] + ...
 double polynomial(std::span<const double> coefficients, double x) {
   double sum = 0;
   for (std::size_t k = coefficients.size(); k-- > 0;) sum = sum * x + coefficients[k];
@@ -85,8 +85,8 @@ scaled_number scaled_towards_one(double x) {
   return s;
 }
 
-// ln m = 2 artanh((m - 1) / (m + 1)) for a mantissa, the argument at most 0.172; the terms left out
-// are below 2^-64 of it.
+// Returns ln m = 2 artanh((m - 1) / (m + 1)) for a mantissa, the argument at most 0.172; the terms
+// left out are below 2^-64 of it.
 double_pair log_of_mantissa(double m) {
   static constexpr std::array<double, 13> series = {
       2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,  2.0 / 11, 2.0 / 13, 2.0 / 15,
@@ -118,7 +118,7 @@ special_value special_logarithm(double x) {
   return {};
 }
 
-// (e^r - 1) for a pair |r| <= 0.35, the head last: the terms left out are below 2^-61 of r.
+// Returns e^r - 1 for a pair |r| <= 0.35, the head last: the terms left out are below 2^-61 of r.
 double_pair exponential_less_one(const double_pair& r) {
   static constexpr std::array<double, 13> series = {
       1.0 / 2,         1.0 / 6,          1.0 / 24,         1.0 / 120,     1.0 / 720,
@@ -140,11 +140,65 @@ double scaled_exponential(const double_pair& r, double power) {
   return mantissa * std::bit_cast<double>(bits);
 }
 
-// x - k ln 2 for the nearest integer k.
+// Returns x - k ln 2 for the nearest integer k.
 double_pair reduced_by_ln2(double x, double k) {
   // The first difference is exact: x and k ln2 agree to within a factor of two, or k is 0.
   const double_pair r = exact_sum(x - k * ln2_short.head, -(k * ln2_short.tail));
   return r;
+}
+
+bool is_odd(double y) { return std::abs(y) < 0x1p53 && std::fmod(y, 2) != 0 && std::trunc(y) == y; }
+
+// The powers with an argument that has no logarithm; empty for others. Requires y != 0, x != 1.
+special_value special_power(double x, double y) {
+  if (std::isnan(x) || std::isnan(y)) return {true, not_a_number};
+  const double base = std::abs(x);
+  if (std::isinf(y)) {
+    if (base == 1) return {true, 1};
+    return {true, (base > 1) == (y > 0) ? infinity : 0};
+  }
+  if (base == 0 || base == infinity) {
+    const double size = (base == 0) == (y > 0) ? 0 : infinity;
+    return {true, std::signbit(x) && is_odd(y) ? -size : size};
+  }
+  if (x < 0 && std::trunc(y) != y) return {true, not_a_number};
+  return {};
+}
+
+// Returns x^n in twice the digits, by squaring: the result is exact where it is a double. Requires
+// a result between 2^-500 and 2^500, and so of all factors, and |n| <= 2^20.
+double power_by_squaring(double x, int n) {
+  double_pair power{1, 0}, factor{x, 0};
+  for (int left = std::abs(n); left > 0; left /= 2) {
+    if (left % 2 == 1) power = product(power, factor);
+    if (left > 1) factor = product(factor, factor);
+  }
+  if (n < 0) power = quotient({1, 0}, power);
+  return power.head + power.tail;
+}
+
+// Returns e^(y ln x). Requires a finite x > 0 and a finite y.
+double power_of_positive(double x, double y) {
+  constexpr double many = 0x1p20, far = 340;  // 2^490 and a little more
+  const bool is_whole = std::trunc(y) == y && std::abs(y) <= many;
+  if (is_whole) {
+    const auto n = static_cast<int>(y);
+    const auto [mantissa, exponent] = scaled_towards_one(x);
+    if (mantissa == 1)
+      return std::ldexp(1.0, static_cast<int>(std::clamp(exponent * y, -2e6, 2e6)));
+    if (std::abs(y * natural_logarithm(x).head) < far) return power_by_squaring(x, n);
+  }
+  const double_pair log = natural_logarithm(x);
+  const double rough = y * log.head;
+  if (rough > 710) return infinity;
+  if (rough < -746) return 0;
+  // Otherwise a part of y would be lost, or the splitting of it overflow.
+  constexpr double smallest = 0x1p-70;
+  if (std::abs(rough) < smallest) return 1;
+  const double_pair exponent = product(log, {y, 0});
+  const double k = std::round(exponent.head * inverse_ln2.head);
+  const double_pair r = reduced_by_ln2(exponent.head, k);
+  return scaled_exponential(exact_sum_of_ordered(r.head, r.tail + exponent.tail), k);
 }
 
 // pi / 2 in parts of which an integer below 2^20 times each but the last is exact.
@@ -176,7 +230,7 @@ constexpr std::array<std::uint64_t, 19> two_over_pi_bits = {
     0xef2f118b5a0a6d1f, 0x6d367ecf27cb09b7, 0x4f463f669e5fea2d, 0x7527bac7ebe5f17b,
     0x3d0739f78a5292ea, 0x6bfb5fb11f8d5d08, 0x56033046fc7b6bab};
 
-// 64 bits of 2 / pi that begin `place` bits after the point; zeros before it.
+// Returns 64 bits of 2 / pi that begin `place` bits after the point; zeros before it.
 std::uint64_t bits_from(int place) {
   if (place <= -64) return 0;
   if (place < 0) return two_over_pi_bits[0] >> -place;
@@ -186,8 +240,8 @@ std::uint64_t bits_from(int place) {
   return shift == 0 ? high : high | (two_over_pi_bits.at(word + 1) >> (64 - shift));
 }
 
-// Payne and Hanek's reduction: of x 2 / pi, an integer times bits of 2 / pi, only the bits around
-// the point are needed, two before it and 128 after. Requires |x| >= 2^19.
+// Reduces by Payne and Hanek's method: of x 2 / pi, an integer times bits of 2 / pi, only the bits
+// around the point are needed, two before it and 128 after. Requires |x| >= 2^19.
 reduced_angle reduced_huge(double x) {
   int exponent = 0;
   const double fraction = std::frexp(std::abs(x), &exponent);
@@ -233,7 +287,7 @@ reduced_angle reduced(double x) {
   return std::abs(x) < moderate ? reduced_moderate(x) : reduced_huge(x);
 }
 
-// For |x| up to pi / 4; the terms left out are below 2^-59 of the sine.
+// Returns the sine of |x| up to pi / 4; the terms left out are below 2^-59 of the sine.
 double_pair sine_of_small(const double_pair& x) {
   static constexpr std::array<double, 8> series = {
       -1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
@@ -274,14 +328,14 @@ constexpr std::array<double_pair, 9> arc_tangents = {{
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
 }};
 
-// a + f b, f an eighth or so: all products exact but for the last place of the tail.
+// Returns a + f b, f an eighth or so: all products exact but for the last place of the tail.
 double_pair sum_with_product(double a, double f, double b) {
   const double_pair p = exact_product(f, b), sum = exact_sum(a, p.head);
   return exact_sum_of_ordered(sum.head, sum.tail + p.tail);
 }
 
-// arctan(n / d) for 0 <= n <= d, d in [1, 2): arctan(k / 8) and the rest by its series, the rest's
-// tangent being at most 1/16.
+// Returns arctan(n / d) for 0 <= n <= d, d in [1, 2): arctan(k / 8) and the rest by its series, the
+// rest's tangent being at most 1/16.
 double_pair arc_tangent_of_share(double n, double d) {
   static constexpr std::array<double, 7> series = {-1.0 / 3,  1.0 / 5,  -1.0 / 7, 1.0 / 9,
                                                    -1.0 / 11, 1.0 / 13, -1.0 / 15};
@@ -294,7 +348,7 @@ double_pair arc_tangent_of_share(double n, double d) {
   return exact_sum_of_ordered(sum.head, sum.tail + (near.tail + (t.tail + rest)));
 }
 
-// arctan(n / d) for 0 < n <= d.
+// Returns arctan(n / d) for 0 < n <= d.
 double_pair arc_tangent_of_quotient(double n, double d) {
   int exponent = 0;
   const double unit = std::frexp(d, &exponent);
@@ -349,6 +403,17 @@ double exp2(double x) {
   return scaled_exponential(exact_sum_of_ordered(r.head, r.tail + share * ln2.tail), k);
 }
 
+double pow(double x, double y) {
+  if (y == 0 || x == 1) return 1;
+  if (y == 1) return x;
+  if (y == 2) return x * x;
+  const special_value special = special_power(x, y);
+  if (special.is_special) return special.value;
+  if (y == 0.5) return std::sqrt(x);
+  const double power = power_of_positive(std::abs(x), y);
+  return x < 0 && is_odd(y) ? -power : power;
+}
+
 double sin(double x) {
   if (!std::isfinite(x)) return not_a_number;
   if (std::abs(x) < 0x1p-27) return x;  // and -0
@@ -397,7 +462,7 @@ double atan2(double y, double x) {
   return std::copysign(angle.head + angle.tail, y);
 }
 
-// (e^2x - 1) / (e^2x + 1), and for large x from above.
+// Returns (e^2x - 1) / (e^2x + 1), and for large x from above.
 double tanh(double x) {
   if (std::isnan(x)) return x;
   const double size = std::abs(x);
@@ -416,8 +481,8 @@ double tanh(double x) {
 
 namespace {
 
-// The root of a sum of squares in twice the digits, mended once by Newton's method. Requires
-// a >= b > 0, with squares, and tails of squares, within the range of normal numbers.
+// Returns the root of a sum of squares in twice the digits, mended once by Newton's method.
+// Requires a >= b > 0, with squares, and tails of squares, within the range of normal numbers.
 double root_of_squares(double a, double b) {
   const double_pair a_square = exact_product(a, a), b_square = exact_product(b, b);
   const double_pair sum = exact_sum_of_ordered(a_square.head, b_square.head);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A scope with a known floating-point environment: all exceptions masked, no flush-to-zero, no
-// denormals-are-zero, the rounding mode asked for. The caller's environment, status flags included,
-// is put back at the end of the scope. Costs a few nanoseconds; not needed around integer code.
+// Opens a scope with a known floating-point environment: all exceptions masked, no flush-to-zero,
+// no denormals-are-zero, the rounding mode asked for. The caller's environment, status flags
+// included, is put back at the end of the scope. Costs a few nanoseconds.
 //
 // The compiler does not order arithmetic against a change of the environment: do the arithmetic in
 // a function that is not inlined into the one that holds the scope.

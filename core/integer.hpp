@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Integers of any size, as a sign and a magnitude of 64-bit limbs. Up to `inline_limbs` limbs live
-// inside the object, so that arithmetic of numbers of this size asks nobody for memory; longer ones
-// own an array. Short operands are treated in place, long ones by the functions of
+// Defines integers of any size, as a sign and a magnitude of 64-bit limbs. Up to `inline_limbs`
+// limbs live inside the object, so that arithmetic of numbers of this size asks nobody for memory;
+// longer ones own an array. Short operands are treated in place, long ones by the functions of
 // core/limbs_gmp.hpp or core/limbs_cpp_int.hpp.
 //
 // Ranges: limited by memory alone. Needs integers only: the floating-point environment is neither

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The functions of core/limbs_gmp.hpp without GMP, for the build with ASTERISM_EXACT=cpp_int: plain
-// loops for what takes one pass, Boost's cpp_int for division, divisors and roots. Slower, and with
-// a licence without conditions for who links it.
+// Provides the functions of core/limbs_gmp.hpp without GMP, for the build with
+// ASTERISM_EXACT=cpp_int: plain loops for what takes one pass, Boost's cpp_int for division,
+// divisors and roots. Slower, and with a licence without conditions for who links it.
 #pragma once
 
 #include <algorithm>
@@ -55,7 +55,7 @@ inline bool is_less(const limb* a, const limb* b, std::size_t n) {
   return n > 0 && a[n - 1] < b[n - 1];
 }
 
-// From the top, because `to` may lie above a.
+// Works from the top, because `to` may lie above a.
 inline limb shift_left(limb* to, const limb* a, std::size_t n, unsigned bits) {
   const limb out = a[n - 1] >> (64 - bits);
   for (std::size_t k = n; k-- > 0;) to[k] = (a[k] << bits) | (k > 0 ? a[k - 1] >> (64 - bits) : 0);
@@ -73,7 +73,7 @@ inline cpp_int to_cpp_int(const limb* a, std::size_t n) {
   return value;
 }
 
-// All of the `room` limbs are written; the number of those that are not leading zeros is returned.
+// Writes all of the `room` limbs; the number of those that are not leading zeros is returned.
 inline std::size_t from_cpp_int(const cpp_int& value, limb* to, std::size_t room) {
   limb* const end = value == 0 ? to : export_bits(value, to, 64, false);
   std::fill(end, to + room, limb{0});

@@ -20,43 +20,43 @@ static_assert(GMP_NUMB_BITS == 64 && std::is_same_v<mp_limb_t, limb>);
 
 inline mp_size_t signed_size(std::size_t limbs) { return static_cast<mp_size_t>(limbs); }
 
-// n + m limbs, of which the top one is returned. Requires n >= m; `to` is neither.
+// Writes n + m limbs, of which the top one is returned. Requires n >= m; `to` is neither.
 inline limb multiply(limb* to, const limb* a, std::size_t n, const limb* b, std::size_t m) {
   if (m == 1) return to[n] = mpn_mul_1(to, a, signed_size(n), b[0]);
   return mpn_mul(to, a, signed_size(n), b, signed_size(m));
 }
-// n limbs; the carry is returned. Requires n >= m; `to` may be b as well.
+// Writes n limbs; the carry is returned. Requires n >= m; `to` may be b as well.
 inline limb add(limb* to, const limb* a, std::size_t n, const limb* b, std::size_t m) {
   return mpn_add(to, a, signed_size(n), b, signed_size(m));
 }
-// n limbs. Requires a >= b and n >= m; `to` may be b as well.
+// Writes n limbs. Requires a >= b and n >= m; `to` may be b as well.
 inline void subtract(limb* to, const limb* a, std::size_t n, const limb* b, std::size_t m) {
   mpn_sub(to, a, signed_size(n), b, signed_size(m));
 }
 inline bool is_less(const limb* a, const limb* b, std::size_t n) {
   return mpn_cmp(a, b, signed_size(n)) < 0;
 }
-// n limbs; the bits shifted out at the top are returned. 0 < bits < 64; `to` may lie above a.
+// Writes n limbs; returns the bits shifted out at the top. 0 < bits < 64; `to` may lie above a.
 inline limb shift_left(limb* to, const limb* a, std::size_t n, unsigned bits) {
   return mpn_lshift(to, a, signed_size(n), bits);
 }
-// n limbs. 0 < bits < 64; `to` may lie below a.
+// Writes n limbs. 0 < bits < 64; `to` may lie below a.
 inline void shift_right(limb* to, const limb* a, std::size_t n, unsigned bits) {
   mpn_rshift(to, a, signed_size(n), bits);
 }
-// n - m + 1 limbs of the quotient, m of the rest. Requires n >= m and b[m - 1] != 0.
+// Writes n - m + 1 limbs of the quotient, m of the rest. Requires n >= m and b[m - 1] != 0.
 inline void divide(limb* quotient, limb* rest, const limb* a, std::size_t n, const limb* b,
                    std::size_t m) {
   mpn_tdiv_qr(quotient, rest, 0, a, signed_size(n), b, signed_size(m));
 }
-// The number of limbs, at most m. Requires odd numbers, a of at least as many bits as b; both are
-// overwritten.
+// Returns the number of limbs, at most m. Requires odd numbers, a of at least as many bits as b;
+// both are overwritten.
 inline std::size_t greatest_common_divisor(limb* to, limb* a, std::size_t n, limb* b,
                                            std::size_t m) {
   return static_cast<std::size_t>(mpn_gcd(to, a, signed_size(n), b, signed_size(m)));
 }
-// (n + 1) / 2 limbs of the root, room for n of the rest; whether there is none. Requires
-// a[n - 1] != 0.
+// Writes (n + 1) / 2 limbs of the root, and the rest, for which there must be room of n. True if
+// there is no rest. Requires a[n - 1] != 0.
 inline bool square_root(limb* root, limb* rest, const limb* a, std::size_t n) {
   return mpn_sqrtrem(root, rest, a, signed_size(n)) == 0;
 }

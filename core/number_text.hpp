@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers as text: to and from doubles, correctly rounded, and back; locale independent.
+// Reads and writes doubles as text, correctly rounded and independent of the locale.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Displacements and their lengths in a metric tensor, over any number type.
+// Computes with displacements and their lengths in a metric tensor, over any number type.
 #pragma once
 
 #include "asterism/core/interval.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Polynomials in one variable whose formal degree is part of the type. They have the operations
-// that formulas need: no division, and no allocation beyond that of the number type. Leading
-// coefficients may vanish. The coefficients of a default polynomial are those of a default number:
-// unspecified for intervals.
+// Defines polynomials in one variable whose formal degree is part of the type. They have the
+// operations that formulas need: no division, and no allocation beyond that of the number type.
+// Leading coefficients may vanish. The coefficients of a default polynomial are those of a default
+// number: unspecified for intervals.
 #pragma once
 
 #include <algorithm>

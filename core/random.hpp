@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Pseudorandom numbers that are the same on every machine, which the standard distributions are
-// not: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
-// For sampling and for tests; nothing that must be right depends on them.
+// Generates pseudorandom numbers that are the same on every machine, which the standard
+// distributions are not: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number
+// generators", 2014). For sampling and for tests; nothing that must be right depends on them.
 #pragma once
 
 #include <cstdint>
@@ -45,6 +45,8 @@ class splitmix64 {
     const auto count = static_cast<std::uint64_t>(std::int64_t{high} - low) + 1;
     return low + static_cast<int>(below(count));
   }
+  // True once in `one_in` times.
+  constexpr bool chance(int one_in) { return integer(1, one_in) == 1; }
 
  private:
   std::uint64_t state_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A value or an error that says what is wrong and where. The library does not throw; what can fail
-// because of its input returns a result.
+// Holds a value or an error that says what is wrong and where. The library does not throw; what can
+// fail because of its input returns a result.
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Interval arithmetic on doubles whose ends are rounded outward. Every operation stands in a
-// floating_point_scope(rounding::upward), in a function that is not inlined into the one that holds
-// the scope, and is compiled with -frounding-math.
+// Defines interval arithmetic on doubles whose ends are rounded outward. Every operation stands in
+// a floating_point_scope(rounding::upward), in a function that is not inlined into the one that
+// holds the scope, and is compiled with -frounding-math.
 //
 // Stores [low, high] as the pair {-low, high}. Rounding upward then widens at both ends, because
 // -low rounded up is minus low rounded down, and no operation has to change the rounding mode.
@@ -86,9 +86,9 @@ inline rounded_interval squared(const rounded_interval& a) {
   return rounded_interval(opaque_here(product(factor, factor.first_negated())));
 }
 
-// Rounded upward, root is the least double r with r >= sqrt(x). Upward, r * r gives x only when it
-// is no more than x, that is when r is the root itself; else the double below r lies below the
-// root. It is minus the sum of -r and the least positive double, rounded upward.
+// Returns the root of x rounded down. Upward, root is the least double r with r >= sqrt(x), and r *
+// r gives x only when it is no more than x, that is when r is the root itself; else the double
+// below r lies below it. That is minus the sum of -r and the least positive double, rounded upward.
 inline double root_rounded_down(double x) {
   const double root = rounded_root(x);
   if (opaque_here(root * opaque_here(root)) == x) return root;

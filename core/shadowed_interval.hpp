@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// An interval that carries what it encloses and aborts when it does not: the number type of the
-// self-check build (option ASTERISM_SELF_CHECK), where it takes the place of `interval`. Hundreds
-// of times slower; not for use elsewhere.
+// Defines an interval that carries what it encloses and aborts when it does not: the number type of
+// the self-check build (option ASTERISM_SELF_CHECK), where it takes the place of `interval`.
+// Hundreds of times slower; not for use elsewhere.
 //
 // The shadow of an interval [lo, hi] is the exact least and greatest value that the operations so
 // far can give on the boxes that intervals were made from. Sums and products of dyadic numbers are

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Signs, and the three-valued answers of arithmetics that may not know.
+// Defines signs, and the three-valued answers of arithmetics that may not know.
 //
 // A sign is never guessed: an arithmetic that cannot decide returns an empty `uncertain`, which
 // has no conversion to a sign. "Undecided" is therefore a type, not a value of `sign`.
@@ -53,17 +53,17 @@ using uncertain_bool = uncertain<bool>;
 // A count that may be undecided.
 using uncertain_int = uncertain<int>;
 
-// Kleene's three-valued "not".
+// Returns Kleene's three-valued "not".
 constexpr uncertain_bool operator!(uncertain_bool a) {
   return a.certain() ? uncertain_bool(!a.value()) : a;
 }
-// Kleene's three-valued "and": a certain `false` decides alone.
+// Returns Kleene's three-valued "and": a certain `false` decides alone.
 constexpr uncertain_bool operator&(uncertain_bool a, uncertain_bool b) {
   if (a.certainly(false) || b.certainly(false)) return false;
   if (a.certain() && b.certain()) return true;
   return {};
 }
-// Kleene's three-valued "or": a certain `true` decides alone.
+// Returns Kleene's three-valued "or": a certain `true` decides alone.
 constexpr uncertain_bool operator|(uncertain_bool a, uncertain_bool b) { return !((!a) & (!b)); }
 
 // True if the sign is certainly positive; undecided where it is.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Points, metric tensors and sites as plain values over any number type.
+// Defines points, metric tensors and sites as plain values over any number type.
 //
 // Units: coordinates are in the units of the domain; a metric tensor maps a displacement u to the
 // squared length u^T M u, so an edge as long as wanted has length 1.

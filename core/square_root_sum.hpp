@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Exact numbers a + b sqrt(c) with one common radicand c >= 0: the coordinates of a point of a
-// visible arc at a dyadic parameter (predicates/visible_arc.hpp). Closed under +, -, *; the sign
-// needs integers alone.
+// Defines exact numbers a + b sqrt(c) with one common radicand c >= 0: the coordinates of a point
+// of a visible arc at a dyadic parameter (predicates/visible_arc.hpp). Closed under +, -, *; the
+// sign needs integers alone.
 #pragma once
 
 #include <cassert>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A pair of doubles worked on at once: an SSE2 register where there is one, two doubles elsewhere
-// or with ASTERISM_PORTABLE_LANES, by which a test compares the two. Sums, products and roots are
+// Works on a pair of doubles at once: an SSE2 register where there is one, two doubles elsewhere or
+// with ASTERISM_PORTABLE_LANES, by which a test compares the two. Sums, products and roots are
 // rounded by the rounding mode in force.
 //
 // A compiler may fold or move arithmetic as if the rounding mode were to nearest, for instance turn
@@ -133,7 +133,7 @@ inline double rounded_root(double x) { return opaque_here(std::sqrt(opaque_here(
 
 #endif
 
-// Infinite where a is NaN, else a.
+// Returns a, infinite where it is NaN.
 inline two_lanes not_nan(const two_lanes& a) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return smallest(a, two_lanes(infinity, infinity));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Does an insertion question have a good point? Decided by finitely many parameters: one verified
+// Decides whether an insertion question has a good point, by finitely many parameters: one verified
 // witness says yes; a cover of the arc by ranges, in each of which one reason to fail provably
 // lasts (kernels/lasting_reasons.hpp), says no.
 //
@@ -63,7 +63,7 @@ class arc_search {
         .certainly(true);
   }
 
-  // No good point with parameter in (low, high)? Also false when a witness was found.
+  // True if no good point has a parameter in (low, high). Also false if a witness was found.
   bool refute(double low, double high) {
     if (--budget_ < 0 || witness_) return false;
     const double middle = sample(low, high);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Many questions in one call: structure of arrays, one column a number, question k in row k of
-// every column. The semi-static tier runs over all rows at once, several to a vector register; the
-// rows it leaves undecided are asked of a filtered_kernel.
+// Answers many questions in one call: structure of arrays, one column a number, question k in row k
+// of every column. The semi-static tier runs over all rows at once, several to a vector register;
+// the rows it leaves undecided are asked of a filtered_kernel.
 //
-// Answers, into a column of signed char: those of filtered_kernel, -1, 0 or 1 for a sign, 0 or 1
-// for yes and no; always the same as row by row, whatever vectors the processor has.
+// Answers go into a column of signed char. They are those of filtered_kernel, -1, 0 or 1 for a
+// sign, 0 or 1 for yes and no; always the same as row by row, whatever vectors the processor has.
 // Errors: batch_status::length_mismatch when two columns, or the answers, differ in length; nothing
 // is written then. No row is a valid batch. The columns of one call may overlap each other, but not
 // the answers.
@@ -55,7 +55,7 @@ class ASTERISM_EXPORT batch_kernel {
                         std::span<signed char> answers) const;
   batch_status dominates(const site_columns& v, const site_columns& w, const point_columns& p,
                          std::span<signed char> answers) const;
-  // The first pass decides rows of four equal metrics; the others are filtered_kernel's.
+  // Decides rows of four equal metrics in the first pass; filtered_kernel decides the others.
   batch_status edge_test(const site_columns& v, const site_columns& w, const site_columns& x,
                          const site_columns& y, std::span<signed char> answers) const;
 

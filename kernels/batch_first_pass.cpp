@@ -38,7 +38,7 @@ ASTERISM_INLINE verdict decide(double value, double magnitude, double factor) {
 
 ASTERISM_INLINE double absolute(double x) { return std::abs(x); }
 
-// The helpers of core/ and of the semi-static tier again, for the compiler must inline them.
+// Repeats the helpers of core/ and of the semi-static tier, for the compiler must inline them.
 ASTERISM_INLINE double length(const metric_tensor& m, const vector& u) {
   const double mixed = m.m12 * (u.x * u.y);
   return m.m11 * (u.x * u.x) + m.m22 * (u.y * u.y) + (mixed + mixed);
@@ -62,11 +62,11 @@ ASTERISM_INLINE metric_tensor row(const metric_columns& m, std::size_t k) {
 }
 ASTERISM_INLINE point row(const point_columns& p, std::size_t k) { return {p.x[k], p.y[k]}; }
 
-// 1, -1, or undecided; `usable` is 0 where the bound does not hold.
+// Returns 1, -1, or undecided; `usable` is 0 where the bound does not hold.
 ASTERISM_INLINE number sign_answer(const verdict& s, number usable) {
   return undecided - usable * (s.positive + 3 * s.negative);
 }
-// 1, 0, or undecided.
+// Returns 1, 0, or undecided.
 ASTERISM_INLINE number truth_answer(number yes, number no, number usable) {
   return undecided - usable * (yes + 2 * no);
 }
@@ -156,7 +156,7 @@ ASTERISM_INLINE number in_circle_row(const metric_tensor& m, const point& a, con
                      harmless(m) & harmless(u) & harmless(v) & harmless(w));
 }
 
-// Equal bit for bit, whatever the processor is told of subnormal numbers.
+// Tests for equality bit for bit, whatever the processor is told of subnormal numbers.
 ASTERISM_INLINE number same_metric(const metric_tensor& a, const metric_tensor& b) {
   const auto difference = [](double x, double y) __attribute__((always_inline)) {
     return std::bit_cast<number>(x) ^ std::bit_cast<number>(y);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The semi-static tier over columns: the same bounds as kernels/semi_static_filter.hpp, written
-// without branches so that compilers turn the loops into vector code. On x86-64 each loop is
-// compiled for AVX-512, AVX2 and plain SSE2, and chosen when called.
+// Runs the semi-static tier over columns: the same bounds as kernels/semi_static_filter.hpp,
+// written without branches so that compilers turn the loops into vector code. On x86-64 each loop
+// is compiled for AVX-512, AVX2 and plain SSE2, and chosen when called.
 //
 // Every column has at least `rows` numbers; answers[k] becomes the answer of row k, or `undecided`.
 // Every row is evaluated whatever is in it: an infinity or NaN is undecided.

@@ -27,11 +27,19 @@ std::string_view next_token(std::string_view& rest) {
 // Field 1 is the name, so number i (from 0) is field i + 2.
 std::string field(std::size_t number) { return "field " + std::to_string(number + 2); }
 
-result<predicate> parse_name(std::string_view name) {
+// A predicate, and the metric of a record whose name says that it has none.
+struct named_predicate {
+  predicate question;
+  std::size_t implied = 0;  // numbers that the name stands for
+};
+
+result<named_predicate> parse_name(std::string_view name) {
+  if (name == "orient2d") return named_predicate{predicate::orientation};
+  if (name == "incircle") return named_predicate{predicate::in_circle, 3};
   const auto found = std::find(predicate_names.begin(), predicate_names.end(), name);
   if (found == predicate_names.end())
     return error{"field 1: unknown predicate " + quoted_token(name)};
-  return static_cast<predicate>(found - predicate_names.begin());
+  return named_predicate{static_cast<predicate>(found - predicate_names.begin())};
 }
 
 std::optional<error> check_sites(const batch_record& record) {
@@ -60,8 +68,10 @@ result<std::optional<batch_record>> parse_record(std::string_view line) {
   const auto question = parse_name(name);
   if (!question) return question.failure();
 
-  batch_record record{question.value(), {}};
-  const std::size_t expected = numbers_of(record.question);
+  const std::size_t implied = question.value().implied;
+  batch_record record{question.value().question, {}};
+  if (implied > 0) record.numbers = {1, 0, 1};
+  const std::size_t expected = numbers_of(record.question) - implied;
   for (std::size_t i = 0;; ++i) {
     const std::string_view token = next_token(line);
     if (token.empty() != (i == expected)) {
@@ -72,7 +82,7 @@ result<std::optional<batch_record>> parse_record(std::string_view line) {
     if (token.empty()) break;
     const auto number = parse_number(token);
     if (!number) return error{field(i) + ": " + number.failure().message};
-    record.numbers[i] = number.value();
+    record.numbers[implied + i] = number.value();
   }
   if (const auto failure = check_sites(record)) return *failure;
   return std::optional<batch_record>(record);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The predicates as text: one record a line in, one integer a line out.
+// Answers the predicates in text: one record a line in, one integer a line out.
 //
 //   record   name, then numbers, separated by blanks (space, tab, CR, VT, FF)
 //   number   decimal or C99 hexadecimal (0x1.8p-3), optional sign; read as the nearest double
@@ -13,6 +13,7 @@
 //   in_wedge v w q               dominates v w p            voronoi_vertex_count u v w
 //   arc_intersection_count v w x encroaches a b w           insertion_test v w x y
 //   edge_test v w x y            in_circle m11 m12 m22 a b c p
+//   orient2d p q r               incircle a b c p           (in the plane, by their usual names)
 //
 // Answers: a sign as -1, 0, 1; a yes as 1, a no as 0; a count as itself. `?` where the interval
 // kernel cannot decide. `error: ...`, naming the field (the name is field 1) where there is
@@ -43,8 +44,8 @@
 
 namespace asterism {
 
-// Reads one line. Empty for a comment or blank line. `line` comes without its end of line; a final
-// CR is a blank.
+// Reads one line; nothing for a comment or a blank line. `line` comes without its end of line; a
+// final CR is a blank.
 ASTERISM_EXPORT result<std::optional<batch_record>> parse_record(std::string_view line);
 
 // The kernel that answers.
@@ -54,7 +55,7 @@ enum class kernel_choice { filtered, exact, interval, plain_double };
 enum class settled_by : std::size_t { semi_static, interval, exact, plain_double, undecided };
 // Number of values of settled_by.
 inline constexpr std::size_t settled_by_count = 5;
-// Their names, in order.
+// Names of these values, in order.
 inline constexpr std::array<std::string_view, settled_by_count> settled_by_names = {
     "semi-static", "interval", "exact", "double", "undecided"};
 

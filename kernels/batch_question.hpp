@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A record of the batch protocol as a question that can be put to any kernel: what the batch
-// evaluator, the kernel checker and the tests that compare kernels have in common.
+// Turns a record of the batch protocol into a question that can be put to any kernel, for the batch
+// evaluator, the kernel checker and the tests that compare kernels.
 //
 // Answers are integers as in the batch protocol; empty where a kernel is undecided.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace asterism {
 
-inline constexpr std::size_t longest_record = 20;  // numbers: four sites
+inline constexpr std::size_t longest_record = 20;  // numbers: those of four sites
 
 // A question and its numbers: metrics first, then sites, then points. Those beyond the predicate's
 // own are 0.
@@ -52,8 +52,8 @@ constexpr std::size_t numbers_of(predicate question) {
   return 3 * shape.metrics + 5 * shape.sites + 2 * shape.points;
 }
 
-// `first` is the index of the first number, `which` that of a site in a record without metrics of
-// their own.
+// Returns the point whose first number has the index `first`, which need not be that of a site: of
+// a record's numbers any two in a row can be read as one.
 constexpr point point_at(const batch_record& record, std::size_t first) {
   return {record.numbers[first], record.numbers[first + 1]};
 }
@@ -61,18 +61,18 @@ constexpr point point_at(const batch_record& record, std::size_t first) {
 constexpr metric_tensor metric_at(const batch_record& record, std::size_t first) {
   return {record.numbers[first], record.numbers[first + 1], record.numbers[first + 2]};
 }
-// Returns the site number `which`, from 0.
+// Returns the site number `which`, from 0, of a record without metrics of their own.
 constexpr site site_at(const batch_record& record, std::size_t which) {
   return {point_at(record, 5 * which), metric_at(record, 5 * which + 2)};
 }
 
-// Returns the answer as an integer of the batch protocol; undecided stays so.
+// Returns -1, 0 or 1.
 constexpr uncertain_int as_integer(sign s) { return to_int(s); }
-// As above.
+// Returns 1 for yes, 0 for no.
 constexpr uncertain_int as_integer(bool yes) { return yes ? 1 : 0; }
-// As above.
+// Returns the count itself.
 constexpr uncertain_int as_integer(int count) { return count; }
-// As above.
+// Returns the answer as an integer of the batch protocol; undecided stays so.
 template <class T>
 constexpr uncertain_int as_integer(uncertain<T> answer) {
   return answer.certain() ? as_integer(answer.value()) : uncertain_int();

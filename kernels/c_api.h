@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The predicates for C and for everything that calls C. The answers are those of filtered_kernel
- * (kernels/filtered_kernel.hpp): exact for the doubles given, whatever the caller's rounding mode,
- * FTZ and DAZ, which are the same after the call.
+ * Offers the predicates to C and to everything that calls C. The answers are those of
+ * filtered_kernel (kernels/filtered_kernel.hpp): exact for the doubles given, whatever the caller's
+ * rounding mode, FTZ and DAZ, which are the same after the call.
  *
  * Arguments: a point is x y, a metric tensor m11 m12 m22, a site x y m11 m12 m22. Any finite double
  * is allowed, from subnormal to the largest.
@@ -28,7 +28,7 @@
 extern "C" {
 #endif
 
-/* What became of a question. */
+/* Outcome of a call. */
 typedef enum asterism_status { /* NOLINT(modernize-use-using): C */
                                ASTERISM_OK = 0,
                                ASTERISM_NULL_POINTER = 1,
@@ -41,8 +41,8 @@ typedef enum asterism_status { /* NOLINT(modernize-use-using): C */
                                ASTERISM_REFUSED = 8 /* of a mesh or domain; a message says why */
 } asterism_status;
 
-/* A sentence for a person, never null, also for a number that is no status. Owned by the library.
- */
+/* Returns a sentence for a person, never null, also for a number that is no status. Owned by the
+ * library. */
 ASTERISM_EXPORT const char* asterism_status_message(asterism_status status);
 
 /* Returns ASTERISM_VERSION as the library was compiled. */
@@ -50,16 +50,16 @@ ASTERISM_EXPORT int asterism_version(void);
 /* Returns ASTERISM_VERSION_TEXT as the library was compiled. */
 ASTERISM_EXPORT const char* asterism_version_text(void);
 
-/* Does r lie to the left (1) or right (-1) of the directed line from p to q, or on it (0)?
- * Source and laws: predicates/orientation.hpp. Equal points give 0. */
+/* Tells whether r lies to the left (1) or right (-1) of the directed line from p to q, or on it
+ * (0). Source and laws: predicates/orientation.hpp. Equal points give 0. */
 ASTERISM_EXPORT asterism_status asterism_orientation(const double p[2], const double q[2],
                                                      const double r[2], int* answer);
 
-/* Is the metric tensor positive definite? 1 or 0; semidefinite is 0. Never gives
+/* Tells whether the metric tensor is positive definite (1 or 0); semidefinite is 0. Never gives
  * ASTERISM_NOT_POSITIVE_DEFINITE. Source: predicates/positive_definite.hpp. */
 ASTERISM_EXPORT asterism_status asterism_is_spd(const double metric[3], int* answer);
 
-/* Where does p lie against the ellipse through a, b, c that is a circle in the metric? 1: inside
+/* Tells where p lies against the ellipse through a, b, c that is a circle in the metric. 1: inside
  * when a b c turn counter-clockwise (outside when clockwise); -1: the other way round; 0: the four
  * are cocircular in the metric, or a, b, c collinear with each other and with p. The points need
  * not be distinct. Source and laws: predicates/in_circle.hpp. */
@@ -67,48 +67,48 @@ ASTERISM_EXPORT asterism_status asterism_in_circle(const double metric[3], const
                                                    const double b[2], const double c[2],
                                                    const double p[2], int* answer);
 
-/* The same in the plane as it is: the usual in-circle test. */
+/* Tells it in the plane as it is: the usual in-circle test. */
 ASTERISM_EXPORT asterism_status asterism_in_circle_plane(const double a[2], const double b[2],
                                                          const double c[2], const double p[2],
                                                          int* answer);
 
-/* Which of v, w is nearer to q, each by its own metric? -1: v; 1: w; 0: q is on their bisector.
- * Source: predicates/compare_distance.hpp. */
+/* Tells which of v, w is nearer to q, each by its own metric. -1: v; 1: w; 0: q is on their
+ * bisector. Source: predicates/compare_distance.hpp. */
 ASTERISM_EXPORT asterism_status asterism_compare_distance(const double v[5], const double w[5],
                                                           const double q[2], int* answer);
 
-/* Is q in the wedge of v and w? 1 or 0; the border is outside. Source: predicates/wedge.hpp. */
+/* Tells whether q is strictly in the wedge of v and w (1 or 0). Source: predicates/wedge.hpp. */
 ASTERISM_EXPORT asterism_status asterism_in_wedge(const double v[5], const double w[5],
                                                   const double q[2], int* answer);
 
-/* Does v (1) or w (-1) dominate p over the other, or neither (0: p is on the border)? Not the same
- * as being nearer. Source: predicates/domination.hpp. */
+/* Tells whether v (1) or w (-1) dominates p over the other, or neither (0: p is on the border).
+ * This is not the same as being nearer. Source: predicates/domination.hpp. */
 ASTERISM_EXPORT asterism_status asterism_dominates(const double v[5], const double w[5],
                                                    const double p[2], int* answer);
 
-/* In how many points are u, v, w equally near? 0 to 4; -1: infinitely many. A tangency is one
- * point. Source: predicates/voronoi_vertices.hpp. */
+/* Counts the points that are equally near to u, v, w. 0 to 4; -1: infinitely many. A tangency is
+ * one point. Source: predicates/voronoi_vertices.hpp. */
 ASTERISM_EXPORT asterism_status asterism_voronoi_vertex_count(const double u[5], const double v[5],
                                                               const double w[5], int* answer);
 
-/* In how many points of the visible arc of v, w is x as near as they are? 0 to 4; -1: infinitely
- * many. Source: predicates/arc_intersections.hpp. */
+/* Counts the points of the visible arc of v, w to which x is as near as they are. 0 to 4; -1:
+ * infinitely many. Source: predicates/arc_intersections.hpp. */
 ASTERISM_EXPORT asterism_status asterism_arc_intersection_count(const double v[5],
                                                                 const double w[5],
                                                                 const double x[5], int* answer);
 
-/* Is w nearer than a and than b somewhere on the open segment ab? 1 or 0; touching is 0.
- * Source: predicates/encroachment.hpp. */
+/* Tells whether w is nearer than a and than b somewhere on the open segment ab (1 or 0); touching
+ * is 0. Source: predicates/encroachment.hpp. */
 ASTERISM_EXPORT asterism_status asterism_encroaches(const double a[5], const double b[5],
                                                     const double w[5], int* answer);
 
-/* May w stand in the star of v between its neighbours x and y? 1 or 0; touching is 0. Four distinct
- * sites. Source: predicates/insertion_test.hpp. */
+/* Tells whether w may stand in the star of v between its neighbours x and y (1 or 0); touching is
+ * 0. Four distinct sites. Source: predicates/insertion_test.hpp. */
 ASTERISM_EXPORT asterism_status asterism_insertion_test(const double v[5], const double w[5],
                                                         const double x[5], const double y[5],
                                                         int* answer);
 
-/* The same with ties broken alike from every side: what a mesh generator should ask.
+/* Tells it with ties broken alike from every side: what a mesh generator should ask.
  * Source: predicates/tie_breaking.hpp. */
 ASTERISM_EXPORT asterism_status asterism_edge_test(const double v[5], const double w[5],
                                                    const double x[5], const double y[5],

@@ -31,15 +31,23 @@ class question_table {
     return record;
   }
 
+  std::span<const asterism_rows> arguments() const { return arguments_; }
+  // The metric of a circle, its first argument, has to be positive definite; another is what is
+  // asked.
+  bool asks_of_circles() const { return question_ == predicate::in_circle; }
+  // Returns how many numbers a row of argument a has, by what it is.
+  std::size_t width(std::size_t a) const {
+    const record_shape shape = shape_of(question_);
+    return a < shape.metrics ? 3 : a < shape.metrics + shape.sites ? 5 : 2;
+  }
+
   // Calls visit(column, number) for the numbers of row k.
   template <class Visit>
   void visit_numbers(std::size_t k, Visit&& visit) const {
-    const record_shape shape = shape_of(question_);
     std::size_t column = 0;
     for (std::size_t a = 0; a < arguments_.size(); ++a) {
-      const std::size_t width = a < shape.metrics ? 3 : a < shape.metrics + shape.sites ? 5 : 2;
       const double* const from = arguments_[a].first + k * arguments_[a].stride;
-      for (std::size_t i = 0; i < width; ++i) visit(column++, from[i]);
+      for (std::size_t i = 0; i < width(a); ++i) visit(column++, from[i]);
     }
   }
 
@@ -48,6 +56,62 @@ class question_table {
   std::span<const asterism_rows> arguments_;
 };
 
+// The checks of a batch in doubles, argument by argument: they pass only what passes check_record,
+// in any rounding mode and with subnormal numbers switched off.
+
+template <std::size_t Width>
+bool all_finite(const asterism_rows& rows, std::size_t count) {
+  bool finite = true;
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t i = 0; i < Width; ++i) finite &= is_finite(rows.first[k * rows.stride + i]);
+  return finite;
+}
+
+// True if the metrics, at `offset` in each row, are positive definite for certain. With u = 2^-53
+// the products are off by a factor 1 + 2u at most, upward or downward, and m12^2 by 2^-1020 where
+// it is that small; so more than 1 + 8u times m12^2, and more than 2^-900, is more than m12^2.
+bool all_positive_definite(const asterism_rows& rows, std::size_t offset, std::size_t count) {
+  constexpr double more = 1 + 0x1p-50, least = 0x1p-900;
+  bool positive = true;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double* const m = rows.first + k * rows.stride + offset;
+    const double product = m[0] * m[2], square = m[1] * m[1];
+    positive &= (m[0] > 0) & (product > square * more) & (product > least);
+  }
+  return positive;
+}
+
+// True if the points at the start of the rows differ, row by row.
+bool all_apart(const asterism_rows& a, const asterism_rows& b, std::size_t count) {
+  bool apart = true;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double* const p = a.first + k * a.stride;
+    const double* const q = b.first + k * b.stride;
+    apart &= (p[0] != q[0]) | (p[1] != q[1]);
+  }
+  return apart;
+}
+
+// True if no row can fail; where it is false some may.
+bool all_sound(const question_table& table, std::size_t count) {
+  const std::span<const asterism_rows> arguments = table.arguments();
+  const auto is_site = [&](std::size_t a) { return table.width(a) == 5; };
+  for (std::size_t a = 0; a < arguments.size(); ++a) {
+    const asterism_rows& rows = arguments[a];
+    const std::size_t different = rows.stride == 0 ? 1 : count;
+    const bool finite = table.width(a) == 2   ? all_finite<2>(rows, different)
+                        : table.width(a) == 3 ? all_finite<3>(rows, different)
+                                              : all_finite<5>(rows, different);
+    if (!finite) return false;
+    if (is_site(a) && !all_positive_definite(rows, 2, different)) return false;
+    if (table.asks_of_circles() && a == 0 && !all_positive_definite(rows, 0, different))
+      return false;
+    for (std::size_t b = 0; b < a; ++b)
+      if (is_site(a) && is_site(b) && !all_apart(rows, arguments[b], count)) return false;
+  }
+  return true;
+}
+
 // Columns of some rows, as batch_kernel takes them.
 class column_block {
  public:
@@ -55,9 +119,13 @@ class column_block {
 
   void fill(const question_table& table, std::size_t first, std::size_t rows) {
     rows_ = rows;
-    for (std::size_t k = 0; k < rows; ++k)
-      table.visit_numbers(first + k,
-                          [&](std::size_t column, double number) { numbers_[column][k] = number; });
+    std::size_t column = 0;
+    for (std::size_t a = 0; a < table.arguments().size(); ++a) {
+      const std::size_t stride = table.arguments()[a].stride;
+      const double* const from = table.arguments()[a].first + first * stride;
+      for (std::size_t i = 0; i < table.width(a); ++i, ++column)
+        for (std::size_t k = 0; k < rows; ++k) numbers_[column][k] = from[k * stride + i];
+    }
   }
 
   // Every batch has as many rows as the columns: there is no mismatch to report.
@@ -119,7 +187,7 @@ asterism_status answer_rows(predicate question, std::span<const asterism_rows> a
     if (count == 0) return ASTERISM_OK;
     if (answers == nullptr || table.has_null()) return ASTERISM_NULL_POINTER;
     const filtered_kernel checks;  // its own counters: these are no questions
-    for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t k = all_sound(table, count) ? count : 0; k < count; ++k)
       if (const asterism_status bad = check_record(checks, table.row(k)); bad != ASTERISM_OK) {
         found.failed_row = k;
         return bad;

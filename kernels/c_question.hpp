@@ -15,7 +15,7 @@
 
 namespace asterism::internal {
 
-// By the bits, because the caller may have switched subnormal numbers off, to which == then is
+// Tests the bits, because the caller may have switched subnormal numbers off, to which == then is
 // blind.
 inline bool is_finite(double x) {
   constexpr std::uint64_t exponent = 0x7FF0000000000000U;
@@ -39,7 +39,7 @@ inline asterism_status check_sites(const filtered_kernel& kernel, const batch_re
   return ASTERISM_OK;
 }
 
-// Everything that can be wrong with the numbers of a question.
+// Finds everything that can be wrong with the numbers of a question.
 inline asterism_status check_record(const filtered_kernel& kernel, const batch_record& record) {
   const std::size_t count = numbers_of(record.question);
   for (std::size_t k = 0; k < count; ++k)
@@ -49,7 +49,7 @@ inline asterism_status check_record(const filtered_kernel& kernel, const batch_r
   return check_sites(kernel, record);
 }
 
-// The status of body(), which may throw; a caller that is not C++ must not see that.
+// Returns the status of body(), which may throw; a caller that is not C++ must not see that.
 template <class Body>
 asterism_status without_exceptions(const Body& body) noexcept {
   try {

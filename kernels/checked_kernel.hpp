@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Two kernels as one: every question is put to both, the first one's answer is returned, and every
-// difference is reported, with the source text of a test that reproduces it. For trying out an
-// arithmetic inside a program that runs on another one, after CGAL's Filtered_kernel_checker.
+// Asks two kernels as one: every question is put to both, the first one's answer is returned, and
+// every difference is reported, with the source text of a test that reproduces it. For trying out
+// an arithmetic inside a program that runs on another one, after CGAL's Filtered_kernel_checker.
 //
 // First and Second are any classes with the member functions of filtered_kernel, whose answers may
 // be `uncertain`; an empty answer agrees with every answer. Second is taken for the reference.
@@ -28,13 +28,13 @@ struct kernel_difference {
   batch_record record;
   int first_answer = 0, second_answer = 0;
 
-  // A Catch2 test case that passes when `kernel_type` answers what the second kernel answered.
+  // Returns a Catch2 test case that passes if `kernel_type` answers as the second kernel did.
   std::string test(std::string_view kernel_type) const {
     return replay_test(kernel_type, record, second_answer, first_answer);
   }
 };
 
-// Is told of each difference.
+// Listener that is told of each difference.
 using difference_report = std::function<void(const kernel_difference&)>;
 
 // Returns a report that writes the test case. `kernel_type` is the C++ name of the first kernel's

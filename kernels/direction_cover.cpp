@@ -53,7 +53,7 @@ struct seen_site {
     return dot(e, covector) + root(radicand_there) * inverse_length;
   }
 
-  // The gradient of s at m, if s is certainly real there.
+  // Returns the gradient of s at m, if s is certainly real there.
   std::optional<vector> tangent(const vector& m) const {
     const bounded turned = cross(m, offset);
     const bounded radicand_there = dot(m, m) - bend * (turned * turned);
@@ -82,7 +82,7 @@ class direction_cover {
   direction_cover(const seen_site& w, const seen_site& x, const seen_site& y)
       : w_(w), beside_{{{&x, cross(w.offset, x.offset)}, {&y, cross(w.offset, y.offset)}}} {}
 
-  // Nothing is left of all directions in which v and w see a point.
+  // True if nothing is left of all directions in which v and w see a point.
   bool is_complete() {
     const displacement<double> d = values_of(w_.offset), n{-d.y, d.x};
     if (w_.concave) {
@@ -106,7 +106,7 @@ class direction_cover {
     bounded turn;  // offset of w x offset of z
   };
 
-  // No point is seen in direction e or farther from w's.
+  // True if no point is seen in direction e or farther from w's.
   bool is_beyond(const vector& e) const {
     return w_.radicand(e, w_.bend).certainly_negative() || dot(e, w_.offset).certainly_negative();
   }
@@ -126,7 +126,7 @@ class direction_cover {
     return {u.x / long_u + w.x / long_w, u.y / long_u + w.y / long_w};
   }
 
-  // The ray of a neighbour inside the cone, else its middle.
+  // Returns the ray of a neighbour inside the cone, else its middle.
   direction splitting(const direction& right, const direction& left,
                       const displacement<double>& m) const {
     for (const neighbour& side : beside_) {
@@ -158,7 +158,7 @@ class direction_cover {
     return false;
   }
 
-  // The ray meets z's bisector before it meets w's, all over the cone.
+  // True if the ray meets z's bisector before it meets w's, all over the cone.
   static bool comes_first(const seen_site& z, const vector& right, const vector& left,
                           const vector& m, const bounded& w_right, const bounded& w_left) {
     if (!dot(right, z.offset).certainly_positive() || !dot(left, z.offset).certainly_positive())
@@ -176,8 +176,8 @@ class direction_cover {
     return first_at(right, w_right) && first_at(left, w_left);
   }
 
-  // The cone is beyond z's ray, as w's ray has it, and the triangle of v, w and the point contains
-  // z.
+  // True if the cone is beyond z's ray, as w's ray has it, and the triangle of v, w and the point
+  // contains z.
   bool is_enclosed(const neighbour& side, const direction& right, const direction& left,
                    const bounded& w_right, const bounded& w_left) const {
     const bool on_left = side.turn.certainly_positive();
@@ -208,7 +208,7 @@ class direction_cover {
     }
     return true;
   }
-  // Zero where the bisector is not met.
+  // Returns where e is seen; zero where the bisector is not met.
   static double seen_at(const seen_site& z, const vector& e) {
     const bounded radicand = z.radicand(e, z.bend);
     return radicand.value() > 0 ? z.meeting(e, radicand).value() : 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Existence questions along an arc in plain doubles, by the same sections as the exact kernel.
-// The result is a guess: the double kernel's answer, or a witness for the interval kernel to check.
+// Answers existence questions along an arc in plain doubles, by the same sections as the exact
+// kernel. The result is a guess: the double kernel's answer, or a witness to be checked.
 #pragma once
 
 #include <algorithm>
@@ -85,7 +85,7 @@ inline bool is_good_point(const insertion_question<double>& question, double m) 
   return question.at_x.holds(from_v, weight).value() && question.at_y.holds(from_v, weight).value();
 }
 
-// A parameter at which the question holds, in doubles.
+// Returns a parameter at which the question holds, in doubles.
 inline std::optional<double> find_witness(const insertion_question<double>& question) {
   return critical_cuts(question, cuts::all).first_sample([&](double m) {
     return is_good_point(question, m);

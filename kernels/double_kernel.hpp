@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Every predicate in plain doubles: no error bound, no fallback, sometimes wrong. It exists to be
-// measured against (bench/) and shown failing (tests/); nothing that must be right uses it. Same
-// questions and input as filtered_kernel; no state at all.
+// Answers every predicate in plain doubles: no error bound, no fallback, sometimes wrong. It exists
+// to be measured against (bench/) and shown failing (tests/); nothing that must be right uses it.
+// Same questions and input as filtered_kernel; no state at all.
 #pragma once
 
 #include "asterism/core/export.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Signs of functions along a visible arc (predicates/visible_arc.hpp) in exact numbers: at a dyadic
-// parameter, at a real root of a polynomial, and where they may change.
+// Decides signs of functions along a visible arc (predicates/visible_arc.hpp) in exact numbers: at
+// a dyadic parameter, at a real root of a polynomial, and where they may change.
 #pragma once
 
 #include "asterism/core/square_root_sum.hpp"
@@ -12,7 +12,7 @@ namespace asterism::internal::exact {
 
 using arc = visible_arc<dyadic>;
 
-// The sign of f at p(m). Requires E(m) >= 0.
+// Returns the sign of f at p(m). Requires E(m) >= 0.
 inline sign sign_at(const arc& on, const arc_function<dyadic>& f, const dyadic& m) {
   const dyadic radicand = on.e(m);
   return square_root_sum(on.rational_part(f)(m), f.beta(m), radicand).sign_value();
@@ -23,7 +23,7 @@ sign sign_at(const polynomial<dyadic, Degree>& p, real_root& root) {
   return root.sign_of_value(dense_polynomial(p));
 }
 
-// The sign of f at the point of the arc with parameter `root`.
+// Returns the sign of f at the point of the arc with parameter `root`.
 inline sign sign_at(const arc& on, const arc_function<dyadic>& f, real_root& root) {
   const sign p = sign_at(on.rational_part(f), root);
   const sign beta = sign_at(f.beta, root);

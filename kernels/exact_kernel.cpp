@@ -116,20 +116,22 @@ struct insertion_sections {
     return false;
   }
 
-  // The value of f at a root of the line, on the arc.
+  // Returns the value of f at a root of the line, on the arc.
   sign value_at(const arc_function<dyadic>& f, real_root& root) const {
     return exact::sign_at(question.arc, f, root);
   }
 
-  // At contact k: positive when the section of z (x or y) allowed there is the one where z is
-  // farther than v, as usual; negative when z is nearer there but hidden behind v's and w's cells.
+  // Returns, at contact k, positive when the section of z (x or y) allowed there is the one where z
+  // is farther than v, as usual; negative when z is nearer there but hidden behind v's and w's
+  // cells.
   sign side_allowed(const neighbour_condition<dyadic>& z, const arc_function<dyadic>& equidistance,
                     std::size_t k) const {
     const std::size_t section = allowed(z, k) ? k : k + 1;
     return -exact_arithmetic::function_sign(question.arc, equidistance, samples[section]);
   }
 
-  // Do the sections allowed by x and by y touch at cut k, with all four sites equally near there?
+  // True if the sections allowed by x and by y touch at cut k, with all four sites equally near
+  // there.
   bool is_four_site_contact(std::size_t k) {
     constexpr std::uint64_t both = (1U << tag_x) | (1U << tag_y);
     exact::cut& at = line.cuts()[k];
@@ -142,9 +144,9 @@ struct insertion_sections {
   }
 };
 
-// The search by witness or cover. First with exact coefficients whose signs intervals read, which
-// is what mere rounding and exact zeros leave over; then in exact numbers alone. Undecided on ties
-// and tangencies, and where the magnitudes do not let doubles propose parameters.
+// Searches by witness or cover: first with exact coefficients whose signs intervals read,
+// which is what mere rounding and exact zeros leave over; then in exact numbers alone. Undecided on
+// ties and tangencies, and where the magnitudes do not let doubles propose parameters.
 [[gnu::noinline]] uncertain_bool search_upward(const std::array<site, 4>& sites) {
   constexpr int most_ranges = 64;
   return search_in_stages<interval, interval_arc_point, dyadic>(sites, most_ranges);

@@ -135,7 +135,7 @@ int sturm_sequence::roots_between(const dyadic& low, const dyadic& high) const {
 
 namespace {
 
-// A power of two larger than the absolute value of every root (Cauchy's bound).
+// Returns a power of two larger than the absolute value of every root (Cauchy's bound).
 dyadic root_bound(const dense_polynomial& p) {
   const long lead = p[p.degree()].magnitude();
   long exponent = 1;
@@ -144,7 +144,7 @@ dyadic root_bound(const dense_polynomial& p) {
   return dyadic(1).scaled(exponent);
 }
 
-// |x| 2^-magnitude, in [1/2, 1], to about 2^-60. Requires a value that is not zero.
+// Returns |x| 2^-magnitude, in [1/2, 1], to about 2^-60. Requires a value that is not zero.
 double leading_fraction(const dyadic& x) {
   const auto limbs = x.mantissa().limbs();
   const double low = limbs.size() > 1 ? static_cast<double>(limbs[limbs.size() - 2]) * 0x1p-64 : 0;
@@ -152,8 +152,9 @@ double leading_fraction(const dyadic& x) {
   return std::ldexp(value, -static_cast<int>(std::bit_width(limbs.back())));
 }
 
-// A short number strictly between: the power of two in the middle of the exponents while they
-// differ, then half way. Halving alone would take as many steps as there are exponents between.
+// Returns a short number strictly between: the power of two in the middle of the exponents while
+// they differ, then half way. Halving alone would take as many steps as there are exponents
+// between.
 dyadic split_point(const dyadic& low, const dyadic& high) {
   const sign side_low = low.sign_value(), side_high = high.sign_value();
   if (side_low == sign::negative && side_high == sign::positive) return dyadic(0);
@@ -231,7 +232,7 @@ struct isolation {
   }
 };
 
-// |a| / (|a| + |b|), roughly.
+// Returns |a| / (|a| + |b|), roughly.
 double share_of_first(const dyadic& a, const dyadic& b) {
   if (a.is_zero()) return 0;
   if (b.is_zero()) return 1;

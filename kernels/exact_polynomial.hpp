@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Polynomials with dyadic coefficients and their real roots, exactly: Sturm sequences, isolation
-// by bisection, comparison of roots through greatest common divisors. Degrees here are at most
-// four, so plain algorithms do.
+// Computes with polynomials with dyadic coefficients and their real roots, exactly: Sturm
+// sequences, isolation by bisection, comparison of roots through greatest common divisors. Degrees
+// here are at most four, so plain algorithms do.
 #pragma once
 
 #include <vector>
@@ -31,7 +31,7 @@ class dense_polynomial {
   // Divides the coefficients by their common positive factor, which keeps the roots.
   void make_primitive();
 
-  // A positive multiple of the remainder, respectively of the quotient up to sign.
+  // Returns a positive multiple of the remainder, respectively of the quotient up to sign.
   friend dense_polynomial remainder(dense_polynomial a, const dense_polynomial& b);
   friend dense_polynomial exact_quotient(dense_polynomial a, const dense_polynomial& b);
 
@@ -68,10 +68,10 @@ class real_root {
   // Makes the interval smaller: at least by half in the end, by up to 2^48 where the secant tells
   // where the root is (Abbott, Quadratic interval refinement, 2006).
   void refine();
-  // The exact sign of q at this root. Refines.
+  // Returns the exact sign of q at this root. Refines.
   sign sign_of_value(const dense_polynomial& q);
 
-  // negative: a < b. Refines both.
+  // Returns the sign of a - b. Refines both.
   friend sign compare(real_root& a, real_root& b);
 
  private:
@@ -85,7 +85,7 @@ class real_root {
   int secant_bits_ = 2;  // how far the secant is trusted next
 };
 
-// Every distinct real root in increasing order. Requires p not zero.
+// Returns every distinct real root in increasing order. Requires p not zero.
 std::vector<real_root> isolate_real_roots(const dense_polynomial& p);
 
 }  // namespace asterism::internal::exact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The narrowest interval of doubles around a dyadic number: a point when the number is a double,
-// else one unit in the last place wide, or wider beyond the exponents of normal doubles.
+// Finds the narrowest interval of doubles around a dyadic number: a point when the number is a
+// double, else one unit in the last place wide, or wider beyond the exponents of normal doubles.
 #pragma once
 
 #include <bit>

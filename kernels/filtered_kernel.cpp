@@ -23,7 +23,7 @@ void count(tier_counters* decided, predicate which, tier by) {
   if (decided != nullptr) ++decided->at(which, by);
 }
 
-// Interval first, exact when undecided; counts who decided.
+// Asks intervals first, exact numbers when undecided; counts who decided.
 template <class Ask, std::same_as<site>... Sites>
 [[gnu::noinline]] auto decide_slowly(tier_counters* decided, predicate which, const Ask& ask,
                                      const Sites&... sites) {
@@ -55,14 +55,14 @@ Answer decide(tier_counters* decided, uncertain<Answer> first, const Arguments&.
   return first.value();
 }
 
-// In the caller's environment, so by the bits.
+// Compares the bits, since this runs in the caller's environment.
 bool equal_metrics(const site& v, const site& w, const site& x, const site& y) {
   return identical(v.metric, w.metric) && identical(v.metric, x.metric) &&
          identical(v.metric, y.metric);
 }
 
-// edge_test as a question about one gap of v's star, when w looks to be in one of less than half a
-// turn; star_gap verifies what it needs of that.
+// Asks edge_test as a question about one gap of v's star, when w looks to be in one of less than
+// half a turn; star_gap verifies what it needs of that.
 uncertain_bool ask_gap(const site& v, const site& w, const site& x, const site& y) {
   const auto to_w = between(v.position, w.position), to_x = between(v.position, x.position),
              to_y = between(v.position, y.position);
@@ -72,12 +72,13 @@ uncertain_bool ask_gap(const site& v, const site& w, const site& x, const site& 
   return left_of_x ? star_gap(v, x, y).accepts(w) : star_gap(v, y, x).accepts(w);
 }
 
-// The question is the same to v and to w; one of them may see it more clearly.
+// Asks both v and w, to whom the question is the same: one of them may see it more clearly.
 uncertain_bool ask_gaps(const site& v, const site& w, const site& x, const site& y) {
   const uncertain_bool by_v = ask_gap(v, w, x, y);
   return by_v.certain() ? by_v : ask_gap(w, v, x, y);
 }
-// Certain only of a refusal: no direction is left in which both may see a point that is theirs.
+// Answers for certain only by a refusal: no direction is left in which both may see a point that is
+// theirs.
 uncertain_bool ask_directions(const site& v, const site& w, const site& x, const site& y) {
   const bool refused = no_direction_is_left(v, w, x, y) || no_direction_is_left(w, v, x, y);
   return refused ? uncertain_bool(false) : uncertain_bool();

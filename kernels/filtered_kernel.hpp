@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The product: every predicate decided exactly, by plain doubles with an error bound when that is
-// enough, by interval arithmetic when that is, and else by exact arithmetic (docs/math/tiers.md).
+// Decides every predicate exactly: by plain doubles with an error bound when that is enough, by
+// interval arithmetic when that is, and else by exact arithmetic (docs/math/tiers.md).
 //
 // Input: finite doubles; metric tensors positive definite; the sites of one call distinct. Other
 // input is a caller's error: check with is_positive_definite first.
@@ -42,7 +42,7 @@ class ASTERISM_EXPORT filtered_kernel {
   bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
   sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
                  const point& p) const;
-  // In the plane as it is: the usual in-circle test.
+  // Decides the usual in-circle test, in the plane as it is.
   sign in_circle(const point& a, const point& b, const point& c, const point& p) const {
     return in_circle({1, 0, 1}, a, b, c, p);
   }

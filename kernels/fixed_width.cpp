@@ -53,7 +53,7 @@ int192 product(int128 a, std::int64_t b) {
   return {high + (low >> 64), static_cast<std::uint64_t>(low)};
 }
 
-// a b for a, b >= 0, the most significant limb first.
+// Returns a b for a, b >= 0, the most significant limb first.
 std::array<std::uint64_t, 5> product(const int192& a, int128 b) {
   const std::array<std::uint64_t, 3> left = {a.low, static_cast<std::uint64_t>(a.high),
                                              static_cast<std::uint64_t>(a.high >> 64)};
@@ -72,8 +72,8 @@ std::array<std::uint64_t, 5> product(const int192& a, int128 b) {
   return result;
 }
 
-// The numbers in one unit, each below 2^61 in size; whether they all fit. The unit lets the largest
-// have its 53 bits and 8 more below them.
+// Brings the numbers to one unit, each below 2^61 in size; true if they all fit. The unit lets the
+// largest have its 53 bits and 8 more below them.
 template <std::size_t Count>
 bool align(const std::array<double, Count>& numbers, std::array<std::int64_t, Count>& integers) {
   constexpr int fraction_bits = 52, spare_bits = 8;
@@ -107,7 +107,7 @@ int128 multiply(std::int64_t a, std::int64_t b) { return static_cast<int128>(a) 
 int128 cross_product(const vector& a, const vector& b) {
   return multiply(a.x, b.y) - multiply(a.y, b.x);
 }
-// u^T M d
+// Returns u^T M d.
 int192 inner_product(const metric& m, const vector& u, const vector& d) {
   return product(multiply(m.m11, d.x) + multiply(m.m12, d.y), u.x) +
          product(multiply(m.m12, d.x) + multiply(m.m22, d.y), u.y);
@@ -142,19 +142,19 @@ struct ray {
         c(squared_length(far, d)) {}
 
   bool meets_twice_up_to_end() const { return sign_of_integer(a + c) == sign::negative; }
-  // Certainly no root before the end, where the difference is negative?
+  // True if there is certainly no root before the end, where the difference is negative.
   bool meets_never() const {
     return !meets_twice_up_to_end() || sign_of_integer(a + half_b) != sign::negative ||
            sign_of_integer(a) != sign::negative || sign_of_integer(half_b) != sign::positive;
   }
 };
 
-// |a| |b| of numbers of any sign.
+// Returns |a| |b| of numbers of any sign.
 std::array<std::uint64_t, 5> product_of_sizes(const int192& a, int128 b) {
   return product(sign_of_integer(a) == sign::negative ? -a : a, b < 0 ? -b : b);
 }
 
-// opposite_angles_value of predicates/in_circle.hpp, on four positions a, b, c, p.
+// Decides opposite_angles_value of predicates/in_circle.hpp, on four positions a, b, c, p.
 sign circle_side(const metric& m, const std::array<std::int64_t, 8>& at) {
   const auto from = [&](std::size_t a, std::size_t b) {
     return vector{at[b] - at[a], at[b + 1] - at[a + 1]};
@@ -173,7 +173,7 @@ sign circle_side(const metric& m, const std::array<std::int64_t, 8>& at) {
 
 enum class verdict { no, tie, yes };
 
-// predicates/insertion_test.hpp, on four positions v, w, x, y.
+// Decides predicates/insertion_test.hpp on four positions v, w, x, y.
 verdict judge(const metric& m, const std::array<std::int64_t, 8>& at) {
   const vector d = {at[2] - at[0], at[3] - at[1]};
   const auto from_v = [&](std::size_t z) { return vector{at[z] - at[0], at[z + 1] - at[1]}; };
@@ -200,7 +200,7 @@ verdict judge(const metric& m, const std::array<std::int64_t, 8>& at) {
   return ((left > right) == (sign_x == sign::positive)) ? verdict::yes : verdict::no;
 }
 
-// equal_metric_tie_goes_to_edge, on integers.
+// Decides equal_metric_tie_goes_to_edge on integers.
 bool tie_goes_to_edge(const std::array<std::int64_t, 8>& at) {
   using place = std::array<std::int64_t, 2>;
   const place v = {at[0], at[1]}, w = {at[2], at[3]}, x = {at[4], at[5]}, y = {at[6], at[7]};

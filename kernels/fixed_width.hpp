@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The first stage of the exact tier: the pointwise predicates in integers of a fixed width. The
+// Is the first stage of the exact tier: the pointwise predicates in integers of a fixed width. The
 // coordinates of a question become 62-bit integers in one common unit, and so do its metrics;
 // products then have 128, 192 and 320 bits. Nothing rounds and nothing asks for memory.
 //
@@ -20,11 +20,11 @@ uncertain_sign in_circle(const metric_tensor& m, const point& a, const point& b,
                          const point& p);
 uncertain_sign compare_distance(const site& v, const site& w, const point& q);
 uncertain_bool in_wedge(const site& v, const site& w, const point& q);
-// Undecided also where the discriminant is needed: a bulge of the bisector (domination.hpp).
+// Decides domination; not where the discriminant is needed: a bulge of the bisector.
 uncertain_sign dominates(const site& v, const site& w, const point& p);
 
-// Four sites with the metric of v, which is theirs too (predicates/insertion_test.hpp); of a tie
-// edge_test makes what predicates/tie_breaking.hpp says, insertion_test a no.
+// Decides the insertion test of four sites that all have the metric of v; ties as edge_test does
+// (predicates/tie_breaking.hpp), or with a no, as insertion_test does.
 uncertain_bool insertion_test_equal_metrics(const site& v, const site& w, const site& x,
                                             const site& y);
 uncertain_bool edge_test_equal_metrics(const site& v, const site& w, const site& x, const site& y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A point of a visible arc enclosed by intervals, for arc_search. Stands in a
+// Encloses a point of a visible arc by intervals, for arc_search. Stands in a
 // floating_point_scope(rounding::upward).
 #pragma once
 

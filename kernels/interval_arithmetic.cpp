@@ -12,7 +12,7 @@ constexpr int most_segment_boxes = 160;
 // Boxes narrower than this in turn parameter are not split: the question is too close to call.
 constexpr double narrowest_box = 0x1p-24;
 
-// sum c_k mu^k lambda^(degree - k)
+// Returns sum c_k mu^k lambda^(degree - k).
 interval form_value(const std::array<interval, 5>& c, int degree, const parameter_box& box) {
   interval value = c[static_cast<std::size_t>(degree)], power = box.lambda;
   for (int k = degree; k-- > 0;) {
@@ -22,7 +22,7 @@ interval form_value(const std::array<interval, 5>& c, int degree, const paramete
   return value;
 }
 
-// The derivative along the turn parameter, on a side where lambda = 1 - side * t, mu = t.
+// Returns the derivative along the turn parameter, on a side where lambda = 1 - side * t, mu = t.
 interval form_slope(const std::array<interval, 5>& c, int degree, double side,
                     const parameter_box& box) {
   std::array<interval, 5> by_mu, by_lambda;
@@ -44,7 +44,8 @@ struct isolation {
 
   uncertain_sign sign_at(double t) const { return sign_of(form_value(c, degree, at_turn(t, t))); }
 
-  // Both ends of [low, high], of one sign of t, are certainly not roots. False: undecided.
+  // Isolates the roots in [low, high], all of one sign of t, both ends of which are certainly not
+  // roots. False if undecided.
   bool run(double low, double high, double side) {
     if (--boxes_left < 0) return false;
     const parameter_box box = at_turn(low, high);
@@ -60,7 +61,7 @@ struct isolation {
     return run(low, middle, side) && run(middle, high, side);
   }
 
-  // A point near the middle that is certainly not a root; `low` when there is none.
+  // Returns a point near the middle that is certainly not a root; `low` when there is none.
   double split(double low, double high) const {
     for (const double part : {0.5, 0.4375, 0.59375}) {
       const double t = low + part * (high - low);

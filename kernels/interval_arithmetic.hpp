@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Certified answers by intervals: roots of quartics isolated by subdivision, existence on a segment
-// shown by one verified witness or refuted by covering it with boxes on each of which a condition
-// certainly fails (existence on an arc: kernels/arc_search.hpp). What is neither is undecided.
+// Gives certified answers by intervals: roots of quartics isolated by subdivision, existence on a
+// segment shown by one verified witness or refuted by covering it with boxes on each of which a
+// condition certainly fails (existence on an arc: kernels/arc_search.hpp). Else undecided.
 //
 // Everything here stands in a floating_point_scope(rounding::upward). Source of the scheme:
 // Moore's interval branch and prune; bounds on the number of boxes are budgets, not tolerances:
@@ -24,7 +24,7 @@ struct parameter_box {
   interval lambda, mu;
 };
 
-// The box of turn parameters [low, high] within [-1, 1]: lambda = 1 - |t|, mu = t.
+// Returns the box of turn parameters [low, high] within [-1, 1]: lambda = 1 - |t|, mu = t.
 inline parameter_box at_turn(double low, double high) {
   const interval t(low, high);
   if (low >= 0) return {interval(1) - t, t};
@@ -37,7 +37,7 @@ struct enclosed_root {
   parameter_box box;
 };
 
-// The distinct real roots of a polynomial that does not vanish, or nothing when undecided.
+// Returns the distinct real roots of a polynomial that does not vanish, or nothing when undecided.
 std::optional<std::vector<enclosed_root>> isolate(const std::array<interval, 5>& coefficients,
                                                   int degree);
 
@@ -49,7 +49,7 @@ std::optional<std::vector<enclosed_root>> real_roots(const polynomial<interval, 
   return isolate(c, static_cast<int>(Degree));
 }
 
-// Is there a point as asked? `witness` is a parameter to try first, from anywhere.
+// True if there is a point as asked. `witness` is a parameter to try first, from anywhere.
 uncertain_bool exists(const encroachment_question<interval>& question,
                       std::optional<double> witness);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Every predicate by interval arithmetic: a certain answer is the exact one; where the intervals
-// cannot decide the answer is empty, never a sign. Same questions and input as filtered_kernel; no
-// state at all.
+// Answers every predicate by interval arithmetic: a certain answer is the exact one; where the
+// intervals cannot decide the answer is empty, never a sign. Same questions and input as
+// filtered_kernel; no state at all.
 #pragma once
 
 #include "asterism/core/export.h"

@@ -72,7 +72,7 @@ class lasting_reasons {
     std::optional<polynomial<Number, 4>> norm;
   };
 
-  // Site i does not dominate p over x at `at`. Does that last?
+  // True if site i, which does not dominate p over x at `at`, does so nowhere on the range.
   bool undominated_throughout(std::size_t side, const basic_site<Source>& i, const verdict& at,
                               const range& over) {
     const auto cache = [&](pair_function f) -> cached& {
@@ -122,9 +122,9 @@ class lasting_reasons {
     }
   }
 
-  // The sign of alpha + beta s, s > 0, on the part of the arc in the range: certain when alpha and
-  // beta have one sign, or when the norm shows no zero, or when P and beta have one sign (the norm
-  // also vanishes where the conjugate P - beta sqrt E does, but the function not there).
+  // Returns the sign of alpha + beta s, s > 0, on the part of the arc in the range: certain when
+  // alpha and beta have one sign, or when the norm shows no zero, or when P and beta have one sign
+  // (the norm also vanishes where the conjugate P - beta sqrt E does, but the function not there).
   // With `any`, "no zero" alone is asked and the sign may be either.
   template <class Make>
   uncertain_sign sign_throughout(cached& f, const range& over, const Make& make, bool any = false) {

@@ -32,7 +32,7 @@ struct extent {
   bool harmless() const { return harmless(coordinate) && harmless(metric); }
 };
 
-// x * 2^shift, clearing `exact` when bits are lost.
+// Returns x * 2^shift, clearing `exact` when bits are lost.
 inline double scale(double x, int shift, bool& exact) {
   const double scaled = std::scalbn(x, shift);
   if (std::scalbn(scaled, -shift) != x) exact = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Coordinates in which one site v is the origin and its metric the identity, so that what v's
-// neighbours look like does not depend on how stretched its metric is. Plain doubles, any
+// Maps to coordinates in which one site v is the origin and its metric the identity, so that what
+// v's neighbours look like does not depend on how stretched its metric is. Plain doubles, any
 // floating-point environment.
 //
 // With M_v = [a b; b c] and D = a c - b^2 the frame is x' = (x - v.x) + beta (y - v.y),
@@ -28,14 +28,14 @@ namespace asterism::internal::star_gap_detail {
 inline constexpr double eps = 0x1p-52;
 inline constexpr double frame_error_factor = 24;
 
-// The upper 26 bits of the significand: products of two such numbers are exact.
+// Returns the upper 26 bits of the significand: products of two such numbers are exact.
 inline double upper_half(double x) {
   constexpr std::uint64_t mask = ~((std::uint64_t{1} << 27) - 1);
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & mask);
 }
 
-// Off by at most 4 eps det M + 2^-73 m11 m22, for positive definite M within the range below: where
-// the products of the upper halves cancel, their difference is exact in every rounding mode.
+// Returns the determinant, off by at most 4 eps det M + 2^-73 m11 m22, for positive definite M in
+// range: where the products of the upper halves cancel, their difference is exact.
 inline double determinant(const metric_tensor& m) {
   const metric_tensor high{upper_half(m.m11), upper_half(m.m12), upper_half(m.m22)};
   const metric_tensor low = m - high;
@@ -71,7 +71,7 @@ class normal_frame {
 
   bool usable() const { return usable_; }
   double rho() const { return rho_; }
-  // |u|_v^2 = scale |u'|^2
+  // Returns the scale: |u|_v^2 = scale |u'|^2.
   double scale() const { return scale_; }
 
   framed_site bring(const site& s) const {
@@ -88,8 +88,8 @@ class normal_frame {
     return f;
   }
 
-  // In these ranges no product of four lengths and four tensor entries overflows or loses to
-  // underflow more than rho allows.
+  // True within ranges in which no product of four lengths and four tensor entries overflows or
+  // loses to underflow more than rho allows.
   static bool in_range(const framed_site& f) {
     return within(f.extent, most_length) && within(f.trace, most_trace) && f.metric.m11 >= 0x1p-40;
   }

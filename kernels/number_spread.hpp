@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// How much an exact answer weighs in what is counted as work, by how far the numbers of the
-// question lie apart. Beyond the exponents of doubles the searches in doubles that make exact
-// answers fast find nothing. Measured on edge tests of thin tensors: 0.1 to 0.3 ms up to condition
-// 1e300, 45 to 100 ms from 1e400 to 1e600. Metrics of which meshes are made lie far below either
-// bound: condition 1e16 with coordinates as small as rounding leaves them takes 170 exponents.
+// Weighs an exact answer, in the units of work_units.hpp beyond those of an ordinary one, by how
+// far the numbers of the question lie apart, and by whether its metrics differ. Beyond the
+// exponents of doubles the searches in doubles that make exact answers fast find nothing. Measured
+// on edge tests of thin tensors: 0.1 to 0.3 ms up to condition 1e300, 45 to 100 ms from 1e400 to
+// 1e600. Where tensors differ in all their bits the polynomials are of full degree, and take 0.5 to
+// 2 ms. Metrics of which meshes are made lie far below either bound: condition 1e16 with
+// coordinates as small as rounding leaves them takes 170 exponents.
 
 #pragma once
 
@@ -35,12 +37,12 @@ class exponent_range {
   int low_ = 0, high_ = 0;
 };
 
-// Beyond one. The exponents of tensor entries count once, those of coordinates, which are squared,
-// twice.
+// Returns the extra weight. The exponents of tensor entries count once, those of coordinates, which
+// are squared, twice.
 template <std::size_t Count>
 std::uint64_t spread_weight(const std::array<const site*, Count>& sites) {
   constexpr int wide = 300, too_wide = 1022;  // 2^-1022 is the least double of full precision
-  constexpr std::uint64_t weight_of_wide = 20, weight_of_too_wide = 10000;
+  constexpr std::uint64_t weight_of_different = 40, weight_of_wide = 20, weight_of_too_wide = 10000;
   exponent_range tensors, coordinates;
   for (const site* s : sites) {
     for (const double x : {s->metric.m11, s->metric.m12, s->metric.m22}) tensors.cover(x);
@@ -48,7 +50,10 @@ std::uint64_t spread_weight(const std::array<const site*, Count>& sites) {
   }
   const int width = tensors.width() + 2 * coordinates.width();
   if (width > too_wide) return weight_of_too_wide;
-  return width > wide ? weight_of_wide : 0;
+  const bool are_different = std::any_of(sites.begin(), sites.end(), [&](const site* s) {
+    return !identical(s->metric, sites[0]->metric);
+  });
+  return (are_different ? weight_of_different : 0) + (width > wide ? weight_of_wide : 0);
 }
 
 }  // namespace asterism::internal

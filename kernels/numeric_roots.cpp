@@ -15,8 +15,8 @@ double value_at(const coefficients& c, int degree, double x) {
   return value;
 }
 
-// The root of c in [low, high], where its values have different signs: Newton's method, kept
-// inside the shrinking bracket by bisection.
+// Returns the root of c in [low, high], where its values have different signs, by Newton's method,
+// kept inside the shrinking bracket by bisection.
 double bracketed_root(const coefficients& c, const coefficients& slope, int degree, double low,
                       double high) {
   const bool rising = value_at(c, degree, high) > 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The sign of a polynomial on a whole range of parameters, from its Bernstein coefficients: certain
-// only where it has no zero. On intervals and on exact numbers alike.
+// Decides the sign of a polynomial on a whole range of parameters, from its Bernstein coefficients:
+// certain only where it has no zero. On intervals and on exact numbers alike.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ struct parameter_range {
   double low, high;
 };
 
-// p(x + shift)
+// Returns p(x + shift).
 template <class Number, std::size_t Degree>
 polynomial<Number, Degree> taylor_shift(polynomial<Number, Degree> p, const Number& shift) {
   for (std::size_t i = 0; i < Degree; ++i)
@@ -25,8 +25,8 @@ polynomial<Number, Degree> taylor_shift(polynomial<Number, Degree> p, const Numb
   return p;
 }
 
-// p in coordinates that are positive on the range: coefficients of the same sign then show that p
-// keeps that sign on it (Descartes; up to binomial factors these are Bernstein coefficients). The
+// Returns p in coordinates that are positive on the range: coefficients of one sign then show that
+// p keeps that sign on it (Descartes; up to binomial factors these are Bernstein coefficients). The
 // first one is p at a finite end, the last one p at the other end or the leading coefficient.
 template <class Number, std::size_t Degree>
 polynomial<Number, Degree> over_range(const polynomial<Number, Degree>& p,
@@ -53,7 +53,7 @@ polynomial<Number, Degree> over_range(const polynomial<Number, Degree>& p,
   return reversed;
 }
 
-// The sign of p on the range and at its finite ends; certain only when p has no zero there.
+// Returns the sign of p on the range and at its finite ends; certain only when p has no zero there.
 template <class Number, std::size_t Degree>
 uncertain_sign sign_between(const polynomial<Number, Degree>& p, const parameter_range& range) {
   const polynomial<Number, Degree> form = over_range(p, range);

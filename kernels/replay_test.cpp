@@ -39,7 +39,7 @@ std::string arguments(const batch_record& record) {
   return text;
 }
 
-// FNV-1a over the bits.
+// Hashes the bits by FNV-1a.
 std::uint32_t hash(const batch_record& record) {
   std::uint32_t value = 2166136261U;
   for (const double number : record.numbers)

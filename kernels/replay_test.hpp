@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A question with a doubtful answer, as the source text of a Catch2 test that asks it again.
+// Writes a question with a doubtful answer as the source text of a Catch2 test that asks it again.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace asterism {
 
-// One TEST_CASE for the batch protocol's numbers (hexadecimal doubles: bit for bit), ready to be
-// pasted into a file that includes <catch2/catch.hpp>, asterism/kernels/batch_question.hpp and the
-// kernel's header. It passes when `kernel_type`, the C++ name of a class to be default constructed,
-// answers `expected` or, where its answers are `uncertain`, is undecided; `answered` is only
-// mentioned. The case's name ends in a hash of the record, so that names differ.
+// Returns one TEST_CASE for the batch protocol's numbers (hexadecimal doubles: bit for bit), ready
+// to be pasted into a file that includes <catch2/catch.hpp>, asterism/kernels/batch_question.hpp
+// and the kernel's header. It passes when `kernel_type`, the C++ name of a class to be default
+// constructed, answers `expected` or, where its answers are `uncertain`, is undecided; `answered`
+// is only mentioned. The case's name ends in a hash of the record, so that names differ.
 ASTERISM_EXPORT std::string replay_test(std::string_view kernel_type, const batch_record& record,
                                         int expected, int answered);
 
-// The record as a line of the batch protocol, without an end of line.
+// Returns the record as a line of the batch protocol, without an end of line.
 ASTERISM_EXPORT std::string record_line(const batch_record& record);
 
 }  // namespace asterism

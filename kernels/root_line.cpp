@@ -7,7 +7,7 @@ namespace asterism::internal::exact {
 
 namespace {
 
-// The largest multiple of 2^exponent that is not above x.
+// Returns the largest multiple of 2^exponent that is not above x.
 dyadic round_down(const dyadic& x, long exponent) {
   if (x.exponent() >= exponent || x.is_zero()) return x;
   integer quotient = x.mantissa();
@@ -15,7 +15,7 @@ dyadic round_down(const dyadic& x, long exponent) {
   return {std::move(quotient), exponent};
 }
 
-// A short number strictly between low and high.
+// Returns a short number strictly between low and high.
 dyadic short_number_between(const dyadic& low, const dyadic& high) {
   const dyadic middle = (low + high).scaled(-1);
   dyadic rounded = round_down(middle, (high - low).magnitude() - 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The parameter line cut at the real roots of several polynomials: the distinct roots in order,
+// Cuts the parameter line at the real roots of several polynomials: the distinct roots in order,
 // which polynomials vanish at each, and one dyadic sample in every open section between them.
 #pragma once
 
@@ -20,10 +20,10 @@ class root_line {
  public:
   // Cuts the line at the roots of p; the zero polynomial cuts nowhere. tag < 64.
   void add(const dense_polynomial& p, unsigned tag);
-  // In increasing order.
+  // Returns the cuts in increasing order.
   const std::vector<cut>& cuts() const { return cuts_; }
   std::vector<cut>& cuts() { return cuts_; }
-  // cuts().size() + 1 samples: sample k lies strictly between cuts k-1 and k.
+  // Returns cuts().size() + 1 samples: sample k lies strictly between cuts k-1 and k.
   std::vector<dyadic> samples();
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The first tier: one evaluation in plain doubles and one error bound from magnitudes. It neither
-// reads nor changes the floating-point environment: the bounds hold in every rounding mode and with
-// flush-to-zero or denormals-are-zero set.
+// Is the first tier: one evaluation in plain doubles and one error bound from magnitudes. It
+// neither reads nor changes the floating-point environment: the bounds hold in every rounding mode
+// and with flush-to-zero or denormals-are-zero set.
 //
 // Bound. In any rounding mode an operation has a relative error of at most eps = 2^-52 and, where
 // it underflows or a subnormal operand is read as zero, an absolute one of at most 2^-1022. A value
@@ -50,12 +50,12 @@ inline constexpr int in_circle_depth = 13;
 
 constexpr double bound_factor(int depth) { return (depth + slack) * eps; }
 
-// The sign of a value that is certainly not zero.
+// Returns the sign of a value that is certainly not zero.
 inline sign sign_of_nonzero(double value) {
   return static_cast<sign>((std::bit_cast<std::int64_t>(value) >> 63) | 1);
 }
 
-// The sign of a value with an error of at most `bound`. A NaN in either is undecided.
+// Returns the sign of a value with an error of at most `bound`. A NaN in either is undecided.
 inline uncertain_sign decide(double value, double bound) {
   return std::abs(value) > bound ? uncertain_sign(sign_of_nonzero(value)) : uncertain_sign();
 }
@@ -121,8 +121,8 @@ inline uncertain_sign compare_distance(const site& v, const site& w, const point
                 2 * bound_factor(compare_distance_depth));
 }
 
-// u^T M d in both lanes. |u^T M d| <= (|ux| + |uy|) (|dx| + |dy|) (m11 + m22), term by term, since
-// |m12| is below the mean of m11 and m22.
+// Returns u^T M d in both lanes. |u^T M d| <= (|ux| + |uy|) (|dx| + |dy|) (m11 + m22), term by
+// term, since |m12| is below the mean of m11 and m22.
 inline two_doubles inner_products(const two_metrics& m, const two_displacements& u,
                                   const two_displacements& d) {
   return u.x * (m.m11 * d.x + m.m12 * d.y) + u.y * (m.m12 * d.x + m.m22 * d.y);
@@ -226,8 +226,8 @@ inline uncertain_sign in_circle(const metric_tensor& m, const point& a, const po
   return decide(value, quarter, 4 * bound_factor(in_circle_depth));
 }
 
-// INSERTIONTEST of four equal metrics, x and y strictly on different sides of the line vw. Lanes: x
-// and y.
+// Decides INSERTIONTEST of four equal metrics, x and y strictly on different sides of the line vw.
+// Lanes: x and y.
 inline uncertain_bool insertion_test_equal_metrics(const site& v, const site& w, const site& x,
                                                    const site& y) {
   const two_displacements ends = {pair(x.position.x, y.position.x),

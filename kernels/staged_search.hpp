@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// An insertion question asked of one arithmetic, with the parameters that plain doubles propose:
+// Asks an insertion question of one arithmetic, with the parameters that plain doubles propose:
 // first the two Voronoi vertices that usually decide, then every equidistance cut.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace asterism::internal {
 
-// `proposing` is the same question in plain doubles. `most_ranges` bounds the cover.
+// Searches in stages; `proposing` is the question in doubles. `most_ranges` bounds the cover.
 template <class PointOnArc, class Number, class Source>
 uncertain_bool search_in_stages(const insertion_question<Number>& question,
                                 const insertion_question<Source>& source,

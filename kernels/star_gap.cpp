@@ -61,8 +61,8 @@ star_gap::star_gap(const site& v, const site& y, const site& x) : frame_(v) {
                 dot(u_, y_.site.offset) > tolerance_ * (u_extent_ * y_.site.extent);
 }
 
-// Newton's method for f_v - f_z = u.(I - N)u + 2 u.N d - C at z = x, y, from the centre of the
-// circle that the sum of the three metrics sees through v, x and y.
+// Finds the vertex by Newton's method for f_v - f_z = u.(I - N)u + 2 u.N d - C at z = x, y, from
+// the centre of the circle that the sum of the three metrics sees through v, x and y.
 bool star_gap::find_vertex() {
   const metric_tensor at_x = complement(x_.site.metric), at_y = complement(y_.site.metric);
   const double half_x = 0.5 * x_.c, half_y = 0.5 * y_.c;
@@ -96,7 +96,7 @@ bool star_gap::find_vertex() {
   return false;
 }
 
-// The direction midway between x and y, each as long as it finds itself.
+// Aims at the direction midway between x and y, each as long as it finds itself.
 void star_gap::aim_between() {
   const double x_inverse = 1 / std::sqrt(x_.c), y_inverse = 1 / std::sqrt(y_.c);
   const double length = 1 / greater(x_inverse, y_inverse);
@@ -132,8 +132,8 @@ bool star_gap::enclose_meeting(neighbour& z) const {
   return true;
 }
 
-// A ray that certainly never meets the bisector: z is in nobody's way there. Either the roots are
-// not real or both are negative.
+// True if the ray certainly never meets the bisector: z is in nobody's way there. Either the roots
+// are not real or both are negative.
 bool star_gap::never_met(neighbour& z, const ray_equation<double>& ray, double discriminant) const {
   const double extent = z.site.extent, trace = z.site.trace, rho = frame_.rho();
   const double bound = rho * discriminant_magnitude(extent, trace, u_extent_);
@@ -172,9 +172,9 @@ bool star_gap::bound_below(neighbour& z, double discriminant, double inverse_roo
   return true;
 }
 
-// At least |z|/b(z) and |z|/2, b the bound from below: how far the bisector is on the edge to z at
-// most, and half the edge. |z| is known to within 2 rho of itself, C and the discriminant to within
-// an ingredient, u . z to within its tolerance.
+// Returns an upper bound, at least |z|/b(z) and |z|/2, b the bound from below: how far the bisector
+// is on the edge to z at most, and half the edge. |z| is known to within 2 rho of itself, C and the
+// discriminant to within an ingredient, u . z to within its tolerance.
 double star_gap::reach_along_edge(const neighbour& z) const {
   const double length = std::sqrt(dot(z.site.offset, z.site.offset));
   const double above_one =
@@ -185,7 +185,7 @@ double star_gap::reach_along_edge(const neighbour& z) const {
   return (1 + tolerance_) * length * greater(share, 0.5);
 }
 
-// R of the lemma, in the frame. Requires can_refuse_.
+// Returns R of the lemma, in the frame. Requires can_refuse_.
 double star_gap::reach_in_frame() const {
   const double along_edges = greater(reach_along_edge(x_), reach_along_edge(y_));
   return greater(std::sqrt(u_squared_) / lowest_, along_edges);
@@ -223,7 +223,7 @@ uncertain_bool star_gap::accepts(const site& w) const {
   return {};
 }
 
-// The ray meets w's bisector before those of x and y. Is that point good?
+// True if the point is good in which a ray meets w's bisector before those of x and y.
 uncertain_bool star_gap::witness(const candidate& w) const {
   const double discriminant = w.ray.discriminant();
   if (!(discriminant > 0)) return {};
@@ -260,7 +260,7 @@ struct star_gap::upper_bound {
   double turned = 0, bulge = 0, magnitude = 0;
 };
 
-// Empty when it is not known well enough.
+// Bounds w's parameter from above; empty when it is not known well enough.
 std::optional<star_gap::upper_bound> star_gap::bound_above(const candidate& w) const {
   const auto& d = w.site.offset;
   const double extent = w.site.extent, trace = w.site.trace, rho = frame_.rho();
@@ -289,9 +289,9 @@ std::optional<star_gap::upper_bound> star_gap::bound_above(const candidate& w) c
   return top;
 }
 
-// Lemma 4.3 of docs/math/certificate.md: however different w's metric is, from far enough it
-// reaches nothing. sigma^2 is the largest eigenvalue of N^-1, or 1; of trace and determinant bounds
-// are taken, with room for the roundings of this function.
+// True if w is out of reach by lemma 4.3 of docs/math/certificate.md: however different w's metric
+// is, from far enough it reaches nothing. sigma^2 is the largest eigenvalue of N^-1, or 1; of trace
+// and determinant bounds are taken, with room for the roundings of this function.
 bool star_gap::far_away(const framed_site& w) const {
   const double rho = frame_.rho(), trace = (1 + 4 * rho) * w.trace;
   const double determinant = w.determinant - 4 * rho * (trace * trace);
@@ -304,8 +304,8 @@ bool star_gap::far_away(const framed_site& w) const {
   return length > (1 + sigma) * ((1 + 0x1p-40) * reach_in_frame());
 }
 
-// Is there no good point in any direction within a right angle of w? `at_lowest` bounds the ray
-// equation at lowest_ from below.
+// True if there is no good point in any direction within a right angle of w. `at_lowest` bounds the
+// ray equation at lowest_ from below.
 bool star_gap::refuted(const candidate& w, double at_lowest) const {
   const double extent = w.site.extent, trace = w.site.trace;
   const double beyond_top = w.ray.c * lowest_ - w.ray.h;
@@ -375,8 +375,8 @@ star_gap::estimate star_gap::top_at(const neighbour& z, const candidate& w, cons
   return {at_z.value + root, at_z.size + root};
 }
 
-// Is z's lower bound, times C, more than `top` in the direction z + step n? It then is from u to
-// there, being concave.
+// True if z's lower bound, times C, is more than `top` in the direction z + step n. It then is from
+// u to there, being concave.
 bool star_gap::met_first_at(const neighbour& z, const candidate& w, const direction_beyond& e,
                             const estimate& top) const {
   const auto& d = w.site.offset;

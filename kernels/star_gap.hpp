@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One gap of v's star, prepared for many questions: may w stand between the neighbours y and x?
-// The first tier of edge_test; plain doubles with error bounds that hold in every floating-point
+// Prepares one gap of v's star for many questions: may w stand between the neighbours y and x? The
+// first tier of edge_test; plain doubles with error bounds that hold in every floating-point
 // environment.
 //
 // Method: in coordinates in which v's metric is the identity (kernels/normal_frame.hpp) find the
@@ -29,13 +29,13 @@ class star_gap {
   // Requires distinct sites with positive definite metrics.
   star_gap(const site& v, const site& y, const site& x);
 
-  // edge_test(v, w, x, y), for w strictly between the rays from v through y and x; undecided when
-  // it is not certain, or w not certainly between. A certain answer never depends on how ties are
-  // broken.
+  // Decides edge_test(v, w, x, y), for w strictly between the rays from v through y and x;
+  // undecided when it is not certain, or w not certainly between. A certain answer never depends on
+  // how ties are broken.
   uncertain_bool accepts(const site& w) const;
 
-  // The gap's Voronoi vertex, f_v = f_x = f_y, to about ten digits, not trusted; meaningless when
-  // there is none because Newton's method did not converge.
+  // Finds the gap's Voronoi vertex, f_v = f_x = f_y, to about ten digits, not trusted; meaningless
+  // when there is none because Newton's method did not converge.
   bool has_vertex() const { return has_vertex_; }
   point vertex() const { return frame_.original(u_); }
   double vertex_distance_squared() const { return frame_.scale() * u_squared_; }  // f_v there

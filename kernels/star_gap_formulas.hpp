@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The formulas of star_gap over any number type, so that a test can run them on one that counts
-// roundings and magnitudes, and the bounds of their errors.
+// Defines the formulas of star_gap over any number type, so that a test can run them on one that
+// counts roundings and magnitudes, and the bounds of their errors.
 //
 // A bound is depth * rho * magnitude (kernels/normal_frame.hpp): `depth` factors 1 + theta, |theta|
 // <= rho, on any monomial, plus one for the magnitude's own rounding and the second order;
@@ -31,13 +31,13 @@ struct ray_equation {
   Number discriminant() const { return h * h + a * c; }
 };
 
-// C - det N |d|^2: positive where s_z is convex in u, negative where it is concave.
+// Returns C - det N |d|^2: positive where s_z is convex in u, negative where it is concave.
 template <class Number>
 Number convexity(const Number& c, const Number& determinant, const displacement<Number>& d) {
   return c - determinant * dot(d, d);
 }
 
-// |p-w|_w^2 + |x-w|_x^2 - |p-w|_x^2, times s^2, for p = v + u/s on the bisector of v and w = v + d.
+// Returns |p-w|_w^2 + |x-w|_x^2 - |p-w|_x^2, times s^2; p = v + u/s is on the bisector, w = v + d.
 template <class Number>
 Number steepness_towards(const Number& s, const displacement<Number>& d, const Number& c_x,
                          const Number& a_x, const displacement<Number>& dual_x,
@@ -46,14 +46,14 @@ Number steepness_towards(const Number& s, const displacement<Number>& d, const N
   return ((c_x - (along + along)) * s + (across + across)) * s + a_x;
 }
 
-// With S linear in u plus the root of this, over C: the radicand at u = z, turn = d x z.
+// Returns the radicand, with S linear in u plus its root, over C, at u = z, turn = d x z.
 template <class Number>
 Number radicand_on_ray(const Number& c, const Number& determinant, const displacement<Number>& z,
                        const Number& turn) {
   return c * dot(z, z) - determinant * (turn * turn);
 }
 
-// |e|^2 - bend (e x z)^2 for e = z + step n, n = +-J d with n . z = turn.
+// Returns |e|^2 - bend (e x z)^2 for e = z + step n, n = +-J d with n . z = turn.
 template <class Number>
 Number radicand_beyond(const displacement<Number>& z, const displacement<Number>& d,
                        const Number& turn, const Number& bend, const Number& step) {
@@ -67,7 +67,7 @@ inline constexpr int ray_depth = 12, c_depth = 8, discriminant_depth = 16, conve
 // roots.
 inline constexpr int side_condition_depth = 24;
 
-// `s` at least the parameter, all arguments positive.
+// Bounds magnitudes on the ray. `s` at least the parameter, all arguments positive.
 inline double ray_magnitude(double s, double extent, double trace, double u) {
   return 4 * (trace * extent) * (s * (extent * s + u)) + (u * u) * (1 + trace);
 }

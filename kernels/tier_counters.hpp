@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which tier of the filtered kernel decided how many questions, per predicate.
+// Counts how many questions each tier of the filtered kernel decided, per predicate.
 #pragma once
 
 #include <array>
@@ -51,8 +51,8 @@ inline constexpr std::array<std::string_view, tier_count> tier_names = {"semi-st
 // Counts of decisions, by predicate and tier.
 struct tier_counters {
   std::array<std::array<std::uint64_t, tier_count>, predicate_count> decided{};
-  // Extra weight of exact answers on inputs that span many binades (number_spread.hpp); each costs
-  // up to a hundred ordinary ones.
+  // Extra weight of exact answers on inputs that differ in their metrics, or span many binades
+  // (number_spread.hpp).
   std::uint64_t spread_wide = 0;
 
   std::uint64_t& at(predicate p, tier t) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The power of two that brings n = J M d to the size of d (predicates/visible_arc.hpp): about
-// 1 / sqrt(det M), read off the exponents of the diagonal. Any power gives the same answers; this
-// one keeps arc parameters near one.
+// Chooses the power of two that brings n = J M d to the size of d (predicates/visible_arc.hpp):
+// about 1 / sqrt(det M), read off the exponents of the diagonal. Any power gives the same answers;
+// this one keeps arc parameters near one.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Two doubles in one register: what the semi-static tier computes of two sites it computes at once.
-// Every operation is that of two doubles one by one, in any floating-point environment.
+// Holds two doubles in one register: what the semi-static tier computes of two sites it computes at
+// once. Every operation is that of two doubles one by one, in any floating-point environment.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ inline two_doubles exchanged(two_doubles x) { return two_doubles{x[1], x[0]}; }
 inline double sum(two_doubles x) { return x[0] + x[1]; }
 inline double difference(two_doubles x) { return x[0] - x[1]; }
 
-// In both lanes; false of a NaN.
+// True if a < b in both lanes; false of a NaN.
 inline bool both_less(two_doubles a, two_doubles b) {
 #if defined(__SSE2__)
   return _mm_movemask_pd(_mm_cmplt_pd(a, b)) == 3;
@@ -36,7 +36,7 @@ inline bool both_less(two_doubles a, two_doubles b) {
   return (a[0] < b[0]) & (a[1] < b[1]);
 #endif
 }
-// Bit k: lane k has the sign bit.
+// Returns a number whose bit k is lane k's sign bit.
 inline unsigned sign_bits(two_doubles x) {
 #if defined(__SSE2__)
   return static_cast<unsigned>(_mm_movemask_pd(x));

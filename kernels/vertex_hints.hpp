@@ -14,8 +14,8 @@
 
 namespace asterism::internal::numeric {
 
-// A point with f_v = f_w = f_x, as its displacement from v: Newton's method from the centre of the
-// circle in the sum of the three metrics.
+// Returns a point with f_v = f_w = f_x, as its displacement from v: Newton's method from the centre
+// of the circle in the sum of the three metrics.
 inline std::optional<displacement<double>> voronoi_vertex_near(const basic_site<double>& v,
                                                                const basic_site<double>& w,
                                                                const basic_site<double>& x) {
@@ -48,7 +48,7 @@ inline std::optional<displacement<double>> voronoi_vertex_near(const basic_site<
   return std::nullopt;
 }
 
-// The parameter of the Voronoi vertex of v, w and x, where one is found that lies on the arc.
+// Returns the parameter of the Voronoi vertex of v, w and x, if one is found on the arc.
 inline std::optional<double> vertex_parameter(const visible_arc<double>& arc,
                                               const basic_site<double>& x) {
   const auto p = voronoi_vertex_near(arc.v, arc.w, x);

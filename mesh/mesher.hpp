@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The mesher, all of it: domains, metric fields, a mesh with its certificate, files.
+// Includes the mesher, all of it: domains, metric fields, a mesh with its certificate, files.
 #pragma once
 
 #include "asterism/mesh/data/domain.hpp"               // IWYU pragma: export

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The part of the bisector Vor{v,w} that both v and w see, as one arc with a rational parameter.
+// Describes the part of the bisector Vor{v,w} that both sites see: an arc, rationally parametrised.
 //
 // With d = w - v and n = kappa J M_v d (J the quarter turn, kappa a power of two that brings n to
 // the size of d), u(m) = d + m n sweeps the open half plane u^T M_v d > 0 once. On the ray v + t u

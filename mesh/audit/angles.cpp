@@ -36,7 +36,7 @@ struct plain_triangle {
   double area_below = 0;
 };
 
-// Upper bound of the cotangent of each corner's angle; infinite if not known.
+// Returns an upper bound of the cotangent of each corner's angle; infinite if not known.
 std::array<double, 3> cotangents_above(const plain_triangle& t, const metric_tensor& m) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> above = {infinity, infinity, infinity};
@@ -123,7 +123,8 @@ class angle_check {
     beside_ = beside_ || crosses_narrow_wedge(context_, tally_, c, wanted_.wedges, wanted_.bound);
   }
 
-  // The corner's own metric measures the sector below the bound; another one has to as well.
+  // Classifies an angle. The corner's own metric measures the sector below the bound; another one
+  // has to as well.
   angle_standing standing_of(std::size_t i, vertex_index perspective) {
     if (!beside_) return angle_standing::ordinary;
     const narrow_sector* const s = sector_[i];
@@ -134,7 +135,7 @@ class angle_check {
     return forced ? angle_standing::exempt : angle_standing::collateral;
   }
 
-  // Only what may be the least angle so far is measured.
+  // Notes an angle. Only what may be the least one so far is measured.
   void note(const angle& a) {
     const auto kind = static_cast<std::size_t>(a.standing);
     if (a.above < greatest_cotangent_[kind]) return;
@@ -143,8 +144,12 @@ class angle_check {
     const double degrees = angle_in_degrees(context_, a.at, a.perspective);
     if (!(degrees < worst[kind]->degrees)) return;
     *worst[kind] = {degrees, a.triangle, a.at.at, a.perspective};
+    // The margin is for the roundings of the degrees and of their tangent, some 2^-50 of each: an
+    // angle passed over is larger than this one by more than they can hide. In a metric so thin
+    // that the degrees themselves are off by more, the least angle named is as good as these.
+    constexpr double margin = 1e-9;
     const double cotangent = 1 / elementary::tan(degrees * std::numbers::pi / 180);
-    greatest_cotangent_[kind] = cotangent - 1e-9 * (1 + std::abs(cotangent));
+    greatest_cotangent_[kind] = cotangent - margin * (1 + std::abs(cotangent));
   }
 
   bool is_wide(const angle& a) {

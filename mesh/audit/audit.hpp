@@ -30,7 +30,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +39,7 @@
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism {
 
@@ -73,7 +73,7 @@ enum class finding_kind : std::size_t {
   boundary_deviation,   // a split point too far from its segment for rounding
   wrong_region,         // a triangle does not have the number of its region
   angle_below_bound,    //
-  collateral_angle_below_bound,  // of a triangle at a sharp corner or across a narrow wedge, and
+  collateral_angle_below_bound,  // in a triangle at a sharp corner or across a narrow wedge, and
                                  // not the corner's own
   exemption_not_proven,          // the corner's own angle is not below the bound
   nothing_judged,                // every edge is a segment, and corners are exempt
@@ -108,20 +108,20 @@ struct audit_options {
   // Corners (indices from 0) at which the domain may be sharper than the bound. Each must be
   // proven: the angle of the domain at it, in its own metric, is below the bound.
   std::vector<vertex_index> exempt_corners;
-  // Exempt every corner for which that can be proven, without a claim.
+  // True to exempt every corner for which that can be proven, without a claim.
   bool find_exempt_corners = false;
   // The domain as it was meshed (after check_domain); not owned, may be null.
   const domain* original = nullptr;
-  // The domain is what the mesh itself says: then a mesh of which every inner edge is a segment is
-  // refused where an angle is exempt. Nothing of it would be judged.
+  // True if the domain is what the mesh itself says. A mesh of which every inner edge is a segment
+  // is then refused where an angle is exempt: nothing of it would be judged.
   bool domain_is_the_mesh = false;
   bool check_stars = true;
-  // Stars are checked with the auditor's own filter and edge_test alone. Otherwise the kernel's
+  // True to check stars with the auditor's own filter and edge_test alone. Otherwise the kernel's
   // prepared gaps are asked first, which the mesher asks too, and which are faster.
   bool own_filter_alone = false;
   bool check_voronoi = false;
-  // Polled while stars are checked: true ends that, and the stars count as not checked.
-  std::function<bool()> enough = {};
+  // Polled while stars are checked, which it ends; the stars then count as not checked.
+  cancellation stop = {};
   // Findings kept of each kind; all are counted.
   std::size_t findings_kept = 10;
 };
@@ -149,13 +149,13 @@ struct audit_report {
   bool certified = false;  // points 0 to 4, as far as asked for
   voronoi_verdict voronoi = voronoi_verdict::not_asked;
   std::vector<audit_finding> findings;
-  std::array<std::size_t, finding_kind_count> found{};  // of each kind, kept or not
+  std::array<std::size_t, finding_kind_count> found{};  // number of each kind, kept or not
 
   std::size_t sites = 0, triangles = 0, boundary_subsegments = 0, given = 0;
   bool domain_checked = false;  // false: no domain was given
   bool angles_checked = false;  // false: no bound was given
   bool stars_checked = false;   // false: not asked for, or the mesh is no triangulation
-  // The first certain reasons against its stars were found, and the rest was not looked for.
+  // True if the first reasons against its stars were found, and the rest not looked for.
   bool stars_cut_short = false;
 
   // Every angle in each of three metrics is of one kind. Exempt are those at a sharp corner in a
@@ -163,14 +163,14 @@ struct audit_report {
   // collateral all others of triangles at a sharp corner, or across a narrow wedge of which one
   // side is internal; ordinary the rest. The bound is asked of the last two.
   audited_angle worst_ordinary, worst_collateral, worst_exempt;
-  // The lesser of ordinary and collateral: of all that the bound is asked of.
+  // Returns the lesser of ordinary and collateral: the least angle that the bound is asked of.
   const audited_angle& worst() const {
     return worst_collateral.degrees < worst_ordinary.degrees ? worst_collateral : worst_ordinary;
   }
   std::vector<vertex_index> exempt_corners;  // proven, ascending
   // Triangles with an angle of the kind below the bound, ascending; one can be in several.
   std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
-  // Union of the last two lists, ascending, each once.
+  // Returns the union of the last two lists, ascending, each once.
   ASTERISM_EXPORT std::vector<vertex_index> refused_triangles() const;
   // Upper bound of the distance of a split point from its segment, in units of the domain, and in
   // units in the last place of the largest coordinate of the segment's ends.
@@ -179,7 +179,7 @@ struct audit_report {
   // Decisions of the auditor's own arithmetic, and those of them that needed rationals; the
   // kernel's are in `counters`.
   std::size_t decisions = 0, exact_decisions = 0;
-  std::size_t star_pairs = 0, star_pairs_tested = 0;  // looked at, and left for edge_test
+  std::size_t star_pairs = 0, star_pairs_tested = 0;  // pairs looked at, and left for edge_test
   // Arcs against sites, and those of them that needed exact numbers.
   std::size_t voronoi_pairs = 0, voronoi_pairs_exact = 0;
   tier_counters counters;

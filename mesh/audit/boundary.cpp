@@ -11,7 +11,7 @@
 namespace asterism::internal::audit_detail {
 namespace {
 
-// Do closed segments with no common end, whose boxes overlap, have a common point?
+// True if closed segments with no common end, whose boxes overlap, have a common point.
 bool segments_meet(const audit_context& context, const boundary_edge& e, const boundary_edge& f) {
   const sign fa = context.orientation(e.a, e.b, f.a);
   const sign fb = context.orientation(e.a, e.b, f.b);
@@ -38,8 +38,8 @@ bool contact(const audit_context& context, const boundary_edge& e, const boundar
   return segments_meet(context, e, f);
 }
 
-// How often the boundary winds around the points just left of the middle of `subsegment`, counted
-// along the ray from there to x = +infinity. Requires a boundary without contacts.
+// Returns how often the boundary winds around the points just left of the middle of `subsegment`,
+// counted along the ray from there to x = +infinity. Requires a boundary without contacts.
 //
 // The ray starts an infinitesimal above the height of the middle, except left of a subsegment that
 // runs exactly towards -x, where the left side is below: `below` then moves every tie the other

@@ -24,7 +24,7 @@ class fnv1a {
   std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
 
-// Other than 1 everywhere, which is the same as none.
+// True if regions are not 1 everywhere, which is the same as none.
 bool has_regions(const mesh& subject) {
   return std::any_of(subject.regions.begin(), subject.regions.end(),
                      [](int region) { return region != 1; });
@@ -87,6 +87,8 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
       c.witnesses.push_back(std::string(finding_kind_names[kind]) + ": " + f.witness);
   }
   c.audit_counters = report.counters;
+  if (report.certified && options.angle_bound)
+    c.theorem = measure_theorem_hypotheses(subject, *options.angle_bound);
   if (options.original != nullptr) c.original = *options.original;
   return c;
 }

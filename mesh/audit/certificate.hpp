@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Everything known of a finished mesh, written beside it so that anybody can check it again.
+// States all that is known of a finished mesh, beside it, so that anybody can check it again.
 //
 // As a file: JSON, UTF-8, the same bytes for the same run (no times, no machine). Numbers are
 // written so that they read back to the same doubles; vertices, triangles and boundary edges are
@@ -19,6 +19,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/theorem_hypotheses.hpp"
 #include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
@@ -53,7 +54,7 @@ struct certificate {
   // least exempt (audit_report); 180 where there is none, in the file null.
   double worst_angle = 180, worst_collateral = 180, worst_exempt = 180;
   std::vector<vertex_index> exempt_corners;
-  // With an angle of the kind below the bound.
+  // Triangles with an angle of the kind below the bound.
   std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
   double largest_deviation = 0;
   bool domain_checked = false, angles_checked = false, stars_checked = false;
@@ -62,8 +63,11 @@ struct certificate {
   std::map<std::string, std::size_t> found;  // findings by kind, those that occurred
   std::vector<std::string> witnesses;        // "kind: sentence"
   tier_counters audit_counters;
+  // Measurements for the theorem on nets, which say whether it applies to the sites. Set for a
+  // certified mesh with an angle bound alone.
+  std::optional<theorem_hypotheses> theorem;
 
-  std::optional<domain> original;  // what point 2 is repeated against
+  std::optional<domain> original;  // the domain that point 2 is repeated against
 };
 
 // Returns a 64-bit FNV-1a hash of everything a .mesh and its .sol hold: numbers of each, positions
@@ -71,8 +75,8 @@ struct certificate {
 // files apart; it is no protection against forgery, for which verify() repeats the audit.
 ASTERISM_EXPORT std::uint64_t mesh_fingerprint(const mesh& subject);
 
-// Makes the certificate of an audited mesh. `report` must be of an audit of `subject` with
-// `options`.
+// Makes the certificate of an audited mesh, and measures whether the theorem on nets applies.
+// `report` must be of an audit of `subject` with `options`.
 ASTERISM_EXPORT certificate make_certificate(const mesh& subject, const audit_options& options,
                                              const audit_report& report);
 
@@ -93,6 +97,8 @@ struct verify_report {
   bool verified = false;  // certified, and nothing contradicts the certificate
   audit_report audit;
   std::vector<std::string> contradictions;  // one sentence each, claim against mesh
+  // Measured again, of a certified mesh with an angle bound.
+  std::optional<theorem_hypotheses> theorem;
 };
 
 // Audits again, from the mesh and the certificate alone. From the certificate come the domain and
@@ -103,9 +109,9 @@ ASTERISM_EXPORT verify_report verify(const mesh& subject, const std::optional<ce
                                      audit_options options);
 
 // Compares, for a claim with a relaxed metric, the triangles that it lists as low in the metric
-// asked for with those that the auditor's exact test finds in the metric of `asked`. A sentence if
-// they differ, or if `asked` fails at a site; none where nothing is relaxed or no angle is asked
-// for.
+// asked for with those that the auditor's exact test finds in the metric of `asked`. Returns a
+// sentence if they differ, or if `asked` fails at a site; none where nothing is relaxed or no angle
+// is asked for.
 ASTERISM_EXPORT std::optional<std::string> contradiction_in_low_triangles(
     const mesh& subject, const certificate& claim, const metric_field& asked);
 

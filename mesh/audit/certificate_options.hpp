@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The names among `asked.options` of a certificate, by what made it.
+// Lists the names among `asked.options` of a certificate, by what made it.
 #pragma once
 
 #include <array>
@@ -8,13 +8,63 @@
 
 namespace asterism::internal {
 
-inline constexpr std::array<std::string_view, 19> mesh_option_names = {
-    "angle-bound",    "certify",        "domain",       "fit-done",  "gradation",
-    "gradation-done", "improve",        "improve-done", "max-sites", "metric-fingerprint",
-    "random-points",  "refine",         "regions",      "relax",     "seed",
-    "size",           "size-delivered", "tol",          "tol-at-end"};
+inline constexpr std::array<std::string_view, 22> mesh_option_names = {
+    "angle-bound",   "certify",      "complexity",     "complexity-delivered",
+    "domain",        "fit-done",     "gradation",      "gradation-done",
+    "improve",       "improve-done", "max-sites",      "metric-fingerprint",
+    "random-points", "refine",       "regions",        "relax",
+    "seed",          "size",         "size-delivered", "tol",
+    "tol-at-end",    "vertices"};
 
 inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-bound", "mesh",
                                                                          "repair", "size"};
+
+// A transfer adds names that begin with "transfer-", some for each component.
+inline constexpr std::array<std::string_view, 45> adapt_option_names = {
+    "adapt-aspect",
+    "adapt-complexity",
+    "adapt-error",
+    "adapt-fields",
+    "adapt-gradation",
+    "adapt-gradation-space",
+    "adapt-hessian",
+    "adapt-hmax",
+    "adapt-hmin",
+    "adapt-implied",
+    "adapt-intersect",
+    "adapt-isotropic",
+    "adapt-mesh",
+    "adapt-metric",
+    "adapt-norm",
+    "adapt-solution",
+    "adapt-step",
+    "adapt-vertices",
+    "angle-bound",
+    "boundary-distance",
+    "boundary-kept",
+    "boundary-vertices",
+    "corner-angle",
+    "domain",
+    "kept",
+    "metric-at-boundary",
+    "metric-clipped-by-aspect",
+    "metric-clipped-by-hmax",
+    "metric-clipped-by-hmin",
+    "metric-complexity-asked",
+    "metric-complexity-before-gradation",
+    "metric-complexity-delivered",
+    "metric-error-predicted",
+    "metric-factor",
+    "metric-fields",
+    "metric-fingerprint",
+    "metric-flat-fields",
+    "metric-floored",
+    "metric-gradation-ended",
+    "metric-gradation-rounds",
+    "metric-graded",
+    "metric-intersected",
+    "metric-noise",
+    "metric-reached",
+    "metric-step-limited"};
 
 }  // namespace asterism::internal

@@ -18,6 +18,7 @@ std::string text_of(double x) { return internal::number_text(x); }
 std::string text_of(const std::vector<vertex_index>& numbers) {
   return "a list of " + std::to_string(numbers.size());
 }
+std::string text_of(const std::string& text) { return text; }
 std::string text_of(voronoi_verdict verdict) {
   return std::string(voronoi_verdict_names[static_cast<std::size_t>(verdict)]);
 }
@@ -31,7 +32,8 @@ class contradictions {
           ", this one has " + std::to_string(counted));
   }
 
-  // Equal to the last bit, as the same program computes both (a number that is none equals none).
+  // Compares to the last bit, as the same program computes both (a number that is none equals
+  // none).
   template <class Value>
   void compare(const std::string& field, const Value& claimed, const Value& found) {
     if (claimed != found)
@@ -47,7 +49,28 @@ class contradictions {
   std::vector<std::string> all_;
 };
 
-// `audited` must answer the question that the certificate answers: the same bound and domain.
+// Compares every number to the last bit: the auditor's arithmetic rounds alike on all machines.
+void compare_theorems(contradictions& all, const std::optional<theorem_hypotheses>& claim,
+                      const std::optional<theorem_hypotheses>& found) {
+  if (!claim || !found) {
+    if (claim.has_value() != found.has_value())
+      all.add(std::string("\"theorem\" is ") + (claim ? "there" : "null") +
+              " in the certificate, and should " + (found ? "be there" : "be null"));
+    return;
+  }
+  all.compare("theorem.theorem_applies", claim->applies, found->applies);
+  all.compare("theorem.reason", claim->reason, found->reason);
+  all.compare("theorem.sigma_eps", claim->sigma_eps, found->sigma_eps);
+  all.compare("theorem.proved_angle", claim->proved_angle, found->proved_angle);
+  all.compare("theorem.covering_radius", claim->covering_radius, found->covering_radius);
+  all.compare("theorem.spacing", claim->spacing, found->spacing);
+  all.compare("theorem.longest_subsegment", claim->longest_subsegment, found->longest_subsegment);
+  all.compare("theorem.distortion", claim->distortion, found->distortion);
+  all.compare("theorem.variation", claim->variation, found->variation);
+}
+
+// Compares two audits. `audited` must answer the question that the certificate answers: the same
+// bound and domain.
 void compare_audit(contradictions& all, const certificate& claim, const certificate& found) {
   all.compare("audit.domain_checked", claim.domain_checked, found.domain_checked);
   all.compare("audit.angles_checked", claim.angles_checked, found.angles_checked);
@@ -61,12 +84,13 @@ void compare_audit(contradictions& all, const certificate& claim, const certific
   all.compare("audit.largest_boundary_deviation", claim.largest_deviation, found.largest_deviation);
   if (claim.voronoi != voronoi_verdict::not_asked)
     all.compare("audit.voronoi", claim.voronoi, found.voronoi);
-  // Of a mesh that was not finished the stars may not have been looked at, nor what they tell.
+  // A mesh that was not finished may not have had its stars looked at, nor what they tell.
   if (!claim.certified) return;
   all.compare("audit.certified", claim.certified, found.certified);
   all.compare("audit.stars_checked", claim.stars_checked, found.stars_checked);
-  // What is found of the diagram counts among the findings: they are the same where it was asked
-  // for in both, or in neither.
+  compare_theorems(all, claim.theorem, found.theorem);
+  // Findings about the diagram count among the others: the lists are the same only where it was
+  // asked for in both audits, or in neither.
   if (claim.voronoi != found.voronoi) return;
   if (claim.found != found.found)
     all.add("\"audit.findings\" are others in the certificate than those of this mesh");
@@ -102,6 +126,15 @@ void compare_names(contradictions& all, const certificate& claim, const Names& n
       all.add("\"asked.options." + name + "\" is nothing that is asked");
 }
 
+// Words about what was transferred are there for each component, or not at all.
+void compare_adapted_names(contradictions& all, const certificate& claim) {
+  certificate without = claim;
+  std::erase_if(without.options, [](const auto& o) { return o.first.starts_with("transfer-"); });
+  compare_names(all, without, adapt_option_names);
+  if (without.options.size() != claim.options.size() && claim.options.count("transfer-how") == 0)
+    all.add("\"asked.options.transfer-how\" is missing");
+}
+
 // True if the name of the metric is that of a .mesh file, in upper or lower case.
 bool is_of_mesh(const std::string& metric) {
   constexpr std::string_view ending = ".mesh";
@@ -116,6 +149,7 @@ bool is_of_mesh(const std::string& metric) {
 void compare_options(contradictions& all, const certificate& claim) {
   compare_bounds(all, claim);
   if (claim.options.empty()) return;
+  if (claim.options.count("adapt-mesh") != 0) return compare_adapted_names(all, claim);
   if (claim.options.count("mesh") != 0) return compare_names(all, claim, certify_option_names);
   compare_names(all, claim, mesh_option_names);
   const auto option = [&claim](const char* name) {
@@ -129,6 +163,11 @@ void compare_options(contradictions& all, const certificate& claim) {
   if ((option("gradation") == "none") != (option("gradation-done") == "none"))
     all.add(
         "\"asked.options.gradation\" and \"asked.options.gradation-done\" contradict each other");
+  const bool is_scaled = option("vertices") != "none" || option("complexity") != "none";
+  if (is_scaled == (option("complexity-delivered") == "none"))
+    all.add(
+        "\"asked.options.complexity-delivered\" does not go with \"asked.options.vertices\" and "
+        "\"asked.options.complexity\"");
   if ((option("metric-fingerprint") == "none") == is_of_mesh(claim.metric))
     all.add("\"asked.options.metric-fingerprint\" does not go with \"asked.metric\"");
   const bool is_verdict = option("certify") == "voronoi" || option("certify") == "stars";
@@ -137,20 +176,19 @@ void compare_options(contradictions& all, const certificate& claim) {
     all.add("\"asked.options.certify\" and \"audit.voronoi\" contradict each other");
 }
 
-// `as_claimed`: the audit answered the question that the certificate answers.
-std::vector<std::string> contradictions_of(const mesh& subject, const certificate& claim,
-                                           const audit_options& options,
+// Returns the contradictions. `as_claimed`: the audit answered the question that the certificate
+// answers.
+std::vector<std::string> contradictions_of(const certificate& claim, const certificate& found,
                                            const audit_report& audited, bool as_claimed) {
   contradictions all;
   all.compare_count("vertices", claim.sites, audited.sites);
   all.compare_count("given vertices", claim.given, audited.given);
   all.compare_count("triangles", claim.triangles, audited.triangles);
   all.compare_count("boundary edges", claim.boundary_subsegments, audited.boundary_subsegments);
-  if (all.none() && claim.fingerprint != mesh_fingerprint(subject))
+  if (all.none() && claim.fingerprint != found.fingerprint)
     all.add("the certificate is of another mesh: the fingerprints differ");
   // Numbers of another mesh say nothing.
-  if (all.none() && as_claimed)
-    compare_audit(all, claim, make_certificate(subject, options, audited));
+  if (all.none() && as_claimed) compare_audit(all, claim, found);
   compare_options(all, claim);
   if (!claim.certified) all.add("the certificate itself says that its mesh was not certified");
   if (!claim.complete)
@@ -180,8 +218,9 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
   options.own_filter_alone = true;
   verify_report report;
   report.audit = audit(subject, options);
-  if (claim)
-    report.contradictions = contradictions_of(subject, *claim, options, report.audit, as_claimed);
+  const certificate found = make_certificate(subject, options, report.audit);
+  report.theorem = found.theorem;
+  if (claim) report.contradictions = contradictions_of(*claim, found, report.audit, as_claimed);
   report.verified = report.audit.certified && report.audit.angles_checked &&
                     report.contradictions.empty() &&
                     (!must_be_dual || report.audit.voronoi == voronoi_verdict::proved);

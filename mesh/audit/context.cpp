@@ -20,8 +20,8 @@ void append(std::vector<vertex_index>& list, const std::vector<vertex_index>& mo
   list.insert(list.end(), more.begin(), more.end());
 }
 
-// The first place of a -> b in `list`, sorted, whose members that leave a start at start[a]; or its
-// size.
+// Returns the first place of a -> b in `list`, sorted, whose members that leave a start at
+// start[a]; or its size.
 template <class Item>
 std::size_t find_directed(const std::vector<Item>& list, const std::vector<std::size_t>& start,
                           vertex_index a, vertex_index b) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// State that the checks of one audit share; inside the auditor alone.
+// Holds the state that the checks of one audit share; inside the auditor alone.
 #pragma once
 
 #include <optional>
@@ -86,9 +86,9 @@ struct audit_context {
   void take(audit_tally&& tally);
 };
 
-// check(tally, begin, end) for chunks of [0, count), in parallel; the tallies are taken in order,
-// so that the report is that of one thread. Of the context a check may write only what belongs to
-// its chunk alone.
+// Calls check(tally, begin, end) for chunks of [0, count), in parallel; the tallies are taken in
+// order, so that the report is that of one thread. Of the context a check may write only what
+// belongs to its chunk alone.
 template <class Check>
 void check_in_parallel(audit_context& context, std::size_t count, const Check& check,
                        std::size_t chunk = 1024) {
@@ -100,7 +100,7 @@ void check_in_parallel(audit_context& context, std::size_t count, const Check& c
   for (audit_tally& tally : tallies) context.take(std::move(tally));
 }
 
-// Where a list sorted by its members' `a`, below `count`, has those of each a: count + 1 places.
+// Returns count + 1 places: where in a list sorted by `a`, below `count`, those of each a begin.
 template <class Item>
 std::vector<std::size_t> starts_of(const std::vector<Item>& sorted, std::size_t count) {
   std::vector<std::size_t> start(count + 1, 0);
@@ -123,14 +123,14 @@ void check_something_judged(audit_context& context);
 void check_stars(audit_context& context);
 void check_voronoi(audit_context& context);
 
-// Index into context.edges, or the size of it.
+// Returns the index into context.edges, or the size of it.
 std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index b);
-// The boundary edge with the domain on the left of a -> b: index into subject.boundary, or the size
-// of it.
+// Returns the boundary edge with the domain on the left of a -> b: index into subject.boundary, or
+// the size of it.
 std::size_t find_subsegment(const audit_context& context, vertex_index a, vertex_index b);
-// The third corner of the triangle on the left of `edge`.
+// Returns the third corner of the triangle on the left of `edge`.
 vertex_index apex(const audit_context& context, const directed_edge& edge);
-// For two points known to be collinear with v: are they on the same side of it?
+// True if two points known to be collinear with v are on the same side of it.
 bool same_ray(const point& v, const point& a, const point& b);
 
 // Witness texts: numbers from 1, coordinates that read back to the same double.

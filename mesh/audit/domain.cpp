@@ -67,7 +67,7 @@ std::vector<chain> chains_of(const audit_context& context, vertex_index given) {
   return chains;
 }
 
-// An upper bound of sqrt(square), as a double; infinity where that overflows.
+// Returns an upper bound of sqrt(square), as a double; infinity where that overflows.
 double root_rounded_up(const rational& square) {
   mpfr_t value;
   mpfr_init2(value, 53);
@@ -78,16 +78,16 @@ double root_rounded_up(const rational& square) {
   return result;
 }
 
-// The distance of two doubles next to each other, of this size.
+// Returns the distance of two doubles next to each other, of this size.
 double unit_in_last_place(double size) {
   constexpr int least = -1074;
   return size > 0 ? std::ldexp(1.0, std::max(std::ilogb(size) - 52, least)) : 0x1p-1074;
 }
 
-// Can rounding explain that a split point is so far from its segment? Each coordinate of a point
-// that is computed on the line of two others and rounded once or twice is off by less than one and
-// a half units in the last place, whatever the segment's length: two units for both. Where these
-// two were split points themselves their distances add up, a unit for each of at most sixteen
+// True if rounding can explain that a split point is so far from its segment. Each coordinate of a
+// point that is computed on the line of two others and rounded once or twice is off by less than
+// one and a half units in the last place, whatever the segment's length: two units for both. Where
+// these two were split points themselves their distances add up, a unit for each of at most sixteen
 // levels; that much is allowed where it is next to nothing of the segment's length as well, so that
 // it cannot take the place of a side.
 bool is_explained(double distance, double ulp, const vector2<rational>& along) {

@@ -14,8 +14,8 @@ std::string edge_text(const audit_context& context, const directed_edge& edge) {
          std::to_string(std::size_t{edge.b} + 1) + " of " + triangle_text(context, edge.triangle);
 }
 
-// By counting for a, in each a's range by comparing: linear where degrees are bounded. The bound on
-// what a mesh with vertices of any degree costs is that of std::sort.
+// Sorts by counting for a, in each a's range by comparing: linear where degrees are bounded. The
+// bound on what a mesh with vertices of any degree costs is that of std::sort.
 void list_edges(audit_context& context) {
   const auto& triangles = context.subject.triangles;
   auto& start = context.edge_start;

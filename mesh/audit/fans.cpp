@@ -77,8 +77,9 @@ bool in_lower_half(const point& v, const point& p) {
   return p.y < v.y || (p.y == v.y && p.x < v.x);
 }
 
-// Full turns of a fan that comes back to its start: each triangle turns by less than a half turn,
-// so a turn is completed exactly where a step leads from the lower half plane into the upper one.
+// Counts the full turns of a fan that comes back to its start: each triangle turns by less than a
+// half turn, so a turn is completed exactly where a step leads from the lower half plane into the
+// upper one.
 int turns(const audit_context& context, vertex_index v, const vertex_fan& fan) {
   int count = 0;
   const std::size_t steps = fan.closed ? fan.link.size() : fan.link.size() - 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The auditor's two arithmetics: a double that carries a bound of its error (kernels/bounded.hpp),
-// and rationals.
+// Names the auditor's two arithmetics: a double that carries a bound of its error
+// (kernels/bounded.hpp), and rationals.
 #pragma once
 
 #include <boost/multiprecision/gmp.hpp>
@@ -16,8 +16,8 @@ namespace asterism::internal::audit_detail {
 using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
 
-// The greater of two upper bounds and a lower bound kept only if positive: what is not a number,
-// because something overflowed, bounds nothing.
+// Returns the greater of two upper bounds and a lower bound kept only if positive: what is not a
+// number, because something overflowed, bounds nothing.
 inline double greatest_bound(double a, double b) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return a < infinity && b < infinity ? std::fmax(a, b) : infinity;

@@ -23,9 +23,9 @@ directed_edges reversed_sides(const audit_context& context) {
   return reversed;
 }
 
-// The sectors at v between a subsegment that leaves it and the next one, counter-clockwise, that
-// reaches it, where that is less than a half turn.
-// `arriving` are the boundary edges as sides reversed, those that reach v leaving it.
+// Returns the sectors at v between a subsegment that leaves it and the next one, counter-clockwise,
+// that reaches it, where that is less than a half turn. `arriving` are the boundary edges as sides
+// reversed, those that reach v leaving it.
 std::vector<corner> sectors_at(const audit_context& context, const directed_edges& arriving,
                                vertex_index v) {
   std::vector<vertex_index> out, in;
@@ -48,7 +48,7 @@ std::vector<corner> sectors_at(const audit_context& context, const directed_edge
   return sectors;
 }
 
-// The narrow sectors of `v`, none if the exemption of v cannot be proven.
+// Returns the narrow sectors of `v`, none if the exemption of v cannot be proven.
 std::vector<narrow_sector> narrow_sectors(audit_context& context, const directed_edges& arriving,
                                           vertex_index v, const squared_cotangent& bound) {
   std::vector<narrow_sector> narrow;
@@ -70,9 +70,9 @@ std::vector<vertex_index> corners_to_prove(const audit_context& context) {
   return corners;
 }
 
-// The segment that leaves `corner` for `next`, from subsegment to subsegment as far as the next
-// given vertex; `edges` are the sides that leave a vertex, or those that reach it, reversed. Empty
-// if it does not get there: more or fewer than one way on is a fault of another check.
+// Returns the segment that leaves `corner` for `next`, from subsegment to subsegment as far as the
+// next given vertex; `edges` are the sides that leave a vertex, or those that reach it, reversed.
+// Empty if it does not get there: more or fewer than one way on is a fault of another check.
 std::vector<vertex_index> follow(const audit_context& context,
                                  const std::vector<directed_subsegment>& edges,
                                  const std::vector<std::size_t>& start, vertex_index corner,

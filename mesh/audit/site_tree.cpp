@@ -18,8 +18,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // after that. Underflow takes less than that within the ranges that are asked for.
 constexpr double step = 0x1p-48, up = 1 + 0x1p-49;
 
-// An upper bound of the greater root of l^2 - trace l + determinant, which has two; infinite where
-// not known.
+// Returns an upper bound of the greater root of l^2 - trace l + determinant, which has two;
+// infinite where not known.
 double greatest_eigenvalue(bounded trace, bounded determinant) {
   const bounded half = trace * bounded(0.5);
   const double bound = (half + root(half * half - determinant)).upper();
@@ -173,7 +173,7 @@ bool site_tree::gather(const std::vector<reaching>& stars, std::vector<std::size
   return all.has_value();
 }
 
-// The trace of tau^2 inverse M_v, from above: at least its greater eigenvalue.
+// Returns the trace of tau^2 inverse M_v, from above: at least its greater eigenvalue.
 double site_tree::trace_above(const node& n, const centre& v) {
   const metric_tensor &b = n.inverse, &m = v.metric;
   const double diagonal = b.m11 * m.m11 + b.m22 * m.m22, mixed = 2 * (b.m12 * m.m12);
@@ -182,7 +182,7 @@ double site_tree::trace_above(const node& n, const centre& v) {
   return trace < 0x1p501 && n.spread_squared < 0x1p500 ? trace : infinity;
 }
 
-// sigma^2 is at most spread_squared times the greater eigenvalue of inverse M_v.
+// Bounds sigma: sigma^2 is at most spread_squared times the greater eigenvalue of inverse M_v.
 double site_tree::limit(const node& n, const centre& v) {
   const double half = 0.5 * trace_above(n, v);
   if (half == infinity) return infinity;
@@ -226,8 +226,8 @@ bool site_tree::approach::is_beyond(double squared_limit) const {
   return squared_limit > 0x1p-500 && squared_least > squared_limit * square_above * up;
 }
 
-// What is nearer than equal metrics would reach, and what is farther than a rougher bound, need no
-// root.
+// Takes no root where a node is nearer than equal metrics would reach, or farther than a rougher
+// bound.
 bool site_tree::too_far(const node& n, const centre& v) {
   const approach a = approach_of(n, v);
   if (!a.is_beyond(4 * (v.reach * v.reach) * up)) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The sites near enough to matter to a star, in a tree of boxes.
+// Finds the sites near enough to matter to a star, in a tree of boxes.
 //
 // How near a site w must be depends on its own metric: with |w|_v the metric distance of w as v
 // sees it and sigma^2 the largest eigenvalue of M_w^-1 M_v, or 1 if that is more, a site with
@@ -25,12 +25,12 @@ namespace asterism::internal::audit_detail {
 
 class site_tree {
  public:
-  // Finite positions, positive definite metrics. The sites must outlive the tree.
+  // Builds the tree of sites that are finite and positive definite, and that must outlive it.
   explicit site_tree(const std::vector<site>& sites);
 
-  // All sites, near ones near each other.
+  // Returns all sites, near ones near each other.
   const std::vector<vertex_index>& order() const { return order_; }
-  // Where in that order groups of sites begin that are nearest each other, and the number of sites.
+  // Returns where groups of neighbouring sites begin in that order, then the number of sites.
   const std::vector<std::size_t>& groups() const { return groups_; }
 
   // Calls visit(w) for each site that is not certainly too far from v, in an order that depends on
@@ -48,7 +48,7 @@ class site_tree {
   // visits for any of them. False, and nothing is known, where that would not be worth while:
   // unless all reaches are finite and the stars' metrics much the same.
   bool gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves) const;
-  // As without leaves, for one of the stars they were gathered for.
+  // Visits as the function without leaves does, for one of the stars they were gathered for.
   template <class Visit>
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
                   const Visit& visit) const;
@@ -88,12 +88,12 @@ class site_tree {
   };
   static approach approach_of(const node& n, const centre& v);
   static double trace_above(const node& n, const centre& v);  // infinite where not known
-  // (1 + sigma) reach for all sites of the node, from above; infinite where not known.
+  // Returns (1 + sigma) reach for all sites of the node, from above; infinite where not known.
   static double limit(const node& n, const centre& v);
   // Its square, not as near but without a root.
   static double rough_squared_limit(const node& n, const centre& v);
   static bool too_far(const node& n, const centre& v);
-  // Is |q - v|_v certainly above the limit?
+  // True if |q - v|_v is certainly above the limit.
   static bool beyond(const point& q, const centre& v, double limit);
   template <class Visit>
   void visit_leaf(const node& n, const centre& v, const Visit& visit) const;

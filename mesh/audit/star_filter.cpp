@@ -14,9 +14,9 @@ vector2<bounded> offset_of(const site& v, const site& z) {
 
 vector2<bounded> quarter_turn(const vector2<bounded>& a) { return {-a.y, a.x}; }
 
-// The direction in which the lower bounds of both sides are about equal, in plain doubles: any
-// direction is a valid choice, a good one makes the filter strong. Between x and y the difference
-// of the bounds changes sign once; the secant through both ends is refined by bisection.
+// Returns the direction in which the lower bounds of both sides are about equal, in plain doubles:
+// any direction is a valid choice, a good one makes the filter strong. Between x and y the
+// difference of the bounds changes sign once; the secant through both ends is refined by bisection.
 vector2<double> balanced_direction(const gap_side& x, const gap_side& y,
                                    const tensor<bounded>& metric) {
   const auto difference = [&](double t) {
@@ -117,9 +117,9 @@ struct upper_bound {
   double bend = 0;
 };
 
-// Nothing of w is left between the middle direction and `end`, the one at a right angle to w on
-// the side of z: either z alone stands in the way all along, or from z's own ray on the triangle of
-// v, w and the point contains z. `turned` is the area of z and w, positive.
+// True if nothing of w is left between the middle direction and `end`, the one at a right angle to
+// w on the side of z: either z alone stands in the way all along, or from z's own ray on the
+// triangle of v, w and the point contains z. `turned` is the area of z and w, positive.
 bool closed_towards(const gap_side& z, const upper_bound& w, const vector2<bounded>& end,
                     const bounded& turned) {
   const bounded end_length_squared = w.determinant * w.v_length_squared;

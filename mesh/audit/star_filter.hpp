@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A quick proof that a site has no place in a gap of a star, for the many that are far away.
+// Proves quickly that a site has no place in a gap of a star, for the many that are far away.
 //
 // Question: is edge_test(v, w, x, y) certainly false? `excludes` answers yes or "not known".
 // On the ray from v in direction u, the first point equidistant from v and z is v + u / s_z(u) with

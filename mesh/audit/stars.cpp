@@ -102,7 +102,7 @@ class visibility_test {
     return turn(e.a, e.b, v) * turn(e.a, e.b, w) == sign::negative;
   }
 
-  // For q on the line of v and w.
+  // True if q, on the line of v and w, is between them.
   bool inside_segment(vertex_index q, vertex_index v, vertex_index w) const {
     return q != v && q != w && same_ray(context_.at(v), context_.at(q), context_.at(w)) &&
            same_ray(context_.at(w), context_.at(q), context_.at(v));
@@ -175,8 +175,8 @@ class star_check {
     return std::find(p.neighbours.begin(), p.neighbours.end(), w) != p.neighbours.end();
   }
 
-  // Each inner edge of a fan once, from its lesser end: what edge_test is asked about the other end
-  // is the same question, and x and y are next to v there.
+  // Asks about each inner edge of a fan once, from its lesser end: what edge_test is asked about
+  // the other end is the same question, and x and y are next to v there.
   void check_neighbours(vertex_index v, const vertex_fan& fan) {
     const std::size_t n = fan.link.size();
     const std::size_t skipped = fan.closed ? 0 : 1;
@@ -190,7 +190,7 @@ class star_check {
     }
   }
 
-  // Not where x to y is a half turn or more, or w inside the triangle v, x, y.
+  // False where x to y is a half turn or more, or w inside the triangle v, x, y.
   bool is_asked(vertex_index v, vertex_index w, vertex_index x, vertex_index y) const {
     return turn(v, x, y) == sign::positive && turn(x, y, w) != sign::positive;
   }
@@ -239,8 +239,9 @@ class star_check {
     return {context_.at(w).x - context_.at(v).x, context_.at(w).y - context_.at(v).y};
   }
 
-  // Which side of the ray from v to link[i] is w on? The area is off by at most four roundings,
-  // 2^-50, of its magnitude; in the range asked for underflow takes less than the rest of 2^-49.
+  // Returns on which side of the ray from v to link[i] w is. The area is off by at most four
+  // roundings, 2^-50, of its magnitude; in the range asked for underflow takes less than the rest
+  // of 2^-49.
   sign side(const prepared_fan& p, std::size_t i, const vector2<double>& to_w,
             vertex_index w) const {
     const double left = p.rays[i].x * to_w.y, right = p.rays[i].y * to_w.x;
@@ -250,7 +251,7 @@ class star_check {
     return turn(p.v, p.fan->link[i], w);
   }
 
-  // The gap strictly between whose rays w lies; none on a ray or outside an open fan.
+  // Returns the gap strictly between whose rays w lies; none on a ray or outside an open fan.
   const fan_gap* gap_of(const prepared_fan& p, vertex_index w) const {
     const auto to_w = to(p.v, w);
     const std::size_t n = p.rays.size();
@@ -307,7 +308,7 @@ class star_check {
 };
 
 // True if all was looked at: the work ends, at a place that does not depend on threads, where it
-// has found more than `most`, and wherever `enough` says so.
+// has found more than `most`, and wherever it is cancelled.
 bool check_in_turn(audit_context& context, const star_surroundings& around, bool neighbours_alone,
                    std::size_t most) {
   const std::vector<vertex_index>& order = around.sites.order();
@@ -315,7 +316,7 @@ bool check_in_turn(audit_context& context, const star_surroundings& around, bool
   constexpr std::size_t at_a_time = 128, in_turn = 32 * at_a_time;
   const std::size_t before = context.report.total_found();
   for (std::size_t first = 0; first + 1 < groups.size(); first += in_turn) {
-    if (context.options.enough && context.options.enough()) {
+    if (context.options.stop.is_requested()) {
       context.report.stars_checked = false;
       context.found(finding_kind::stopped, "the stars were not all looked at");
       return false;
@@ -336,8 +337,9 @@ bool check_in_turn(audit_context& context, const star_surroundings& around, bool
 
 }  // namespace
 
-// Where as much is refused as a tenth of the sites the stars see far, and to look at all of them
-// would only say so again; unless every finding is to be kept.
+// Looks at neighbours first, then at all sites in reach. Ends where as much is refused as a tenth
+// of the sites, unless every finding is to be kept: such stars see far, and to look at all of them
+// would only say so again.
 void check_stars(audit_context& context) {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), part = 10;
   const std::size_t most = context.options.findings_kept == all ? all : context.report.sites / part;

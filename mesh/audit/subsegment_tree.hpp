@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The boundary subsegments that may be in a place, in a tree of boxes. Comparisons alone: exact.
+// Finds the boundary subsegments that may be in a place, in a tree of boxes, by comparisons alone.
 #pragma once
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/theorem_measures.hpp"
@@ -25,8 +26,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double useless_distortion = 1.272;  // beyond it no arc is sure to be wedged
 constexpr std::size_t chunk = 1024;
 
-// What one chunk of the sites or subsegments has shown; `failure` is the first thing that went
-// wrong.
+// Measures of one chunk of the sites or subsegments; `failure` is the first thing that went wrong.
 struct measured_part {
   double spacing = infinity, distortion = 1, variation = 0, longest_subsegment = 0;
   std::array<vertex_index, 2> nearest{};  // the sites that the spacing is of
@@ -51,7 +51,7 @@ double covering_radius(const mesh& m) {
   return radius;
 }
 
-// The pairs of v with sites of greater number.
+// Measures the pairs of v with sites of greater number.
 void measure_near_pairs(const mesh& m, const site_tree& tree, vertex_index v, double radius,
                         measured_part& part) {
   const site& centre = m.sites[v];
@@ -69,7 +69,7 @@ void measure_near_pairs(const mesh& m, const site_tree& tree, vertex_index v, do
     if (!(pair.distortion_above < useless_distortion))
       part.failure = "the metrics of " + vertex_name(v) + " and " + vertex_name(w) +
                      ", whose disks of the covering radius meet, differ by a factor of " +
-                     std::to_string(pair.distortion_above);
+                     format_number(pair.distortion_above);
   });
 }
 
@@ -117,14 +117,14 @@ std::string obstacle(const theorem_hypotheses& h, const std::array<vertex_index,
   const bool wedged = theorem::arcs_are_wedged(h.covering_radius, h.spacing, h.distortion);
   if (wedged && h.proved_angle >= angle_bound) return {};
   const std::string spacing = vertex_name(nearest[0]) + " and " + vertex_name(nearest[1]) +
-                              " are " + std::to_string(h.spacing) +
+                              " are " + format_number(h.spacing) +
                               " apart, where the domain is covered within " +
-                              std::to_string(h.covering_radius);
+                              format_number(h.covering_radius);
   if (!wedged)
     return spacing + ": arcs need not be wedged where metrics differ by a factor of " +
-           std::to_string(h.distortion);
-  return "at sigma eps " + std::to_string(h.sigma_eps) + " no more than " +
-         std::to_string(h.proved_angle) + " degrees are proved (" + spacing + ")";
+           format_number(h.distortion);
+  return "at sigma eps " + format_number(h.sigma_eps) + " no more than " +
+         format_number(h.proved_angle) + " degrees are proved (" + spacing + ")";
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Do the sites of a mesh meet the hypotheses of the theorem on nets (docs/math/angle-theorem.md)?
-// Then the anisotropic Voronoi diagram of the sites, restricted to the domain, has only wedged
-// arcs, its dual is a triangulation of the domain, and no angle of that is below `proved_angle` in
-// the metric of any of its triangle's vertices. Nothing is said of sites that do not meet them.
+// Measures whether the sites of a mesh meet the hypotheses of the theorem on nets
+// (docs/math/angle-theorem.md). Then their Voronoi diagram, restricted to the domain, has only
+// wedged arcs, its dual is a triangulation of the domain, and no angle of that is below
+// `proved_angle` in the metric of any of its triangle's vertices. Otherwise nothing is said.
 //
 // Every number is rounded to the side that makes the theorem harder to apply.
 #pragma once
@@ -15,8 +15,8 @@
 
 namespace asterism {
 
-// Lengths are metric. What is measured of two sites is measured of all that are `near`: whose disks
-// of the covering radius, each in its own metric, are not certainly apart.
+// Measurements of a mesh; lengths are metric. Two sites are `near` if their disks of the covering
+// radius, each in its own metric, are not certainly apart; all near pairs are measured.
 struct theorem_hypotheses {
   bool applies = false;
   std::string reason;  // one sentence: which hypothesis fails, and where; or that all hold
@@ -24,8 +24,8 @@ struct theorem_hypotheses {
   double covering_radius = 0;
   // lambda: of two near sites at least one is as far as this from the other, as it measures.
   double spacing = 0;
-  double longest_subsegment =
-      0;  // of a boundary edge, internal ones included, as either end measures
+  // Greatest length of a boundary edge, internal ones included, as either end measures it.
+  double longest_subsegment = 0;
   // tau: the greatest factor between lengths as two near sites measure them.
   double distortion = 1;
   // sigma: the least for which tau <= 1 / (1 - sigma d) for two near sites, d the smaller of their
@@ -37,10 +37,10 @@ struct theorem_hypotheses {
   double proved_angle = 0;
 };
 
-// Requires what points 0 to 2 of the certificate prove of the mesh. `angle_bound` in degrees; the
-// theorem does not apply unless it proves so much. Measuring stops at the first of every thousand
-// sites that no theorem of the table could cover, so `distortion` and what follows from it are then
-// no maxima. O(n log n) where it applies.
+// Measures a mesh. Requires what points 0 to 2 of the certificate prove of it. `angle_bound` in
+// degrees; the theorem does not apply unless it proves so much. Measuring stops at the first of
+// every thousand sites that no theorem of the table could cover, so `distortion` and what follows
+// from it are then no maxima. O(n log n) where it applies.
 ASTERISM_EXPORT theorem_hypotheses measure_theorem_hypotheses(const mesh& subject,
                                                               double angle_bound);
 

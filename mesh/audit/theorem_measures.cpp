@@ -34,14 +34,14 @@ offset at(const std::array<site, 3>& t, const place& p) {
           bounded(p.second) * to_b.y + bounded(p.third) * to_c.y};
 }
 
-// The share of the way from p to q at which both are about equally far.
+// Returns the share of the way from p to q at which both are about equally far.
 double middle_share(const site& p, const site& q) {
   const double from_p = distance(p, q).value(), from_q = distance(q, p).value();
   const double share = from_q / (from_p + from_q);
   return share > 0 && share < 1 ? share : 0.5;
 }
 
-// About where all three are equally far, pulled onto the triangle.
+// Returns about where all three are equally far, pulled onto the triangle.
 place middle_place(const std::array<site, 3>& t) {
   const auto vertex = enclose_voronoi_vertex(t[0], t[1], t[2]);
   const offset to_b = between(t[0].position, t[1].position),
@@ -61,10 +61,10 @@ place middle_place(const std::array<site, 3>& t) {
   return p;
 }
 
-// tau^2 of p's and q's metrics, from above: the greater eigenvalue of q's in coordinates in which
-// p's is the identity, or the inverse of the smaller. The discriminant is a sum of squares there.
+// Returns tau^2 of p's and q's metrics, from above: the greater eigenvalue of q's in coordinates in
+// which p's is the identity, or the inverse of the smaller. The discriminant is a sum of squares
+// there.
 double squared_distortion_above(const metric_tensor& p, const metric_tensor& q) {
-  if (identical(p, q)) return 1;
   const tensor<bounded> m = tensor_of_doubles(p), n = tensor_of_doubles(q);
   const bounded own = m.determinant();
   const bounded n11 = n.m11 / m.m11, n12 = (n.m12 - m.m12 / m.m11 * n.m11) / root(own),
@@ -122,8 +122,8 @@ pair_measures measure_pair(const site& p, const site& q) {
   const bounded from_p = distance(p, q), from_q = distance(q, p);
   pair_measures pair;
   pair.larger_distance_below = positive_bound(std::max(from_p.lower(), from_q.lower()));
+  if (identical(p.metric, q.metric)) return pair;
   pair.distortion_above = root_above(squared_distortion_above(p.metric, q.metric));
-  if (pair.distortion_above == 1) return pair;
   const double nearest = std::min(from_p.lower(), from_q.lower());
   const double excess = (bounded(1) - bounded(1) / bounded(pair.distortion_above)).upper();
   pair.variation_above = quotient_above(excess, nearest);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the hypotheses of the theorem on nets ask of one triangle, of one boundary edge and of two
-// sites, in doubles that carry a bound of their error (audit/number.hpp). Source:
+// Measures what the hypotheses of the theorem on nets ask of one triangle, of one boundary edge and
+// of two sites, in doubles that carry a bound of their error (audit/number.hpp). Source:
 // docs/math/angle-theorem.md.
 #pragma once
 
@@ -11,19 +11,19 @@
 
 namespace asterism::internal::theorem {
 
-// |q - p| as p measures it, from above.
+// Returns |q - p| as p measures it, from above.
 double distance_above(const site& p, const site& q);
 
-// A radius R such that each point of the triangle is within R of one of its corners, as that
-// measures; infinite when none was found. Any order of corners.
+// Returns a radius R such that each point of the triangle is within R of one of its corners, as
+// that measures; infinite when none was found. Any order of corners.
 double covering_radius_above(const std::array<site, 3>& corners);
 
 // True if the disks of this radius around p and q, each in its own metric, have certainly no point
 // in common.
 bool certainly_apart(const site& p, const site& q, double radius);
 
-// Of two sites: the greater of both distances from below, tau and the least sigma for which
-// tau <= 1 / (1 - sigma d) for the smaller distance d, both from above.
+// Measures of two sites: the greater of both distances, from below; tau, and the least sigma for
+// which tau <= 1 / (1 - sigma d) for the smaller distance d, both from above.
 struct pair_measures {
   double larger_distance_below = 0, distortion_above = 1, variation_above = 0;
 };
@@ -32,10 +32,10 @@ pair_measures measure_pair(const site& p, const site& q);
 // True if radius * tau * sqrt(tau^2 - 1) < spacing, certainly.
 bool arcs_are_wedged(double radius, double spacing, double distortion);
 
-// The greater of sigma R and 1 - 1 / sqrt(tau), from above.
+// Returns the greater of sigma R and 1 - 1 / sqrt(tau), from above.
 double table_variation_above(double variation, double radius, double distortion);
 
-// a / b from above; infinite unless b is positive.
+// Returns a / b from above; infinite unless b is positive.
 double quotient_above(double a, double b);
 
 }  // namespace asterism::internal::theorem

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The angles that the angle theorem proves: a triangle of three sites within R of their Voronoi
-// vertex, no two nearer than lambda as both measure, whose metrics vary by sigma, has no smaller
-// one. Proved by bench/angle_theorem and again by a test. Source: docs/math/angle-theorem.md.
+// Tabulates the angles that the angle theorem proves: a triangle of three sites within R of their
+// Voronoi vertex, no two nearer than lambda as both measure, whose metrics vary by sigma, has no
+// smaller one. Source: docs/math/angle-theorem.md; bench/angle_theorem proves it.
 #pragma once
 
 #include <array>

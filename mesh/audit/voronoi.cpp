@@ -108,7 +108,7 @@ class arc_check {
     if (meeting.at_from && !is_right && !edge_.on_boundary) check_tie(w, edge_.right);
   }
 
-  // w is as near to the Voronoi vertex of t as its corners.
+  // Checks w, which is as near to the Voronoi vertex of t as its corners.
   void check_tie(vertex_index w, vertex_index t) {
     if (!is_in_polygon(w, t)) {
       tally_.found(finding_kind::voronoi_site_nearer,

@@ -18,15 +18,15 @@ offset operator*(const bounded& factor, const offset& a) { return {factor * a.x,
 offset exactly(const vector2<double>& a) { return {a.x, a.y}; }
 vector2<double> values(const offset& a) { return {a.x.value(), a.y.value()}; }
 
-// At least the absolute value.
+// Returns an upper bound of the absolute value.
 double magnitude(const bounded& a) { return greatest_bound(a.upper(), (-a).upper()); }
 
 bool is_finite(const vector2<double>& a) {
   return std::abs(a.x) < infinity && std::abs(a.y) < infinity;
 }
 
-// Where Newton's method starts: the centre of the circle through the sites in the sum of the
-// metrics.
+// Returns where Newton's method starts: the centre of the circle through the sites in the sum of
+// the metrics.
 vector2<double> centre_in_sum(const site& a, const site& b, const site& c) {
   const metric_tensor sum{a.metric.m11 + b.metric.m11 + c.metric.m11,
                           a.metric.m12 + b.metric.m12 + c.metric.m12,
@@ -41,7 +41,7 @@ vector2<double> centre_in_sum(const site& a, const site& b, const site& c) {
   return {(half_b * h.y - half_c * g.y) / turn, (g.x * half_c - h.x * half_b) / turn};
 }
 
-// D_i . (j - i) > 0 with D_i = M_i (q - i): i sees q within a right angle of j.
+// True if D_i . (j - i) > 0 with D_i = M_i (q - i): i sees q within a right angle of j.
 uncertain_bool sees(const site& i, const offset& q_from_i, const site& j) {
   const bounded value =
       dot(tensor_of_doubles(i.metric) * q_from_i, between(i.position, j.position));
@@ -61,7 +61,7 @@ bool is_certainly_wedged(const std::array<const site*, 3>& sites, const offset& 
 
 bounded square_norm(const tensor<bounded>& m, const offset& u) { return dot(u, m * u); }
 
-// c0 + c1 u + c2 u^2 > 0 on [0, end], by Bernstein's coefficients.
+// True if c0 + c1 u + c2 u^2 > 0 on [0, end], by Bernstein's coefficients.
 bool certainly_positive_up_to(const bounded& c0, const bounded& c1, const bounded& c2,
                               const bounded& end) {
   const bounded middle = c0 + bounded(0.5) * c1 * end, last = c0 + c1 * end + c2 * end * end;
@@ -119,7 +119,8 @@ offset enclosed_arc::difference_of_distances::gradient(const offset& r) const {
   return half + half + linear;
 }
 
-// Newton's method in plain doubles, then Krawczyk's test on a box around where it ends.
+// Encloses the vertex by Newton's method in plain doubles, then Krawczyk's test on a box around
+// where it ends.
 std::optional<offset> enclose_voronoi_vertex(const site& a, const site& b, const site& c) {
   const enclosed_arc::difference_of_distances to_b(a, b), to_c(a, c);
   vector2<double> p = centre_in_sum(a, b, c), move{};
@@ -234,7 +235,7 @@ std::optional<enclosed_arc::span> enclosed_arc::make_span(const offset& from,
   return s;
 }
 
-// A point of the arc between two others, certainly.
+// Returns a point of the arc between two others, certainly.
 std::optional<offset> enclosed_arc::middle(const offset& from, const offset& to) const {
   const vector2<double> direction{0.5 * (from.x.value() + to.x.value()),
                                   0.5 * (from.y.value() + to.y.value())};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Voronoi vertices and arcs of a mesh enclosed in doubles with error bounds, and the question
-// whether a site is nearer to a point of an arc than the arc's owners. Certain or not at all: what
-// is left goes to mesh/audit/voronoi_exact.hpp.
+// Encloses Voronoi vertices and arcs of a mesh in doubles with error bounds, and answers whether a
+// site is nearer to a point of an arc than the arc's owners. Certain or not at all: what is left
+// goes to mesh/audit/voronoi_exact.hpp.
 //
 // An arc is cut into spans. Over a span from p to q the arc is p + t (q - p) + h(t) n with
 // |h(t)| <= bulge t (1 - t) for a vector n across it, so f_w - f_v is at least a quadratic in t.
@@ -21,15 +21,15 @@ namespace asterism::internal::audit_detail {
 // A point as its displacement from a site.
 using offset = vector2<bounded>;
 
-// to - from
+// Returns to - from.
 offset between(const point& from, const point& to);
 
-// The point with f_a = f_b = f_c that lies in the wedges of all three pairs, as seen from a. Empty:
-// not found, which proves nothing.
+// Returns the point with f_a = f_b = f_c that lies in the wedges of all three pairs, as seen from
+// a. Empty: not found, which proves nothing.
 std::optional<offset> enclose_voronoi_vertex(const site& a, const site& b, const site& c);
 
-// The first point of the ray from v with f_v = f_u, where the direction is certainly within a right
-// angle of u, as v sees it: a point of the visible arc. Empty when not found.
+// Returns the first point of the ray from v with f_v = f_u, where the direction is certainly within
+// a right angle of u, as v sees it: a point of the visible arc. Empty when not found.
 std::optional<offset> enclose_bisector_point(const site& v, const site& u, const offset& direction);
 
 // True if at every point of the segment from a to b, w is certainly farther, as it measures, than
@@ -42,13 +42,13 @@ class enclosed_arc {
   // v; displacements from v.
   enclosed_arc(const site& v, const site& u, const offset& from, const offset& to);
 
-  // False: nothing is known of the arc.
+  // True if anything is known of the arc.
   bool usable() const { return !spans_.empty(); }
-  // No point of the arc is farther from v, as v sees it; infinite when not usable.
+  // Returns a bound of the distance from v to the arc's points; infinite when not usable.
   double reach() const { return reach_; }
 
-  // Is w nearer to a point of the arc than v? "No" is said only if it is farther from every point,
-  // but for an end that is tied: known to be equally near.
+  // True if w is nearer to a point of the arc than v. "No" is said only if it is farther from every
+  // point, but for an end that is tied: known to be equally near.
   uncertain_bool is_nearer(const site& w, bool tied_from, bool tied_to) const;
 
  private:

@@ -52,7 +52,8 @@ sign dual_edge_question::order_of_ends() {
   return from_ && to_ ? exact_voronoi_arc::order(*to_, *from_) : sign::negative;
 }
 
-// Then the bisectors are lines, and f_w - f_v is linear along the dual arc.
+// True if all have one metric. Then the bisectors are lines, and f_w - f_v is linear along the dual
+// arc.
 bool dual_edge_question::has_equal_metrics(vertex_index w) const {
   const metric_tensor& metric = at(edge_.v).metric;
   return identical(metric, at(edge_.u).metric) && identical(metric, at(w).metric) &&
@@ -89,7 +90,8 @@ arc_meeting dual_edge_question::meeting_with(vertex_index w) {
   return exact_->meeting_with(at(w), *from_, *to_);
 }
 
-// Of sites with one metric, all as far from a point, every two have it in their wedge.
+// Asks nothing of sites with one metric: if all are as far from a point, every two have it in their
+// wedge.
 bool dual_edge_question::is_wedged_with(vertex_index w, vertex_index t) {
   if (has_equal_metrics(w)) return true;
   ++tally_.part.exact_decisions;

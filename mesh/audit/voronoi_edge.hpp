@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The dual of one edge of a mesh: the part of the Voronoi arc of its two sites between the Voronoi
-// vertices of the triangles beside it. Questions about it that are left when doubles with error
-// bounds do not decide, ties included, and the polygon of sites around a Voronoi vertex.
+// Holds the dual of one edge of a mesh: the part of the Voronoi arc of its two sites between the
+// Voronoi vertices of the triangles beside it. Questions about it that are left when doubles with
+// error bounds do not decide, ties included, and the polygon of sites around a Voronoi vertex.
 // Source: docs/math/voronoi-certificate.md.
 #pragma once
 
@@ -43,10 +43,10 @@ class dual_edge_question {
   dual_edge_question(const audit_context& context, audit_tally& tally, const dual_edge& edge)
       : context_(context), tally_(tally), edge_(edge) {}
 
-  // Positive: the left end is counter-clockwise of the other around v, as it should be. Zero: the
-  // dual arc is a point.
+  // Returns the order of the ends. Positive: the left end is counter-clockwise of the other around
+  // v, as it should be. Zero: the dual arc is a point.
   sign order_of_ends();
-  // Where w is as near as the owners. Of an end on the boundary nothing is said.
+  // Returns where w is as near as the owners. Says nothing of an end on the boundary.
   arc_meeting meeting_with(vertex_index w);
   // True if both owners and w see each other's side of the end at the triangle `at`, one of the
   // two, w being as near to it as they are: it is in the wedges of w and each owner.
@@ -67,8 +67,8 @@ class dual_edge_question {
   std::optional<exact_voronoi_arc::parameter> from_, to_;
 };
 
-// The corners of all triangles that share the Voronoi vertex of t through edges whose dual arcs are
-// points, ascending.
+// Returns the corners of all triangles that share the Voronoi vertex of t through edges whose dual
+// arcs are points, ascending.
 std::vector<vertex_index> voronoi_polygon(const audit_context& context, audit_tally& tally,
                                           const voronoi_vertices& vertices, vertex_index t);
 

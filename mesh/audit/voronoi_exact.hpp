@@ -14,8 +14,8 @@
 
 namespace asterism::internal::audit_detail {
 
-// Where on a part of an arc a site is as near as the owners or nearer: `nearer` at some point,
-// `between` exactly as near at some point strictly between the ends, exactly as near at an end.
+// Tells whether a site is as near as the owners on a part of an arc: `nearer` at some point, or as
+// near at some point strictly `between` the ends, or at an end.
 struct arc_meeting {
   bool nearer = false, between = false, at_from = false, at_to = false;
 };
@@ -33,21 +33,21 @@ class exact_voronoi_arc {
 
   exact_voronoi_arc(const site& v, const site& u);
 
-  // Of the point with f_v = f_u = f_x in the wedges of all three pairs, which is the only one when
-  // the sites are not collinear (docs/math/voronoi-certificate.md, lemma 2); empty: there is none.
+  // Returns the point with f_v = f_u = f_x in the wedges of all three pairs, if there is one; it is
+  // the only one if they are not collinear (docs/math/voronoi-certificate.md, lemma 2).
   std::optional<parameter> vertex(const site& x) const;
-  // Of the point on the segment from v to u.
+  // Returns the parameter of the point on the segment from v to u.
   static parameter on_segment();
 
-  // The sign of a minus b. Parameters grow counter-clockwise around v.
+  // Returns the sign of a minus b. Parameters grow counter-clockwise around v.
   static sign order(parameter a, parameter b) { return compare(a, b); }
 
-  // Of w, against both owners. Both parameters on the arc, from < to.
+  // Returns how near w is, against both owners, between two parameters on the arc, from < to.
   arc_meeting meeting_with(const site& w, parameter from, parameter to) const;
-  // Is the point in the wedges of w and of each owner?
+  // True if the point is in the wedges of w and of each owner.
   bool is_wedged_with(const site& w, parameter at) const;
 
-  // The point itself, as seen from v; errors are infinite when its size leaves the doubles.
+  // Returns the point itself, as seen from v; errors are infinite when its size leaves the doubles.
   offset enclose(parameter at) const;
 
  private:
@@ -55,11 +55,11 @@ class exact_voronoi_arc {
   exact::arc on_;
 };
 
-// Of w and the segment from a to b. Requires that it does not encroach on it.
+// Returns how w meets the segment from a to b. Requires that it does not encroach on it.
 segment_meeting meeting_with_segment(const site& a, const site& b, const site& w);
 
-// For equal metrics, where bisectors are lines: the sign of f_d - f_a at the Voronoi vertex of a,
-// b, c, which turn counter-clockwise. Microseconds.
+// Returns, for equal metrics, where bisectors are lines, the sign of f_d - f_a at the Voronoi
+// vertex of a, b, c, which turn counter-clockwise. Microseconds.
 sign excess_at_centre(const metric_tensor& metric, const point& a, const point& b, const point& c,
                       const point& d);
 

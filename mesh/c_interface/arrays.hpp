@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Domains, meshes and metric fields from the arrays that C programs and Python bring.
+// Makes domains, meshes and metric fields from the arrays that C programs and Python bring.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@
 
 namespace asterism::internal {
 
-// Not checked beyond null pointers: check_domain does the rest.
+// Makes the domain of arrays, not checked beyond null pointers: check_domain does the rest.
 result<domain> domain_of(const asterism_domain& arrays);
 
-// `box` is that of the domain.
+// Makes the metric field. `box` is that of the domain.
 result<std::unique_ptr<metric_field>> field_of(const asterism_metric& metric,
                                                const bounding_box& box);
 

@@ -105,7 +105,7 @@ asterism_status create(const asterism_domain& domain, const asterism_metric& met
   return ASTERISM_OK;
 }
 
-// The first thing that speaks against a mesh.
+// Returns the first thing that speaks against a mesh.
 std::string first_reason(const verify_report& report) {
   if (!report.contradictions.empty()) return report.contradictions.front();
   if (!report.audit.findings.empty()) return report.audit.findings.front().witness;

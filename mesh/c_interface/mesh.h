@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The mesher for C: arrays of a domain and of a metric in, arrays of a mesh and a certificate out,
- * and the auditor, which trusts none of them. Indices count from 0; numbers of one vertex, edge or
- * triangle lie side by side.
+ * Offers the mesher to C: arrays of a domain and of a metric in, arrays of a mesh and a certificate
+ * out; and the auditor, which trusts none of them. Indices count from 0; numbers of one vertex,
+ * edge or triangle lie side by side.
  *
  * Statuses: ASTERISM_OK says that there is a mesh, not that it is complete or certified: ask
  * asterism_mesh_is_certified. ASTERISM_REFUSED: the input is at fault, `message` says where.
@@ -47,8 +47,8 @@ typedef int (*asterism_metric_function)(void* context, double x, double y, doubl
 
 /* The metric wanted: exactly one of a text, a function and a mesh with tensors. */
 typedef struct asterism_metric {
-  const char*
-      specification; /* as `asterism mesh --metric` takes it: "swirl:12", "expr:1+x*x;0;1" */
+  /* As `asterism mesh --metric` takes it: "swirl:12", "expr:1+x*x;0;1". */
+  const char* specification;
   asterism_metric_function function;
   void* context;
   /* A triangulation and a tensor at each of its vertices; between them the logarithms are
@@ -82,7 +82,7 @@ typedef struct asterism_mesh asterism_mesh;
 ASTERISM_EXPORT void asterism_domain_init(asterism_domain* domain);
 /* Sets all to null and 0. */
 ASTERISM_EXPORT void asterism_metric_init(asterism_metric* metric);
-/* Sets what the comments above say last. */
+/* Sets the defaults that the comments above end with. */
 ASTERISM_EXPORT void asterism_mesh_options_init(asterism_mesh_options* options);
 
 /* Makes a mesh and audits it. `options` null: as after init. */
@@ -94,27 +94,27 @@ ASTERISM_EXPORT asterism_status asterism_mesh_create(const asterism_domain* doma
 /* Frees a mesh; null is allowed. */
 ASTERISM_EXPORT void asterism_mesh_free(asterism_mesh* mesh);
 
-/* 1 if the mesher reached its goal, in its own opinion. */
+/* Returns 1 if the mesher reached its goal, in its own opinion, else 0. */
 ASTERISM_EXPORT int asterism_mesh_is_complete(const asterism_mesh* mesh);
 /* Returns why the run ended: one sentence. */
 ASTERISM_EXPORT const char* asterism_mesh_reason(const asterism_mesh* mesh);
-/* It is complete, and the auditor found nothing against it. */
+/* Returns 1 if the mesh is complete and the auditor found nothing against it, else 0. */
 ASTERISM_EXPORT int asterism_mesh_is_certified(const asterism_mesh* mesh);
-/* The smallest angle of all triangles that are not exempt, as any of their vertices measures;
- * degrees. */
+/* Returns the smallest angle of all triangles that are not exempt, as any of their vertices
+ * measures it; degrees. */
 ASTERISM_EXPORT double asterism_mesh_worst_angle(const asterism_mesh* mesh);
-/* JSON (docs/math/certificate.md). */
+/* Returns the certificate's text: JSON (docs/math/certificate.md). */
 ASTERISM_EXPORT const char* asterism_mesh_certificate(const asterism_mesh* mesh);
 
-/* Sites: x y m11 m12 m22. The first ones are the domain's vertices. */
+/* Returns the sites: x y m11 m12 m22. The first ones are the domain's vertices. */
 ASTERISM_EXPORT const double* asterism_mesh_sites(const asterism_mesh* mesh, size_t* count);
-/* Three sites each, counter-clockwise. */
+/* Returns the triangles: three sites each, counter-clockwise. */
 ASTERISM_EXPORT const unsigned* asterism_mesh_triangles(const asterism_mesh* mesh, size_t* count);
-/* The region of each triangle. */
+/* Returns the region of each triangle. */
 ASTERISM_EXPORT const int* asterism_mesh_regions(const asterism_mesh* mesh, size_t* count);
-/* Two sites each, the domain on the left. */
+/* Returns the boundary edges: two sites each, the domain on the left. */
 ASTERISM_EXPORT const unsigned* asterism_mesh_boundary(const asterism_mesh* mesh, size_t* count);
-/* The marker of each boundary edge's segment. */
+/* Returns the marker of each boundary edge's segment. */
 ASTERISM_EXPORT const int* asterism_mesh_boundary_markers(const asterism_mesh* mesh, size_t* count);
 
 /* Audits the mesh again, from its arrays and the text of a certificate (null: its own). *verified

@@ -66,7 +66,7 @@ bool is_in(const bounding_box& box, const point& p) {
   return box.low.x <= p.x && p.x <= box.high.x && box.low.y <= p.y && p.y <= box.high.y;
 }
 
-// If there is no memory for the index, there is none from then on.
+// Indexes the last site. If there is no memory for the index, there is none from then on.
 void index_last(asterism_sites& sites) {
   try {
     if (sites.near && is_in(sites.near->box(), sites.all.back().position))
@@ -86,7 +86,8 @@ class questioner {
   const site_oracle& oracle() const { return oracle_; }
 
  private:
-  star_predicates_on<filtered_kernel> kernel_;
+  tier_counters decided_;
+  star_predicates_on<filtered_kernel> kernel_{decided_};
   site_oracle oracle_;
 };
 

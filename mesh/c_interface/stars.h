@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The star builder for C: the neighbours of a site in the star stitching of given sites, in exact
+ * Offers the star builder to C: the neighbours of a site in the stars of given sites, in exact
  * counter-clockwise order. A mesh generator with loops of its own can take its stars from here.
  *
  * The domain is the whole plane: there is no boundary, and a gap between two neighbours of 180
@@ -59,13 +59,13 @@ ASTERISM_EXPORT void asterism_star_free(asterism_star* star);
 ASTERISM_EXPORT asterism_status asterism_star_insert(const asterism_sites* sites,
                                                      asterism_star* star, size_t w, int* changed);
 
-/* The site the star belongs to. */
+/* Returns the number of the site that the star belongs to. */
 ASTERISM_EXPORT size_t asterism_star_center(const asterism_star* star);
-/* The neighbours, counter-clockwise; which one comes first means nothing. Owned by the star, valid
- * until it changes or is freed. */
+/* Returns the neighbours, counter-clockwise; which one comes first means nothing. Owned by the
+ * star, valid until it changes or is freed. */
 ASTERISM_EXPORT const unsigned* asterism_star_neighbours(const asterism_star* star, size_t* count);
-/* 1 if, when built, every neighbour passed its own test and no other site was accepted; 0 if
- * neighbours were still replacing each other when the bound on rounds was met. An insertion does
+/* Returns 1 if, when built, every neighbour passed its own test and no other site was accepted; 0
+ * if neighbours were still replacing each other when the bound on rounds was met. An insertion does
  * not change it. */
 ASTERISM_EXPORT int asterism_star_is_settled(const asterism_star* star);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Axis-parallel box.
+// Defines an axis-parallel box.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How far the metric a mesh is delivered in is from the one wanted, as plain data: the mesher fills
-// it in, certificates hold it, verify measures it again (pipeline/delivered_metric.hpp).
+// Says how far the metric a mesh is delivered in is from the one wanted. Plain data: the mesher
+// fills it in, certificates hold it, verify measures it again (pipeline/delivered_metric.hpp).
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace asterism {
 
-// Two tensors are as far apart as the logarithm of the greatest ratio in which they measure a
-// length: 0.095 is ten percent. It is half the greatest |ln| of an eigenvalue of A^-1 B, which is
-// at least as strict as half the difference of the logarithms of A and B.
+// Distances of the metric delivered from the one wanted: ln of the greatest ratio in which the two
+// tensors of a site measure a length, 0.095 for ten percent. It is half the greatest |ln| of an
+// eigenvalue of A^-1 B: at least as strict as half the difference of the logarithms of A and B.
 struct delivered_report {
   std::size_t changed = 0;  // sites whose tensor is not, to the last bit, the one wanted there
   double beyond_tenth = 0;  // the part of the sites where some length differs by more than 10 %

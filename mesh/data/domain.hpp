@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The domain to be meshed: a planar straight-line graph. Its segments bound the domain, with holes,
-// or lie inside it and become edges of the mesh.
+// Describes the domain to be meshed: a planar straight-line graph. Its segments bound the domain,
+// with holes, or lie inside it and become edges of the mesh.
 //
 // Source: the thesis's "input domain" (chapter 4), in the shape of Triangle's .poly files.
 #pragma once
@@ -26,7 +26,7 @@ struct segment {
   vertex_index a = 0, b = 0;
   int marker = 0;
   bool internal = false;                  // the domain is on both sides
-  int left_region = 1, right_region = 1;  // of the domain there; right only when internal
+  int left_region = 1, right_region = 1;  // the domain's on that side; right only when internal
 };
 
 // Gives its number to the part of the domain around it, as far as the segments.
@@ -63,7 +63,7 @@ struct domain {
   bool number_all_regions = false;
   domain_origin origin;
 
-  // The smallest box around all vertices; a box of the origin alone when there are none.
+  // Returns the smallest box around all vertices; a box of the origin alone when there are none.
   ASTERISM_EXPORT bounding_box box() const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The result of meshing as plain data, which io/ writes, draw/ paints and the auditor certifies.
+// Holds the result of meshing as plain data, for files, pictures and the auditor.
 #pragma once
 
 #include <array>

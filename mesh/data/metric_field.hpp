@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The metric tensor wanted at each point of the domain.
+// Says which metric tensor is wanted at each point of the domain.
 #pragma once
 
 #include "asterism/core/export.h"
@@ -10,14 +10,14 @@
 
 namespace asterism {
 
-// `at` is deterministic and safe to call from several threads at once. It fails, naming the point
-// and the three numbers, where the tensor is not finite or not (exactly tested) positive definite.
+// Tensors wanted. `at` is deterministic and thread-safe. It fails, naming the point and the three
+// numbers, where the tensor is not finite or not (exactly tested) positive definite.
 class ASTERISM_EXPORT metric_field {
  public:
   virtual ~metric_field() = default;
   virtual result<metric_tensor> at(const point& q) const = 0;
-  // The mesh at whose vertices the field is given, with these tensors, where it is given so; else
-  // none. It lives as long as the field.
+  // Returns the mesh at whose vertices the field is given, with these tensors, where it is given
+  // so; else none. It lives as long as the field.
   virtual const mesh* background() const { return nullptr; }
 };
 

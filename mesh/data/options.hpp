@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Options of a meshing run, and the progress it reports.
+// Holds the options of a meshing run, and the progress it reports.
 #pragma once
 
 #include <cstddef>
@@ -29,6 +29,10 @@ struct mesh_options {
   // common Voronoi vertex, a boundary subsegment when it is longer than 1.2: edges then come out
   // around length 1. Checked only when set (the command line sets it when --size is given).
   bool limit_size = false;
+  // Number of vertices to come out, within some percent, with edges as long as that takes. Met
+  // where the metric is given on a mesh (pipeline/adaptation.hpp); elsewhere the metric decides
+  // alone.
+  std::optional<std::size_t> vertices = {};
   std::size_t max_sites = 100000;
   // Keeps the domain's vertices as the only sites, and its segments whole, if no triangle of their
   // stars has to be mended. For a domain that is a mesh already.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Outcome of a meshing run: the mesh, how the run ended, and what it took.
+// Holds the outcome of a meshing run: the mesh, how the run ended, and what it took.
 #pragma once
 
 #include <cstddef>
@@ -30,13 +30,14 @@ struct exempt_corner {
 enum class ending {
   complete,    // all stars agree, and every triangle meets the demands
   site_limit,  // mesh_options::max_sites was reached with demands left
+  collateral,  // nothing is left but low angles beside sharp corners, which could not be mended
   stuck,       // bad triangles are left, and no site can be inserted for any of them
   too_steep,   // given up: at some triangles the metric varies faster than sites can resolve
   overworked,  // given up: the most work that is done for so many sites was done
   stopped,     // by mesh_options::stop
   crowded,     // the metric varies too fast for sites to be spread: the given vertices alone
-  relaxed,     // of a run: the mesh is of a relaxed metric
-  fitted       // of a run: the mesh of a relaxed metric was fitted to the one given
+  relaxed,     // for a whole run: the mesh is of a relaxed metric
+  fitted       // for a whole run: the mesh of a relaxed metric was fitted to the one given
 };
 
 // Place at which the metric varies faster than sites so near to each other can resolve.
@@ -65,15 +66,16 @@ struct refinement_ending {
   ending how = ending::complete;  // neither `relaxed` nor `fitted`
   refinement_strategy strategy = refinement_strategy::fill;
   std::size_t max_sites = 0;      // the limit in force
-  std::size_t sites = 0;          // there were in the end
-  std::size_t bad_triangles = 0;  // left, those too large among them
+  std::size_t sites = 0;          // sites in the end
+  std::size_t bad_triangles = 0;  // bad triangles left, those too large or collateral among them
   std::size_t stars_missing = 0;  // sites whose star was never made, as the run ended before
   double tolerance = 0;           // metric length: the one in force at the end
   std::size_t sites_since = 0;    // too_steep: inserted since the first triangle was given up
   std::optional<steep_place> steep;
-  std::optional<sharp_corner> sharpest;  // stuck, too_steep, overworked: beside bad triangles
-  std::optional<crowded_site> crowded;   // crowded: the most crowded site
-  std::string stopped_because;           // stopped: what mesh_options::stop said
+  // Collateral, stuck, too_steep, overworked: beside bad triangles.
+  std::optional<sharp_corner> sharpest;
+  std::optional<crowded_site> crowded;  // crowded: the most crowded site
+  std::string stopped_because;          // stopped: what mesh_options::stop said
   bool nothing_added = false;  // the given vertices were complete by themselves, and are the mesh
   // Factor by which all edges were made longer because the size wanted would have taken more sites
   // than max_sites allows, default 1; and about how many sites would have been wanted (0: the run
@@ -83,7 +85,7 @@ struct refinement_ending {
 
 // Result of the passes that mesh_options::improve_passes asks for.
 struct improvement_report {
-  std::size_t passes = 0;          // that were accepted
+  std::size_t passes = 0;          // passes that were accepted
   std::size_t tries = 0;           // refinements done for them
   std::size_t removed = 0;         // sites left out in accepted tries; some may have come again
   std::size_t moved = 0;           // sites moved in them
@@ -104,8 +106,8 @@ struct fitting_report {
   std::size_t rounds = 0, moves = 0, flips = 0, collapses = 0, insertions = 0;
 };
 
-// How a run ended, with the mesh it made.
-// Facts about a relaxed outcome that its report, a part of certificates, does not hold.
+// Facts about a relaxed outcome beyond its report (data/relaxation_report.hpp), which is a part of
+// certificates and does not hold them.
 struct relaxation_details {
   double angle_bound = 0;           // degrees: the bound that the report's triangles are below
   bool metric_is_constant = false;  // the metric given is, wherever it was looked at

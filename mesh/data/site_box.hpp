@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The box around sites.
+// Finds the box around sites.
 #pragma once
 
 #include <vector>

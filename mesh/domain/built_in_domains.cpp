@@ -14,7 +14,7 @@ using namespace internal;
 
 namespace {
 
-// Half the thickness of a NACA 0012 section at x in [0,1], x the square of `root`.
+// Returns half the thickness of a NACA 0012 section at x in [0,1], x the square of `root`.
 double half_thickness(double root) {
   const double x = root * root;
   const double series = 0.2969 * root + x * (-0.1260 + x * (-0.3516 + x * (0.2843 + x * -0.1036)));

@@ -12,7 +12,7 @@
 
 namespace asterism {
 
-// [-1,1]^2, counter-clockwise from (-1,-1); segments marked 1 (bottom) to 4 (left).
+// Returns [-1,1]^2, counter-clockwise from (-1,-1); segments marked 1 (bottom) to 4 (left).
 ASTERISM_EXPORT domain square();
 
 // Shape and resolution of the airfoil and its box.

@@ -42,8 +42,8 @@ failure check_values(const domain& d) {
   return {};
 }
 
-// The edges of the boundary, turned so that the domain is on their left, and the internal ones; the
-// others are counted.
+// Returns the edges of the boundary, turned so that the domain is on their left, and the internal
+// ones; the others are counted.
 std::vector<segment> kept_edges(const domain& d, const plane_graph& graph, const face_map& faces,
                                 const domain_parts& parts, domain_repairs& repairs) {
   const domain_names names(d);

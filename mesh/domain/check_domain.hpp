@@ -59,7 +59,7 @@ struct domain_repairs {
   bool any() const { return !messages.empty(); }
 };
 
-// `repairs`, when given, is overwritten.
+// Returns the domain put in order, or refuses it. `repairs`, when given, is overwritten.
 ASTERISM_EXPORT result<domain> check_domain(const domain& input, domain_repairs* repairs = nullptr);
 
 }  // namespace asterism

@@ -24,7 +24,7 @@ class joined_sets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  // The lesser name survives.
+  // Joins two groups, of which the lesser name survives.
   void join(std::size_t i, std::size_t j) {
     const auto [low, high] = std::minmax({find(i), find(j)});
     parent_[high] = low;
@@ -124,7 +124,7 @@ std::size_t face_map::half_edge_below(const point& q) const {
   return best;
 }
 
-// Both run to the right, do not cross, and have an interval of x in common.
+// True if g is above h. Both run to the right, do not cross, and have an interval of x in common.
 bool face_map::is_above(std::size_t g, std::size_t h) const {
   const filtered_kernel kernel;
   const point &a = vertices_[origin(g)], &b = vertices_[origin(twin(g))];

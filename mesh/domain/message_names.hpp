@@ -15,7 +15,7 @@ class domain_names {
  public:
   explicit domain_names(const domain& d) : d_(d) {}
 
-  // Return names such as "vertex 5 (0.25, 1)", "segment 3 (vertices 5-6)", "hole 1 (0.5, 0)",
+  // Returns names such as "vertex 5 (0.25, 1)", "segment 3 (vertices 5-6)", "hole 1 (0.5, 0)",
   // "region 2 (3, 3)". Require indices in range.
   std::string vertex(std::size_t v) const;
   std::string segment(std::size_t s) const;

@@ -62,7 +62,8 @@ failure name_faces(const domain& d, const plane_graph& graph, const face_map& fa
   return {};
 }
 
-// The faces without a region point, in the order of the edges, by the least numbers still free.
+// Numbers the faces without a region point, in the order of the edges, by the least numbers still
+// free.
 void number_the_rest(const domain& d, const plane_graph& graph, const face_map& faces,
                      const named_faces& named, domain_parts& parts) {
   std::set<int> taken;

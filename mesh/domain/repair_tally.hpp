@@ -13,7 +13,7 @@ class repair_tally {
  public:
   explicit repair_tally(std::size_t& count) : count_(count) { count_ = 0; }
 
-  // `place` as "file:line: ", `example` as "vertex 5 (0.25, 1)"; functions, called the first time.
+  // Adds a repair. `place` ("file:line: ") and `example` ("vertex 5") are called the first time.
   template <class Place, class Example>
   void add(const Place& place, const Example& example) {
     if (count_++ > 0) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Is a point strictly inside a domain, and which segments are near? `contains` of
-// mesh/domain/point_in_domain.hpp with an index of the segments, for asking often. Exact.
+// Decides whether a point is strictly inside a domain, and finds the segments near it. `contains`
+// of mesh/domain/point_in_domain.hpp with an index of the segments, for asking often. Exact.
 #pragma once
 
 #include "asterism/core/site.hpp"
@@ -13,11 +13,11 @@ namespace asterism::internal {
 
 class domain_locator {
  public:
-  // `d` must have been accepted by check_domain and outlive the locator.
+  // Builds the locator. `d` must have been accepted by check_domain and outlive the locator.
   explicit domain_locator(const domain& d);
 
-  // A point on a segment or a vertex is not inside. `q` finite. Safe to call from several threads,
-  // each with its own kernel.
+  // True if q, which must be finite, is strictly inside, on no segment and no vertex. Safe to call
+  // from several threads, each with its own kernel.
   bool contains(const filtered_kernel& kernel, const point& q) const;
 
  private:

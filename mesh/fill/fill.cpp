@@ -58,10 +58,10 @@ class filling {
     return sampler_.failure() || failure_ || stopped_ || crowded_ || sites_.is_exhausted();
   }
 
-  // The wanted distance doubles with each level above the last, 0.
+  // Returns the wanted distance, which doubles with each level above the last, 0.
   double distance_at(int level) const { return options_.distance * elementary::exp2(level); }
 
-  // The first level on which no segment is longer than the distance.
+  // Returns the first level on which no segment is longer than the distance.
   int coarsest_level() const {
     constexpr int most_levels = 40;  // 2^40 sites on a segment are more than can be
     if (options_.is_uneven) return 0;
@@ -118,7 +118,8 @@ class filling {
     return true;
   }
 
-  // Half the distance takes twice the sites on segments and four times those inside.
+  // Estimates the sites at the last level: half the distance takes twice the sites on segments and
+  // four times those inside.
   double sites_at_last_level(int level) const {
     const auto on_segments = static_cast<double>(sites_.count_on_segments());
     const double inside = static_cast<double>(sites_.size()) - on_segments;

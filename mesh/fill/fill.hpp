@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Filling a domain: where sites should go so that no point of it is farther than a wanted distance
-// from the nearest, and no two sites are nearer than that.
+// Fills a domain: proposes where sites should go so that no point of it is farther than a wanted
+// distance from the nearest, and no two sites are nearer than that.
 //
 // Farthest first, from coarse to fine: on each level the segments are divided, and Voronoi vertices
 // of a net of plain stars (numerics/approximate_star.hpp) that are farther than the level's
@@ -56,9 +56,9 @@ struct filled_domain {
 // Told the number of sites and about how many there will be (0 when that cannot be told yet).
 using fill_progress = std::function<void(std::size_t sites, double needed)>;
 
-// `d` must have been accepted by check_domain. The same for any number of threads. Fails where the
-// field does, and where lengths leave the range of doubles. `progress` is called
-// now and then. Where segments alone would need more than max_sites points, nothing is proposed.
+// Fills the domain. `d` must have been accepted by check_domain. The same for any number of
+// threads. Fails where the field does, and where lengths leave the range of doubles. `progress` is
+// called now and then. Proposes nothing if segments alone need more than max_sites.
 result<filled_domain> fill(const domain& d, const metric_field& field, const fill_options& options,
                            const fill_progress& progress = {});
 

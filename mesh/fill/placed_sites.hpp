@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The sites that a fill has placed so far, and where they are.
+// Keeps the sites that a fill has placed so far, and finds them by their place.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ class placed_sites {
   // For at most `most` sites in the box.
   placed_sites(const bounding_box& box, std::size_t most) : index_(box), most_(most) {}
 
-  // In the order in which they were placed, the domain's vertices first.
+  // Returns the sites in the order in which they were placed, the domain's vertices first.
   const std::vector<site>& all() const { return sites_; }
   const site& operator[](vertex_index v) const { return sites_[v]; }
   std::size_t size() const { return sites_.size(); }
@@ -37,7 +37,7 @@ class placed_sites {
   // True for vertices of the domain that are on no segment.
   bool is_isolated(vertex_index v) const { return v < isolated_.size() && isolated_[v] != 0; }
 
-  // To be asked before a site is placed: true if there is room for another one. Remembers if not.
+  // True if there is room for another site, to be asked before one is placed. Remembers if not.
   bool admits_another() {
     exhausted_ = exhausted_ || sites_.size() >= most_;
     return !exhausted_;

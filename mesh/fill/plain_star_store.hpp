@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The plain stars (numerics/approximate_star.hpp) of the sites a fill has placed, kept up as sites
-// are added.
+// Keeps the plain stars (numerics/approximate_star.hpp) of the sites a fill has placed up to date
+// as sites are added.
 #pragma once
 
 #include <boost/container/deque.hpp>
@@ -33,12 +33,12 @@ class plain_star_store {
   bool renew(double distance);
 
   const plain_star& operator[](vertex_index v) const { return stars_[v]; }
-  // The stars that the last renewal made anew, or all after mark_all_changed(): those that may
-  // leave room where they left none before.
+  // Returns the stars that the last renewal made anew, or all after mark_all_changed(): those that
+  // may leave room where they left none before.
   const std::vector<vertex_index>& changed() const { return changed_; }
   void mark_all_changed();
 
-  // The site whose star has most neighbours; of several, the first.
+  // Returns the site whose star has most neighbours; of several, the first.
   std::optional<crowded_site> most_crowded() const;
 
  private:

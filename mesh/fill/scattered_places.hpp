@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Places all over a box, coarse ones first, finer ones where they are wanted: where a fill may
-// begin that has only the boundary's sites. Farthest first would put the first few in reach of all
-// of these, and each one's star would be made anew for every site inside.
+// Visits places all over a box, coarse ones first, finer ones where they are wanted: where a fill
+// may begin that has only the boundary's sites. Farthest first would put the first few in reach of
+// all of these, and each one's star would be made anew for every site inside.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 
 namespace asterism::internal {
 
-// One place in each cell of a quadtree over the box, level by level; whether the cell is cut in
-// four is what `visit` answers, given the place and the displacement from the cell's middle to its
-// upper right corner. No more than `most` are visited, and none where the box has no extent. A
+// Visits one place in each cell of a quadtree over the box, level by level; whether the cell is cut
+// in four is what `visit` answers, given the place and the displacement from the cell's middle to
+// its upper right corner. No more than `most` are visited, and none where the box has no extent. A
 // place is within half of that displacement of the middle; where, depends on the cell alone: a
 // lattice would make exact ties.
 void visit_scattered(const bounding_box& box, std::size_t most,

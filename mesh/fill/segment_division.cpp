@@ -37,8 +37,12 @@ class arc_length {
   double fraction_at(double length) const { return interpolate(lengths_, fractions_, length); }
 
  private:
+  // Sixteen intervals at least, so that a segment cannot hide a bend from three samples; at most
+  // 2^18, by which an interval of even the steepest metric that is meshed is far below `fine`.
   static constexpr int least_depth = 4, most_depth = 18;
-  static constexpr double agreement = 0.05;  // of the speeds at the ends and in the middle
+  // Agreement of the speeds at the ends and in the middle: Simpson's rule is then off by less than
+  // a thousandth (docs/results/constants.md has others).
+  static constexpr double agreement = 0.05;
 
   arc_length(const metric_field& field, const point& a, const point& b, double fine)
       : field_(&field), a_(a), b_(b), fine_(fine) {}
@@ -87,13 +91,20 @@ class arc_length {
 // all its segments.
 std::vector<double> first_subsegments(const domain& d, const std::vector<arc_length>& measured,
                                       double longest) {
-  std::vector<double> wanted(d.vertices.size(), 0.92 * longest);
+  // A little shorter than the others, whose length is rounded down to divide the segment evenly
+  // (docs/results/constants.md).
+  constexpr double part_of_longest = 0.92;
+  std::vector<double> wanted(d.vertices.size(), part_of_longest * longest);
   for (std::size_t s = 0; s < d.segments.size(); ++s)
     for (const vertex_index v : {d.segments[s].a, d.segments[s].b})
       if (measured[s].total() > longest) wanted[v] = std::min(wanted[v], measured[s].total() / 2);
   return wanted;
 }
 
+// Divides a segment of which the first and the last subsegment are to be from_a and from_b long.
+// Keeps to both if at least half a subsegment is left between them, so that none comes out shorter
+// than that. Otherwise there are two or three: of about equal length if the ends want about the
+// same, within a quarter; else one end keeps its length, and the other gets the rest.
 division divide(const point& a, const point& b, const arc_length& measured, double from_a,
                 double from_b, double longest) {
   const double total = measured.total();
@@ -136,10 +147,12 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
 
 result<segment_divisions> divide_segments(const domain& d, const metric_field& field,
                                           double longest, std::size_t most_points) {
+  // Part of a subsegment's length below which lengths are not sampled further.
+  constexpr double finest_part = 1.0 / 16;
   std::vector<arc_length> measured;
   segment_divisions made;
   for (const segment& s : d.segments) {
-    auto one = arc_length::measure(field, d.vertices[s.a], d.vertices[s.b], longest / 16);
+    auto one = arc_length::measure(field, d.vertices[s.a], d.vertices[s.b], finest_part * longest);
     if (!one) return one.failure();
     made.subsegments += one.value().total() / longest;
     measured.push_back(std::move(one).value());

@@ -29,7 +29,7 @@ struct segment_divisions {
   std::vector<division> of_each;  // none when that is more than `most_points`
 };
 
-// One for each segment of `d`, none of whose subsegments is much longer than `longest` (metric
+// Divides each segment of `d` so that none of its subsegments is much longer than `longest` (metric
 // length). Fails where the field does, and where lengths leave the range of doubles.
 result<segment_divisions> divide_segments(const domain& d, const metric_field& field,
                                           double longest, std::size_t most_points);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The subsegments of a domain that is being filled: each segment is halved, again and again, at the
-// points of its division.
+// Keeps the subsegments of a domain that is being filled: each segment is halved, again and again,
+// at the points of its division.
 #pragma once
 
 #include <cstddef>
@@ -32,9 +32,9 @@ class segment_intervals {
   // subsegments within `distance` of s. Adds the number of those to `looked_at`.
   bool stays_clear(const site& s, double distance, std::uint64_t& looked_at) const;
 
-  // Metric length of the longest segment; 0 when there is none.
+  // Returns the metric length of the longest segment; 0 when there is none.
   double longest_segment() const;
-  // The sites that divide each segment, in its direction, ends left out.
+  // Returns the sites that divide each segment, in its direction, ends left out.
   std::vector<std::vector<site>> dividing_sites() const;
 
  private:

@@ -24,8 +24,8 @@ bool holds(const bounding_box& box, const point& q) {
 
 }  // namespace
 
-// Twice as far from each other as sites will be: the rest goes farthest first, which makes better
-// triangles.
+// Scatters sites twice as far from each other as they will be: the rest goes farthest first, which
+// makes better triangles.
 void site_proposals::scatter(double distance) {
   constexpr std::size_t for_each_site = 16, at_least = 4096;
   const filtered_kernel kernel;
@@ -136,7 +136,8 @@ bool site_proposals::has_room(const site_index& among, const site& s, double dis
   });
 }
 
-// In bands, so that neighbours in memory stay neighbours; four for each doubling of the radius.
+// Places in bands, so that neighbours in memory stay neighbours; four for each doubling of the
+// radius.
 void site_proposals::place(std::vector<site_proposal> proposals, double distance) {
   constexpr double bands_in_doubled_square = 2;
   const auto band = [squared = distance * distance](const site_proposal& p) {

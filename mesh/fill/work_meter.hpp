@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How much work a fill has done, against how much so many sites may take.
+// Measures how much work a fill has done, against how much so many sites may take.
 #pragma once
 
 #include <atomic>

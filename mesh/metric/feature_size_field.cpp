@@ -38,7 +38,7 @@ result<featured_field> featured_field::make(const domain& d, const metric_field&
   return made;
 }
 
-// Halved across the longer side of the box, so that the depth is bounded.
+// Halves nodes across the longer side of the box, so that the depth is bounded.
 void featured_field::add_node(std::size_t first, std::size_t last) {
   constexpr std::size_t leaf_size = 8;
   const std::size_t self = nodes_.size();
@@ -71,8 +71,8 @@ result<metric_tensor> featured_field::at(const point& q) const {
   return metric_tensor{m.m11 * inverse, m.m12 * inverse, m.m22 * inverse};
 }
 
-// Nearer children first. The distance to a box is at least the larger of those in x and y over the
-// half extents of the unit ellipse.
+// Visits nearer children first. The distance to a box is at least the larger of those in x and y
+// over the half extents of the unit ellipse.
 double featured_field::length_at(const site& q) const {
   constexpr double near_enough = 1 / 1.16;
   const metric_tensor& m = q.metric;

@@ -20,10 +20,10 @@ namespace asterism::internal {
 // Isolated vertices have no say.
 class featured_field : public metric_field {
  public:
-  // `d` as accepted by check_domain; `field` must outlive this. Fails where the field does.
+  // Makes the field for a checked `d`; `field` must outlive it. Fails where `field` does.
   static result<featured_field> make(const domain& d, const metric_field& field, double longest);
 
-  // May be called from any thread.
+  // Returns the metric; may be called from any thread.
   result<metric_tensor> at(const point& q) const override;
 
  private:

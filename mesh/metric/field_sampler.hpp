@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Sites measured by a metric field, for code that goes on until a convenient place to stop.
+// Measures sites by a metric field, for code that goes on until a convenient place to stop.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ class field_sampler {
   }
 
   const metric_field& field() const { return *field_; }
-  // The first failure of the field, if it has failed.
+  // Returns the first failure of the field, if it has failed.
   const std::optional<error>& failure() const { return failure_; }
 
  private:

@@ -242,7 +242,7 @@ bool gradation_sweep::visit(std::uint32_t n) {
   return true;
 }
 
-// Small lengths first: they are what spreads, so one sweep carries them far.
+// Takes small lengths first: they are what spreads, so one sweep carries them far.
 void gradation_sweep::sweep_until_settled() {
   std::vector<std::uint32_t> order(nodes_.size());
   std::iota(order.begin(), order.end(), 0U);

@@ -68,7 +68,8 @@ class sampled_field final : public sized_field {
     return {sites_[c[0]].position, sites_[c[1]].position, sites_[c[2]].position};
   }
 
-  // Around the point first, then farther and farther; the whole box, doubled, has triangles in it.
+  // Looks around the point first, then farther and farther; the whole box, doubled, has triangles
+  // in it.
   found locate(const point& q) const {
     const double extent =
         std::max(box_.high.x / 2 - box_.low.x / 2, box_.high.y / 2 - box_.low.y / 2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A metric field given at the vertices of a mesh.
+// Interpolates a metric field that is given at the vertices of a mesh.
 #pragma once
 
 #include <memory>
@@ -11,14 +11,14 @@
 
 namespace asterism {
 
-// Returns the field that interpolates the metrics of a mesh.
-// Between the vertices of a triangle logarithms are interpolated linearly ("log-Euclidean",
-// numerics/metric_algebra.hpp); at a vertex the tensor is the vertex's own, bit for bit. A point
-// outside all triangles, as rounding puts some, gets what the nearest point of the nearest triangle
-// in its surroundings has, about; where several triangles could have a point the one it is farthest
-// inside of is taken, and of equals the first. Keeps its own copy. Requires what adopt_mesh does;
-// triangles that are flat or clockwise are left out, and there must be one that is not. All tensors
-// are divided by size^2, as make_metric_field does.
+// Returns the field that interpolates the metrics of a mesh. Between the vertices of a triangle
+// logarithms are interpolated linearly ("log-Euclidean", numerics/metric_algebra.hpp); at a vertex
+// the tensor is the vertex's own, bit for bit. A point outside all triangles, as rounding puts
+// some, gets what the nearest point of the nearest triangle in its surroundings has, about; where
+// several triangles could have a point the one it is farthest inside of is taken, and of equals the
+// first. Keeps its own copy. Requires what adopt_mesh does; triangles that are flat or clockwise
+// are left out, and there must be one that is not. All tensors are divided by size^2, as
+// make_metric_field does.
 ASTERISM_EXPORT std::unique_ptr<metric_field> make_sampled_field(const mesh& m, double size = 1);
 
 }  // namespace asterism

@@ -58,7 +58,7 @@ class expression_field : public sized_field {
       : sized_field(size), entries_(std::move(entries)) {}
 
  private:
-  // An expression holds its variables, so one thread at a time.
+  // Evaluates the formulas. An expression holds its variables, so one thread at a time.
   result<metric_tensor> unsized(const point& q) const override {
     const std::lock_guard<std::mutex> alone(mutex_);
     std::array<double, 3> m{};

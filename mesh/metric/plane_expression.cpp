@@ -3,7 +3,9 @@
 
 #include <muParser.h>
 
+#include <algorithm>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
@@ -12,13 +14,23 @@ namespace asterism::internal {
 
 namespace {
 
+// muparser's own operator ^ is the C library's function, and cannot be replaced. Expressions are
+// given to it with this sign in its place, which nobody may use.
+constexpr char power_sign = '#';
+
+std::string with_sign_replaced(std::string text, char from, char to) {
+  std::replace(text.begin(), text.end(), from, to);
+  return text;
+}
+
 error parser_failure(const std::string& text, const mu::ParserError& e) {
-  std::string what = "'" + text + "': " + e.GetMsg();
+  std::string what = "'" + text + "': " + with_sign_replaced(e.GetMsg(), power_sign, '^');
   while (!what.empty() && (what.back() == '\n' || what.back() == '.')) what.pop_back();
   return {what + " (position " + std::to_string(e.GetPos() + 1) + ")"};
 }
 
-// Position of an `=` that is no part of a comparison: muparser would change x or y there.
+// Returns the position of an `=` that is no part of a comparison: muparser would change x or y
+// there.
 std::size_t find_assignment(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '=') continue;
@@ -58,6 +70,7 @@ void define_functions(mu::Parser& parser) {
   parser.DefineFun("log", &elementary::log);
   parser.DefineFun("ln", &elementary::log);
   parser.DefineFun("exp", &elementary::exp);
+  parser.DefineOprt(std::string(1, power_sign), &elementary::pow, mu::prPOW, mu::oaRIGHT);
 }
 
 }  // namespace
@@ -79,6 +92,8 @@ result<plane_expression> plane_expression::parse(const std::string& text) {
   if (const std::size_t at = find_assignment(text); at != std::string::npos)
     return error{"'" + text + "': assignments are not allowed (position " + std::to_string(at + 1) +
                  ")"};
+  if (const std::size_t at = text.find(power_sign); at != std::string::npos)
+    return error{"'" + text + "': unexpected '#' (position " + std::to_string(at + 1) + ")"};
   auto s = std::make_unique<state>();
   s->text = text;
   try {
@@ -87,7 +102,7 @@ result<plane_expression> plane_expression::parse(const std::string& text) {
     define_functions(s->parser);
     s->parser.DefineConst("pi", std::numbers::pi);
     s->parser.DefineConst("e", std::numbers::e);
-    s->parser.SetExpr(text);
+    s->parser.SetExpr(with_sign_replaced(text, '^', power_sign));
     int values = 0;
     // muparser finds errors when it evaluates for the first time.
     s->parser.Eval(values);

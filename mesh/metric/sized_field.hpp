@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Common base of the fields with a formula: applies the size and checks every tensor.
+// Is the common base of the fields with a formula: applies the size and checks every tensor.
 #pragma once
 
 #include <memory>

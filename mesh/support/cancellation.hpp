@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Request to end a run early, polled by whatever takes long.
+// Carries a request to end a run early, polled by whatever takes long.
 //
 //   options.stop = [&]() -> std::optional<std::string> {
 //     if (window.is_closed()) return "the window was closed";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Unevaluated sums of two doubles, about 106 bits: for plain constructions where the terms of a
-// short sum of products cancel more than 53 bits can lose. Nothing certain is built on them.
+// Defines unevaluated sums of two doubles, about 106 bits: for plain constructions where the terms
+// of a short sum of products cancel more than 53 bits can lose. Nothing certain is built on them.
 //
 // Rounding to nearest is assumed; products of magnitudes beyond 2^+-960 lose the second half.
 // Source: Dekker, "A floating-point technique for extending the available precision", 1971.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Sorted lists without repetitions.
+// Makes sorted lists without repetitions.
 #pragma once
 
 #include <algorithm>

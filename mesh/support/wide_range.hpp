@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers with the digits of two doubles and an exponent of their own, for products of four or more
-// doubles whose range no double has. A long double would do on one machine and not on the next;
-// these are the same bits everywhere. Nothing certain is built on them.
+// Defines numbers with the digits of two doubles and an exponent of their own, for products of four
+// or more doubles whose range no double has. A long double would do on one machine and not on the
+// next; these are the same bits everywhere. Nothing certain is built on them.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class wide_range {
   wide_range() = default;
   wide_range(double x) : wide_range(double_double(x), 0) {}  // NOLINT(google-explicit-constructor)
 
-  // Infinite or zero, or subnormal, where the value has no double.
+  // Converts to infinity, zero or a subnormal number where the value has no double.
   explicit operator double() const { return std::ldexp(static_cast<double>(mantissa_), exponent_); }
   bool is_positive() const { return mantissa_.high > 0; }
 
@@ -34,7 +34,7 @@ class wide_range {
   friend wide_range operator*(const wide_range& a, const wide_range& b) {
     return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_};
   }
-  // As good as a double.
+  // Divides, as exactly as a double.
   friend wide_range operator/(const wide_range& a, const wide_range& b) {
     return {double_double(a.mantissa_.high / b.mantissa_.high), a.exponent_ - b.exponent_};
   }

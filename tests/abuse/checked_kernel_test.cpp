@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "abuse_inputs.hpp"
+#include "asterism/challenge/input_classes.hpp"
 #include "asterism/kernels/batch_protocol.hpp"
 #include "asterism/kernels/double_kernel.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
@@ -16,6 +16,7 @@
 #include "asterism/kernels/interval_kernel.hpp"
 
 namespace asterism::abuse {
+using namespace challenge;
 namespace {
 
 template <class Kernel>

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "abuse_inputs.hpp"
+#include "asterism/challenge/input_classes.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/replay_test.hpp"
 
@@ -20,10 +20,10 @@ using namespace asterism;
 void print_all(std::ostream& out) {
   constexpr const char* kernels[] = {"asterism::filtered_kernel", "asterism::interval_kernel",
                                      "asterism::exact_kernel"};
-  abuse::random_source random(11);
+  challenge::random_source random(11);
   std::set<std::string> printed;  // a record drawn twice would be a test of the same name
   for (const char* const kernel : kernels)
-    for (const abuse::input_class& from : abuse::input_classes().first(2))
+    for (const challenge::input_class& from : challenge::input_classes().first(2))
       for (std::size_t p = 0; p < predicate_count; ++p) {
         const batch_record record = draw_record(from, static_cast<predicate>(p), random);
         if (printed.insert(record_line(record)).second)

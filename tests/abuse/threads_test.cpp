@@ -7,13 +7,14 @@
 #include <thread>
 #include <vector>
 
-#include "abuse_inputs.hpp"
+#include "asterism/challenge/input_classes.hpp"
 #include "asterism/kernels/c_api.h"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 
 namespace asterism::abuse {
+using namespace challenge;
 namespace {
 
 constexpr int threads = 8;

@@ -33,3 +33,13 @@ class CommandTest(unittest.TestCase):
 
     def files(self):
         return sorted(p.relative_to(self.folder).as_posix() for p in self.folder.rglob("*"))
+
+
+# A job of a second, whose mesh is certified.
+JOB = ["mesh", "square", "--random-points", "10", "--metric", "swirl:3", "--angle-bound", "20"]
+
+
+def section(lines, keyword):
+    """Where the entries of a Medit section start, and how many there are."""
+    at = lines.index(keyword)
+    return at + 2, int(lines[at + 1])

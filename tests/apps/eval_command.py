@@ -54,6 +54,9 @@ KNOWN = [
     (f"edge_test {s(0, 0)} {s(1, 1)} {s(1, 0)} {s(0, 1)}", "0"),  # the greatest is (1,1)
     (f"edge_test {s(1, 0)} {s(0, 1)} {s(1, 1)} {s(0, 0)}", "1"),
     ("orientation 0x0p0 -0x0p+0 0X1P0 0 0x1.8p-3 0x.8", "1"),
+    ("orient2d 0 0  0 1  1 0", "-1"),
+    ("incircle 0 0  1 0  0 1  0.5 0.5", "1"),
+    ("incircle 0 0  1 0  0 1  1 1", "0"),
     ("\torientation  0 0\t1 0  0 1 \r", "1"),
     ("orientation 0 0 1e-300 0 0 4.9e-324", "1"),
     ("orientation 0 0 1 0 0 1e-400", "0"),  # rounds to zero
@@ -67,6 +70,9 @@ MALFORMED = [
     ("orientation 0 0 1 0 0", "orientation takes 6 numbers, got 5"),
     ("orientation", "orientation takes 6 numbers, got 0"),
     ("orientation 0 0 1 0 0 1 7", "field 8: orientation takes 6 numbers, found another: '7'"),
+    ("incircle 0 0 1 0 0 1 1", "incircle takes 8 numbers, got 7"),
+    ("incircle 0 0 1 0 0 1 1 one", "field 9: 'one' is not a number"),
+    ("orient2d 0 0 1 0 0 1 1", "field 8: orient2d takes 6 numbers, found another: '1'"),
     ("orientation 0 0 one 0 0 1", "field 4: 'one' is not a number"),
     ("orientation 0 0 1,5 0 0 1", "field 4: '1,5' is not a number"),
     ("orientation 0 0 0x 0 0 1", "field 4: '0x' is not a number"),

@@ -112,6 +112,8 @@ class Verdicts(command.CommandTest):
         done = self.run_command("mesh", "w.poly", "--size", "0.2", "-o", "w.mesh")
         self.assertEqual(done.returncode, 1, done.stdout)
         self.assertRegex(done.stdout, r"\d+ collateral beside sharp corners, the worst \d.*NOT certified")
+        self.assertRegex(done.stderr, r"not reached: all stars agree, but \d+ triangles beside corners of the domain"
+                         r".* the sharpest corner beside them is vertex 5 at \(0, 0\), 1 degrees")
         audit = json.loads((self.folder / "w.certificate.json").read_text())["audit"]
         self.assertTrue(audit["collateral_triangles"])
         self.assertLess(audit["worst_collateral_angle"], 20)
@@ -135,7 +137,7 @@ class Verdicts(command.CommandTest):
         claim = self.make_good()
         done = self.run_command("verify", "good.mesh")
         self.assertRegex(done.stdout, "^certified: .*; bound 20 degrees; the certificate's domain; metric: "
-                         "swirl:3, held against it at every vertex; size asked for 0.4, not checked\n$")
+                         "swirl:3, held against it at every vertex; size asked for 0.4, not checked; the theorem on nets .*\n$")
         claim["asked"]["metric"] = "swirl:4"
         self.write("good.certificate.json", json.dumps(claim))
         done = self.run_command("verify", "good.mesh")
@@ -143,14 +145,63 @@ class Verdicts(command.CommandTest):
         self.assertRegex(done.stdout, r'certificate: the tensors of \d+ of \d+ vertices are not those of '
                          '"asked.metric": vertex')
 
-    def test_a_certificate_that_hides_a_relaxed_metric_was_verified(self):
+    def test_whether_the_theorem_on_nets_applies_is_said_measured_again_and_not_forged(self):
+        slow = ("square", "--metric", "sink:3", "--size", "0.05")
+        fast = ("square", "--metric", "swirl:24", "--size", "0.5")
+        for job, applies in ((slow, True), (fast, False)):
+            done = self.run_command("mesh", *job, "-o", "m.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            said = "theorem on nets: applies: at sigma eps 0.0" if applies else "theorem on nets: does not apply: "
+            self.assertIn(said, done.stdout)
+            claim = json.loads((self.folder / "m.certificate.json").read_text())
+            self.assertIs(claim["theorem"]["theorem_applies"], applies)
+            line = self.run_command("verify", "m.mesh").stdout
+            self.assertIn("; the " + said.replace("nets:", "nets"), line)
+            if applies:
+                self.assertGreater(claim["theorem"]["sigma_eps"], 0)
+                self.assertGreaterEqual(claim["theorem"]["proved_angle"], 20)
+            else:
+                self.assertIn(claim["theorem"]["reason"], line)
+            for field, value in claim["theorem"].items():
+                forged = json.loads(json.dumps(claim))
+                forged["theorem"][field] = (not value if isinstance(value, bool) else value + "!"
+                                            if isinstance(value, str) else math.nextafter(value or 0, 9))
+                self.write("m.certificate.json", json.dumps(forged))
+                done = self.run_command("verify", "m.mesh")
+                self.assertEqual(done.returncode, 1, field)
+                self.assertIn(f'"theorem.{field}" is ', done.stdout)
+            forged["theorem"] = None
+            self.write("m.certificate.json", json.dumps(forged))
+            self.assertIn('"theorem" is null', self.run_command("verify", "m.mesh").stdout)
+
+    def test_split_points_off_their_segments_by_more_than_an_ulp_are_told(self):
+        # A square of side 2 about (2^20, 2^20); the middle of its bottom side is off by some ulps of 2^20.
+        far, ulp = 2.0**20, 2.0**-32
+        for ulps, told in ((1, None), (2, r"points of split segments off them by up to 4\.66e-10 \(2\.00 ulps\)")):
+            points = [(far + x, far + y, 0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1), (0, -1))]
+            points[4] = (far, far - 1 + ulps * ulp, 0)
+            edges = [(1, 5, 0), (5, 2, 0), (2, 3, 0), (3, 4, 0), (4, 1, 0)]
+            poly = ["4 2 0 0", *(f"{i} {points[i][0]!r} {points[i][1]!r}" for i in range(4)), "4 0",
+                    *(f"{i} {i} {(i + 1) % 4}" for i in range(4)), "0", ""]
+            self.write("d.poly", "\n".join(poly))
+            self.write("d.mesh", medit([(repr(x), repr(y), r) for x, y, r in points],
+                                       [(1, 5, 4, 1), (5, 2, 3, 1), (5, 3, 4, 1)], edges).replace(
+                                           "End\n", "RequiredVertices\n4\n1\n2\n3\n4\nEnd\n"))
+            self.write("d.sol", identity(5))
+            done = self.run_command("verify", "d.mesh", "--domain", "d.poly", "--angle-bound", "20")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            if told is None:
+                self.assertNotIn("off them", done.stdout)
+            else:
+                self.assertRegex(done.stdout, told)
+
+    def test_a_certificate_that_hides_another_metric_was_verified(self):
         self.run_command("mesh", "square", "--metric", "expr:(x>0)?100:1;0;1", "--size", "0.5", "--quiet",
                          "-o", "jump.mesh")
         path = self.folder / "jump.certificate.json"
         claim = json.loads(path.read_text())
-        if claim["outcome"]["relaxed"] is None:
-            self.skipTest("the metric is not relaxed")
-        claim["outcome"].update(complete=True, relaxed=None,
+        self.assertIsNotNone(claim["outcome"]["delivered"])
+        claim["outcome"].update(complete=True, delivered=None,
                                 reason="all stars agree and every triangle meets the bound")
         claim["asked"]["options"]["size-delivered"] = claim["asked"]["options"]["size"]
         path.write_text(json.dumps(claim))

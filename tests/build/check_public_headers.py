@@ -27,6 +27,13 @@ def install_and_move(build, work):
     return work / "prefix"
 
 
+def place_problems(prefix):
+    """A prefix that many programs share has files in its usual folders alone."""
+    usual = {"bin", "include", "lib", "share"}
+    yield from (f"{p.name} is installed beside the folders of the prefix"
+                for p in sorted(prefix.iterdir()) if p.name not in usual)
+
+
 def list_problems(include, listed):
     installed = {p.relative_to(include).as_posix() for p in include.rglob("*") if p.is_file()}
     wanted = {f"asterism/{name}" for name in listed}
@@ -111,11 +118,12 @@ def readme_program(top):
 def main():
     top, (build, work, cxx) = sources.root(), sys.argv[2:5]
     prefix = install_and_move(build, pathlib.Path(work))
+    problems = list(place_problems(prefix))  # before anything is compiled there
     include = prefix / "include"
     listed = sources.public_headers(top)
     compiler = standard_headers.Compiler(cxx)
     allowed = compiler.standard_library(prefix)
-    problems = list(list_problems(include, listed)) + list(target_problems(prefix))
+    problems += [*list_problems(include, listed), *target_problems(prefix)]
     for name in listed:
         line = f"#include <asterism/{name}>\n"
         problems += reach_problems(name, line + line, include, compiler, allowed)

@@ -5,10 +5,11 @@ import re
 import sys
 
 # Folders from bottom to top: each may include itself and those before it.
-LAYERS = ["core", "predicates", "kernels", "mesh/support", "mesh/data", "mesh/search",
+LAYERS = ["core", "predicates", "kernels", "challenge", "mesh/support", "mesh/data", "mesh/search",
           "mesh/numerics", "mesh/domain", "mesh/metric", "mesh/stars", "mesh/fill", "mesh/refine",
-          "mesh/optimize", "mesh/adapt", "mesh/audit", "mesh/draw", "mesh/io", "mesh/pipeline", "mesh/c_interface", "mesh", "apps"]
-FOLDERS = ["core", "predicates", "kernels", "mesh", "apps"]  # with all that is below them
+          "mesh/optimize", "mesh/adapt", "mesh/solution", "mesh/transfer",
+          "mesh/audit", "mesh/draw", "mesh/io", "mesh/pipeline", "mesh/c_interface", "mesh", "apps"]
+FOLDERS = ["core", "predicates", "kernels", "challenge", "mesh", "apps"]  # with all that is below them
 CODE = {".hpp", ".cpp", ".h", ".c"}
 
 

@@ -15,6 +15,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace asterism::internal {
 namespace {
@@ -118,6 +119,60 @@ TEST_CASE("logarithms and exponentials are within their bounds") {
   expect_within(subnormal, 1.6, "exp, subnormal");
 }
 
+TEST_CASE("powers are within their bounds") {
+  generator random;
+  const exact_function exact = [](mpfr_ptr r, mpfr_srcptr a, mpfr_srcptr b) {
+    mpfr_pow(r, a, b, MPFR_RNDN);
+  };
+  worst_case usual, any, whole, subnormal;
+  for (int k = 0; k < cases; ++k) {
+    const double x = std::abs(random.of_any_size(-20, 20)), log = std::abs(std::log2(x));
+    const double y = random.between(-64, 64) / std::max(log, 1e-3);
+    usual.take(elementary::pow(x, y), x, y, exact);
+    const double wide = random.between(-1022, 1023) / std::max(log, 1e-3);
+    any.take(elementary::pow(x, wide), x, wide, exact);
+    const double n = std::round(random.between(-12, 12)), base = random.between(-30, 30);
+    whole.take(elementary::pow(base, n), base, n, exact);
+    const double low = random.between(-1075, -1022) / std::log2(2 + x);
+    subnormal.take(elementary::pow(2 + x, low), 2 + x, low, exact);
+  }
+  expect_within(usual, 1.5, "pow");
+  expect_within(any, 20, "pow, far");
+  expect_within(whole, 0.6, "pow, of whole numbers");
+  expect_within(subnormal, 21, "pow, subnormal");
+}
+
+TEST_CASE("powers that are doubles are exact") {
+  for (int k = -1074; k < 1024; ++k) CHECK(elementary::pow(2, k) == std::ldexp(1.0, k));
+  CHECK(elementary::pow(0.5, 1074) == 0x1p-1074);
+  CHECK(elementary::pow(-2, 1023) == -0x1p1023);
+  CHECK(elementary::pow(10, 22) == 1e22);
+  CHECK(elementary::pow(3, 33) == 5559060566555523.0);
+  CHECK(elementary::pow(2.25, 0.5) == 1.5);
+  CHECK(elementary::pow(-1.5, 3) == -3.375);
+}
+
+TEST_CASE("special powers are those of the C library") {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> some = {0.0, 0.3, 0.5,   1.0,       2.0,      3.0, 4.0,    5.0,
+                                    6.5, 1e9, 1e300, 0x1p-1074, infinity, nan, 0x1p52, 0x1p53};
+  for (const double a : some)
+    for (const double b : some)
+      for (const double x : {a, -a})
+        for (const double y : {b, -b}) {
+          const double wanted = std::pow(x, y), got = elementary::pow(x, y);
+          INFO(x << " ^ " << y << ": " << wanted << " " << got);
+          if (std::isnan(wanted)) {
+            CHECK(std::isnan(got));
+          } else if (std::isinf(wanted) || wanted == 0) {
+            CHECK((got == wanted && std::signbit(got) == std::signbit(wanted)));
+          } else {
+            CHECK(std::abs(got - wanted) <= 1e-14 * std::abs(wanted));
+          }
+        }
+}
+
 TEST_CASE("circular functions are within their bounds, however large the argument") {
   generator random;
   worst_case sin, cos, tan, atan2, hypot;
@@ -216,8 +271,9 @@ TEST_CASE("elementary functions return the same bits everywhere") {
     add(elementary::atan2(y, x));
     add(elementary::hypot(x, y));
     add(elementary::sin(random.of_any_size(20, 1000)));
+    add(elementary::pow(std::abs(x), y / 9));
   }
-  CHECK(all == 0xf94c80045cc04636);
+  CHECK(all == 0xe644244458b51fc);
 }
 
 }  // namespace asterism::internal

@@ -6,13 +6,7 @@
 #include "asterism/kernels/direction_cover.hpp"
 
 #include <catch2/catch.hpp>
-#include <cfenv>
-#include <cmath>
 #include <cstdint>
-
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "gap_questions.hpp"
@@ -31,21 +25,8 @@ void check_right(const question& q, const char* name, std::uint64_t replay) {
   CHECK_FALSE(second_route(q));
 }
 
-// w moved along its ray to the nearest place where it is refused.
-question at_the_border(question q) {
-  const auto d = between(q.v.position, q.w.position);
-  double refused = 20, open = 0.05;
-  const auto at = [&](double factor) {
-    question moved = q;
-    moved.w.position = {q.v.position.x + factor * d.x, q.v.position.y + factor * d.y};
-    return moved;
-  };
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = std::sqrt(refused * open);
-    (refuses(at(middle)) ? refused : open) = middle;
-  }
-  return at(refused);
-}
+// Moves w along its ray to the nearest place where it is refused.
+question at_the_border(const question& q) { return moved_to_border(q, 20, 0.05, refuses); }
 
 site anywhere(sequence& random, double condition) {
   return {{random.real(-1, 1), random.real(-1, 1)},
@@ -129,17 +110,12 @@ TEST_CASE("rounding modes and flushing leave what the cover refuses right",
     const auto drawn = draw(f, random);
     if (!drawn) continue;
     const question q = k % 16 == 3 && !f.grid ? at_the_border(*drawn) : *drawn;
-#if defined(__SSE2__)
-    const unsigned before = _mm_getcsr();
-    if (random.integer(0, 1) == 1) _mm_setcsr(before | 0x8040U);
-#endif
+    const bool flush = random.integer(0, 1) == 1;
     const auto round = static_cast<std::size_t>(k) / std::size(families);
-    std::fesetround(std::array{FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}[round % 3]);
-    const bool refused = refuses(q);
-#if defined(__SSE2__)
-    _mm_setcsr(before);
-#endif
-    std::fesetround(FE_TONEAREST);
+    const bool refused = [&] {
+      const hostile_environment scope(directed_modes[round % 3], flush);
+      return refuses(q);
+    }();
     INFO(f.name << ", replay: sequence{" << replay << "}");
     if (refused) CHECK_FALSE(second_route(q));
   }

@@ -3,9 +3,15 @@
 // Questions about one gap of a star, drawn from families that are hard in different ways.
 #pragma once
 
+#include <array>
+#include <cfenv>
 #include <cmath>
 #include <numbers>
 #include <optional>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
 
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/core/random.hpp"
@@ -109,5 +115,49 @@ inline bool second_route(const question& q) {
   const uncertain_bool answer = interval_kernel().edge_test(q.v, q.w, q.x, q.y);
   return answer.certain() ? answer.value() : exact_kernel().edge_test(q.v, q.w, q.x, q.y);
 }
+
+// Moves w along its ray to the last place where `is_known` holds for the question, from `known`
+// times its distance, where it does, towards `unknown` times, where it does not.
+template <class IsKnown>
+question moved_to_border(const question& q, double known, double unknown, const IsKnown& is_known) {
+  const auto d = between(q.v.position, q.w.position);
+  const auto at = [&](double factor) {
+    question moved = q;
+    moved.w.position = {q.v.position.x + factor * d.x, q.v.position.y + factor * d.y};
+    return moved;
+  };
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = std::sqrt(known * unknown);
+    (is_known(at(middle)) ? known : unknown) = middle;
+  }
+  return at(known);
+}
+
+// Sets a rounding mode, and flushing of subnormal numbers where that is asked for, as long as it
+// lives.
+class hostile_environment {
+ public:
+  hostile_environment(int mode, [[maybe_unused]] bool flush) {
+#if defined(__SSE2__)
+    if (flush) _mm_setcsr(before_ | 0x8040U);
+#endif
+    std::fesetround(mode);
+  }
+  ~hostile_environment() {
+#if defined(__SSE2__)
+    _mm_setcsr(before_);
+#endif
+    std::fesetround(FE_TONEAREST);
+  }
+  hostile_environment(const hostile_environment&) = delete;
+  hostile_environment& operator=(const hostile_environment&) = delete;
+
+ private:
+#if defined(__SSE2__)
+  unsigned before_ = _mm_getcsr();
+#endif
+};
+
+inline constexpr std::array directed_modes = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
 }  // namespace asterism::gap_questions

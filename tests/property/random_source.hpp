@@ -7,12 +7,6 @@
 
 namespace asterism::property {
 
-class random_source : public internal::splitmix64 {
- public:
-  using splitmix64::splitmix64;
-
-  // True once in `one_in` times.
-  bool chance(int one_in) { return integer(1, one_in) == 1; }
-};
+using random_source = internal::splitmix64;
 
 }  // namespace asterism::property

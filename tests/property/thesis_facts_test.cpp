@@ -201,7 +201,8 @@ bool turn_once(const point& v, const std::vector<point>& points) {
 }  // namespace
 
 TEST_CASE("lemma 9 of the thesis: good points stand around a star as its sites do", "[laws]") {
-  const star_predicates_on<filtered_kernel> predicates;
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> predicates(decided);
   random_source random(9);
   int asked = 0, failed = 0;
   for (int round = 0; round < 400; ++round) {

@@ -6,12 +6,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <limits>
+#include <utility>
 
 #include "asterism/mesh/audit/certificate_options.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
 #include "fixtures/audit_meshes.hpp"
+#include "fixtures/temporary_directory.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -98,7 +100,8 @@ TEST_CASE("regions are part of the fingerprint") {
 
 TEST_CASE("through a file") {
   const certified_patch made;
-  const auto path = std::filesystem::temp_directory_path() / "asterism_certificate_test.json";
+  const tests::temporary_directory folder("certificate");
+  const auto path = folder / "certificate.json";
   REQUIRE(write_certificate(path, made.c).ok());
   const auto read = read_certificate(path);
   REQUIRE(read.ok());
@@ -106,7 +109,7 @@ TEST_CASE("through a file") {
   std::filesystem::remove(path);
   const auto missing = read_certificate(path);
   REQUIRE_FALSE(missing.ok());
-  CHECK_THAT(missing.failure().message, Contains("asterism_certificate_test.json"));
+  CHECK_THAT(missing.failure().message, Contains("certificate.json"));
   CHECK(missing.failure().code == error_code::unreadable_file);
 }
 
@@ -264,10 +267,46 @@ TEST_CASE("altered numbers of a certificate passed") {
   refused_for("audit.findings", [](certificate& c) { c.found["orientation"] = 1; });
   refused_for("audit.witnesses", [](certificate& c) { c.witnesses = {"orientation: none"}; });
   refused_for("asked.angle_bound", [](certificate& c) { c.options["angle-bound"] = "31"; });
+  refused_for("theorem", [](certificate& c) { c.theorem.reset(); });
+  refused_for("theorem.theorem_applies",
+              [](certificate& c) { c.theorem->applies = !c.theorem->applies; });
+  refused_for("theorem.reason", [](certificate& c) { c.theorem->reason += "."; });
+  using hypotheses = theorem_hypotheses;
+  for (const auto& [name, number] : {std::pair{"sigma_eps", &hypotheses::sigma_eps},
+                                     {"proved_angle", &hypotheses::proved_angle},
+                                     {"covering_radius", &hypotheses::covering_radius},
+                                     {"spacing", &hypotheses::spacing},
+                                     {"longest_subsegment", &hypotheses::longest_subsegment},
+                                     {"distortion", &hypotheses::distortion},
+                                     {"variation", &hypotheses::variation}})
+    refused_for(std::string("theorem.") + name, [number = number](certificate& c) {
+      double& value = (*c.theorem).*number;
+      value = std::nextafter(value, 1e300);
+    });
   // The auditor may answer another question otherwise.
   audit_options lower;
   lower.angle_bound = 10;
   CHECK(verify(made.p.m, made.c, lower).verified);
+}
+
+TEST_CASE("what is measured of the theorem on nets is written and read, or null") {
+  certified_patch made;
+  REQUIRE(made.c.theorem);
+  made.c.theorem->spacing = std::numeric_limits<double>::infinity();  // of a mesh of one triangle
+  const std::string text = certificate_text(made.c);
+  CHECK_THAT(text, Contains("\"spacing\": null") && Contains("\"theorem_applies\""));
+  const auto read = parse_certificate(text, "c.json");
+  REQUIRE(read.ok());
+  CHECK(certificate_text(read.value()) == text);
+  CHECK(read.value().theorem->sigma_eps == made.c.theorem->sigma_eps);
+  CHECK(read.value().theorem->reason == made.c.theorem->reason);
+  patch refused = make_patch(3);
+  refused.m.triangles.pop_back();
+  audit_options options;
+  options.angle_bound = 20;
+  const certificate other = make_certificate(refused.m, options, audit(refused.m, options));
+  CHECK_FALSE(other.theorem);
+  CHECK_THAT(certificate_text(other), Contains("\"theorem\": null"));
 }
 
 TEST_CASE("where no angle is to judge a certificate said 180 degrees") {

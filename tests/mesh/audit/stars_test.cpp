@@ -143,13 +143,30 @@ bool is_too_far(const site& v, double reach, const site& w) {
   return length > (1 + sigma) * reach * (1 - 1e-12L);
 }
 
+// Counts the sites that searches of a tree leave out, and those of them that are not too far.
+struct left_out_sites {
+  std::size_t all = 0, wrong = 0;
+
+  // `search` gives to the function that it is called with each site that is not left out.
+  template <class Search>
+  void count(const std::vector<site>& sites, const site& v, double reach, const Search& search) {
+    std::vector<char> seen(sites.size(), 0);
+    search([&](auto w) { seen[w] = 1; });
+    for (std::size_t w = 0; w < sites.size(); ++w) {
+      if (seen[w] != 0) continue;
+      ++all;
+      wrong += !is_too_far(v, reach, sites[w]);
+    }
+  }
+};
+
 }  // namespace
 
 TEST_CASE("the tree leaves out only sites that are too far") {
   const std::uint64_t seed = 32;
   CAPTURE(seed);
   splitmix64 random(seed);
-  std::size_t left_out = 0, wrong = 0;
+  left_out_sites left_out;
   for (int round = 0; round < 24; ++round) {
     const double offset = round % 4 == 3 ? 1e8 : 0, scale = std::ldexp(1.0, 20 * (round % 5 - 2));
     std::vector<site> sites;
@@ -159,24 +176,19 @@ TEST_CASE("the tree leaves out only sites that are too far") {
     const audit_detail::site_tree tree(sites);
     for (const site& v : sites) {
       const double reach = scale * std::exp(random.real(-5, 0));
-      std::vector<char> seen(sites.size(), 0);
-      tree.visit_near(v, reach, [&](auto w) { seen[w] = 1; });
-      for (std::size_t w = 0; w < sites.size(); ++w) {
-        if (seen[w] != 0) continue;
-        ++left_out;
-        wrong += !is_too_far(v, reach, sites[w]);
-      }
+      left_out.count(sites, v, reach, [&](auto visit) { tree.visit_near(v, reach, visit); });
     }
   }
-  CHECK(wrong == 0);
-  CHECK(left_out > 500000);
+  CHECK(left_out.wrong == 0);
+  CHECK(left_out.all > 500000);
 }
 
 TEST_CASE("one descent for several stars leaves out only sites that are too far from each") {
   const std::uint64_t seed = 33;
   CAPTURE(seed);
   splitmix64 random(seed);
-  std::size_t left_out = 0, wrong = 0, together = 0, groups = 0;
+  left_out_sites left_out;
+  std::size_t together = 0, groups = 0;
   for (int round = 0; round < 36; ++round) {
     const double offset = round % 4 == 3 ? 1e8 : 0, scale = std::ldexp(1.0, 200 * (round % 5 - 2));
     // Stretched by up to 10^6 in one direction, nearly the same everywhere; or at random.
@@ -201,18 +213,13 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
       if (!tree.gather(stars, leaves)) continue;
       ++together;
       for (const auto& [v, reach] : stars) {
-        std::vector<char> seen(sites.size(), 0);
-        tree.visit_near(leaves, v, reach, [&](auto w) { seen[w] = 1; });
-        for (std::size_t w = 0; w < sites.size(); ++w) {
-          if (seen[w] != 0) continue;
-          ++left_out;
-          wrong += !is_too_far(v, reach, sites[w]);
-        }
+        left_out.count(sites, v, reach,
+                       [&](auto visit) { tree.visit_near(leaves, v, reach, visit); });
       }
     }
   }
-  CHECK(wrong == 0);
-  CHECK(left_out > 1000000);
+  CHECK(left_out.wrong == 0);
+  CHECK(left_out.all > 1000000);
   CHECK(2 * together > groups);
   CHECK(together < groups);
 }

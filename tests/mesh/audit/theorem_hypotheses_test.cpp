@@ -76,6 +76,7 @@ TEST_CASE("the theorem applies to a filled square in a metric that varies slowly
     CHECK(h.proved_angle >= angle);
     CHECK(h.covering_radius <= 0.751);
     CHECK(h.reason == "all hypotheses hold");
+    CHECK((h.sigma_eps == 0) == (std::string(metric) == "identity"));
   }
 }
 

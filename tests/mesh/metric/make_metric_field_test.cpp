@@ -64,6 +64,14 @@ TEST_CASE("expressions have the functions and constants of a calculator") {
   REQUIRE(value("expr:1+(x>=0)+(y==2);0;1", {0, 2}).m11 == 3);
 }
 
+TEST_CASE("powers in expressions are not the C library's, and bind as they did") {
+  REQUIRE(value("expr:10-x^2; -y^2/2 ; 2^3^2", {3, 1}) == metric_tensor{1, -0.5, 512});
+  REQUIRE(value("expr:2*x^2+1; 2^-3 ; (1+y)^0.5", {3, 3}) == metric_tensor{19, 0.125, 2});
+  REQUIRE_THAT(refusal("expr:1;0;x^^2"),
+               Catch::Contains("\"^2 \" found") && Catch::Contains("position 3"));
+  REQUIRE_THAT(refusal("expr:1;0;x#2"), Catch::Contains("unexpected '#' (position 2)"));
+}
+
 TEST_CASE("a tensor that is no metric is refused with point and numbers") {
   const auto field = make_metric_field("expr:x;0;1", unit_box).value()->at({-0.1, 0.3});
   REQUIRE_FALSE(field.ok());

@@ -24,14 +24,6 @@ using namespace asterism::testing;
 
 namespace {
 
-formula_field sized(const formula_field& field, double size) {
-  return formula_field([field, size](const point& q) {
-    const metric_tensor m = field.at(q).value();
-    const double s = 1 / (size * size);
-    return metric_tensor{s * m.m11, s * m.m12, s * m.m22};
-  });
-}
-
 // swirl_field with the aspects of its tensors to a power, and their determinants as they are.
 formula_field softened_swirl(double k, double power) {
   return formula_field([k, power](const point& p) {
@@ -267,13 +259,17 @@ TEST_CASE("fitting: what is no triangulation of the domain is refused by name") 
   CHECK(fit(d, failing(), made.result, {}).failure().message == "nowhere");
 }
 
-TEST_CASE("fitting: a metric that turns by a radian over an edge is met as it was given") {
+// The fitted mesh, which "all stars agree in a metric in which refinement gave up" makes, is the
+// last resort; a run comes to it only where no delivered metric is certified.
+TEST_CASE(
+    "a metric that turns by a radian over an edge is delivered before a mesh is fitted to it") {
   const domain d = accepted(square());
   const formula_field field = sized(swirl_field(100), 0.24);
   mesh_options options;
   options.limit_size = true;
   const mesh_outcome o = make_and_check(d, field, options);
+  CHECK(o.complete);
   CHECK_FALSE(o.relaxed.has_value());
-  CHECK(low_in(o.result, field) == 0);
-  for (const site& s : o.result.sites) CHECK(s.metric == field.at(s.position).value());
+  CHECK_FALSE(o.fitted.has_value());
+  CHECK(o.delivered.has_value());
 }

@@ -24,14 +24,6 @@ using namespace asterism::testing;
 
 namespace {
 
-formula_field sized(const formula_field& field, double size) {
-  return formula_field([field, size](const point& q) {
-    const metric_tensor m = field.at(q).value();
-    const double s = 1 / (size * size);
-    return metric_tensor{s * m.m11, s * m.m12, s * m.m22};
-  });
-}
-
 mesh_options with_passes(std::size_t passes, bool limit_size) {
   mesh_options options;
   options.improve_passes = passes;

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <random>
 
+#include "asterism/core/random.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/domain_kinds.hpp"
@@ -21,15 +21,6 @@ using namespace asterism::internal;
 using namespace asterism::testing;
 
 namespace {
-
-// The field with unit length `size`.
-formula_field sized(const formula_field& field, double size) {
-  return formula_field([field, size](const point& q) {
-    const metric_tensor m = field.at(q).value();
-    const double s = 1 / (size * size);
-    return metric_tensor{s * m.m11, s * m.m12, s * m.m22};
-  });
-}
 
 mesh_options with_size(bool limit) {
   mesh_options options;
@@ -130,13 +121,15 @@ TEST_CASE("guaranteed: a steep metric that sites can resolve is not given up") {
 }
 
 // The fraction of the way that belongs to the whole length came out one ulp short of 1.
-TEST_CASE("guaranteed: dividing a segment leaves no piece of a rounding error's length") {
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> somewhere(-1, 1);
+TEST_CASE("guaranteed: dividing a segment leaves no subsegment of a rounding error's length") {
+  splitmix64 random(7);
   const formula_field field = sized(swirl_field(5), 0.12);
   for (int i = 0; i < 300; ++i) {
     domain d;
-    for (int k = 0; k < 2; ++k) d.vertices.push_back({somewhere(random), somewhere(random)});
+    for (int k = 0; k < 2; ++k) {
+      const double x = random.real(-1, 1), y = random.real(-1, 1);
+      d.vertices.push_back({x, y});
+    }
     d.segments.push_back({0, 1});
     const auto made = divide_segments(d, field, 0.9, 1000);
     REQUIRE(made.ok());

@@ -87,7 +87,8 @@ TEST_CASE("where rings touch a vertex has a sector for each angle") {
 TEST_CASE("segments that do not separate inside from outside are refused") {
   domain d = square();
   std::swap(d.segments[2].a, d.segments[2].b);
-  const auto built = boundary::build(d, star_predicates_on<filtered_kernel>());
+  tier_counters decided;
+  const auto built = boundary::build(d, star_predicates_on<filtered_kernel>(decided));
   REQUIRE_FALSE(built.ok());
   CHECK(built.failure().message.find("vertex 3") != std::string::npos);
 }

@@ -106,7 +106,8 @@ TEST_CASE("given distances are those of all pairs, bit for bit") {
           for (const point& q : now.shape.vertices)
             sites.push_back({{scale * q.x, scale * q.y},
                              varied ? random_tensor(random, condition, scale) : same});
-          const star_predicates_on<filtered_kernel> kernel;
+          tier_counters decided;
+          const star_predicates_on<filtered_kernel> kernel(decided);
           const boundary edges = boundary::build(now.shape, kernel).value();
           const neighbourhood near(sites, edges);
           for (const double most : {std::numeric_limits<double>::infinity(), 1.0, 1e-3}) {
@@ -119,7 +120,8 @@ TEST_CASE("given distances are those of all pairs, bit for bit") {
 }
 
 TEST_CASE("given distances of one site and of none") {
-  const star_predicates_on<filtered_kernel> kernel;
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> kernel(decided);
   const std::vector<site> one = {{{0.5, 0.5}, {1, 0, 1}}};
   const neighbourhood near(one, boundary());
   CHECK(shortest_distance(one, 1, boundary(), near, 2) == 2);

@@ -77,7 +77,8 @@ struct setting {
   site_oracle oracle() const { return {sites, edges, kernel, nullptr, &near}; }
   site_oracle of_all() const { return {sites, edges, kernel}; }
 
-  star_predicates_on<filtered_kernel> kernel;
+  tier_counters decided;
+  star_predicates_on<filtered_kernel> kernel{decided};
   std::vector<site> sites;
   boundary edges;
   neighbourhood near;

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""Meshes and domains on which the mesher and the auditor, or the mesh and its certificate, disagreed."""
+import math
+import unittest
+
+import command
+
+
+def rotated_strip(cells=16, aspect=1e4, degrees=30):
+    """A grid of a strip 1 long and 1/aspect wide, turned, in the metric that makes it square, as .mesh and .sol."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    n = cells + 1
+    points = [(c * i / cells - s * j / cells / aspect, s * i / cells + c * j / cells / aspect, 0)
+              for j in range(n) for i in range(n)]
+    triangles = [t for j in range(cells) for i in range(cells) for a in [j * n + i + 1]
+                 for t in ((a, a + 1, a + n, 1), (a + 1, a + n + 1, a + n, 1))]
+    along, across = 400.0, 400.0 * aspect**2
+    tensor = (along * c * c + across * s * s, (along - across) * c * s, along * s * s + across * c * c)
+
+    def rows(name, entries):
+        return [name, str(len(entries)), *(" ".join(map(repr, e)) for e in entries)]
+
+    mesh = ["MeshVersionFormatted 2", "Dimension 2", *rows("Vertices", points), *rows("Triangles", triangles)]
+    solution = ["MeshVersionFormatted 2", "Dimension 2", "SolAtVertices", str(len(points)), "1 3",
+                *[" ".join(map(repr, tensor))] * len(points)]
+    return ["\n".join([*lines, "End", ""]) for lines in (mesh, solution)]
+
+
+class KnownCases(command.CommandTest):
+    def test_strip_1e4_rotated_by_30_degrees_was_refused_for_corners_that_nothing_needs(self):
+        mesh, solution = rotated_strip()
+        self.write("strip.mesh", mesh)
+        self.write("strip.sol", solution)
+        done = self.run_command("certify", "strip.mesh", "--repair", "-o", "mended.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertNotIn("exemption_not_proven", done.stdout)
+        self.assertEqual(self.run_command("verify", "mended.mesh").returncode, 0)
+
+    def test_a_square_of_side_5e_324_was_refused_for_corners_that_nothing_needs(self):
+        side = "5e-324"
+        corners = ["0 0.0 0.0", f"1 {side} 0.0", f"2 {side} {side}", f"3 0.0 {side}"]
+        self.write("denorm.poly", "\n".join(["4 2 0 0", *corners, "4 1", "0 0 1 1", "1 1 2 2", "2 2 3 3",
+                                             "3 3 0 4", "0", ""]))
+        done = self.run_command("mesh", "denorm.poly", "-o", "denorm.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("4 sites, 2 triangles, worst angle 45.00 degrees", done.stdout)
+        self.assertEqual(self.run_command("verify", "denorm.mesh").returncode, 0)
+
+    def test_tensors_of_a_mesh_with_longer_edges_were_held_against_another_size(self):
+        for more in ((), ("--metric", "swirl:3", "--gradation", "1.3")):
+            done = self.run_command("mesh", "square", "--size", "0.02", "--max-sites", "300", *more, "-o", "few.mesh")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("times as long", done.stderr)
+            done = self.run_command("verify", "few.mesh")
+            self.assertEqual(done.returncode, 1)
+            self.assertNotIn("not those of", done.stdout)
+            self.assertIn("held against it at every vertex", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
