@@ -23,7 +23,7 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
   const bool is_second = may_adapt(options) && !is_first;
   if (is_first)
     if (auto made = delivery.make(0)) return *std::move(made);
-  // Where the metric varies too fast for a mesh to be likely, little is spent on finding that out.
+  // Little is spent on finding out that a mesh is not likely, the metric varying too fast.
   constexpr double little = 0.1;
   const double work_share = is_second && delivery.varies_fast() ? little : 1;
   tier_counters decided;
