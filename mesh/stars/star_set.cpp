@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/stars/equal_metric_stars.hpp"
 #include "asterism/mesh/stars/star_finality.hpp"
 #include "asterism/mesh/stars/star_insertion.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
@@ -90,6 +91,10 @@ void star_set::construct_all(const site_oracle& oracle) {
   stars_.assign(oracle.size(), {});
   condition_.assign(oracle.size(), condition::stale);
   final_.assign(oracle.size(), {});
+  if (auto made = stars_of_equal_metrics(oracle, cancelled_)) {
+    for (vertex_index v = 0; v < oracle.size(); ++v) accept(oracle, v, std::move((*made)[v]));
+    return;
+  }
   std::vector<vertex_index> all(oracle.size());
   std::iota(all.begin(), all.end(), vertex_index{0});
   construct(oracle, all, star_search::near);
