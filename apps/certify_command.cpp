@@ -14,6 +14,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/json_summary.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
@@ -48,6 +49,7 @@ struct certify_options {
   std::vector<fs::path> outputs;
   double angle_bound = 20;
   bool repair = false;
+  bool json = false;
   bool prove_voronoi = false;
   std::optional<std::size_t> max_sites;
   std::optional<double> max_seconds;
@@ -303,7 +305,12 @@ int run_certify(certify_options options) {
     return certify(adopted, options.angle_bound, options.prove_voronoi,
                    findings_kept(options.all_findings), [&limits] { return limits.reason(); });
   }();
-  write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
+  if (options.json) {
+    const bool good = report.certified() && is_dual_as_asked(options, report.audit);
+    std::cout << summary_json(report, good ? done : not_reached, options.angle_bound);
+  } else {
+    write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
+  }
   if (report.certified()) return write_as_it_is(options, adopted, report);
   if (!options.repair) return show_what_was_found(options, adopted, report);
   if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);
@@ -336,7 +343,10 @@ void add_certify_command(CLI::App& program, command& chosen) {
       ->type_name("DEG");
   app->add_flag("--voronoi", options->prove_voronoi,
                 "Prove it the dual of the anisotropic Voronoi diagram, or end with status 1");
-  app->add_flag("--repair", options->repair, "Add sites until it is certified");
+  auto* const repair =
+      app->add_flag("--repair", options->repair, "Add sites until it is certified");
+  app->add_flag("--json", options->json, "The verdict as a JSON object, in place of lines")
+      ->excludes(repair);
   add_count(
       *app, "--max-sites", 3, 100000000,
       [options](std::uint64_t n) { options->max_sites = static_cast<std::size_t>(n); },

@@ -8,13 +8,31 @@
 
 namespace asterism::internal {
 
-inline constexpr std::array<std::string_view, 22> mesh_option_names = {
-    "angle-bound",   "certify",      "complexity",     "complexity-delivered",
-    "domain",        "fit-done",     "gradation",      "gradation-done",
-    "improve",       "improve-done", "max-sites",      "metric-fingerprint",
-    "random-points", "refine",       "regions",        "relax",
-    "seed",          "size",         "size-delivered", "tol",
-    "tol-at-end",    "vertices"};
+inline constexpr std::array<std::string_view, 25> mesh_option_names = {"angle-bound",
+                                                                       "certify",
+                                                                       "complexity",
+                                                                       "complexity-delivered",
+                                                                       "domain",
+                                                                       "fit-done",
+                                                                       "gradation",
+                                                                       "gradation-done",
+                                                                       "improve",
+                                                                       "improve-done",
+                                                                       "max-sites",
+                                                                       "metric-fingerprint",
+                                                                       "random-points",
+                                                                       "refine",
+                                                                       "regions",
+                                                                       "relax",
+                                                                       "repair-distance",
+                                                                       "repair-done",
+                                                                       "repair-places",
+                                                                       "seed",
+                                                                       "size",
+                                                                       "size-delivered",
+                                                                       "tol",
+                                                                       "tol-at-end",
+                                                                       "vertices"};
 
 inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-bound", "mesh",
                                                                          "repair", "size"};

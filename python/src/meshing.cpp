@@ -229,6 +229,9 @@ py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_argu
       {"metric-fingerprint", "none"},
       {"regions", "as given"},
       {"random-points", "0"},
+      {"repair-distance", "none"},
+      {"repair-done", "none"},
+      {"repair-places", "none"},
       {"fit-done", outcome.fitted ? "done" : "none"},
       {"relax", a.options.relax ? "where needed" : "no"},
       {"seed", "1"}};
