@@ -65,6 +65,25 @@ void run_batch(benchmark::State& state, const Ask& ask) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
 }
 
+void orientation_cpp(benchmark::State& state) {
+  const filtered_kernel kernel;
+  run(state, [&](const double* n) {
+    return to_int(kernel.orientation(point_of(n), point_of(n + 5), point_of(n + 10)));
+  });
+}
+void orientation_c(benchmark::State& state) {
+  run(state, [](const double* n) {
+    int answer = 0;
+    (void)asterism_orientation(n, n + 5, n + 10, &answer);
+    return answer;
+  });
+}
+void orientation_batch(benchmark::State& state) {
+  run_batch(state, [](signed char* answers) {
+    return asterism_orientations(count, asked.column(0), asked.column(5), asked.column(10), answers,
+                                 nullptr);
+  });
+}
 void in_circle_cpp(benchmark::State& state) {
   const filtered_kernel kernel;
   run(state, [&](const double* n) {
@@ -117,6 +136,15 @@ void edge_test_c(benchmark::State& state) {
     return answer;
   });
 }
+void edge_test_counted(benchmark::State& state) {
+  asterism_tier_counts counts = {0, 0, 0};
+  run(state, [&counts](const double* n) {
+    const std::array<const double*, 4> sites = {n, n + 5, n + 10, n + 15};
+    int answer = 0;
+    (void)asterism_ask(ASTERISM_EDGE_TEST, sites.data(), &answer, &counts);
+    return answer;
+  });
+}
 void edge_test_batch(benchmark::State& state) {
   run_batch(state, [](signed char* answers) {
     return asterism_edge_tests(count, asked.column(0), asked.column(5), asked.column(10),
@@ -124,6 +152,9 @@ void edge_test_batch(benchmark::State& state) {
   });
 }
 
+BENCHMARK(orientation_cpp);
+BENCHMARK(orientation_c);
+BENCHMARK(orientation_batch);
 BENCHMARK(in_circle_cpp);
 BENCHMARK(in_circle_c);
 BENCHMARK(in_circle_batch);
@@ -132,6 +163,7 @@ BENCHMARK(compare_distance_c);
 BENCHMARK(compare_distance_batch);
 BENCHMARK(edge_test_cpp);
 BENCHMARK(edge_test_c);
+BENCHMARK(edge_test_counted);
 BENCHMARK(edge_test_batch);
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
+#include <tuple>
 
 #include "asterism/kernels/batch_question.hpp"
 #include "asterism/kernels/c_question.hpp"
@@ -14,31 +14,162 @@ namespace {
 using namespace asterism;
 using namespace asterism::internal;
 
-struct argument {
-  const double* first;
-  std::size_t count;
+// An argument of a question, by what it is: where its numbers are, how many, and its value.
+struct as_metric {
+  static constexpr std::size_t width = 3;
+  const double* numbers;
+  metric_tensor value() const { return {numbers[0], numbers[1], numbers[2]}; }
+};
+struct as_point {
+  static constexpr std::size_t width = 2;
+  const double* numbers;
+  point value() const { return {numbers[0], numbers[1]}; }
+};
+struct as_site {
+  static constexpr std::size_t width = 5;
+  const double* numbers;
+  site value() const { return {{numbers[0], numbers[1]}, {numbers[2], numbers[3], numbers[4]}}; }
 };
 
-asterism_status answer_question(predicate question, std::span<const argument> arguments,
-                                int* answer) noexcept {
-  if (answer == nullptr) return ASTERISM_NULL_POINTER;
+template <class Argument>
+bool is_all_finite(const Argument& a) {
+  bool finite = true;
+  for (std::size_t k = 0; k < Argument::width; ++k) finite &= is_finite(a.numbers[k]);
+  return finite;
+}
+
+// The metrics of a question's sites, and that of a circle, must be positive definite; another is
+// what is asked.
+template <predicate Question, class Argument>
+bool is_surely_sound(const Argument& a) {
+  if (!is_all_finite(a)) return false;
+  if constexpr (Argument::width == 5)
+    return is_surely_positive_definite(a.numbers + 2);
+  else if constexpr (Argument::width == 3 && Question == predicate::in_circle)
+    return is_surely_positive_definite(a.numbers);
+  else
+    return true;
+}
+
+// True if not both are sites, or if they are apart for certain.
+template <class First, class Second>
+bool is_surely_apart(const First& a, const Second& b) {
+  if constexpr (First::width == 5 && Second::width == 5)
+    return are_surely_apart(a.numbers, b.numbers);
+  else
+    return true;
+}
+
+template <class Last>
+bool are_sites_surely_apart(const Last&) {
+  return true;
+}
+template <class First, class... Rest>
+bool are_sites_surely_apart(const First& first, const Rest&... rest) {
+  return (is_surely_apart(first, rest) && ...) && are_sites_surely_apart(rest...);
+}
+
+// Asks the kernel's function that the question is named after.
+template <predicate Question, class... Values>
+auto ask_of_values(const filtered_kernel& kernel, const Values&... values) {
+  if constexpr (Question == predicate::orientation) return kernel.orientation(values...);
+  if constexpr (Question == predicate::is_positive_definite)
+    return kernel.is_positive_definite(values...);
+  if constexpr (Question == predicate::compare_distance) return kernel.compare_distance(values...);
+  if constexpr (Question == predicate::in_wedge) return kernel.in_wedge(values...);
+  if constexpr (Question == predicate::dominates) return kernel.dominates(values...);
+  if constexpr (Question == predicate::voronoi_vertex_count)
+    return kernel.voronoi_vertex_count(values...);
+  if constexpr (Question == predicate::arc_intersection_count)
+    return kernel.arc_intersection_count(values...);
+  if constexpr (Question == predicate::encroaches) return kernel.encroaches(values...);
+  if constexpr (Question == predicate::insertion_test) return kernel.insertion_test(values...);
+  if constexpr (Question == predicate::edge_test) return kernel.edge_test(values...);
+  if constexpr (Question == predicate::in_circle) return kernel.in_circle(values...);
+}
+
+// Finds what is wrong, in exact arithmetic where it must be.
+template <class... Arguments>
+[[gnu::noinline]] asterism_status check_slowly(predicate question, const Arguments&... arguments) {
   batch_record record{question, {}};
   std::size_t count = 0;
-  for (const argument& a : arguments) {
-    if (a.first == nullptr) return ASTERISM_NULL_POINTER;
-    for (std::size_t k = 0; k < a.count; ++k) record.numbers[count++] = a.first[k];
-  }
+  const auto append = [&](const auto& a) {
+    for (std::size_t k = 0; k < a.width; ++k) record.numbers[count++] = a.numbers[k];
+  };
+  (append(arguments), ...);
+  return check_record(filtered_kernel(), record);
+}
+
+// Checks and answers. The checks in doubles pass nearly everything that check_record passes.
+template <predicate Question, class... Arguments>
+asterism_status answer_question(int* answer, tier_counters* counters,
+                                const Arguments&... arguments) noexcept {
+  if (answer == nullptr || ((arguments.numbers == nullptr) || ...)) return ASTERISM_NULL_POINTER;
   return without_exceptions([&] {
-    const filtered_kernel kernel;
-    if (const asterism_status bad = check_record(kernel, record); bad != ASTERISM_OK) return bad;
-    *answer = ask(kernel, record).value();
+    if (!((is_surely_sound<Question>(arguments) && ...) && are_sites_surely_apart(arguments...)))
+      if (const asterism_status bad = check_slowly(Question, arguments...); bad != ASTERISM_OK)
+        return bad;
+    const filtered_kernel kernel =
+        counters == nullptr ? filtered_kernel() : filtered_kernel(*counters);
+    *answer = as_integer(ask_of_values<Question>(kernel, arguments.value()...)).value();
     return ASTERISM_OK;
   });
 }
 
-argument as_metric(const double* m) { return {m, 3}; }
-argument as_point(const double* p) { return {p, 2}; }
-argument as_site(const double* s) { return {s, 5}; }
+// Answers with the arguments one pointer each, in their order.
+template <predicate Question, class... Arguments>
+asterism_status answer_pointers(const double* const* from, int* answer, tier_counters* counters) {
+  std::size_t next = 0;
+  const std::tuple<Arguments...> arguments{Arguments{from[next++]}...};
+  return std::apply(
+      [&](const Arguments&... each) {
+        return answer_question<Question>(answer, counters, each...);
+      },
+      arguments);
+}
+
+static_assert(static_cast<std::size_t>(predicate::in_circle) == ASTERISM_IN_CIRCLE &&
+              predicate_count == ASTERISM_IN_CIRCLE + 1);
+
+asterism_status answer_named(asterism_predicate question, const double* const* arguments,
+                             int* answer, tier_counters* counters) {
+  switch (question) {
+    case ASTERISM_ORIENTATION:
+      return answer_pointers<predicate::orientation, as_point, as_point, as_point>(
+          arguments, answer, counters);
+    case ASTERISM_IS_SPD:
+      return answer_pointers<predicate::is_positive_definite, as_metric>(arguments, answer,
+                                                                         counters);
+    case ASTERISM_COMPARE_DISTANCE:
+      return answer_pointers<predicate::compare_distance, as_site, as_site, as_point>(
+          arguments, answer, counters);
+    case ASTERISM_IN_WEDGE:
+      return answer_pointers<predicate::in_wedge, as_site, as_site, as_point>(arguments, answer,
+                                                                              counters);
+    case ASTERISM_DOMINATES:
+      return answer_pointers<predicate::dominates, as_site, as_site, as_point>(arguments, answer,
+                                                                               counters);
+    case ASTERISM_VORONOI_VERTEX_COUNT:
+      return answer_pointers<predicate::voronoi_vertex_count, as_site, as_site, as_site>(
+          arguments, answer, counters);
+    case ASTERISM_ARC_INTERSECTION_COUNT:
+      return answer_pointers<predicate::arc_intersection_count, as_site, as_site, as_site>(
+          arguments, answer, counters);
+    case ASTERISM_ENCROACHES:
+      return answer_pointers<predicate::encroaches, as_site, as_site, as_site>(arguments, answer,
+                                                                               counters);
+    case ASTERISM_INSERTION_TEST:
+      return answer_pointers<predicate::insertion_test, as_site, as_site, as_site, as_site>(
+          arguments, answer, counters);
+    case ASTERISM_EDGE_TEST:
+      return answer_pointers<predicate::edge_test, as_site, as_site, as_site, as_site>(
+          arguments, answer, counters);
+    case ASTERISM_IN_CIRCLE:
+      return answer_pointers<predicate::in_circle, as_metric, as_point, as_point, as_point,
+                             as_point>(arguments, answer, counters);
+  }
+  return ASTERISM_OUT_OF_RANGE;
+}
 
 }  // namespace
 
@@ -71,71 +202,85 @@ const char* asterism_version_text(void) { return ASTERISM_VERSION_TEXT; }
 
 asterism_status asterism_orientation(const double p[2], const double q[2], const double r[2],
                                      int* answer) {
-  return answer_question(predicate::orientation, std::array{as_point(p), as_point(q), as_point(r)},
-                         answer);
+  return answer_question<predicate::orientation>(answer, nullptr, as_point{p}, as_point{q},
+                                                 as_point{r});
 }
 
 asterism_status asterism_is_spd(const double metric[3], int* answer) {
-  return answer_question(predicate::is_positive_definite, std::array{as_metric(metric)}, answer);
+  return answer_question<predicate::is_positive_definite>(answer, nullptr, as_metric{metric});
 }
 
 asterism_status asterism_in_circle(const double metric[3], const double a[2], const double b[2],
                                    const double c[2], const double p[2], int* answer) {
-  return answer_question(
-      predicate::in_circle,
-      std::array{as_metric(metric), as_point(a), as_point(b), as_point(c), as_point(p)}, answer);
+  return answer_question<predicate::in_circle>(answer, nullptr, as_metric{metric}, as_point{a},
+                                               as_point{b}, as_point{c}, as_point{p});
 }
 
 asterism_status asterism_in_circle_plane(const double a[2], const double b[2], const double c[2],
                                          const double p[2], int* answer) {
-  const std::array<double, 3> plane = {1, 0, 1};
+  constexpr std::array<double, 3> plane = {1, 0, 1};
   return asterism_in_circle(plane.data(), a, b, c, p, answer);
 }
 
 asterism_status asterism_compare_distance(const double v[5], const double w[5], const double q[2],
                                           int* answer) {
-  return answer_question(predicate::compare_distance,
-                         std::array{as_site(v), as_site(w), as_point(q)}, answer);
+  return answer_question<predicate::compare_distance>(answer, nullptr, as_site{v}, as_site{w},
+                                                      as_point{q});
 }
 
 asterism_status asterism_in_wedge(const double v[5], const double w[5], const double q[2],
                                   int* answer) {
-  return answer_question(predicate::in_wedge, std::array{as_site(v), as_site(w), as_point(q)},
-                         answer);
+  return answer_question<predicate::in_wedge>(answer, nullptr, as_site{v}, as_site{w}, as_point{q});
 }
 
 asterism_status asterism_dominates(const double v[5], const double w[5], const double p[2],
                                    int* answer) {
-  return answer_question(predicate::dominates, std::array{as_site(v), as_site(w), as_point(p)},
-                         answer);
+  return answer_question<predicate::dominates>(answer, nullptr, as_site{v}, as_site{w},
+                                               as_point{p});
 }
 
 asterism_status asterism_voronoi_vertex_count(const double u[5], const double v[5],
                                               const double w[5], int* answer) {
-  return answer_question(predicate::voronoi_vertex_count,
-                         std::array{as_site(u), as_site(v), as_site(w)}, answer);
+  return answer_question<predicate::voronoi_vertex_count>(answer, nullptr, as_site{u}, as_site{v},
+                                                          as_site{w});
 }
 
 asterism_status asterism_arc_intersection_count(const double v[5], const double w[5],
                                                 const double x[5], int* answer) {
-  return answer_question(predicate::arc_intersection_count,
-                         std::array{as_site(v), as_site(w), as_site(x)}, answer);
+  return answer_question<predicate::arc_intersection_count>(answer, nullptr, as_site{v}, as_site{w},
+                                                            as_site{x});
 }
 
 asterism_status asterism_encroaches(const double a[5], const double b[5], const double w[5],
                                     int* answer) {
-  return answer_question(predicate::encroaches, std::array{as_site(a), as_site(b), as_site(w)},
-                         answer);
+  return answer_question<predicate::encroaches>(answer, nullptr, as_site{a}, as_site{b},
+                                                as_site{w});
 }
 
 asterism_status asterism_insertion_test(const double v[5], const double w[5], const double x[5],
                                         const double y[5], int* answer) {
-  return answer_question(predicate::insertion_test,
-                         std::array{as_site(v), as_site(w), as_site(x), as_site(y)}, answer);
+  return answer_question<predicate::insertion_test>(answer, nullptr, as_site{v}, as_site{w},
+                                                    as_site{x}, as_site{y});
 }
 
 asterism_status asterism_edge_test(const double v[5], const double w[5], const double x[5],
                                    const double y[5], int* answer) {
-  return answer_question(predicate::edge_test,
-                         std::array{as_site(v), as_site(w), as_site(x), as_site(y)}, answer);
+  return answer_question<predicate::edge_test>(answer, nullptr, as_site{v}, as_site{w}, as_site{x},
+                                               as_site{y});
+}
+
+asterism_status asterism_ask(asterism_predicate question, const double* const* arguments,
+                             int* answer, asterism_tier_counts* counts) {
+  if (arguments == nullptr) return ASTERISM_NULL_POINTER;
+  if (counts == nullptr) return answer_named(question, arguments, answer, nullptr);
+  tier_counters counted;
+  const asterism_status status = answer_named(question, arguments, answer, &counted);
+  if (status != ASTERISM_OK) return status;
+  const auto decided_by = [&](tier by) {
+    return static_cast<size_t>(counted.at(static_cast<predicate>(question), by));
+  };
+  counts->by_semi_static += decided_by(tier::semi_static);
+  counts->by_interval += decided_by(tier::interval);
+  counts->by_exact += decided_by(tier::exact);
+  return status;
 }

@@ -15,11 +15,16 @@
  * State: none. Every function may be called from any thread at any time.
  * Language: C89. Version: core/version.h; asterism_version() is that of the library linked.
  *
- * One function a predicate answers one question; kernels/c_batch.h answers many in a call, and
- * counts which tier decided. The mesher's functions are those of mesh/c_interface/.
+ * One function a predicate answers one question; asterism_ask() answers any, and counts which tier
+ * decided; kernels/c_batch.h answers many in a call. The mesher's functions are those of
+ * mesh/c_interface/.
+ * Cost: checks and border take some nanoseconds a call beside what the kernel takes
+ * (docs/results/interfaces.md).
  */
 #ifndef ASTERISM_KERNELS_C_API_H
 #define ASTERISM_KERNELS_C_API_H
+
+#include <stddef.h>
 
 #include "asterism/core/export.h"
 #include "asterism/core/version.h"
@@ -113,6 +118,35 @@ ASTERISM_EXPORT asterism_status asterism_insertion_test(const double v[5], const
 ASTERISM_EXPORT asterism_status asterism_edge_test(const double v[5], const double w[5],
                                                    const double x[5], const double y[5],
                                                    int* answer);
+
+/* The predicates by number, for asterism_ask. Their arguments are those of the functions above, in
+ * the same order. */
+typedef enum asterism_predicate { /* NOLINT(modernize-use-using): C */
+                                  ASTERISM_ORIENTATION = 0,
+                                  ASTERISM_IS_SPD = 1,
+                                  ASTERISM_COMPARE_DISTANCE = 2,
+                                  ASTERISM_IN_WEDGE = 3,
+                                  ASTERISM_DOMINATES = 4,
+                                  ASTERISM_VORONOI_VERTEX_COUNT = 5,
+                                  ASTERISM_ARC_INTERSECTION_COUNT = 6,
+                                  ASTERISM_ENCROACHES = 7,
+                                  ASTERISM_INSERTION_TEST = 8,
+                                  ASTERISM_EDGE_TEST = 9,
+                                  ASTERISM_IN_CIRCLE = 10
+} asterism_predicate;
+
+/* How many questions each tier decided (docs/math/tiers.md): the semi-static one is the fast path,
+ * doubles with an error bound. Set it to zeros; every answer adds one. */
+typedef struct asterism_tier_counts { /* NOLINT(modernize-use-using): C */
+  size_t by_semi_static, by_interval, by_exact;
+} asterism_tier_counts;
+
+/* Answers any of the predicates above: arguments[i] points to the numbers of its argument i, before
+ * the answer. `counts` may be null; it is the caller's, one a thread. A question that gets no
+ * answer is not counted, nor are the checks. ASTERISM_OUT_OF_RANGE: there is no such predicate. */
+ASTERISM_EXPORT asterism_status asterism_ask(asterism_predicate question,
+                                             const double* const* arguments, int* answer,
+                                             asterism_tier_counts* counts);
 
 #ifdef __cplusplus
 }

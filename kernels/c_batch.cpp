@@ -67,28 +67,19 @@ bool all_finite(const asterism_rows& rows, std::size_t count) {
   return finite;
 }
 
-// True if the metrics, at `offset` in each row, are positive definite for certain. With u = 2^-53
-// the products are off by a factor 1 + 2u at most, upward or downward, and m12^2 by 2^-1020 where
-// it is that small; so more than 1 + 8u times m12^2, and more than 2^-900, is more than m12^2.
+// True if the metrics, at `offset` in each row, are positive definite for certain.
 bool all_positive_definite(const asterism_rows& rows, std::size_t offset, std::size_t count) {
-  constexpr double more = 1 + 0x1p-50, least = 0x1p-900;
   bool positive = true;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double* const m = rows.first + k * rows.stride + offset;
-    const double product = m[0] * m[2], square = m[1] * m[1];
-    positive &= (m[0] > 0) & (product > square * more) & (product > least);
-  }
+  for (std::size_t k = 0; k < count; ++k)
+    positive &= is_surely_positive_definite(rows.first + k * rows.stride + offset);
   return positive;
 }
 
 // True if the points at the start of the rows differ, row by row.
 bool all_apart(const asterism_rows& a, const asterism_rows& b, std::size_t count) {
   bool apart = true;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double* const p = a.first + k * a.stride;
-    const double* const q = b.first + k * b.stride;
-    apart &= (p[0] != q[0]) | (p[1] != q[1]);
-  }
+  for (std::size_t k = 0; k < count; ++k)
+    apart &= are_surely_apart(a.first + k * a.stride, b.first + k * b.stride);
   return apart;
 }
 

@@ -12,6 +12,7 @@
 
 #include "asterism/kernels/c_question.hpp"
 #include "asterism/mesh/c_interface/arrays.hpp"
+#include "asterism/mesh/c_interface/message_buffer.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
@@ -32,29 +33,6 @@ struct asterism_mesh {
 };
 
 namespace {
-
-// Buffer of the caller that a message is written to; without room nothing is written.
-class message_buffer {
- public:
-  message_buffer(char* text, size_t capacity)
-      : text_(capacity > 0 ? text : nullptr), capacity_(capacity) {
-    write("");
-  }
-  void write(const std::string& sentence) const {
-    if (text_ == nullptr) return;
-    const std::size_t length = std::min(sentence.size(), capacity_ - 1);
-    std::copy_n(sentence.data(), length, text_);
-    text_[length] = '\0';
-  }
-  asterism_status refuse(const error& failure) const {
-    write(failure.message);
-    return ASTERISM_REFUSED;
-  }
-
- private:
-  char* text_;
-  size_t capacity_;
-};
 
 result<mesh_options> options_of(const asterism_mesh_options& given) {
   mesh_options options;

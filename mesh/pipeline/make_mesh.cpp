@@ -49,7 +49,7 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
     delivered = delivery.make(0);
     if (delivered && !excess_of(*delivered, options)) return *std::move(delivered);
   }
-  // Where the metric varies too fast for a mesh to be likely, little is spent on finding that out.
+  // Little is spent on finding out that a mesh is not likely, the metric varying too fast.
   constexpr double little = 0.1;
   const bool is_strict = options.metric_tolerance == 0.0;
   const double work_share = !is_strict && is_second && delivery.varies_fast() ? little : 1;

@@ -9,6 +9,7 @@
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/stars/split_place.hpp"
 #include "asterism/mesh/stars/visibility.hpp"
 
 namespace asterism::internal {
@@ -59,41 +60,6 @@ bool surely_does_not_encroach(const site& a, const site& b, const site& w) {
   constexpr double near_underflow = 0x1p-900;
   if (!(r * r > near_underflow)) return false;
   return inner_product(w.metric, u, u) - 0x1p-44 * magnitude > (1 + 0x1p-47) * r * r;
-}
-
-bool in_closed_triangle(const star_predicates& kernel, const point& a, const point& b,
-                        const point& c, const point& q) {
-  return kernel.orientation(a, b, q) != sign::negative &&
-         kernel.orientation(b, c, q) != sign::negative &&
-         kernel.orientation(c, a, q) != sign::negative;
-}
-
-bool in_box(const point& a, const point& b, const point& q) {
-  return std::min(a.x, b.x) <= q.x && q.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= q.y &&
-         q.y <= std::max(a.y, b.y);
-}
-
-// True if replacing a b by a m, m b leaves every other site and subsegment where it was: on the
-// same side of the boundary, uncrossed and untouched. Only the sliver a, m, b changes sides. Where
-// segments meet in a sharp corner, or a few ulps apart, m may be rounded onto another one.
-bool sliver_is_empty(const star_predicates& kernel, const std::vector<site>& sites,
-                     const boundary& edges, const neighbourhood& near,
-                     const boundary_edge& subsegment, const point& m) {
-  const point &a = sites[subsegment.a].position, &b = sites[subsegment.b].position;
-  const sign turn = kernel.orientation(a, b, m);
-  if (turn == sign::zero) return true;  // on the segment, which is already part of the boundary
-  const bool left = turn == sign::positive;
-  const bounding_box box = box_of(a, b);  // m is in it
-  const bool no_site = near.sites().visit_box(sites, box.low, box.high, [&](vertex_index w) {
-    return w == subsegment.a || w == subsegment.b ||
-           !in_closed_triangle(kernel, a, left ? b : m, left ? m : b, sites[w].position);
-  });
-  return no_site && near.subsegments().visit(box, [&](std::uint32_t i) {
-    const boundary_edge& p = edges.subsegments()[i];
-    const point &r = sites[p.a].position, &s = sites[p.b].position;
-    return !on_open_segment(kernel, r, s, m) && !properly_cross(kernel, a, m, r, s) &&
-           !properly_cross(kernel, m, b, r, s);
-  });
 }
 
 }  // namespace
@@ -253,14 +219,12 @@ point split_boundary::split_point(const boundary_edge& subsegment) const {
 bool split_boundary::can_split_at(const boundary_edge& subsegment, const site& m,
                                   double shortest) const {
   const site &a = sites()[subsegment.a], &b = sites()[subsegment.b];
-  if (!in_box(a.position, b.position, m.position)) return false;
-  if (m.position == a.position || m.position == b.position) return false;
   for (const site* end : {&a, &b}) {
     const double least =
         std::min(squared_distance(*end, m.position), squared_distance(m, end->position));
     if (!(least > shortest * shortest)) return false;
   }
-  return sliver_is_empty(*kernel_, sites(), edges_, near(), subsegment, m.position);
+  return leaves_others_in_place(*kernel_, sites(), edges_, near(), subsegment, m.position);
 }
 
 // Adds the new site between the two updates of the index, which has to know before and after.

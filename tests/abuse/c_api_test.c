@@ -215,10 +215,52 @@ static void test_refused_batches(void) {
   expect(asterism_edge_tests(0, none, none, none, none, NULL, NULL) == ASTERISM_OK, "no rows");
 }
 
+/* Any predicate by number, with the tier that decided it. */
+static void test_asking_by_number(void) {
+  const double origin[2] = {0, 0}, right[2] = {1, 0}, up[2] = {0, 1}, corner[2] = {1, 1};
+  const double near_corner[2] = {1, 1 + 2.220446049250313e-16}, metric[3] = {2, 1, 1};
+  const double indefinite[5] = {0, 5, 1, 2, 1};
+  const double *turn[3], *circle[5], *edge[4], *one[1];
+  asterism_tier_counts counts = {0, 0, 0};
+  int answer = 99, alone = 99, k;
+  turn[0] = origin, turn[1] = right, turn[2] = up;
+  expect_answer(asterism_ask(ASTERISM_ORIENTATION, turn, &answer, &counts), &answer, 1, "turn");
+  expect(counts.by_semi_static == 1 && counts.by_interval == 0 && counts.by_exact == 0,
+         "a clear turn is decided by the fast path");
+  turn[1] = corner, turn[2] = near_corner;
+  expect_answer(asterism_ask(ASTERISM_ORIENTATION, turn, &answer, &counts), &answer, 1, "near");
+  expect(counts.by_semi_static + counts.by_interval + counts.by_exact == 2, "each counts once");
+  one[0] = metric;
+  expect_answer(asterism_ask(ASTERISM_IS_SPD, one, &answer, NULL), &answer, 1, "uncounted");
+  circle[0] = metric, circle[1] = origin, circle[2] = right, circle[3] = up, circle[4] = corner;
+  expect(asterism_in_circle(metric, origin, right, up, corner, &alone) == ASTERISM_OK, "alone");
+  expect_answer(asterism_ask(ASTERISM_IN_CIRCLE, circle, &answer, &counts), &answer, alone,
+                "in_circle");
+  edge[0] = b, edge[1] = d, edge[2] = c, edge[3] = a;
+  for (k = ASTERISM_VORONOI_VERTEX_COUNT; k <= ASTERISM_EDGE_TEST; ++k)
+    expect(asterism_ask((asterism_predicate)k, edge, &answer, &counts) == ASTERISM_OK, "of sites");
+  expect_answer(asterism_ask(ASTERISM_EDGE_TEST, edge, &answer, &counts), &answer, 1, "edge_test");
+  expect(counts.by_semi_static + counts.by_interval + counts.by_exact == 9, "each counts once");
+  answer = 99;
+  edge[1] = indefinite;
+  expect_refused(asterism_ask(ASTERISM_EDGE_TEST, edge, &answer, &counts),
+                 ASTERISM_NOT_POSITIVE_DEFINITE, &answer, "indefinite");
+  edge[1] = NULL;
+  expect_refused(asterism_ask(ASTERISM_EDGE_TEST, edge, &answer, &counts), ASTERISM_NULL_POINTER,
+                 &answer, "null argument");
+  expect_refused(asterism_ask(ASTERISM_EDGE_TEST, NULL, &answer, &counts), ASTERISM_NULL_POINTER,
+                 &answer, "null arguments");
+  expect_refused(asterism_ask((asterism_predicate)11, turn, &answer, &counts),
+                 ASTERISM_OUT_OF_RANGE, &answer, "no such predicate");
+  expect(counts.by_semi_static + counts.by_interval + counts.by_exact == 9,
+         "what is refused is not counted");
+}
+
 int main(void) {
   int status;
   test_answers();
   test_refusals();
+  test_asking_by_number();
   fill_table();
   test_batches();
   test_refused_batches();
