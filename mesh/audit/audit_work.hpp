@@ -15,8 +15,9 @@
 
 namespace asterism::internal::audit_detail {
 
-// Returns the units of kernels/work_units.hpp that an audit of so many sites may take: five seconds,
-// and a millisecond a site, of which an audit of a mesh that is certified takes a hundredth.
+// Returns the units of kernels/work_units.hpp that an audit of so many sites may take: five
+// seconds, and a millisecond a site, of which an audit of a mesh that is certified takes a
+// hundredth.
 inline double most_audit_units(std::size_t sites) {
   constexpr double at_least = 5e5, for_each = 100, first_ones = 5000, for_more = 20;
   const auto n = static_cast<double>(sites);
@@ -35,8 +36,7 @@ inline double audit_units(const audit_report& counted, double looked_units) {
 
 // Returns the units of work that are left for an audit; may be negative.
 inline double units_left(const audit_context& context) {
-  return most_audit_units(context.report.sites) -
-         audit_units(context.report, context.looked_units);
+  return most_audit_units(context.report.sites) - audit_units(context.report, context.looked_units);
 }
 
 // Says when a part of a check is to end early. For one thread.

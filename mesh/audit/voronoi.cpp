@@ -246,7 +246,8 @@ void check_voronoi(audit_context& context) {
   };
   ended = ended && check_in_parts(context, order.size(), check_cells, never);
   if (!ended)
-    context.found(finding_kind::stopped, unfinished_text(context, "the arcs of the Voronoi diagram"));
+    context.found(finding_kind::stopped,
+                  unfinished_text(context, "the arcs of the Voronoi diagram"));
   bool refused = false;
   for (const finding_kind kind :
        {finding_kind::voronoi_vertex_missing, finding_kind::voronoi_arc_reversed,

@@ -33,7 +33,8 @@ class work_meter {
   // that is made anew, and 30 nanoseconds for a candidate.
   double units() const {
     constexpr double a_star = 0.2, a_candidate = 0.003;
-    return a_star * static_cast<double>(disturbed_) + a_candidate * static_cast<double>(candidates_);
+    return a_star * static_cast<double>(disturbed_) +
+           a_candidate * static_cast<double>(candidates_);
   }
 
  private:

@@ -172,8 +172,8 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
   constexpr std::size_t chunk = 64;
   const bool few = in_all <= chunk;
   const double done = work_units(oracle.kernel().counters());
-  const double part = (most_units(oracle) - done) /
-                      static_cast<double>(chunk_count(which.size(), chunk));
+  const double part =
+      (most_units(oracle) - done) / static_cast<double>(chunk_count(which.size(), chunk));
   std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
   std::vector<made_star> all = collect_chunks<made_star>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
@@ -185,8 +185,8 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
         for (std::size_t i = begin; i < end; ++i) {
           constexpr std::size_t at_a_time = 8;
           const bool cancelled = i % at_a_time == 0 && cancelled_.is_requested();
-          auto built = cancelled || own.is_over() ? std::nullopt
-                                                  : remake(own, which[i], search, latest);
+          auto built =
+              cancelled || own.is_over() ? std::nullopt : remake(own, which[i], search, latest);
           if (cancelled || own.is_over()) {
             for (; i < end; ++i) out.push_back({which[i], std::nullopt});
             break;

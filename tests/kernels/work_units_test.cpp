@@ -16,7 +16,6 @@
 using namespace asterism;
 using namespace asterism::internal;
 
-
 namespace {
 
 metric_tensor random_tensor(splitmix64& random, double condition) {
