@@ -46,4 +46,11 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint64_t low
   return app.add_option_function<std::string>(name, read, description);
 }
 
+void add_judging_flags(CLI::App& app, bool& all_findings, bool& all_edges) {
+  app.add_flag("--all-findings", all_findings,
+               "List every finding, not the first ten of each kind");
+  app.add_flag("--all-edges", all_edges,
+               "Every edge the mesh lists is a segment of its domain, marked or not");
+}
+
 }  // namespace asterism::apps

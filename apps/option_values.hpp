@@ -34,4 +34,7 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint64_t low
                        std::uint64_t high, const std::function<void(std::uint64_t)>& assign,
                        const std::string& description);
 
+// Adds the flags of every command that judges a mesh.
+void add_judging_flags(CLI::App& app, bool& all_findings, bool& all_edges);
+
 }  // namespace asterism::apps

@@ -235,10 +235,7 @@ void add_verify_command(CLI::App& program, command& chosen) {
       *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
       "Checking ends after this time, with status 1 if it was not done")
       ->type_name("S");
-  app->add_flag("--all-findings", options->all_findings,
-                "List every finding, not the first ten of each kind");
-  app->add_flag("--all-edges", options->all_edges,
-                "Every edge the mesh lists is a segment of its domain, marked or not");
+  add_judging_flags(*app, options->all_findings, options->all_edges);
   app->footer(examples);
   app->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
 }

@@ -44,7 +44,8 @@ struct point_question {
 using edge_question = std::array<site, 4>;  // v, w, and the neighbours x (clockwise) and y of w
 using line_question = std::array<point, 3>;
 
-// Which border a point question is brought to: f_v = f_w inside the wedge, or the wedge's side.
+// Names the border that a point question is brought to: f_v = f_w inside the wedge, or the wedge's
+// side.
 enum class border { bisector, wedge };
 
 std::vector<point_question> point_questions(input_class which, border near, std::size_t count,

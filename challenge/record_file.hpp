@@ -39,7 +39,7 @@ record_source source_of(const input_class& made_by);
 // Errors: the file cannot be read; a record that is refused; an answer that is not the exact one.
 result<std::vector<record_source>> read_records(const std::string& path);
 
-// Which records of a source.
+// Chooses records of a source.
 struct record_choice {
   std::uint64_t seed = 1;
   std::size_t count = 100;  // of a class and question, where a class makes them

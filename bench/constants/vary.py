@@ -62,6 +62,8 @@ def measure(command, job, folder):
     measured, audit = certificate["measured"], certificate["audit"]
     text = (f"{certificate['mesh']['vertices']}, {audit['worst_angle']:.1f}, {measured['mean_quality']:.3f},"
             f" {questions / 1000:.0f}k")
+    if certificate["outcome"]["delivered"]:
+        text += f", {100 * certificate['outcome']['delivered']['beyond_tenth']:.0f} %"
     return text + (" *" if done.returncode else "")
 
 
@@ -97,8 +99,9 @@ def section(group, measured):
 def page(measured):
     intro = ("# Constants that experiments chose\n\nWritten by `scripts/vary-constants`, which changes one constant"
              " at a time, builds the command and runs the jobs. Bold is the value kept. In a cell: sites, worst angle"
-             " in degrees away from sharp corners, mean quality, and thousands of edge tests; a star where the run"
-             " did not end complete. `bench/constants/constants.py` lists constants, values and jobs.\n\n"
+             " in degrees away from sharp corners, mean quality, and thousands of edge tests; where another metric was"
+             " delivered, how many tensors differ by more than a tenth; a star where the run did not end complete."
+             " `bench/constants/constants.py` lists constants, values and jobs.\n\n"
              "A value is kept where none of the others is better in sites, angle and quality on all of its jobs. Where"
              " rows are nearly equal the constant matters little: it is there to bound the work, and any of the values"
              " would do.\n")

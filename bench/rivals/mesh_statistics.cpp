@@ -110,7 +110,7 @@ nlohmann::json edges_of(const mesh& m) {
           {"longest", lengths.back()}};
 }
 
-// Which vertices are corners of the square that no mesh can give the angle bound: the angle
+// Marks the corners of the square that no mesh can give the angle bound: the angle
 // between the sides, as the corner measures it, is below it.
 std::vector<bool> forcing_corners(const mesh& m, const domain& square) {
   std::vector<bool> forcing(m.sites.size());

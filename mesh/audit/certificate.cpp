@@ -79,7 +79,7 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.voronoi = report.voronoi;
   for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
     if (report.found[kind] != 0) c.found.emplace(finding_kind_names[kind], report.found[kind]);
-  // As many as an audit keeps, however many this one did.
+  // Keeps as many as an audit does, however many this one kept.
   std::array<std::size_t, finding_kind_count> kept{};
   for (const audit_finding& f : report.findings) {
     const auto kind = static_cast<std::size_t>(f.kind);

@@ -28,7 +28,7 @@ struct narrow_wedge {
   vertex_index at = 0, first_end = 0, last_end = 0;
 };
 
-// That a vertex other than the corner is on a segment of a wedge.
+// Says that a vertex other than the corner is on a segment of a wedge.
 struct wedge_point {
   vertex_index vertex = 0;
   std::size_t wedge = 0;

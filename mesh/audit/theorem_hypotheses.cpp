@@ -51,6 +51,23 @@ double covering_radius(const mesh& m) {
   return radius;
 }
 
+// Returns how far sites may be from each other, as disks of that radius around them meet, to matter
+// to what is measured: the covering radius, or, where all metrics are one, half the shortest edge.
+// Pairs farther apart than that edge are measured in vain there: their metrics do not differ. Where
+// sites are spread unevenly, as random ones are, that spares nearly all pairs.
+double radius_that_matters(const mesh& m, double covering_radius) {
+  const metric_tensor& one = m.sites.front().metric;
+  const bool is_one = std::all_of(m.sites.begin(), m.sites.end(),
+                                  [&](const site& s) { return identical(s.metric, one); });
+  if (!is_one) return covering_radius;
+  double shortest = infinity;
+  for (const triangle& t : m.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      shortest =
+          std::min(shortest, theorem::distance_above(m.sites[t[i]], m.sites[t[(i + 1) % 3]]));
+  return std::min(covering_radius, 0.5 * shortest);
+}
+
 // Measures the pairs of v with sites of greater number.
 void measure_near_pairs(const mesh& m, const site_tree& tree, vertex_index v, double radius,
                         measured_part& part) {
@@ -143,8 +160,9 @@ theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_
       });
   h.longest_subsegment = subsegments.longest_subsegment;
   const std::vector<vertex_index>& order = tree.order();
+  const double radius = radius_that_matters(subject, h.covering_radius);
   const measured_part near = measure_all(order.size(), [&](std::size_t i, measured_part& part) {
-    measure_near_pairs(subject, tree, order[i], h.covering_radius, part);
+    measure_near_pairs(subject, tree, order[i], radius, part);
   });
   h.spacing = near.spacing;
   h.distortion = near.distortion;

@@ -22,8 +22,8 @@ struct delivered_report {
   double complexity_wanted = 0, complexity_delivered = 0;
   // Edges were made this many times as long as one, so that the number of sites came out as wanted.
   double length_factor = 1;
-  // As the metric wanted measures them, away from corners that are sharp in it: the least angle,
-  // and the triangles below the bound, ascending.
+  // Least angle and triangles below the bound, ascending, as the metric wanted measures them, away
+  // from corners that are sharp in it.
   double worst_angle_wanted = 180;
   std::vector<vertex_index> low_wanted;
 };

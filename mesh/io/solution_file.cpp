@@ -178,6 +178,18 @@ std::string names_of(const solution& s) {
   return all;
 }
 
+// Appends a line of all fields' components for each vertex.
+void append_values(std::string& contents, const solution& s) {
+  append_lines(contents, s.vertices, [&](std::size_t v, std::string& line) {
+    for (const solution_field& f : s.fields)
+      for (std::size_t i = 0; i < components_of(f.kind); ++i) {
+        append_number(line, f.values[v * components_of(f.kind) + i]);
+        line += ' ';
+      }
+    line.back() = '\n';
+  });
+}
+
 }  // namespace
 
 result<solution> read_solution(const std::filesystem::path& path, const mesh& m) {
@@ -236,14 +248,7 @@ std::string medit_fields_text(const solution& s) {
                   s.fields.size());
   for (const solution_field& f : s.fields) contents += fmt::format(" {}", components_of(f.kind));
   contents += '\n';
-  append_lines(contents, s.vertices, [&](std::size_t v, std::string& line) {
-    for (const solution_field& f : s.fields)
-      for (std::size_t i = 0; i < components_of(f.kind); ++i) {
-        append_number(line, f.values[v * components_of(f.kind) + i]);
-        line += ' ';
-      }
-    line.back() = '\n';
-  });
+  append_values(contents, s);
   return contents + "\nEnd\n";
 }
 
@@ -251,14 +256,7 @@ std::string bamg_fields_text(const solution& s) {
   std::size_t scalars = 0;
   for (const solution_field& f : s.fields) scalars += components_of(f.kind);
   std::string contents = fmt::format("2 {} {} 2\n", scalars, s.vertices);
-  append_lines(contents, s.vertices, [&](std::size_t v, std::string& line) {
-    for (const solution_field& f : s.fields)
-      for (std::size_t i = 0; i < components_of(f.kind); ++i) {
-        append_number(line, f.values[v * components_of(f.kind) + i]);
-        line += ' ';
-      }
-    line.back() = '\n';
-  });
+  append_values(contents, s);
   return contents;
 }
 

@@ -13,16 +13,17 @@
 
 namespace asterism {
 using namespace internal;
+namespace {
 
-result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
-                               const mesh_options& options, const progress_listener& progress) {
+result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
+                                  const mesh_options& options, const progress_listener& progress) {
   if (auto refused = check_options(d, options)) return *refused;
   metric_delivery delivery(d, field, options);
   const bool is_first = may_adapt(options) && delivery.is_first_choice();
   const bool is_second = may_adapt(options) && !is_first;
   if (is_first)
     if (auto made = delivery.make(0)) return *std::move(made);
-  // Where the metric varies too fast for a mesh to be likely, little is spent on finding that out.
+  // Little is spent on finding out that a mesh is not likely, the metric varying too fast.
   constexpr double little = 0.1;
   const double work_share = is_second && delivery.varies_fast() ? little : 1;
   tier_counters decided;
@@ -42,6 +43,26 @@ result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
   if (!outcome) return outcome;
   outcome.value().counters = decided;
   assign_regions(outcome.value().result, d);
+  return outcome;
+}
+
+// Says of a mesh whose improvement was cut short by a limit or an interrupt that it was. It would
+// pass for the mesh of the whole run otherwise, which is another one.
+void note_stop(const cancellation& stop, mesh_outcome& made) {
+  if (!made.complete) return;
+  const auto why = stop.poll();
+  if (!why) return;
+  made.complete = false;
+  made.ended.how = ending::stopped;
+  made.ended.stopped_because = *why + ", while a mesh without faults was being improved";
+}
+
+}  // namespace
+
+result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
+                               const mesh_options& options, const progress_listener& progress) {
+  auto outcome = make_or_stop(d, field, options, progress);
+  if (outcome) note_stop(options.stop, outcome.value());
   return outcome;
 }
 

@@ -32,7 +32,7 @@ std::optional<point> off_centre(const triangle_sites& s, double degrees) {
                         (p.metric.m22 + q.metric.m22) / 2};
   const point d{q.position.x - p.position.x, q.position.y - p.position.y};
   const double root = std::sqrt(m.m11 * m.m22 - m.m12 * m.m12);
-  // As long as d and orthogonal to it as m measures, to its left.
+  // Orthogonal to d as m measures, as long, and to its left.
   const point across{-(m.m12 * d.x + m.m22 * d.y) / root, (m.m11 * d.x + m.m12 * d.y) / root};
   const double height = 0.5 / elementary::tan(degrees / 2 * std::numbers::pi / 180);
   if (!(height * std::sqrt(inner_product(m, d, d)) < metric_circumradius(s))) return std::nullopt;

@@ -98,7 +98,8 @@ class random_configurations {
   std::mt19937_64 draw_{7};
 };
 
-// As a sees it, a at (-1, 0) from the common point: what the proof ranges over.
+// Returns the configuration as a sees it, a at (-1, 0) from the common point: the proof ranges
+// over these.
 std::array<vector, 2> as_first_sees(const configuration& c) {
   const metric_tensor& m = c.metric[0];
   const double a = std::sqrt(m.m11), b = m.m12 / a, d = std::sqrt(m.m22 - b * b);

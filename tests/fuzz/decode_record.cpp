@@ -193,7 +193,7 @@ std::optional<batch_record> decode_record(std::span<const std::uint8_t> bytes) {
   batch_record record{static_cast<predicate>(first >= of_in_circle ? others : first % others), {}};
   decoder numbers(source, record);
   const record_shape shape = shape_of(record.question);
-  // As coordinates: metrics that are nearly positive definite are wanted too.
+  // Reads them as it does coordinates: metrics that are nearly positive definite are wanted too.
   for (std::size_t k = 0; k < 3 * shape.metrics; ++k) numbers.add_coordinate();
   for (std::size_t k = 0; k < shape.sites; ++k) {
     numbers.add_coordinate();

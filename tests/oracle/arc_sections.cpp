@@ -28,7 +28,7 @@ exact_site sheared(const exact_site& s, const rational& slope) {
   return t;
 }
 
-// As a polynomial in Y whose coefficients are polynomials in X.
+// Returns it as a polynomial in Y whose coefficients are polynomials in X.
 std::array<univariate, 3> by_powers_of_y(const conic& g) {
   return {univariate{g.constant, g.x, g.xx}, univariate{g.y, g.xy}, univariate{g.yy}};
 }

@@ -37,11 +37,11 @@ bool encroaches(const site& a, const site& b, const site& w);
 // conic Vor{v,w} is one section, and one point of each is tried against the definition.
 bool insertion_test(const site& v, const site& w, const site& x, const site& y);
 
-// As insertion_test, and where that says no and some point may be equidistant from all four sites,
-// with f_i + e_i for explicit tiny rationals e_i in the order of the tie rule. Empty where the
-// rule, which is first order in e, and the literal perturbation need not agree: such points may
-// form a line, or be points where a segment from a site or another bisector touches; or the numbers
-// have so many digits that the tiny ones may not be tiny enough.
+// Decides as insertion_test does, and where that says no and some point may be equidistant from all
+// four sites, with f_i + e_i for explicit tiny rationals e_i in the order of the tie rule. Empty
+// where the rule, which is first order in e, and the literal perturbation need not agree: such
+// points may form a line, or be points where a segment from a site or another bisector touches; or
+// the numbers have so many digits that the tiny ones may not be tiny enough.
 std::optional<bool> edge_test(const site& v, const site& w, const site& x, const site& y);
 
 }  // namespace asterism::oracle

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The camera, and what is drawn above the mesh: the chosen triangle, places, ellipses.
 
-// Where the page looks: the middle in the mesh's coordinates, and pixels of the page a unit.
+// Makes what the page looks at: the middle in the mesh's coordinates, and pixels of the page a unit.
 function makeCamera(mesh, holder) {
   const { box } = mesh;
   const clamp = (x, low, high) => Math.max(low, Math.min(high, x));

@@ -58,7 +58,7 @@ function metricRow(claim) {
   return ["Metric", claim.asked.metric, "the tensors at the vertices"];
 }
 
-// What was asked, what the certificate says of it, and what this page measures where it can.
+// Rows of what was asked, what the certificate says of it, and what this page measures itself.
 function askedRows(facts, claim, mesh) {
   const { asked, outcome, audit, measured } = claim, options = asked.options;
   const least = Math.min(...[audit.worst_angle, audit.worst_collateral_angle, audit.worst_exempt_angle].map((x) => x ?? 180));

@@ -45,8 +45,8 @@ inline mesh sample_mesh(vertex_index n) {
   return m;
 }
 
-// The same, its diagonal an internal segment marked 5, the triangles above it in region 2, those
-// below in region -7.
+// Makes the same mesh, its diagonal an internal segment marked 5, the triangles above it in region
+// 2, those below in region -7.
 inline mesh divided_mesh(vertex_index n) {
   mesh m = sample_mesh(n);
   for (std::size_t t = 0; t < m.triangles.size(); t += 2) {

@@ -1,35 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// Certificates as JSON. nlohmann's library reports by exceptions; none leaves this file.
+// Certificates from JSON. nlohmann's library reports by exceptions; none leaves this file.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
-#include "asterism/mesh/audit/certificate.hpp"
-#include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/certificate_json.hpp"
 #include "asterism/mesh/io/json_places.hpp"
 
 namespace asterism {
 using namespace internal;
 namespace {
 
-using json = nlohmann::ordered_json;  // keys in the order written: the text is deterministic
-
-constexpr std::string_view format_name = "asterism certificate 2";
-
-constexpr double no_angle_to_judge = 180;
-
-// Names in the order of relaxation_kind.
-constexpr std::array<std::string_view, 4> relaxation_kind_names = {"softened", "graded", "constant",
-                                                                   "without demands"};
+using json = certificate_json;
 
 // Thrown by the readers below, inside parse_certificate alone.
 struct malformed : std::runtime_error {
@@ -38,146 +26,7 @@ struct malformed : std::runtime_error {
   std::string name;  // of the field
 };
 
-std::vector<std::size_t> from_one(const std::vector<vertex_index>& numbers) {
-  std::vector<std::size_t> result;
-  result.reserve(numbers.size());
-  for (const vertex_index i : numbers) result.push_back(std::size_t{i} + 1);
-  return result;
-}
-
-json counters_json(const tier_counters& counters) {
-  json result = json::object();
-  for (std::size_t p = 0; p < predicate_count; ++p) {
-    json tiers = json::object();
-    for (std::size_t t = 0; t < tier_count; ++t)
-      tiers[std::string(tier_names[t])] = counters.decided[p][t];
-    result[std::string(predicate_names[p])] = std::move(tiers);
-  }
-  return result;
-}
-
-json points_json(const std::vector<point>& points) {
-  json result = json::array();
-  for (const point& p : points) result.push_back({p.x, p.y});
-  return result;
-}
-
-// Writes three numbers; six where there is something to say of sides and regions.
-json segment_json(const segment& s) {
-  json written = {std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker};
-  if (s.internal || s.left_region != 1 || s.right_region != 1)
-    for (const int more : {s.internal ? 1 : 0, s.left_region, s.right_region})
-      written.push_back(more);
-  return written;
-}
-
-json domain_json(const domain& d) {
-  json segments = json::array();
-  for (const segment& s : d.segments) segments.push_back(segment_json(s));
-  return {{"vertices", points_json(d.vertices)}, {"segments", std::move(segments)}};
-}
-
-std::string hexadecimal(std::uint64_t value) {
-  std::array<char, 16> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16);
-  const std::string text(digits.data(), end.ptr);
-  return std::string(16 - text.size(), '0') + text;
-}
-
-json mesh_json(const certificate& c) {
-  return {{"vertices", c.sites},
-          {"given", c.given},
-          {"triangles", c.triangles},
-          {"boundary_edges", c.boundary_subsegments},
-          {"fingerprint", hexadecimal(c.fingerprint)}};
-}
-
-json measured_json(const certificate& c) {
-  json result = json::object();
-  for (const auto& [name, value] : c.measured)
-    if (std::isfinite(value)) result[name] = value;
-  return result;
-}
-
-// Writes null where no triangle is away from the exempt corners.
-json worst_angle_json(double degrees) {
-  return degrees < no_angle_to_judge ? json(degrees) : json(nullptr);
-}
-
-// Writes how the metric the mesh is of differs from the one asked for.
-json relaxed_json(const certificate& c) {
-  if (!c.relaxed) return nullptr;
-  const relaxation_report& r = *c.relaxed;
-  return {{"why", r.why},
-          {"kind", relaxation_kind_names[static_cast<std::size_t>(r.kind)]},
-          {"power", r.power},
-          {"beta", r.beta},
-          {"reach", r.reach},
-          {"tries", r.tries},
-          {"vertices_changed", r.changed},
-          {"most_longer", r.most_longer},
-          {"most_shorter", r.most_shorter},
-          {"worst_angle_as_given", worst_angle_json(r.worst_angle)},
-          {"low_triangles_as_given", from_one(r.low_triangles)}};
-}
-
-// Writes the metric of the mesh against the one wanted.
-json delivered_json(const certificate& c) {
-  if (!c.delivered) return nullptr;
-  const delivered_report& r = *c.delivered;
-  return {{"vertices_changed", r.changed},
-          {"beyond_tenth", r.beyond_tenth},
-          {"median", r.median},
-          {"ninetieth", r.ninetieth},
-          {"greatest", r.greatest},
-          {"complexity_wanted", r.complexity_wanted},
-          {"complexity_delivered", r.complexity_delivered},
-          {"length_factor", r.length_factor},
-          {"worst_angle_as_wanted", worst_angle_json(r.worst_angle_wanted)},
-          {"low_triangles_as_wanted", from_one(r.low_wanted)}};
-}
-
-json audit_json(const certificate& c) {
-  json found = json::object();
-  for (const auto& [kind, count] : c.found) found[kind] = count;
-  return {{"certified", c.certified},
-          {"domain_checked", c.domain_checked},
-          {"angles_checked", c.angles_checked},
-          {"stars_checked", c.stars_checked},
-          {"voronoi", voronoi_verdict_names[static_cast<std::size_t>(c.voronoi)]},
-          {"worst_angle", worst_angle_json(c.worst_angle)},
-          {"worst_collateral_angle", worst_angle_json(c.worst_collateral)},
-          {"worst_exempt_angle", worst_angle_json(c.worst_exempt)},
-          {"exempt_corners", from_one(c.exempt_corners)},
-          {"exempt_triangles", from_one(c.exempt_triangles)},
-          {"collateral_triangles", from_one(c.collateral_triangles)},
-          {"low_triangles", from_one(c.low_triangles)},
-          {"largest_boundary_deviation",
-           std::isfinite(c.largest_deviation) ? json(c.largest_deviation) : json(nullptr)},
-          {"findings", std::move(found)},
-          {"witnesses", c.witnesses},
-          {"decided", counters_json(c.audit_counters)}};
-}
-
-// Null for what is not bounded.
-json bound_json(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
-
-// Null where it was not asked whether the theorem on nets applies.
-json theorem_json(const certificate& c) {
-  if (!c.theorem) return nullptr;
-  const theorem_hypotheses& h = *c.theorem;
-  return {{"theorem_applies", h.applies},
-          {"reason", h.reason},
-          {"sigma_eps", bound_json(h.sigma_eps)},
-          {"proved_angle", h.proved_angle},
-          {"covering_radius", bound_json(h.covering_radius)},
-          {"spacing", bound_json(h.spacing)},
-          {"longest_subsegment", bound_json(h.longest_subsegment)},
-          {"distortion", bound_json(h.distortion)},
-          {"variation", bound_json(h.variation)}};
-}
-
-// The readers: each names the key it wanted.
+// Names the key it wanted, as every reader below.
 const json& member(const json& object, const std::string& key) {
   const auto place = object.find(key);
   if (place == object.end()) throw malformed(key, "\"" + key + "\" is missing");
@@ -382,8 +231,8 @@ void read_audit(const json& object, certificate& c) {
 
 certificate certificate_of(const json& root) {
   const bool is_named = root.is_object() && root.contains("format") && root["format"].is_string();
-  if (!is_named || root["format"].get<std::string>() != format_name)
-    throw malformed("format", "this is not an \"" + std::string(format_name) + "\"");
+  if (!is_named || root["format"].get<std::string>() != certificate_format)
+    throw malformed("format", "this is not an \"" + std::string(certificate_format) + "\"");
   certificate c;
   c.version = read<std::string>(root, "version");
   const json& asked = member(root, "asked");
@@ -403,30 +252,6 @@ certificate certificate_of(const json& root) {
   c.theorem = theorem_of(member(root, "theorem"));
   if (!member(root, "domain").is_null()) c.original = domain_of(member(root, "domain"));
   return c;
-}
-
-json json_of(const certificate& c) {
-  json options = json::object();
-  for (const auto& [name, value] : c.options) options[name] = value;
-  return {{"format", format_name},
-          {"version", c.version},
-          {"numbering", "from 1"},
-          {"asked",
-           {{"metric", c.metric},
-            {"angle_bound", c.angle_bound ? json(*c.angle_bound) : json(nullptr)},
-            {"options", std::move(options)}}},
-          {"outcome",
-           {{"complete", c.complete},
-            {"reason", c.reason},
-            {"star_repairs", c.star_repairs},
-            {"relaxed", relaxed_json(c)},
-            {"delivered", delivered_json(c)},
-            {"decided", counters_json(c.mesher_counters)}}},
-          {"mesh", mesh_json(c)},
-          {"measured", measured_json(c)},
-          {"audit", audit_json(c)},
-          {"theorem", theorem_json(c)},
-          {"domain", c.original ? domain_json(*c.original) : json(nullptr)}};
 }
 
 std::string quoted(const std::string& name) { return fmt::format("\"{}\"", name); }
@@ -468,11 +293,6 @@ std::size_t line_of(const json_places& places, const std::string& name) {
 
 }  // namespace
 
-std::string certificate_text(const certificate& c) {
-  // Text that is not UTF-8 (a file's name may be anything) is replaced, not refused.
-  return json_of(c).dump(1, ' ', false, json::error_handler_t::replace) + "\n";
-}
-
 result<certificate> parse_certificate(const std::string& text, const std::string& name) {
   const json_places places = find_json_places(text);
   const auto refuse = [&name](std::size_t line, const std::string& what) {
@@ -499,13 +319,6 @@ result<certificate> parse_certificate(const std::string& text, const std::string
   } catch (const json::exception&) {
     return refuse(0, "this is no certificate");
   }
-}
-
-result<std::filesystem::path> write_certificate(const std::filesystem::path& path,
-                                                const certificate& c) {
-  const auto written = write_files({{path, certificate_text(c)}});
-  if (!written.ok()) return written.failure();
-  return path;
 }
 
 result<certificate> read_certificate(const std::filesystem::path& path) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "asterism/mesh/audit/certificate.hpp"
+
+namespace asterism::internal {
+
+// JSON with its keys in the order they were written: the text is deterministic.
+using certificate_json = nlohmann::ordered_json;
+
+inline constexpr std::string_view certificate_format = "asterism certificate 2";
+
+// Degrees that stand in a certificate's worst angles where there was none to judge; null in JSON.
+inline constexpr double no_angle_to_judge = 180;
+
+// Names in the order of relaxation_kind.
+inline constexpr std::array<std::string_view, 4> relaxation_kind_names = {
+    "softened", "graded", "constant", "without demands"};
+
+// Returns every field of the certificate. The reader holds what it was given against what is
+// written of it, so that no field passes unread.
+certificate_json json_of(const certificate& c);
+
+}  // namespace asterism::internal
