@@ -13,6 +13,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/metric/softened_field.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
@@ -91,6 +92,7 @@ class relaxation {
   // Measures the mean of the metric and the extent of the domain in it, both in the frame.
   std::optional<error> measure_sites(bool may_be_constant = true) {
     std::vector<metric_tensor> tensors;
+    field_.expect([this] { return positions_of(as_given_.result.sites); });
     for (const site& s : as_given_.result.sites) {
       const auto m = field_.at(s.position);
       if (!m) return m.failure();

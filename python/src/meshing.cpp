@@ -48,26 +48,22 @@ class raised_error {
   std::exception_ptr error_;
 };
 
-// A callable (n, 2) -> (n, 3), asked for one point at a time.
+// A callable (n, 2) -> (n, 3), asked for many points at a time; one that cannot do that, for one.
 class called_field {
  public:
   called_field(py::function function, raised_error& errors)
       : function_(std::move(function)), errors_(&errors) {}
 
-  static int ask(void* context, double x, double y, double metric[3]) {
-    return static_cast<called_field*>(context)->at(x, y, metric);
+  static int ask(void* context, std::size_t count, const double* points, double* metrics) {
+    return static_cast<called_field*>(context)->at(count, points, metrics);
   }
 
  private:
-  int at(double x, double y, double metric[3]) {
+  int at(std::size_t count, const double* points, double* metrics) {
     const py::gil_scoped_acquire locked;
+    if (count > 1) return takes_many_ && at_many(count, points, metrics) ? 0 : 1;
     try {
-      py::array_t<double> places({1, 2});
-      places.mutable_data()[0] = x;
-      places.mutable_data()[1] = y;
-      const number_table tensor(function_(places), 3, "the metric's answer");
-      if (tensor.rows() != 1) throw input_error("the metric's answer: one row is wanted");
-      std::copy_n(tensor.row(0), 3, metric);
+      answer(1, points, metrics);
       return 0;
     } catch (...) {
       errors_->keep();
@@ -75,8 +71,33 @@ class called_field {
     }
   }
 
+  // Leaves it to the calls for one point to raise what they raise.
+  bool at_many(std::size_t count, const double* points, double* metrics) {
+    try {
+      answer(count, points, metrics);
+    } catch (const py::error_already_set& raised) {
+      takes_many_ = false;
+      if (!raised.matches(PyExc_Exception)) errors_->keep();  // an interrupt
+    } catch (const input_error&) {
+      takes_many_ = false;
+    }
+    return takes_many_;
+  }
+
+  // One tensor for many points is refused: it may be meant for the first alone.
+  void answer(std::size_t count, const double* points, double* metrics) {
+    py::array_t<double> places({static_cast<py::ssize_t>(count), py::ssize_t{2}});
+    std::copy_n(points, 2 * count, places.mutable_data());
+    const number_table tensors(function_(places), 3, "the metric's answer");
+    if (tensors.rows() != count || (count > 1 && tensors.is_single()))
+      throw input_error("the metric's answer: " + std::to_string(tensors.rows()) + " tensors for " +
+                        std::to_string(count) + " points");
+    for (std::size_t k = 0; k < count; ++k) std::copy_n(tensors.row(k), 3, metrics + 3 * k);
+  }
+
   py::function function_;
   raised_error* errors_;
+  bool takes_many_ = true;  // with the interpreter's lock
 };
 
 using field_pointer = std::unique_ptr<metric_field>;
@@ -126,7 +147,7 @@ python_metric metric_of(const py::object& metric, const domain& d, double size,
   python_metric made{"a callable", nullptr, nullptr};
   made.callable = std::make_unique<called_field>(metric.cast<py::function>(), errors);
   asterism_metric asked{};
-  asked.function = &called_field::ask;
+  asked.batch_function = &called_field::ask;
   asked.context = made.callable.get();
   asked.size = size;
   made.field = value_or_raise(internal::field_of(asked, d.box()));
