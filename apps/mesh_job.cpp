@@ -106,6 +106,10 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
       {"certify", job.refinement.prove_voronoi ? "voronoi" : "stars"},
       {"max-sites", std::to_string(asked.max_sites)},
       {"regions", job.number_regions ? "numbered" : "as given"},
+      {"repair-distance",
+       input.repairs.distance > 0 ? number_text(input.repairs.distance) : "none"},
+      {"repair-done", input.repairs.distance > 0 ? text_of(input.repairs) : "none"},
+      {"repair-places", text_of_places(input.repairs)},
       {"random-points", std::to_string(job.random_points)},
       {"metric-fingerprint", input.field->background() != nullptr
                                  ? std::to_string(mesh_fingerprint(*input.field->background()))
