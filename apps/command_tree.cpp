@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/command_tree.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace asterism::apps {
 namespace {
 

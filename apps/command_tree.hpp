@@ -4,9 +4,12 @@
 // what the program takes and nothing else.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace asterism::apps {
 

@@ -7,7 +7,9 @@ namespace asterism::apps {
 namespace {
 
 std::string joined(const std::vector<std::string>& words, const char* between) {
-  return CLI::detail::join(words, between);
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
 }
 
 std::string commands_of(const std::vector<command_entry>& tree) {
