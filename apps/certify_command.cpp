@@ -52,7 +52,7 @@ struct certify_options {
   bool json = false;
   bool prove_voronoi = false;
   std::optional<std::size_t> max_sites;
-  std::optional<double> max_seconds;  // of the judgement, not of the repair
+  std::optional<double> max_seconds;
   bool all_findings = false, all_edges = false;
 };
 
@@ -207,7 +207,7 @@ int show_what_was_found(const certify_options& options, const adopted_mesh& adop
 }
 
 int repair(const certify_options& options, const adopted_mesh& adopted, const metric_field& field,
-           const certify_report& before) {
+           const certify_report& before, run_limits& limits) {
   if (!before.is_triangulation())
     return complain({"--repair: " + options.mesh.string() +
                      " is no triangulation, so that it has no domain to go on from"},
@@ -218,6 +218,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   wanted.max_sites =
       options.max_sites.value_or(std::max(least, growth * adopted.subject.sites.size()));
   wanted.prove_voronoi = options.prove_voronoi;
+  wanted.stop = [&limits] { return limits.reason(); };
   auto made = [&] {
     progress_line line(true);
     return make_certified_mesh(adopted.shape, field, wanted,
@@ -297,8 +298,8 @@ int run_certify(certify_options options) {
     return complain({"--max-sites " + std::to_string(*options.max_sites) + ": the mesh has " +
                      std::to_string(sites) + " vertices already"},
                     refused);
+  run_limits limits(options.max_seconds, std::nullopt);
   const certify_report report = [&] {
-    const run_limits limits(options.max_seconds, std::nullopt);
     progress_line line(true);
     line.show({.phase = mesh_phase::auditing, .sites = sites});
     return certify(adopted, options.angle_bound, options.prove_voronoi,
@@ -313,7 +314,7 @@ int run_certify(certify_options options) {
   if (report.certified()) return write_as_it_is(options, adopted, report);
   if (!options.repair) return show_what_was_found(options, adopted, report);
   if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);
-  return repair(options, adopted, *measured.value().field, report);
+  return repair(options, adopted, *measured.value().field, report, limits);
 }
 
 }  // namespace
@@ -353,7 +354,7 @@ void add_certify_command(CLI::App& program, command& chosen) {
       ->type_name("N");
   add_real(
       *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
-      "Judging ends after this time: NOT certified, unless it was done; repair is not counted")
+      "Ends after this time: NOT certified, unless it was done; a repair writes what there is")
       ->type_name("S");
   add_judging_flags(*app, options->all_findings, options->all_edges);
   app->footer(examples);

@@ -77,17 +77,17 @@ std::string quoted(const std::string& text, const std::string& special) {
 
 std::string zsh_argument(const option_entry& option) {
   const std::string action =
-      option.choices.empty() ? "_files" : "(" + joined(option.choices, " ") + ")";
+      option.choices.empty() ? "_files" : fmt::format("({})", joined(option.choices, " "));
   if (option.positional)
     return fmt::format("        {}",
                        quoted((option.repeats ? "*:" : ":") + option.names[0] + ":_files", ""));
   std::string lines;
   for (const std::string& name : option.names) {
-    std::string spec = "*" + name + "[";
+    std::string spec = fmt::format("*{}[", name);
     for (const char c : option.text)
       spec += (c == '[' || c == ']' || c == '\\') ? std::string("\\") + c : std::string(1, c);
     spec += "]";
-    if (!option.value.empty()) spec += ":" + option.value + ":" + action;
+    if (!option.value.empty()) spec += fmt::format(":{}:{}", option.value, action);
     lines += (lines.empty() ? "        " : " \\\n        ") + quoted(spec, "");
   }
   return lines;
@@ -125,7 +125,8 @@ std::string zsh_script(const std::vector<command_entry>& tree) {
 std::string fish_option(const std::string& command, const option_entry& option) {
   std::string line = "complete -c asterism -n '__fish_seen_subcommand_from " + command + "'";
   for (const std::string& name : option.names)
-    line += name.rfind("--", 0) == 0 ? " -l " + name.substr(2) : " -s " + name.substr(1);
+    line += name.rfind("--", 0) == 0 ? fmt::format(" -l {}", name.substr(2))
+                                     : fmt::format(" -s {}", name.substr(1));
   if (!option.value.empty()) line += option.choices.empty() ? " -r -F" : " -x";
   if (!option.choices.empty()) line += " -a " + quoted(joined(option.choices, " "), "\\");
   return line + " -d " + quoted(option.text, "\\") + "\n";

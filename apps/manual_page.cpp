@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "asterism/apps/command_tree.hpp"
@@ -33,7 +35,8 @@ std::string upper(std::string text) {
 }
 
 std::string synopsis(const command_entry& command, bool is_program) {
-  std::string text = ".B asterism" + (is_program ? std::string() : " " + command.name) + "\n";
+  std::string text =
+      ".B asterism" + (is_program ? std::string() : fmt::format(" {}", command.name)) + "\n";
   if (is_program) return text + ".I COMMAND\n.RI [ arguments ]\n";
   for (const option_entry& option : command.options) {
     if (option.positional)
@@ -51,7 +54,7 @@ std::string option_paragraph(const option_entry& option) {
   for (std::size_t i = 0; i < option.names.size(); ++i)
     text += std::string(i > 0 ? ", " : "") + "\\fB" + roff(option.names[i]) + "\\fR";
   if (!option.value.empty()) text += " \\fI" + roff(option.value) + "\\fR";
-  text += "\n" + roff(option.text) + "\n";
+  text += fmt::format("\n{}\n", roff(option.text));
   if (!option.choices.empty()) {
     std::string all;
     for (const std::string& choice : option.choices) all += (all.empty() ? "" : ", ") + choice;
@@ -64,7 +67,8 @@ std::string see_also(const std::vector<command_entry>& tree, std::size_t which) 
   std::string text = ".SH SEE ALSO\n";
   for (std::size_t i = 0; i < tree.size(); ++i)
     if (i != which)
-      text += ".BR asterism" + (i == 0 ? std::string() : "\\-" + tree[i].name) + " (1)" +
+      text += ".BR asterism" + (i == 0 ? std::string() : fmt::format("\\-{}", tree[i].name)) +
+              " (1)" +
               (i + 1 == tree.size() || (i + 2 == tree.size() && which == i + 1) ? "\n" : ",\n");
   return text;
 }

@@ -88,34 +88,36 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
                                               const mesh_outcome& outcome) {
   const mesh_options& asked = job.refinement;
   const std::array<const char*, 3> strategies = {"voronoi", "darts", "fill"};
-  return {{"domain", job.domain},
-          {"angle-bound", number_text(asked.angle_bound)},
-          {"vertices", asked.vertices ? std::to_string(*asked.vertices) : "none"},
-          {"complexity", job.complexity ? number_text(*job.complexity) : "none"},
-          {"complexity-delivered", input.complexity ? number_text(*input.complexity) : "none"},
-          {"size", job.size ? number_text(*job.size) : "none"},
-          {"size-delivered", text_of_size_delivered(job, outcome)},
-          {"gradation", job.gradation ? number_text(*job.gradation) : "none"},
-          {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
-          {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},
-          {"tol", asked.tolerance ? number_text(*asked.tolerance) : "chosen"},
-          {"tol-at-end", number_text(outcome.ended.tolerance)},
-          {"improve", std::to_string(asked.improve_passes)},
-          {"improve-done", outcome.improved ? text_of(*outcome.improved, outcome.sites) : "none"},
-          {"certify", job.refinement.prove_voronoi ? "voronoi" : "stars"},
-          {"max-sites", std::to_string(asked.max_sites)},
-          {"regions", job.number_regions ? "numbered" : "as given"},
-          {"repair-distance",
-           input.repairs.distance > 0 ? number_text(input.repairs.distance) : "none"},
-          {"repair-done", input.repairs.distance > 0 ? text_of(input.repairs) : "none"},
-          {"repair-places", text_of_places(input.repairs)},
-          {"random-points", std::to_string(job.random_points)},
-          {"metric-fingerprint", input.field->background() != nullptr
-                                     ? std::to_string(mesh_fingerprint(*input.field->background()))
-                                     : "none"},
-          {"fit-done", outcome.fitted ? text_of(*outcome.fitted, outcome.too_large) : "none"},
-          {"relax", asked.relax ? "where needed" : "no"},
-          {"seed", std::to_string(asked.seed)}};
+  return {
+      {"domain", job.domain},
+      {"angle-bound", number_text(asked.angle_bound)},
+      {"vertices", asked.vertices ? std::to_string(*asked.vertices) : "none"},
+      {"complexity", job.complexity ? number_text(*job.complexity) : "none"},
+      {"complexity-delivered", input.complexity ? number_text(*input.complexity) : "none"},
+      {"size", job.size ? number_text(*job.size) : "none"},
+      {"size-delivered", text_of_size_delivered(job, outcome)},
+      {"gradation", job.gradation ? number_text(*job.gradation) : "none"},
+      {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
+      {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},
+      {"tol", asked.tolerance ? number_text(*asked.tolerance) : "chosen"},
+      {"tol-at-end", number_text(outcome.ended.tolerance)},
+      {"improve", std::to_string(asked.improve_passes)},
+      {"improve-done", outcome.improved ? text_of(*outcome.improved, outcome.sites) : "none"},
+      {"certify", job.refinement.prove_voronoi ? "voronoi" : "stars"},
+      {"max-sites", std::to_string(asked.max_sites)},
+      {"regions", job.number_regions ? "numbered" : "as given"},
+      {"repair-distance",
+       input.repairs.distance > 0 ? number_text(input.repairs.distance) : "none"},
+      {"repair-done", input.repairs.distance > 0 ? text_of(input.repairs) : "none"},
+      {"repair-places", text_of_places(input.repairs)},
+      {"random-points", std::to_string(job.random_points)},
+      {"metric-fingerprint", input.field->background() != nullptr
+                                 ? std::to_string(mesh_fingerprint(*input.field->background()))
+                                 : "none"},
+      {"fit-done", outcome.fitted ? text_of(*outcome.fitted, outcome.too_large) : "none"},
+      {"metric-tolerance", asked.metric_tolerance ? number_text(*asked.metric_tolerance) : "none"},
+      {"relax", asked.relax ? "where needed" : "no"},
+      {"seed", std::to_string(asked.seed)}};
 }
 
 // Adds to the certificate what only the command knows: how the job was worded.

@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "asterism/core/elementary.hpp"
+#include "asterism/core/number_text.hpp"
+
 namespace asterism::apps {
 namespace {
 
@@ -12,7 +15,8 @@ namespace {
 std::string more_sites(const mesh_outcome& outcome) {
   if (!(outcome.ended.sites_wanted > 0)) return "a larger --max-sites, or a larger --size";
   const double wanted = 1.2 * outcome.ended.sites_wanted;
-  const double unit = std::pow(10.0, std::floor(std::log10(wanted)) - 1);
+  const double unit =
+      internal::elementary::pow(10, std::floor(internal::elementary::log10(wanted)) - 1);
   if (wanted > 1e8) return "a larger --size";
   return fmt::format("--max-sites {:.0f}, or a larger --size", std::ceil(wanted / unit) * unit);
 }
@@ -50,6 +54,9 @@ std::string next_step(const mesh_job& job, const certified_mesh& made) {
                  ? "a larger --max-memory, or a larger --size"
              : job.max_seconds ? "a larger --max-seconds, or a larger --size"
                                : "";
+    case ending::intolerable:
+      return fmt::format("--metric-tolerance {}, a smaller --size, or --gradation",
+                         internal::number_text(outcome.intolerable->found));
     case ending::stuck:
     case ending::too_steep:
     case ending::overworked:

@@ -20,8 +20,8 @@ double length(const metric_tensor& m, const point& p, const point& q) {
 
 class sampling {
  public:
-  sampling(working_mesh m, const sampled_metric& metric, const sampling_limits& limits)
-      : m_(std::move(m)), metric_(metric), limits_(limits) {
+  sampling(working_mesh m, const metric_field& field, const sampling_limits& limits)
+      : m_(std::move(m)), field_(field), limits_(limits) {
     const bounding_box box = m_.shape().box();
     const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
     longest_ = limits.part_of_domain * extent;
@@ -29,15 +29,22 @@ class sampling {
   }
 
   std::optional<mesh> run() {
+    field_.expect([this] { return places_of_nodes(); });
     for (vertex_index v = 0; v < m_.nodes().size(); ++v)
       if (!measure(v)) return std::nullopt;
     std::deque<vertex_index> waiting;
     for (vertex_index t = 0; t < m_.faces().size(); ++t) waiting.push_back(t);
     constexpr std::size_t asked_between = 1024;
+    std::size_t expected = 0;  // of those that wait, the first
     for (std::size_t i = 1; !waiting.empty() && m_.nodes().size() < limits_.most_nodes; ++i) {
       if (i % asked_between == 0 && limits_.stop.is_requested()) break;
+      if (expected == 0) {
+        field_.expect([&] { return middles_of(waiting); });
+        expected = waiting.size();
+      }
       const vertex_index t = waiting.front();
       waiting.pop_front();
+      --expected;
       if (!refine(t, waiting)) return std::nullopt;
     }
     std::vector<vertex_index> renumbered;
@@ -46,9 +53,27 @@ class sampling {
 
  private:
   bool measure(vertex_index v) {
-    const auto there = metric_(m_.at(v).position);
-    if (there) m_.set_metric(v, *there);
-    return there.has_value();
+    const auto there = field_.at(m_.at(v).position);
+    if (there) m_.set_metric(v, there.value());
+    return there.ok();
+  }
+
+  std::vector<point> places_of_nodes() const {
+    std::vector<point> places;
+    for (const node& n : m_.nodes()) places.push_back(n.position);
+    return places;
+  }
+
+  // Returns the middles of the edges of these faces; edges that two of them share come twice.
+  std::vector<point> middles_of(const std::deque<vertex_index>& faces) const {
+    std::vector<point> places;
+    for (const vertex_index t : faces) {
+      const face& f = m_.faces()[t];
+      if (!f.exists()) continue;
+      for (std::size_t i = 0; i < 3; ++i)
+        places.push_back(middle(m_.at(f.v[after(i)]).position, m_.at(f.v[before(i)]).position));
+    }
+    return places;
   }
 
   static point middle(const point& p, const point& q) {
@@ -65,9 +90,9 @@ class sampling {
   // Returns nothing where the metric fails.
   std::optional<measured_edge> measured(const node& a, const node& b) const {
     const point &p = a.position, &q = b.position;
-    const auto sampled = metric_(middle(p, q));
+    const auto sampled = field_.at(middle(p, q));
     if (!sampled) return std::nullopt;
-    measured_edge e{*sampled, 0, false};
+    measured_edge e{sampled.value(), 0, false};
     e.length = std::max({length(a.metric, p, q), length(b.metric, p, q), length(e.between, p, q)});
     const double in_plane = elementary::hypot(q.x - p.x, q.y - p.y);
     e.is_to_be_halved =
@@ -128,16 +153,16 @@ class sampling {
   }
 
   working_mesh m_;
-  const sampled_metric& metric_;
+  const metric_field& field_;
   const sampling_limits& limits_;
   double longest_, shortest_;  // in the plane
 };
 
 }  // namespace
 
-std::optional<mesh> sample_background(working_mesh m, const sampled_metric& metric,
+std::optional<mesh> sample_background(working_mesh m, const metric_field& field,
                                       const sampling_limits& limits) {
-  return sampling(std::move(m), metric, limits).run();
+  return sampling(std::move(m), field, limits).run();
 }
 
 }  // namespace asterism::internal::adapting

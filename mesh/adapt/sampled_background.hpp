@@ -12,16 +12,13 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 
 #include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
-
-// Returns the metric at a place; nothing where it fails.
-using sampled_metric = std::function<std::optional<metric_tensor>(const point&)>;
 
 struct sampling_limits {
   double difference = 0.2;  // log distortion allowed between the metric sampled and interpolated
@@ -35,7 +32,7 @@ struct sampling_limits {
 
 // Returns the background: the nodes of `m`, and those added, with the metric there. Returns nothing
 // where the metric fails.
-std::optional<mesh> sample_background(working_mesh m, const sampled_metric& metric,
+std::optional<mesh> sample_background(working_mesh m, const metric_field& field,
                                       const sampling_limits& limits);
 
 }  // namespace asterism::internal::adapting

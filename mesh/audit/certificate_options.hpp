@@ -8,7 +8,7 @@
 
 namespace asterism::internal {
 
-inline constexpr std::array<std::string_view, 25> mesh_option_names = {"angle-bound",
+inline constexpr std::array<std::string_view, 26> mesh_option_names = {"angle-bound",
                                                                        "certify",
                                                                        "complexity",
                                                                        "complexity-delivered",
@@ -20,6 +20,7 @@ inline constexpr std::array<std::string_view, 25> mesh_option_names = {"angle-bo
                                                                        "improve-done",
                                                                        "max-sites",
                                                                        "metric-fingerprint",
+                                                                       "metric-tolerance",
                                                                        "random-points",
                                                                        "refine",
                                                                        "regions",
@@ -38,7 +39,7 @@ inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-
                                                                          "repair", "size"};
 
 // A transfer adds names that begin with "transfer-", some for each component.
-inline constexpr std::array<std::string_view, 45> adapt_option_names = {
+inline constexpr std::array<std::string_view, 46> adapt_option_names = {
     "adapt-aspect",
     "adapt-complexity",
     "adapt-error",
@@ -83,6 +84,7 @@ inline constexpr std::array<std::string_view, 45> adapt_option_names = {
     "metric-intersected",
     "metric-noise",
     "metric-reached",
-    "metric-step-limited"};
+    "metric-step-limited",
+    "metric-tolerance"};
 
 }  // namespace asterism::internal

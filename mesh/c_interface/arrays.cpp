@@ -6,9 +6,12 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit/audit.hpp"
@@ -31,14 +34,20 @@ std::string text_of(std::initializer_list<double> numbers) {
 // A metric that the caller computes. One call at a time: the caller may be an interpreter.
 class called_field final : public metric_field {
  public:
-  called_field(asterism_metric_function function, void* context, double size)
-      : function_(function), context_(context), divisor_(size * size) {}
+  called_field(const asterism_metric& functions, double size)
+      : single_(functions.function),
+        batch_(functions.batch_function),
+        context_(functions.context),
+        divisor_(size * size) {}
 
   result<metric_tensor> at(const point& q) const override {
-    double m[3] = {};
+    std::array<double, 3> m{};
     {
       const std::lock_guard<std::mutex> alone(lock_);
-      if (function_(context_, q.x, q.y, m) != 0)
+      const auto known = remembered_.find({q.x, q.y});
+      if (known != remembered_.end())
+        m = known->second;
+      else if (!ask(q, m))
         return error{"the metric's function failed at " + text_of({q.x, q.y})};
     }
     const metric_tensor tensor = {m[0] / divisor_, m[1] / divisor_, m[2] / divisor_};
@@ -50,11 +59,40 @@ class called_field final : public metric_field {
     return tensor;
   }
 
+  // Asks for what is not known yet, each place once. Where the function fails, `at` finds which
+  // place is at fault.
+  void expect(const std::function<std::vector<point>()>& places) const override {
+    if (batch_ == nullptr) return;
+    const std::lock_guard<std::mutex> alone(lock_);
+    std::vector<double> asked;
+    std::set<place> once;
+    for (const point& q : places()) {
+      if (remembered_.count({q.x, q.y}) != 0 || !once.insert({q.x, q.y}).second) continue;
+      asked.insert(asked.end(), {q.x, q.y});
+    }
+    const std::size_t count = asked.size() / 2;
+    std::vector<double> metrics(3 * count);
+    if (count == 0 || batch_(context_, count, asked.data(), metrics.data()) != 0) return;
+    for (std::size_t k = 0; k < count; ++k)
+      remembered_[{asked[2 * k], asked[2 * k + 1]}] = {metrics[3 * k], metrics[3 * k + 1],
+                                                       metrics[3 * k + 2]};
+  }
+
  private:
-  asterism_metric_function function_;
+  using place = std::pair<double, double>;
+
+  bool ask(const point& q, std::array<double, 3>& m) const {
+    if (single_ != nullptr) return single_(context_, q.x, q.y, m.data()) == 0;
+    const std::array<double, 2> one = {q.x, q.y};
+    return batch_(context_, 1, one.data(), m.data()) == 0;
+  }
+
+  asterism_metric_function single_;
+  asterism_metric_batch_function batch_;
   void* context_;
   double divisor_;
   mutable std::mutex lock_;
+  mutable std::map<place, std::array<double, 3>> remembered_;
 };
 
 using made_field = result<std::unique_ptr<metric_field>>;
@@ -105,8 +143,8 @@ result<domain> domain_of(const asterism_domain& arrays) {
 }
 
 made_field field_of(const asterism_metric& metric, const bounding_box& box) {
-  const int kinds = (metric.specification != nullptr) + (metric.function != nullptr) +
-                    (metric.triangle_count > 0);
+  const bool is_called = metric.function != nullptr || metric.batch_function != nullptr;
+  const int kinds = (metric.specification != nullptr) + is_called + (metric.triangle_count > 0);
   if (kinds != 1)
     return error{"the metric must be one of a specification, a function and a mesh with tensors"};
   const double size = metric.size == 0 ? 1 : metric.size;
@@ -114,8 +152,7 @@ made_field field_of(const asterism_metric& metric, const bounding_box& box) {
     return error{"the metric's size must be positive and finite"};
   if (metric.specification != nullptr) return make_metric_field(metric.specification, box, size);
   if (metric.triangle_count > 0) return sampled_field(metric, size);
-  std::unique_ptr<metric_field> field =
-      std::make_unique<called_field>(metric.function, metric.context, size);
+  std::unique_ptr<metric_field> field = std::make_unique<called_field>(metric, size);
   return made_field(std::move(field));
 }
 

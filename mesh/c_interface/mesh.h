@@ -45,11 +45,20 @@ typedef struct asterism_domain {
  * threads. */
 typedef int (*asterism_metric_function)(void* context, double x, double y, double metric[3]);
 
+/* The same for many points at once: writes the tensors wanted at `count` points, x y side by side,
+ * to metrics, three numbers each. How points are grouped is not to change a tensor. For callers to
+ * whom a call costs more than a point: interpreters, tables, remote ones. */
+typedef int (*asterism_metric_batch_function)(void* context, size_t count, const double* points,
+                                              double* metrics);
+
 /* The metric wanted: exactly one of a text, a function and a mesh with tensors. */
 typedef struct asterism_metric {
   /* As `asterism mesh --metric` takes it: "swirl:12", "expr:1+x*x;0;1". */
   const char* specification;
   asterism_metric_function function;
+  /* Beside the function, or in its place: asked where many points are known in advance, as most
+   * are. What it says of a point is remembered for the rest of the run. */
+  asterism_metric_batch_function batch_function;
   void* context;
   /* A triangulation and a tensor at each of its vertices; between them the logarithms are
    * interpolated. */

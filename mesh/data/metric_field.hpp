@@ -3,6 +3,9 @@
 // Says which metric tensor is wanted at each point of the domain.
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/core/site.hpp"
@@ -16,6 +19,10 @@ class ASTERISM_EXPORT metric_field {
  public:
   virtual ~metric_field() = default;
   virtual result<metric_tensor> at(const point& q) const = 0;
+  // Tells a field that it will be asked at these places, or most of them, and perhaps at others. A
+  // field for which many at once are cheaper than one by one calls `places` and remembers what it
+  // finds; others leave them uncounted. Changes no answer of `at`.
+  virtual void expect(const std::function<std::vector<point>()>& places) const { (void)places; }
   // Returns the mesh at whose vertices the field is given, with these tensors, where it is given
   // so; else none. It lives as long as the field.
   virtual const mesh* background() const { return nullptr; }

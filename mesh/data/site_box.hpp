@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the box around sites.
+// Finds where sites are, and the box around them.
 #pragma once
 
 #include <vector>
@@ -16,6 +16,14 @@ inline bounding_box box_of_sites(const std::vector<site>& sites) {
   bounding_box box{sites.front().position, sites.front().position};
   for (const site& s : sites) box.include(s.position);
   return box;
+}
+
+// Returns the positions of all sites, in their order.
+inline std::vector<point> positions_of(const std::vector<site>& sites) {
+  std::vector<point> places;
+  places.reserve(sites.size());
+  for (const site& s : sites) places.push_back(s.position);
+  return places;
 }
 
 }  // namespace asterism::internal

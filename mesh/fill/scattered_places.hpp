@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "asterism/mesh/data/domain.hpp"
 
@@ -16,8 +17,11 @@ namespace asterism::internal {
 // in four is what `visit` answers, given the place and the displacement from the cell's middle to
 // its upper right corner. No more than `most` are visited, and none where the box has no extent. A
 // place is within half of that displacement of the middle; where, depends on the cell alone: a
-// lattice would make exact ties.
-void visit_scattered(const bounding_box& box, std::size_t most,
-                     const std::function<bool(const point& place, const point& half)>& visit);
+// lattice would make exact ties. `announce`, where given, is told now and then which places are
+// next.
+void visit_scattered(
+    const bounding_box& box, std::size_t most,
+    const std::function<bool(const point& place, const point& half)>& visit,
+    const std::function<void(const std::function<std::vector<point>()>& next)>& announce = {});
 
 }  // namespace asterism::internal

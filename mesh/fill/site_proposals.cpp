@@ -31,7 +31,8 @@ void site_proposals::scatter(double distance) {
   const filtered_kernel kernel;
   visit_scattered(
       parts_.box, at_least + for_each_site * parts_.sites.size(),
-      [&](const point& q, const point& half) { return scatter_at(kernel, q, half, 2 * distance); });
+      [&](const point& q, const point& half) { return scatter_at(kernel, q, half, 2 * distance); },
+      [this](const std::function<std::vector<point>()>& next) { parts_.field.expect(next); });
 }
 
 // Places a site at q if there is room. Returns whether a cell with this half of its diagonal may
@@ -52,6 +53,7 @@ bool site_proposals::scatter_at(const filtered_kernel& kernel, const point& q, c
 
 result<std::vector<site_proposal>> site_proposals::collect(double distance) const {
   const std::vector<vertex_index>& changed = parts_.stars.changed();
+  parts_.field.expect([&] { return places_for(changed, distance); });
   const std::vector<attempt> attempts = collect_chunks<attempt>(
       changed.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<attempt>& out) {
         const filtered_kernel kernel;
@@ -67,6 +69,16 @@ result<std::vector<site_proposal>> site_proposals::collect(double distance) cons
     proposals.push_back(a.made);
   }
   return proposals;
+}
+
+std::vector<point> site_proposals::places_for(const std::vector<vertex_index>& which,
+                                              double distance) const {
+  std::vector<point> places;
+  for (const vertex_index v : which)
+    for (std::size_t i = 0; i < parts_.stars[v].size(); ++i)
+      if (const auto candidate = vertex_of_gap(v, i, distance))
+        places.push_back(candidate->where.position);
+  return places;
 }
 
 void site_proposals::propose(const filtered_kernel& kernel, vertex_index v, double distance,

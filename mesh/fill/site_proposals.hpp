@@ -62,6 +62,8 @@ class site_proposals {
     bool has_metric = true;  // false: the field failed there
   };
 
+  // Returns the places at which proposals for these sites ask for the metric.
+  std::vector<point> places_for(const std::vector<vertex_index>& which, double distance) const;
   void propose(const filtered_kernel& kernel, vertex_index v, double distance,
                std::uint64_t& looked_at, std::vector<attempt>& out) const;
   std::optional<site_proposal> vertex_of_gap(vertex_index v, std::size_t gap,

@@ -80,6 +80,12 @@ bool gradation_sweep::is_ended() {
 
 std::optional<error> gradation_sweep::sample() {
   ++time_;
+  field_.expect([this] {
+    std::vector<point> places;
+    for (std::size_t n = nodes_.size(); n < grid_.nodes(); ++n)
+      places.push_back(grid_.position(static_cast<std::uint32_t>(n)));
+    return places;
+  });
   for (std::size_t n = nodes_.size(); n < grid_.nodes(); ++n) {
     if (is_ended()) return ended_early();
     const auto m = field_.at(grid_.position(static_cast<std::uint32_t>(n)));

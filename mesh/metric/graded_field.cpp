@@ -48,6 +48,9 @@ class graded_field : public metric_field {
     }
     return checked_tensor(q, exponential(sum));
   }
+  void expect(const std::function<std::vector<point>()>& places) const override {
+    given_->expect(places);
+  }
 
  private:
   static void add(tensor_logarithm& sum, double w, const tensor_logarithm& l) {

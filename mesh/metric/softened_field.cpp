@@ -26,6 +26,9 @@ class softened_field : public metric_field {
     return checked_tensor(q, exponential({density + power_ * (l.l11 - density), power_ * l.l12,
                                           density + power_ * (l.l22 - density)}));
   }
+  void expect(const std::function<std::vector<point>()>& places) const override {
+    field_->expect(places);
+  }
 
  private:
   const metric_field* field_;
@@ -51,6 +54,9 @@ class rescaled_field : public metric_field {
     const auto given = field_->at(q);
     return given ? times(factor_, given.value()) : elsewhere_;
   }
+  void expect(const std::function<std::vector<point>()>& places) const override {
+    field_->expect(places);
+  }
 
  private:
   const metric_field* field_;
@@ -68,6 +74,9 @@ class restored_field : public metric_field {
     if (!there) return there;
     return checked_tensor(q, times(factor_, there.value()));
   }
+  void expect(const std::function<std::vector<point>()>& places) const override {
+    rescaled_->expect(places);
+  }
 
  private:
   std::unique_ptr<metric_field> rescaled_;
@@ -81,6 +90,9 @@ class checked_field : public metric_field {
     auto found = field_->at(q);
     if (!found) return found;
     return checked_tensor(q, found.value());
+  }
+  void expect(const std::function<std::vector<point>()>& places) const override {
+    field_->expect(places);
   }
 
  private:

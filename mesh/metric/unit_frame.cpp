@@ -86,4 +86,12 @@ result<metric_tensor> framed_field::at(const point& q) const {
       error_code::invalid_metric};
 }
 
+void framed_field::expect(const std::function<std::vector<point>()>& places) const {
+  field_->expect([&] {
+    std::vector<point> there = places();
+    for (point& q : there) q = frame_->outward(q);
+    return there;
+  });
+}
+
 }  // namespace asterism::internal

@@ -46,6 +46,7 @@ class framed_field : public metric_field {
       : field_(&field), frame_(&frame) {}
   // Fails also where the scaled tensor would leave the range of normal doubles.
   result<metric_tensor> at(const point& q) const override;
+  void expect(const std::function<std::vector<point>()>& places) const override;
 
  private:
   const metric_field* field_;

@@ -75,12 +75,7 @@ std::optional<sampled_field> sample_field(const domain& d, const mesh& start,
   adapting::sampling_limits limits;
   limits.longest = longest;
   limits.stop = stop;
-  const auto at = [&field](const point& q) -> std::optional<metric_tensor> {
-    auto there = field.at(q);
-    if (!there) return std::nullopt;
-    return there.value();
-  };
-  auto nodes = adapting::sample_background(std::move(built).value(), at, limits);
+  auto nodes = adapting::sample_background(std::move(built).value(), field, limits);
   if (!nodes) return std::nullopt;
   sampled_field sampled{std::move(*nodes), 0};
   const adapting::nodal_field graph(sampled.nodes);

@@ -12,6 +12,7 @@
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/data/site_box.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -53,6 +54,7 @@ void note_distances(const mesh& delivered, const mesh& wanted, delivered_report&
 result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& wanted,
                                              std::optional<double> angle_bound) {
   mesh as_wanted = m;
+  wanted.expect([&m] { return positions_of(m.sites); });
   for (site& s : as_wanted.sites) {
     const auto there = wanted.at(s.position);
     if (!there) return there.failure();

@@ -47,6 +47,13 @@ class density_integral {
 
   static point middle(const point& a, const point& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 
+  static std::vector<point> middles_of(const std::array<std::array<point, 3>, 4>& triangles) {
+    std::vector<point> places;
+    for (const auto& [a, b, c] : triangles)
+      places.insert(places.end(), {middle(a, b), middle(b, c), middle(c, a)});
+    return places;
+  }
+
   bool is_long(const point& a, const point& b) const {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) > longest_;
   }
@@ -64,6 +71,7 @@ class density_integral {
         {{a, r, q}, {r, b, p}, {q, p, c}, {p, q, r}}};
     std::array<double, 4> each{};
     double sum = 0;
+    field_.expect([&parts] { return middles_of(parts); });
     for (std::size_t i = 0; i < 4; ++i)
       sum += each[i] = coarse(parts[i][0], parts[i][1], parts[i][2]);
     const bool is_fine = !is_long(a, b) && !is_long(b, c) && !is_long(c, a);

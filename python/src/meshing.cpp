@@ -48,26 +48,22 @@ class raised_error {
   std::exception_ptr error_;
 };
 
-// A callable (n, 2) -> (n, 3), asked for one point at a time.
+// A callable (n, 2) -> (n, 3), asked for many points at a time; one that cannot do that, for one.
 class called_field {
  public:
   called_field(py::function function, raised_error& errors)
       : function_(std::move(function)), errors_(&errors) {}
 
-  static int ask(void* context, double x, double y, double metric[3]) {
-    return static_cast<called_field*>(context)->at(x, y, metric);
+  static int ask(void* context, std::size_t count, const double* points, double* metrics) {
+    return static_cast<called_field*>(context)->at(count, points, metrics);
   }
 
  private:
-  int at(double x, double y, double metric[3]) {
+  int at(std::size_t count, const double* points, double* metrics) {
     const py::gil_scoped_acquire locked;
+    if (count > 1) return takes_many_ && at_many(count, points, metrics) ? 0 : 1;
     try {
-      py::array_t<double> places({1, 2});
-      places.mutable_data()[0] = x;
-      places.mutable_data()[1] = y;
-      const number_table tensor(function_(places), 3, "the metric's answer");
-      if (tensor.rows() != 1) throw input_error("the metric's answer: one row is wanted");
-      std::copy_n(tensor.row(0), 3, metric);
+      answer(1, points, metrics);
       return 0;
     } catch (...) {
       errors_->keep();
@@ -75,8 +71,33 @@ class called_field {
     }
   }
 
+  // Leaves it to the calls for one point to raise what they raise.
+  bool at_many(std::size_t count, const double* points, double* metrics) {
+    try {
+      answer(count, points, metrics);
+    } catch (const py::error_already_set& raised) {
+      takes_many_ = false;
+      if (!raised.matches(PyExc_Exception)) errors_->keep();  // an interrupt
+    } catch (const input_error&) {
+      takes_many_ = false;
+    }
+    return takes_many_;
+  }
+
+  // One tensor for many points is refused: it may be meant for the first alone.
+  void answer(std::size_t count, const double* points, double* metrics) {
+    py::array_t<double> places({static_cast<py::ssize_t>(count), py::ssize_t{2}});
+    std::copy_n(points, 2 * count, places.mutable_data());
+    const number_table tensors(function_(places), 3, "the metric's answer");
+    if (tensors.rows() != count || (count > 1 && tensors.is_single()))
+      throw input_error("the metric's answer: " + std::to_string(tensors.rows()) + " tensors for " +
+                        std::to_string(count) + " points");
+    for (std::size_t k = 0; k < count; ++k) std::copy_n(tensors.row(k), 3, metrics + 3 * k);
+  }
+
   py::function function_;
   raised_error* errors_;
+  bool takes_many_ = true;  // with the interpreter's lock
 };
 
 using field_pointer = std::unique_ptr<metric_field>;
@@ -126,7 +147,7 @@ python_metric metric_of(const py::object& metric, const domain& d, double size,
   python_metric made{"a callable", nullptr, nullptr};
   made.callable = std::make_unique<called_field>(metric.cast<py::function>(), errors);
   asterism_metric asked{};
-  asked.function = &called_field::ask;
+  asked.batch_function = &called_field::ask;
   asked.context = made.callable.get();
   asked.size = size;
   made.field = value_or_raise(internal::field_of(asked, d.box()));
@@ -143,7 +164,9 @@ mesh_arguments arguments_of(const std::optional<double>& size, double angle_boun
                             std::size_t max_sites, const std::optional<double>& gradation,
                             bool relax, bool prove_voronoi, std::size_t improve,
                             const std::optional<std::size_t>& vertices,
-                            const std::optional<double>& complexity, const py::object& progress) {
+                            const std::optional<double>& complexity,
+                            const std::optional<double>& metric_tolerance,
+                            const py::object& progress) {
   mesh_arguments a{size, gradation, complexity, {}, progress};
   if (size.has_value() + vertices.has_value() + complexity.has_value() > 1)
     throw input_error("size, vertices, complexity: one of them at most is wanted");
@@ -157,6 +180,9 @@ mesh_arguments arguments_of(const std::optional<double>& size, double angle_boun
     throw input_error("angle_bound: at least 0 and below 60 degrees is wanted");
   if (gradation && !(*gradation > 1 && std::isfinite(*gradation)))
     throw input_error("gradation: a finite number above 1 is wanted");
+  if (metric_tolerance && !(*metric_tolerance >= 0 && std::isfinite(*metric_tolerance)))
+    throw input_error("metric_tolerance: a finite number of at least 0 is wanted");
+  a.options.metric_tolerance = metric_tolerance;
   a.options.angle_bound = angle_bound;
   a.options.limit_size = size || vertices || complexity;
   a.options.vertices = vertices;
@@ -233,6 +259,8 @@ py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_argu
       {"repair-done", "none"},
       {"repair-places", "none"},
       {"fit-done", outcome.fitted ? "done" : "none"},
+      {"metric-tolerance",
+       a.options.metric_tolerance ? text_of(*a.options.metric_tolerance) : "none"},
       {"relax", a.options.relax ? "where needed" : "no"},
       {"seed", "1"}};
   py_mesh m;
@@ -336,15 +364,16 @@ py::dict certify_mesh(const py_mesh& m, double angle_bound, bool prove_voronoi) 
 }  // namespace
 
 void define_meshing(py::module_& m) {
-  m.def("_mesh", [](const domain& d, const py::object& metric, const std::optional<double>& size,
-                    double angle_bound, std::size_t max_sites,
-                    const std::optional<double>& gradation, bool relax, bool prove_voronoi,
-                    std::size_t improve, const std::optional<std::size_t>& vertices,
-                    const std::optional<double>& complexity, const py::object& progress) {
-    return run(d, metric,
-               arguments_of(size, angle_bound, max_sites, gradation, relax, prove_voronoi, improve,
-                            vertices, complexity, progress));
-  });
+  m.def("_mesh",
+        [](const domain& d, const py::object& metric, const std::optional<double>& size,
+           double angle_bound, std::size_t max_sites, const std::optional<double>& gradation,
+           bool relax, bool prove_voronoi, std::size_t improve,
+           const std::optional<std::size_t>& vertices, const std::optional<double>& complexity,
+           const std::optional<double>& metric_tolerance, const py::object& progress) {
+          return run(d, metric,
+                     arguments_of(size, angle_bound, max_sites, gradation, relax, prove_voronoi,
+                                  improve, vertices, complexity, metric_tolerance, progress));
+        });
   m.def("_verify", &verify_mesh);
   m.def("_certify", &certify_mesh);
 }

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/mesher.hpp"
@@ -30,10 +32,38 @@ working_mesh coarse_square(const domain& d) {
   return std::move(built).value();
 }
 
-std::optional<metric_tensor> front(const point& q) {
+const formula_field front([](const point& q) {
   const double across = 0.02 + std::abs(q.x - 0.3 * q.y * q.y);
   return metric_tensor{1 / (across * across), 0, 4};
-}
+});
+
+class failing_on_the_right final : public metric_field {
+ public:
+  result<metric_tensor> at(const point& q) const override {
+    if (q.x > 0.5) return error{"on the right"};
+    return metric_tensor{1, 0, 1};
+  }
+};
+
+// Knows where it is asked without having been told.
+class attentive_field final : public metric_field {
+ public:
+  explicit attentive_field(const metric_field& field) : field_(&field) {}
+  result<metric_tensor> at(const point& q) const override {
+    ++asked;
+    if (expected_.count({q.x, q.y}) == 0) ++unexpected;
+    return field_->at(q);
+  }
+  void expect(const std::function<std::vector<point>()>& places) const override {
+    ++calls;
+    for (const point& q : places()) expected_.insert({q.x, q.y});
+  }
+  mutable std::size_t asked = 0, unexpected = 0, calls = 0;
+
+ private:
+  const metric_field* field_;
+  mutable std::set<std::pair<double, double>> expected_;
+};
 
 }  // namespace
 
@@ -47,7 +77,7 @@ TEST_CASE("a sampled metric is near to the one wanted half way along every edge"
   for (const graph_edge& e : graph.edges()) {
     const point &p = graph.places()[e.a], &q = graph.places()[e.b];
     const point middle{(p.x + q.x) / 2, (p.y + q.y) / 2};
-    const metric_tensor wanted = *front(middle);
+    const metric_tensor wanted = front.at(middle).value();
     const double length = std::sqrt(squared(wanted, q.x - p.x, q.y - p.y));
     CHECK(length <= limits.longest);
     vertex_index hint = 0;
@@ -58,9 +88,9 @@ TEST_CASE("a sampled metric is near to the one wanted half way along every edge"
 
 TEST_CASE("sampling a metric that jumps ends") {
   const domain d = accepted(square());
-  const auto jump = [](const point& q) -> std::optional<metric_tensor> {
+  const formula_field jump([](const point& q) {
     return q.x < 0.1 ? metric_tensor{1e4, 0, 1} : metric_tensor{1, 0, 100};
-  };
+  });
   sampling_limits limits;
   const auto sampled = sample_background(coarse_square(d), jump, limits);
   REQUIRE(sampled);
@@ -69,9 +99,16 @@ TEST_CASE("sampling a metric that jumps ends") {
 
 TEST_CASE("sampling a metric that fails gives nothing") {
   const domain d = accepted(square());
-  const auto half = [](const point& q) -> std::optional<metric_tensor> {
-    if (q.x > 0.5) return std::nullopt;
-    return metric_tensor{1, 0, 1};
-  };
-  CHECK_FALSE(sample_background(coarse_square(d), half, {}));
+  CHECK_FALSE(sample_background(coarse_square(d), failing_on_the_right(), {}));
+}
+
+TEST_CASE("most places at which a metric is sampled are announced in a few calls") {
+  const domain d = accepted(square());
+  const attentive_field told(front);
+  const auto sampled = sample_background(coarse_square(d), told, {});
+  REQUIRE(sampled);
+  CHECK(sampled->sites == sample_background(coarse_square(d), front, {})->sites);
+  INFO(told.asked << " asked, " << told.unexpected << " unexpected, " << told.calls << " calls");
+  CHECK(told.unexpected < told.asked / 5);
+  CHECK(told.calls < 100);
 }
