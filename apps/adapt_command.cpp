@@ -138,9 +138,11 @@ void describe(const adapt_job& job, adapted& made) {
     const auto field = make_sampled_field(adopted.value().subject, 1);
     fingerprint = std::to_string(mesh_fingerprint(*field->background()));
   }
+  const auto& tolerance = job.options.refinement.metric_tolerance;
   claim.options = {{"domain", job.domain.empty() ? "of " + job.request.mesh : job.domain},
                    {"angle-bound", number_text(job.options.refinement.angle_bound)},
                    {"corner-angle", number_text(job.options.corner_angle)},
+                   {"metric-tolerance", tolerance ? number_text(*tolerance) : "none"},
                    {"kept", made.next.kept ? "yes" : "no"},
                    {"boundary-vertices", std::to_string(made.next.boundary_vertices)},
                    {"boundary-kept", std::to_string(made.next.boundary_kept)},
@@ -222,6 +224,12 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
       [&job](double x) { job.options.refinement.angle_bound = x; },
       "Least angle of a triangle, as each of its vertices measures it (default 20)")
       ->type_name("DEG");
+  add_real(
+      app, "--metric-tolerance", reals_from_zero,
+      [&job](double x) { job.options.refinement.metric_tolerance = x; },
+      "Greatest distance of the metric delivered from the one wanted, ln of a ratio of lengths; 0: "
+      "no tensor is changed (default: any, and told)")
+      ->type_name("T");
   add_count(
       app, "--max-sites", 3, 100000000,
       [&job](std::uint64_t n) {

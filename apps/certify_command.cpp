@@ -14,6 +14,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/json_summary.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
@@ -48,9 +49,10 @@ struct certify_options {
   std::vector<fs::path> outputs;
   double angle_bound = 20;
   bool repair = false;
+  bool json = false;
   bool prove_voronoi = false;
   std::optional<std::size_t> max_sites;
-  std::optional<double> max_seconds;  // of the judgement, not of the repair
+  std::optional<double> max_seconds;
   bool all_findings = false, all_edges = false;
 };
 
@@ -205,7 +207,7 @@ int show_what_was_found(const certify_options& options, const adopted_mesh& adop
 }
 
 int repair(const certify_options& options, const adopted_mesh& adopted, const metric_field& field,
-           const certify_report& before) {
+           const certify_report& before, run_limits& limits) {
   if (!before.is_triangulation())
     return complain({"--repair: " + options.mesh.string() +
                      " is no triangulation, so that it has no domain to go on from"},
@@ -216,6 +218,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   wanted.max_sites =
       options.max_sites.value_or(std::max(least, growth * adopted.subject.sites.size()));
   wanted.prove_voronoi = options.prove_voronoi;
+  wanted.stop = [&limits] { return limits.reason(); };
   auto made = [&] {
     progress_line line(true);
     return make_certified_mesh(adopted.shape, field, wanted,
@@ -295,18 +298,23 @@ int run_certify(certify_options options) {
     return complain({"--max-sites " + std::to_string(*options.max_sites) + ": the mesh has " +
                      std::to_string(sites) + " vertices already"},
                     refused);
+  run_limits limits(options.max_seconds, std::nullopt);
   const certify_report report = [&] {
-    const run_limits limits(options.max_seconds, std::nullopt);
     progress_line line(true);
     line.show({.phase = mesh_phase::auditing, .sites = sites});
     return certify(adopted, options.angle_bound, options.prove_voronoi,
                    findings_kept(options.all_findings), [&limits] { return limits.reason(); });
   }();
-  write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
+  if (options.json) {
+    const bool good = report.certified() && is_dual_as_asked(options, report.audit);
+    std::cout << summary_json(report, good ? done : not_reached, options.angle_bound);
+  } else {
+    write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
+  }
   if (report.certified()) return write_as_it_is(options, adopted, report);
   if (!options.repair) return show_what_was_found(options, adopted, report);
   if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);
-  return repair(options, adopted, *measured.value().field, report);
+  return repair(options, adopted, *measured.value().field, report, limits);
 }
 
 }  // namespace
@@ -335,7 +343,10 @@ void add_certify_command(CLI::App& program, command& chosen) {
       ->type_name("DEG");
   app->add_flag("--voronoi", options->prove_voronoi,
                 "Prove it the dual of the anisotropic Voronoi diagram, or end with status 1");
-  app->add_flag("--repair", options->repair, "Add sites until it is certified");
+  auto* const repair =
+      app->add_flag("--repair", options->repair, "Add sites until it is certified");
+  app->add_flag("--json", options->json, "The verdict as a JSON object, in place of lines")
+      ->excludes(repair);
   add_count(
       *app, "--max-sites", 3, 100000000,
       [options](std::uint64_t n) { options->max_sites = static_cast<std::size_t>(n); },
@@ -343,7 +354,7 @@ void add_certify_command(CLI::App& program, command& chosen) {
       ->type_name("N");
   add_real(
       *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
-      "Judging ends after this time: NOT certified, unless it was done; repair is not counted")
+      "Ends after this time: NOT certified, unless it was done; a repair writes what there is")
       ->type_name("S");
   add_judging_flags(*app, options->all_findings, options->all_edges);
   app->footer(examples);

@@ -6,8 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "asterism/apps/summary.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/repair_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -44,16 +46,28 @@ result<prepared_input> with_metric(const mesh_job& job, domain shape) {
   if (job.refinement.vertices) wanted.complexity = complexity_of_vertices(*job.refinement.vertices);
   auto made = make_scaled_metric(shape, metric.value(), wanted);
   if (!made) return made.failure();
-  return prepared_input{std::move(shape), std::move(made.value().field), made.value().gradation,
-                        made.value().size, made.value().complexity};
+  return prepared_input{std::move(shape),
+                        std::move(made.value().field),
+                        made.value().gradation,
+                        made.value().size,
+                        {},
+                        made.value().complexity};
 }
 
-result<domain> load_and_check(const mesh_job& job) {
+// Adds to a refusal that there is an option which mends it, if there is.
+error with_remedy(const error& refusal, const domain& d) {
+  domain_repairs repairs;
+  if (!repair_domain(d, {}, &repairs)) return refusal;
+  return {refusal.message + "; --repair-domain mends it: " + text_of(repairs), refusal.code};
+}
+
+result<domain> load_and_check(const mesh_job& job, domain_repairs& repairs) {
   auto loaded = load_domain(job.domain);
   if (!loaded) return loaded.failure();
   if (job.number_regions) loaded.value().number_all_regions = true;
-  domain_repairs repairs;
-  auto checked = check_domain(loaded.value(), &repairs);
+  auto checked = job.repair ? repair_domain(loaded.value(), job.repair_distance, &repairs)
+                            : check_domain(loaded.value(), &repairs);
+  if (!checked && !job.repair) return with_remedy(checked.failure(), loaded.value());
   if (checked && !job.quiet)
     for (const std::string& message : repairs.messages)
       std::cerr << "asterism: note: " << message << '\n';
@@ -63,6 +77,8 @@ result<domain> load_and_check(const mesh_job& job) {
 // Returns what a mesh covers, with its vertices, boundary edges and regions; its metric is not
 // used.
 result<domain> domain_of_mesh(const mesh_job& job) {
+  if (job.repair)
+    return error{"--repair-domain: " + job.domain + " is a mesh, whose edges are kept as they are"};
   if (job.number_regions)
     return error{"--regions: " + job.domain + " is a mesh, which has its regions already"};
   auto adopted = read_triangulation(job.domain, false);
@@ -75,7 +91,8 @@ result<domain> domain_of_mesh(const mesh_job& job) {
 bool is_mesh(const mesh_job& job) { return is_mesh_file(job.domain); }
 
 result<prepared_input> prepare(const mesh_job& job) {
-  const auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job);
+  domain_repairs repairs;
+  const auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job, repairs);
   if (!checked) return checked.failure();
   auto populated = add_random_points(checked.value(), job.random_points, job.refinement.seed);
   if (!populated) return populated.failure();
@@ -89,7 +106,9 @@ result<prepared_input> prepare(const mesh_job& job) {
   if (job.refinement.vertices && *job.refinement.vertices > job.refinement.max_sites)
     return error{"--vertices " + std::to_string(*job.refinement.vertices) +
                  ": more than --max-sites " + std::to_string(job.refinement.max_sites)};
-  return with_metric(job, std::move(populated).value());
+  auto prepared = with_metric(job, std::move(populated).value());
+  if (prepared) prepared.value().repairs = std::move(repairs);
+  return prepared;
 }
 
 }  // namespace asterism::apps

@@ -10,6 +10,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
 
 namespace asterism::apps {
@@ -19,6 +20,7 @@ struct prepared_input {
   std::unique_ptr<metric_field> field;
   std::optional<gradation_report> gradation;
   double size = 1;                   // of the job, or the one that gives the complexity asked for
+  domain_repairs repairs;            // of the domain; distance 0: none were asked for
   std::optional<double> complexity;  // of the metric, where one was asked for
 };
 

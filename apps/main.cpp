@@ -31,11 +31,15 @@ int run(int argc, char** argv) {
   add_eval_command(program, chosen);
   add_challenge_command(program, chosen);
   add_draw_command(program, chosen);
+  add_info_command(program, chosen);
+  add_completion_command(program, chosen);
+  add_man_command(program, chosen);
   try {
     program.parse(argc, argv);
     if (!chosen)
       throw CLI::RequiredError(
-          "a command (mesh, adapt, metric, transfer, verify, certify, eval, challenge or draw)");
+          "a command (mesh, adapt, metric, transfer, verify, certify, eval, challenge, draw, info, "
+          "completion or man)");
   } catch (const CLI::ParseError& failure) {
     if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
     std::cerr << "asterism: " << failure.what() << "\nRun with --help for more information.\n";

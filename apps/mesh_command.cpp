@@ -63,6 +63,15 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
       app, "--gradation", gradations, [&job](double x) { job.gradation = x; },
       "Make the metric change slowly: neighbouring edges differ by a factor of about BETA")
       ->type_name("BETA");
+  auto* const repair = app.add_flag("--repair-domain", job.repair,
+                                    "Make crossings of segments vertices, join points that nearly "
+                                    "coincide, close gaps; told, and "
+                                    "drawn in pictures");
+  add_real(
+      app, "--repair-distance", positive_reals, [&job](double x) { job.repair_distance = x; },
+      "How near is joined (default: the least that suffices, from 1e-12 to 2.4e-4 of the width)")
+      ->type_name("D")
+      ->needs(repair);
   app.add_flag("--regions", job.number_regions,
                "Number every region that has no region point, from 1");
   add_count(
@@ -92,6 +101,12 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
   app.add_flag("--no-relaxation{false}", options.relax,
                "Keep to the metric where stars cannot agree in it, and end with disagreeing "
                "triangles; else it is made to vary more slowly until they agree, and that is told");
+  add_real(
+      app, "--metric-tolerance", reals_from_zero,
+      [&options](double x) { options.metric_tolerance = x; },
+      "Greatest distance of the metric delivered from the one asked for, ln of a ratio of lengths; "
+      "0: no tensor is changed (default: any, and told)")
+      ->type_name("T");
   add_real(
       app, "--tol", positive_reals, [&options](double x) { options.tolerance = x; },
       "Least metric distance between sites (default: chosen, and reported)")
@@ -141,7 +156,9 @@ void add_output_options(CLI::App& app, mesh_job& job) {
       ->check(CLI::IsMember({"stars", "voronoi"}))
       ->type_name("WHAT");
   app.add_flag("--ellipses", job.ellipses, "Draw the metric in pictures");
-  app.add_flag("--quiet", job.quiet, "No progress, no summary");
+  auto* const quiet = app.add_flag("--quiet", job.quiet, "No progress, no summary");
+  app.add_flag("--json", job.json, "The summary as a JSON object, in place of lines")
+      ->excludes(quiet);
 }
 
 }  // namespace

@@ -14,7 +14,9 @@
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/job_input.hpp"
+#include "asterism/apps/json_summary.hpp"
 #include "asterism/apps/memory_account.hpp"
+#include "asterism/apps/next_step.hpp"
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
@@ -57,6 +59,23 @@ std::optional<error> check_files(const mesh_job& job, const fs::path& certificat
   return check_place(certificate_path);
 }
 
+std::vector<fs::path> written_files(const mesh_job& job, const fs::path& certificate_path) {
+  std::vector<fs::path> all;
+  for (const fs::path& output : job.outputs)
+    for (const fs::path& file : files_of_output(output)) all.push_back(file);
+  all.push_back(certificate_path);
+  return all;
+}
+
+// Returns every place where the domain was changed, each as a word and two coordinates.
+std::string text_of_places(const domain_repairs& repairs) {
+  std::string text;
+  for (const repair_place& place : repairs.places)
+    text += fmt::format("{}{} {} {}", text.empty() ? "" : "; ", place.what, number_text(place.at.x),
+                        number_text(place.at.y));
+  return text.empty() ? "none" : text;
+}
+
 // Returns the size the mesh was made for; "none", too, where the relaxed mesh was made without
 // demands.
 std::string text_of_size_delivered(const mesh_job& job, const mesh_outcome& outcome) {
@@ -69,30 +88,36 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
                                               const mesh_outcome& outcome) {
   const mesh_options& asked = job.refinement;
   const std::array<const char*, 3> strategies = {"voronoi", "darts", "fill"};
-  return {{"domain", job.domain},
-          {"angle-bound", number_text(asked.angle_bound)},
-          {"vertices", asked.vertices ? std::to_string(*asked.vertices) : "none"},
-          {"complexity", job.complexity ? number_text(*job.complexity) : "none"},
-          {"complexity-delivered", input.complexity ? number_text(*input.complexity) : "none"},
-          {"size", job.size ? number_text(*job.size) : "none"},
-          {"size-delivered", text_of_size_delivered(job, outcome)},
-          {"gradation", job.gradation ? number_text(*job.gradation) : "none"},
-          {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
-          {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},
-          {"tol", asked.tolerance ? number_text(*asked.tolerance) : "chosen"},
-          {"tol-at-end", number_text(outcome.ended.tolerance)},
-          {"improve", std::to_string(asked.improve_passes)},
-          {"improve-done", outcome.improved ? text_of(*outcome.improved, outcome.sites) : "none"},
-          {"certify", job.refinement.prove_voronoi ? "voronoi" : "stars"},
-          {"max-sites", std::to_string(asked.max_sites)},
-          {"regions", job.number_regions ? "numbered" : "as given"},
-          {"random-points", std::to_string(job.random_points)},
-          {"metric-fingerprint", input.field->background() != nullptr
-                                     ? std::to_string(mesh_fingerprint(*input.field->background()))
-                                     : "none"},
-          {"fit-done", outcome.fitted ? text_of(*outcome.fitted, outcome.too_large) : "none"},
-          {"relax", asked.relax ? "where needed" : "no"},
-          {"seed", std::to_string(asked.seed)}};
+  return {
+      {"domain", job.domain},
+      {"angle-bound", number_text(asked.angle_bound)},
+      {"vertices", asked.vertices ? std::to_string(*asked.vertices) : "none"},
+      {"complexity", job.complexity ? number_text(*job.complexity) : "none"},
+      {"complexity-delivered", input.complexity ? number_text(*input.complexity) : "none"},
+      {"size", job.size ? number_text(*job.size) : "none"},
+      {"size-delivered", text_of_size_delivered(job, outcome)},
+      {"gradation", job.gradation ? number_text(*job.gradation) : "none"},
+      {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
+      {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},
+      {"tol", asked.tolerance ? number_text(*asked.tolerance) : "chosen"},
+      {"tol-at-end", number_text(outcome.ended.tolerance)},
+      {"improve", std::to_string(asked.improve_passes)},
+      {"improve-done", outcome.improved ? text_of(*outcome.improved, outcome.sites) : "none"},
+      {"certify", job.refinement.prove_voronoi ? "voronoi" : "stars"},
+      {"max-sites", std::to_string(asked.max_sites)},
+      {"regions", job.number_regions ? "numbered" : "as given"},
+      {"repair-distance",
+       input.repairs.distance > 0 ? number_text(input.repairs.distance) : "none"},
+      {"repair-done", input.repairs.distance > 0 ? text_of(input.repairs) : "none"},
+      {"repair-places", text_of_places(input.repairs)},
+      {"random-points", std::to_string(job.random_points)},
+      {"metric-fingerprint", input.field->background() != nullptr
+                                 ? std::to_string(mesh_fingerprint(*input.field->background()))
+                                 : "none"},
+      {"fit-done", outcome.fitted ? text_of(*outcome.fitted, outcome.too_large) : "none"},
+      {"metric-tolerance", asked.metric_tolerance ? number_text(*asked.metric_tolerance) : "none"},
+      {"relax", asked.relax ? "where needed" : "no"},
+      {"seed", std::to_string(asked.seed)}};
 }
 
 // Adds to the certificate what only the command knows: how the job was worded.
@@ -124,11 +149,13 @@ report_facts facts_of_page(const mesh_job& job, const fs::path& certificate_path
 // everything else is too. Each is written as soon as it is made, since all of them together may
 // take more room than the mesh.
 std::optional<error> write_files(const mesh_job& job, const fs::path& certificate_path,
-                                 const metric_field& wanted, const certified_mesh& made) {
+                                 const prepared_input& input, const certified_mesh& made) {
   const certificate& claim = made.claim;
   write_options options;
-  if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, wanted, made);
+  if (has_page(job.outputs))
+    options.report = facts_of_page(job, certificate_path, *input.field, made);
   options.names = names_in(job.domain);
+  for (const repair_place& place : input.repairs.places) options.picture.marks.push_back(place.at);
   options.picture.ellipses = job.ellipses;
   options.picture.angle_bound = job.refinement.angle_bound;
   if (!claim.complete || !claim.certified)
@@ -155,21 +182,22 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
   return std::nullopt;
 }
 
+// Says how the run ended, and returns its status.
 int conclude(const mesh_job& job, const certified_mesh& made) {
   const mesh_outcome& outcome = made.outcome;
   const audit_report& report = made.report;
   const bool reached = made.certified();
   std::optional<double> unit_edges;
   if (job.size) unit_edges = made.claim.measured.at("unit_edges");
-  if (!job.quiet && outcome.improved)
+  if (job.tells() && outcome.improved)
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
-  if (!job.quiet && outcome.delivered)
+  if (job.tells() && outcome.delivered)
     std::cout << "delivered: " << text_of(*outcome.delivered) << '\n';
-  if (!job.quiet && outcome.fitted)
+  if (job.tells() && outcome.fitted)
     std::cout << "fitted: " << text_of(*outcome.fitted, outcome.too_large) << '\n';
-  if (!job.quiet && outcome.relaxed && reached)
+  if (job.tells() && outcome.relaxed && reached)
     std::cout << "relaxed: " << made.claim.reason << '\n';
-  if (!job.quiet) write_summary(std::cout, made, unit_edges);
+  if (job.tells()) write_summary(std::cout, made, unit_edges);
   const bool dual_as_asked =
       !job.refinement.prove_voronoi || report.voronoi == voronoi_verdict::proved;
   if (reached && dual_as_asked) return done;
@@ -210,7 +238,7 @@ result<certified_mesh> mesh_within_memory(const mesh_job& job, const prepared_in
 
 // Says how near the mesh is to what was asked of its size in all.
 void tell_scale(const mesh_job& job, const prepared_input& input, const mesh_outcome& outcome) {
-  if (job.quiet || !input.complexity) return;
+  if (!job.tells() || !input.complexity) return;
   if (job.refinement.vertices)
     std::cout << fmt::format(
         "vertices: {} wanted, {} delivered ({:+.1f} %)", *job.refinement.vertices, outcome.sites,
@@ -235,7 +263,7 @@ int run_within_limits(const mesh_job& asked) {
   const auto input = prepare(job);
   if (!input) return complain(input.failure(), refused);
   if (input.value().complexity) job.size = input.value().size;
-  if (input.value().gradation && !job.quiet)
+  if (input.value().gradation && job.tells())
     std::cout << "gradation: " << text_of(*input.value().gradation) << '\n';
 
   // Until all is written: an interrupt during the audit must not lose the mesh, nor one between two
@@ -244,10 +272,17 @@ int run_within_limits(const mesh_job& asked) {
   auto made = mesh_within_memory(job, input.value(), limits);
   if (!made) return complain(made.failure(), refused);
   describe(made.value(), job, input.value());
-  if (const auto failure = write_files(job, certificate_path, *input.value().field, made.value()))
+  if (const auto failure = write_files(job, certificate_path, input.value(), made.value()))
     return complain(*failure, not_reached);
+  if (input.value().repairs.distance > 0 && job.tells())
+    std::cout << "repaired: " << text_of(input.value().repairs) << '\n';
   tell_scale(job, input.value(), made.value().outcome);
-  return conclude(job, made.value());
+  const int status = conclude(job, made.value());
+  const std::string next = status == done ? "" : next_step(job, made.value());
+  if (!next.empty() && !job.quiet) std::cerr << "asterism: try " << next << '\n';
+  if (job.json)
+    std::cout << summary_json(made.value(), status, written_files(job, certificate_path), next);
+  return status;
 }
 
 }  // namespace

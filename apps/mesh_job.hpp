@@ -18,9 +18,11 @@ struct mesh_job {
   std::string domain;
   std::string metric = "identity";
   std::optional<double> size;
-  std::optional<double> complexity;  // in place of a size: the area as the metric measures it
-  std::optional<double> gradation;   // beta; empty: the metric is taken as it is
-  bool number_regions = false;       // those the domain does not number, too
+  std::optional<double> complexity;       // in place of a size: the area as the metric measures it
+  std::optional<double> gradation;        // beta; empty: the metric is taken as it is
+  bool repair = false;                    // what the domain's file has wrong
+  std::optional<double> repair_distance;  // empty: as little as suffices
+  bool number_regions = false;            // those the domain does not number, too
   std::size_t random_points = 0;
   mesh_options refinement;  // its seed is the random points' too
   std::vector<std::filesystem::path> outputs;
@@ -30,6 +32,10 @@ struct mesh_job {
   std::optional<double> max_megabytes;  // of resident memory
   bool ellipses = false;
   bool quiet = false;
+  bool json = false;  // the summary for programs
+
+  // True if lines for people go to standard output.
+  bool tells() const { return !quiet && !json; }
 };
 
 // Returns the exit status. What can be refused is refused before meshing; messages go to standard

@@ -18,6 +18,9 @@ struct real_range {
 
 inline constexpr real_range positive_reals = {0, 1.7976931348623157e308, false, true, "positive"};
 
+inline constexpr real_range reals_from_zero = {0, 1.7976931348623157e308, true, true,
+                                               "a finite number, at least 0"};
+
 inline constexpr real_range angle_bounds = {
     0, 60, true, false,
     "at least 0 and below 60 degrees, since no triangle has three angles above 60"};

@@ -4,11 +4,22 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <string>
 
 namespace asterism::apps {
 namespace {
 
 constexpr const char* wipe = "\r\033[K";
+
+// Sites come at an even rate while filling; mending afterwards takes its own time.
+std::string time_left(const mesh_progress& progress, double seconds) {
+  const auto sites = static_cast<double>(progress.sites);
+  if (seconds < 1 || sites < 1 || progress.sites_expected <= sites) return "";
+  const double left = seconds * (progress.sites_expected / sites - 1);
+  if (left < 90) return ", about " + std::to_string(static_cast<long>(left + 1)) + " s left";
+  return left < 5400 ? ", about " + std::to_string(static_cast<long>(left / 60 + 1)) + " min left"
+                     : ", hours left";
+}
 
 }  // namespace
 
@@ -37,7 +48,7 @@ void progress_line::show(const mesh_progress& progress) {
     std::cerr << " (" << static_cast<long>(static_cast<double>(progress.sites) / seconds)
               << " a second)";
   if (progress.phase == mesh_phase::filling) {
-    std::cerr << ", filling" << std::flush;
+    std::cerr << ", filling" << time_left(progress, seconds) << std::flush;
     return;
   }
   std::cerr << ", " << progress.disagreeing << " disagreeing, " << progress.low_angle

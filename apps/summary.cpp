@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <ostream>
 
+#include "asterism/apps/terminal.hpp"
 #include "asterism/apps/verdict_text.hpp"
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
@@ -33,6 +34,15 @@ void write_triangles(std::ostream& out, const certify_report& report, const mesh
 std::string worst_angle_text(double degrees) {
   if (degrees >= 180) return "no angle to judge";
   return fmt::format("worst angle {:.2f} degrees", degrees);
+}
+
+std::string text_of(const domain_repairs& done) {
+  return fmt::format(
+      "within {:.3g}: {} crossings made vertices, {} vertices joined, {} segments bent to "
+      "vertices, "
+      "{} cut off, {} holes dropped; nothing moved by more than about {:.3g}",
+      done.distance, done.crossings, done.joined_vertices + done.merged_vertices,
+      done.bent_segments, done.trimmed_segments, done.dropped_holes, done.greatest_move);
 }
 
 std::string text_of(const gradation_report& done) {
@@ -93,11 +103,11 @@ void write_summary(std::ostream& out, const certified_mesh& made,
   out << deviation_text(report);
   const char* relaxed = outcome.relaxed ? " in a relaxed metric" : "";
   if (made.certified())
-    out << ": certified" << relaxed << '\n';
+    out << ": " << in_colour("certified", ink::green, 1) << relaxed << '\n';
   else if (outcome.relaxed && report.certified)
-    out << ": certified" << relaxed << ", NOT complete\n";
+    out << ": " << in_colour("certified", ink::yellow, 1) << relaxed << ", NOT complete\n";
   else
-    out << ": NOT certified, incomplete\n";
+    out << ": " << in_colour("NOT certified", ink::red, 1) << ", incomplete\n";
 }
 
 void write_report(std::ostream& out, const certify_report& report, const mesh& m,
@@ -130,7 +140,9 @@ void write_report(std::ostream& out, const certify_report& report, const mesh& m
     out << "dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.audit.voronoi)] << '\n';
   if (report.theorem) out << "theorem on nets: " << theorem_text(*report.theorem) << '\n';
-  out << (report.certified() ? "certified\n" : "NOT certified\n");
+  out << (report.certified() ? in_colour("certified", ink::green, 1)
+                             : in_colour("NOT certified", ink::red, 1))
+      << '\n';
 }
 
 }  // namespace asterism::apps

@@ -11,6 +11,7 @@
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
@@ -21,6 +22,8 @@ namespace asterism::apps {
 // exempt corners.
 std::string worst_angle_text(double degrees);
 
+// Tells what was repaired in a domain, in one line.
+std::string text_of(const domain_repairs& done);
 // Tells what gradation did, in one line.
 std::string text_of(const gradation_report& done);
 // Tells what the passes over the finished mesh did, in one line; `sites` are there now.
@@ -31,8 +34,8 @@ std::string text_of(const fitting_report& done, std::size_t too_large);
 // Tells how far the metric of the mesh is from the one wanted, in one line.
 std::string text_of(const delivered_report& done);
 
-// Writes the one line that a mesh job ends with. `unit_edges` is their part of all, if it is asked
-// about.
+// Writes the one line that a mesh job ends with, to standard output or as if to it. `unit_edges` is
+// their part of all, if it is asked about.
 void write_summary(std::ostream& out, const certified_mesh& made, std::optional<double> unit_edges);
 
 // Writes what was found about a mesh that came from elsewhere.

@@ -12,15 +12,18 @@
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/json_summary.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/apps/verdict_text.hpp"
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
+#include "asterism/mesh/domain/repair_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
@@ -39,7 +42,7 @@ struct verify_options {
   std::string domain;
   bool number_regions = false;
   bool prove_voronoi = false;
-  bool all_findings = false, all_edges = false;
+  bool all_findings = false, all_edges = false, json = false;
   std::optional<double> max_seconds;
 };
 
@@ -70,14 +73,27 @@ result<std::optional<certificate>> find_certificate(const verify_options& option
   return std::optional<certificate>(std::move(read).value());
 }
 
+// Repairs the domain as the certificate says it was: the same distance gives the same domain.
+result<domain> repaired_as_claimed(const domain& d, const std::optional<certificate>& claim) {
+  if (claim)
+    if (const auto found = claim->options.find("repair-distance");
+        found != claim->options.end() && found->second != "none") {
+      const auto distance = parse_number(found->second);
+      if (!distance) return distance.failure().at("certificate: repair-distance");
+      return repair_domain(d, distance.value());
+    }
+  return check_domain(d);
+}
+
 // Reads the domain that was named; empty when none was. Vertices given to the mesh beyond the
 // domain's own, as random points are, belong to it when they lie inside.
-result<std::optional<domain>> find_domain(const verify_options& options, const mesh& subject) {
+result<std::optional<domain>> find_domain(const verify_options& options, const mesh& subject,
+                                          const std::optional<certificate>& claim) {
   if (options.domain.empty()) return std::optional<domain>();
   auto loaded = load_domain(options.domain);
   if (!loaded) return loaded.failure();
   if (options.number_regions) loaded.value().number_all_regions = true;
-  auto checked = check_domain(loaded.value());
+  auto checked = repaired_as_claimed(loaded.value(), claim);
   if (!checked) return checked.failure();
   const domain bare = checked.value();
   for (std::size_t v = bare.vertices.size();
@@ -155,9 +171,9 @@ void write_verdict(const verify_report& verdict, const std::string& scope) {
     std::cout << "certificate: " << contradiction << '\n';
   write_findings(std::cout, audit);
   const bool unasked = audit.certified && verdict.contradictions.empty() && !audit.angles_checked;
-  std::cout << (verdict.verified ? "certified: "
-                : unasked        ? "no bound asked for: not certified: "
-                                 : "REFUSED: ")
+  std::cout << (verdict.verified ? in_colour("certified", ink::green, 1) + ": "
+                : unasked ? in_colour("no bound asked for: not certified", ink::yellow, 1) + ": "
+                          : in_colour("REFUSED", ink::red, 1) + ": ")
             << audit.sites << " sites, " << audit.triangles << " triangles, " << angles_text(audit)
             << scope << '\n';
 }
@@ -197,8 +213,13 @@ int judge(const verify_options& options, mesh subject, const std::optional<certi
     }
   }
   line.clear();
-  write_verdict(verdict, scope_text(options, asked, claim, verdict, metric));
-  return verdict.verified ? done : not_reached;
+  const int status = verdict.verified ? done : not_reached;
+  const std::string scope = scope_text(options, asked, claim, verdict, metric);
+  if (options.json)
+    std::cout << summary_json(verdict, status, scope.substr(2));
+  else
+    write_verdict(verdict, scope);
+  return status;
 }
 
 int run_verify(const verify_options& options) {
@@ -208,7 +229,7 @@ int run_verify(const verify_options& options) {
   if (!subject) return complain(subject.failure(), refused);
   const auto claim = find_certificate(options);
   if (!claim) return complain(claim.failure(), refused);
-  const auto original = find_domain(options, subject.value());
+  const auto original = find_domain(options, subject.value(), claim.value());
   if (!original) return complain(original.failure(), refused);
   return judge(options, std::move(subject).value(), claim.value(), original.value());
 }
@@ -235,6 +256,7 @@ void add_verify_command(CLI::App& program, command& chosen) {
       *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
       "Checking ends after this time, with status 1 if it was not done")
       ->type_name("S");
+  app->add_flag("--json", options->json, "The verdict as a JSON object, in place of lines");
   add_judging_flags(*app, options->all_findings, options->all_edges);
   app->footer(examples);
   app->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });

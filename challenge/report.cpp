@@ -148,7 +148,8 @@ std::string text_report(const challenge_outcome& outcome) {
   std::string text = aligned(table_by_class(outcome));
   if (outcome.questions.size() > 1) text += '\n' + aligned(table_by_predicate(outcome));
   for (const std::string& remark : remarks(outcome)) text += '\n' + remark + '\n';
-  if (!outcome.witnesses.empty()) text += "\nThe first of each kind (replay: echo 'RECORD' | COMMAND):\n";
+  if (!outcome.witnesses.empty())
+    text += "\nThe first of each kind (replay: echo 'RECORD' | COMMAND):\n";
   for (const witness& w : outcome.witnesses) {
     text += w.class_name + ", " + std::string(kind_of(w)) + ": " + w.given + ", exactly " +
             std::to_string(w.exact) + "\n  " + w.record + '\n';

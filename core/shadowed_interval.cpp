@@ -63,7 +63,7 @@ dyadic_range square_root(const dyadic& x) {
 // Returns the square root of x, or of 0 where x is negative.
 dyadic_range root_of_non_negative(const dyadic_range& x) {
   const auto positive = [](const dyadic& y) { return y.sign_value() == sign::positive; };
-  const dyadic_range low = positive(x.low) ? square_root(x.low) : exactly(dyadic(0));
+  dyadic_range low = positive(x.low) ? square_root(x.low) : exactly(dyadic(0));
   if (x.exact) return low;
   const dyadic_range high = positive(x.high) ? square_root(x.high) : exactly(dyadic(0));
   return {low.low, high.high, false};

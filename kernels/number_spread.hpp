@@ -4,9 +4,10 @@
 // far the numbers of the question lie apart, and by whether its metrics differ. Beyond the
 // exponents of doubles the searches in doubles that make exact answers fast find nothing. Measured
 // on edge tests of thin tensors: 0.1 to 0.3 ms up to condition 1e300, 45 to 100 ms from 1e400 to
-// 1e600. Where tensors differ in all their bits the polynomials are of full degree, and take 0.5 to
-// 2 ms. Metrics of which meshes are made lie far below either bound: condition 1e16 with
-// coordinates as small as rounding leaves them takes 170 exponents.
+// 1e600. Where tensors differ in all their bits the polynomials are of full degree, and take 1 to
+// 2.5 ms in the stars of meshes of random tensors. Metrics of which meshes are made lie far below
+// either bound: condition 1e16 with coordinates as small as rounding leaves them takes 170
+// exponents.
 
 #pragma once
 
@@ -42,7 +43,8 @@ class exponent_range {
 template <std::size_t Count>
 std::uint64_t spread_weight(const std::array<const site*, Count>& sites) {
   constexpr int wide = 300, too_wide = 1022;  // 2^-1022 is the least double of full precision
-  constexpr std::uint64_t weight_of_different = 40, weight_of_wide = 20, weight_of_too_wide = 10000;
+  constexpr std::uint64_t weight_of_different = 150, weight_of_wide = 20,
+                          weight_of_too_wide = 10000;
   exponent_range tensors, coordinates;
   for (const site* s : sites) {
     for (const double x : {s->metric.m11, s->metric.m12, s->metric.m22}) tensors.cover(x);

@@ -8,19 +8,38 @@
 
 namespace asterism::internal {
 
-inline constexpr std::array<std::string_view, 22> mesh_option_names = {
-    "angle-bound",   "certify",      "complexity",     "complexity-delivered",
-    "domain",        "fit-done",     "gradation",      "gradation-done",
-    "improve",       "improve-done", "max-sites",      "metric-fingerprint",
-    "random-points", "refine",       "regions",        "relax",
-    "seed",          "size",         "size-delivered", "tol",
-    "tol-at-end",    "vertices"};
+inline constexpr std::array<std::string_view, 26> mesh_option_names = {"angle-bound",
+                                                                       "certify",
+                                                                       "complexity",
+                                                                       "complexity-delivered",
+                                                                       "domain",
+                                                                       "fit-done",
+                                                                       "gradation",
+                                                                       "gradation-done",
+                                                                       "improve",
+                                                                       "improve-done",
+                                                                       "max-sites",
+                                                                       "metric-fingerprint",
+                                                                       "metric-tolerance",
+                                                                       "random-points",
+                                                                       "refine",
+                                                                       "regions",
+                                                                       "relax",
+                                                                       "repair-distance",
+                                                                       "repair-done",
+                                                                       "repair-places",
+                                                                       "seed",
+                                                                       "size",
+                                                                       "size-delivered",
+                                                                       "tol",
+                                                                       "tol-at-end",
+                                                                       "vertices"};
 
 inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-bound", "mesh",
                                                                          "repair", "size"};
 
 // A transfer adds names that begin with "transfer-", some for each component.
-inline constexpr std::array<std::string_view, 45> adapt_option_names = {
+inline constexpr std::array<std::string_view, 46> adapt_option_names = {
     "adapt-aspect",
     "adapt-complexity",
     "adapt-error",
@@ -65,6 +84,7 @@ inline constexpr std::array<std::string_view, 45> adapt_option_names = {
     "metric-intersected",
     "metric-noise",
     "metric-reached",
-    "metric-step-limited"};
+    "metric-step-limited",
+    "metric-tolerance"};
 
 }  // namespace asterism::internal

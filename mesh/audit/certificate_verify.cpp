@@ -145,10 +145,32 @@ bool is_of_mesh(const std::string& metric) {
       });
 }
 
+// A metric farther from the one wanted than is tolerated is no reason to refuse a mesh, but the run
+// was not complete then.
+void compare_tolerance(contradictions& all, const certificate& claim) {
+  const auto option = claim.options.find("metric-tolerance");
+  if (option == claim.options.end() || option->second == "none") return;
+  const auto tolerated = number_of(option->second);
+  if (!tolerated || !(*tolerated >= 0)) {
+    all.add("\"asked.options.metric-tolerance\" is no number of at least 0");
+    return;
+  }
+  if (!claim.complete) return;
+  if (claim.delivered && !(claim.delivered->greatest <= *tolerated))
+    all.add("the certificate says that its mesh was completed, and the metric delivered is " +
+            text_of(claim.delivered->greatest) + " from the one wanted, where " + option->second +
+            " is tolerated");
+  if (claim.relaxed)
+    all.add(
+        "the certificate says that its mesh was completed in a relaxed metric, with a "
+        "\"metric-tolerance\"");
+}
+
 // Whoever calls the library may leave the options away, but not some of them.
 void compare_options(contradictions& all, const certificate& claim) {
   compare_bounds(all, claim);
   if (claim.options.empty()) return;
+  compare_tolerance(all, claim);
   if (claim.options.count("adapt-mesh") != 0) return compare_adapted_names(all, claim);
   if (claim.options.count("mesh") != 0) return compare_names(all, claim, certify_option_names);
   compare_names(all, claim, mesh_option_names);

@@ -66,6 +66,8 @@ void audit_context::take(audit_tally&& tally) {
   report.voronoi_pairs += tally.part.voronoi_pairs;
   report.voronoi_pairs_exact += tally.part.voronoi_pairs_exact;
   report.counters += tally.part.counters;
+  looked_units += tally.looked_units;
+  unfinished = unfinished || tally.unfinished;
 }
 
 std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index b) {

@@ -43,6 +43,9 @@ struct vertex_fan {
 struct audit_tally {
   std::size_t findings_kept = 0;
   audit_report part;
+  double most_units = 0;    // of work (audit/audit_work.hpp) that this part may do
+  double looked_units = 0;  // of work that no other number tells
+  bool unfinished = false;  // the part ended early, for want of work or as it was told to
 
   // Counts in `part`.
   filtered_kernel kernel() { return filtered_kernel(part.counters); }
@@ -74,6 +77,10 @@ struct audit_context {
   // Filled by check_domain_kept: of each boundary edge the segment of the domain it is a subsegment
   // of.
   std::vector<std::optional<vertex_index>> segment_of;
+  // Work that no number of the report tells (audit/audit_work.hpp), and whether a part of a check
+  // ended early.
+  double looked_units = 0;
+  bool unfinished = false;
   // Filled by check_fans, only when the edges match.
   std::vector<std::vector<vertex_fan>> fans;
 
@@ -88,13 +95,14 @@ struct audit_context {
 
 // Calls check(tally, begin, end) for chunks of [0, count), in parallel; the tallies are taken in
 // order, so that the report is that of one thread. Of the context a check may write only what
-// belongs to its chunk alone.
+// belongs to its chunk alone. Each chunk has an even part of `units` of work, if it asks.
 template <class Check>
 void check_in_parallel(audit_context& context, std::size_t count, const Check& check,
-                       std::size_t chunk = 1024) {
+                       std::size_t chunk = 1024, double units = 0) {
   std::vector<audit_tally> tallies(chunk_count(count, chunk));
   parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
     tallies[i].findings_kept = context.options.findings_kept;
+    tallies[i].most_units = units / static_cast<double>(tallies.size());
     check(tallies[i], begin, end);
   });
   for (audit_tally& tally : tallies) context.take(std::move(tally));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -33,18 +34,21 @@ std::vector<corner> sectors_at(const audit_context& context, const directed_edge
     out.push_back(context.sides[i].b);
   for (std::size_t i = arriving.start[v]; i < arriving.start[v + 1]; ++i)
     in.push_back(arriving.list[i].b);
+  // Found by one look at all rays for each that leaves: thousands may meet at v.
   std::vector<corner> sectors;
-  for (const vertex_index n : out)
-    for (const vertex_index p : in) {
-      const auto between = [&](vertex_index q) {
-        return q != n && q != p && context.orientation(v, n, q) == sign::positive &&
-               context.orientation(v, q, p) == sign::positive;
-      };
-      if (context.orientation(v, n, p) == sign::positive &&
-          std::none_of(out.begin(), out.end(), between) &&
-          std::none_of(in.begin(), in.end(), between))
+  for (const vertex_index n : out) {
+    std::optional<vertex_index> next;  // on the first ray after that of n
+    const auto consider = [&](vertex_index q) {
+      if (context.orientation(v, n, q) != sign::positive) return;
+      if (!next || context.orientation(v, q, *next) == sign::positive) next = q;
+    };
+    std::for_each(out.begin(), out.end(), consider);
+    std::for_each(in.begin(), in.end(), consider);
+    for (const vertex_index p : in)
+      if (next && (p == *next || (context.orientation(v, n, p) == sign::positive &&
+                                  context.orientation(v, p, *next) == sign::zero)))
         sectors.push_back({v, n, p});
-    }
+  }
   return sectors;
 }
 

@@ -24,6 +24,7 @@
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/star_gap.hpp"
+#include "asterism/mesh/audit/audit_work.hpp"
 #include "asterism/mesh/audit/context.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
@@ -136,8 +137,11 @@ class star_check {
   star_check(const audit_context& context, audit_tally& tally, const star_surroundings& around)
       : context_(context),
         tally_(tally),
+        patience_(context, tally),
         around_(around),
         sight_(context, around.subsegments, tally.kernel()) {}
+
+  bool is_over() { return patience_.is_over(); }
 
   // Checks vertices near each other: the sites around are looked for once for all of them.
   void run(const vertex_index* begin, const vertex_index* end, bool neighbours_alone) {
@@ -153,8 +157,10 @@ class star_check {
     const bool gathered = around_.sites.gather(reaching_, leaves_);
     for (std::size_t i = 0; i < used_; ++i) {
       const prepared_fan& p = prepared_[i];
+      const double a_look = unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size());
       const auto look = [&](vertex_index w) {
-        if (w != p.v && !is_neighbour(p, w)) check_other(p, w);
+        patience_.count(a_look);
+        if (w != p.v && !is_neighbour(p, w) && !patience_.is_over()) check_other(p, w);
       };
       if (gathered && is_finite(p.reach))
         around_.sites.visit_near(leaves_, at(p.v), p.reach, look);
@@ -180,7 +186,7 @@ class star_check {
   void check_neighbours(vertex_index v, const vertex_fan& fan) {
     const std::size_t n = fan.link.size();
     const std::size_t skipped = fan.closed ? 0 : 1;
-    for (std::size_t i = skipped; i + skipped < n; ++i) {
+    for (std::size_t i = skipped; i + skipped < n && !patience_.is_over(); ++i) {
       const vertex_index w = fan.link[i], x = fan.link[(i + n - 1) % n], y = fan.link[(i + 1) % n];
       if (w < v) continue;
       const bool by_v = is_asked(v, w, x, y), by_w = is_asked(w, v, y, x);
@@ -296,8 +302,13 @@ class star_check {
     return tally_.kernel().edge_test(at(v), at(w), at(gap.x), at(gap.y));
   }
 
+  // Work of a look at a site, and of the ray that it is held against, as they take 50 and 5
+  // nanoseconds.
+  static constexpr double unit_of_look = 0.005, unit_of_gap = 0.0005;
+
   const audit_context& context_;
   audit_tally& tally_;
+  audit_patience patience_;
   const star_surroundings& around_;
   visibility_test sight_;
   // Scratch for the vertices at hand; members to spare allocations.
@@ -307,39 +318,34 @@ class star_check {
   std::vector<std::size_t> leaves_;
 };
 
-// True if all was looked at: the work ends, at a place that does not depend on threads, where it
-// has found more than `most`, and wherever it is cancelled.
+// True if all was looked at. The work ends where it has found more than `most`, has done the most
+// that is done for so many sites, or is cancelled.
 bool check_in_turn(audit_context& context, const star_surroundings& around, bool neighbours_alone,
                    std::size_t most) {
   const std::vector<vertex_index>& order = around.sites.order();
   const std::vector<std::size_t>& groups = around.sites.groups();
-  constexpr std::size_t at_a_time = 128, in_turn = 32 * at_a_time;
   const std::size_t before = context.report.total_found();
-  for (std::size_t first = 0; first + 1 < groups.size(); first += in_turn) {
-    if (context.options.stop.is_requested()) {
-      context.report.stars_checked = false;
-      context.found(finding_kind::stopped, "the stars were not all looked at");
-      return false;
-    }
-    const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
-      star_check part(context, tally, around);
-      for (std::size_t i = first + begin; i < first + end; ++i)
-        part.run(order.data() + groups[i], order.data() + groups[i + 1], neighbours_alone);
-    };
-    check_in_parallel(context, std::min(in_turn, groups.size() - 1 - first), check, at_a_time);
-    if (context.report.total_found() - before > most) {
-      context.report.stars_cut_short = true;
-      return false;
-    }
+  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    star_check part(context, tally, around);
+    for (std::size_t i = begin; i < end && !part.is_over(); ++i)
+      part.run(order.data() + groups[i], order.data() + groups[i + 1], neighbours_alone);
+  };
+  const auto is_refused = [&] { return context.report.total_found() - before > most; };
+  if (check_in_parts(context, groups.size() - 1, check, is_refused)) return true;
+  if (is_refused()) {
+    context.report.stars_cut_short = true;
+  } else {
+    context.report.stars_checked = false;
+    context.found(finding_kind::stopped, unfinished_text(context, "the stars"));
   }
-  return true;
+  return false;
 }
 
 }  // namespace
 
 // Looks at neighbours first, then at all sites in reach. Ends where as much is refused as a tenth
 // of the sites, unless every finding is to be kept: such stars see far, and to look at all of them
-// would only say so again.
+// would only say so again. Ends, too, after the most work that is done (audit/audit_work.hpp).
 void check_stars(audit_context& context) {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), part = 10;
   const std::size_t most = context.options.findings_kept == all ? all : context.report.sites / part;

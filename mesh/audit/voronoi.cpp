@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/mesh/audit/audit_work.hpp"
 #include "asterism/mesh/audit/context.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/voronoi_arc.hpp"
@@ -37,6 +38,8 @@ class vertex_check {
       return;
     }
     ++tally_.part.exact_decisions;
+    constexpr double an_exact_vertex = 100;  // a millisecond
+    tally_.looked_units += an_exact_vertex;
     const exact_voronoi_arc arc(a, b);
     if (const auto found = arc.vertex(c)) {
       vertices_[t] = {true, arc.enclose(*found)};
@@ -187,7 +190,13 @@ class cell_check {
  public:
   cell_check(const audit_context& context, audit_tally& tally, const voronoi_vertices& vertices,
              const site_tree& sites)
-      : context_(context), tally_(tally), vertices_(vertices), sites_(sites) {}
+      : context_(context),
+        tally_(tally),
+        patience_(context, tally),
+        vertices_(vertices),
+        sites_(sites) {}
+
+  bool is_over() { return patience_.is_over(); }
 
   void run(vertex_index v) {
     arcs_.clear();
@@ -200,13 +209,15 @@ class cell_check {
     }
     if (arcs_.empty()) return;
     sites_.visit_near(context_.subject.sites[v], reach, [&](vertex_index w) {
-      for (arc_check& arc : arcs_) arc.run(w);
+      for (arc_check& arc : arcs_)
+        if (!patience_.is_over()) arc.run(w);
     });
   }
 
  private:
   const audit_context& context_;
   audit_tally& tally_;
+  audit_patience patience_;
   const voronoi_vertices& vertices_;
   const site_tree& sites_;
   std::vector<arc_check> arcs_;  // of the cell at hand; a member to spare allocations
@@ -215,26 +226,36 @@ class cell_check {
 }  // namespace
 
 void check_voronoi(audit_context& context) {
+  // Has its own work, whatever the stars took.
+  context.looked_units -= audit_units(context.report, context.looked_units);
+  context.unfinished = false;
+  const auto never = [] { return false; };
   voronoi_vertices vertices(context.subject.triangles.size());
-  check_in_parallel(context, vertices.size(),
-                    [&](audit_tally& tally, std::size_t begin, std::size_t end) {
-                      vertex_check part(context, tally, vertices);
-                      for (std::size_t t = begin; t < end; ++t)
-                        part.run(static_cast<vertex_index>(t));
-                    });
+  const auto check_vertices = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    vertex_check part(context, tally, vertices);
+    audit_patience patience(context, tally);
+    for (std::size_t t = begin; t < end && !patience.is_over(); ++t)
+      part.run(static_cast<vertex_index>(t));
+  };
+  bool ended = check_in_parts(context, vertices.size(), check_vertices, never);
   const site_tree sites(context.subject.sites);
   const std::vector<vertex_index>& order = sites.order();
-  check_in_parallel(context, order.size(),
-                    [&](audit_tally& tally, std::size_t begin, std::size_t end) {
-                      cell_check part(context, tally, vertices, sites);
-                      for (std::size_t i = begin; i < end; ++i) part.run(order[i]);
-                    });
+  const auto check_cells = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    cell_check part(context, tally, vertices, sites);
+    for (std::size_t i = begin; i < end && !part.is_over(); ++i) part.run(order[i]);
+  };
+  ended = ended && check_in_parts(context, order.size(), check_cells, never);
+  if (!ended)
+    context.found(finding_kind::stopped,
+                  unfinished_text(context, "the arcs of the Voronoi diagram"));
   bool refused = false;
   for (const finding_kind kind :
        {finding_kind::voronoi_vertex_missing, finding_kind::voronoi_arc_reversed,
         finding_kind::voronoi_site_nearer, finding_kind::voronoi_boundary_encroached})
     refused = refused || context.report.found[static_cast<std::size_t>(kind)] != 0;
-  context.report.voronoi = refused ? voronoi_verdict::refused : voronoi_verdict::proved;
+  context.report.voronoi = refused ? voronoi_verdict::refused
+                           : ended ? voronoi_verdict::proved
+                                   : voronoi_verdict::not_reached;
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -47,6 +47,10 @@ struct mesh_options {
   // (pipeline/metric_relaxation.hpp); the outcome says so. Only for `fill`. If false, a run
   // ends with disagreeing triangles there.
   bool relax = true;
+  // Greatest distance allowed between the metric delivered and the one wanted, at any site: ln of
+  // the greatest ratio of the two lengths of a displacement, as delivered_report::greatest. 0: no
+  // tensor is changed. Beyond it a run is not complete, and says the distance. Default: any.
+  std::optional<double> metric_tolerance = {};
   // Has make_certified_mesh prove or refuse that the mesh is the dual of the anisotropic Voronoi
   // diagram of its sites. make_mesh ignores it.
   bool prove_voronoi = false;

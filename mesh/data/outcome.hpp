@@ -28,16 +28,17 @@ struct exempt_corner {
 
 // How a run ended. pipeline/outcome_text.hpp says it in a sentence.
 enum class ending {
-  complete,    // all stars agree, and every triangle meets the demands
-  site_limit,  // mesh_options::max_sites was reached with demands left
-  collateral,  // nothing is left but low angles beside sharp corners, which could not be mended
-  stuck,       // bad triangles are left, and no site can be inserted for any of them
-  too_steep,   // given up: at some triangles the metric varies faster than sites can resolve
-  overworked,  // given up: the most work that is done for so many sites was done
-  stopped,     // by mesh_options::stop
-  crowded,     // the metric varies too fast for sites to be spread: the given vertices alone
-  relaxed,     // for a whole run: the mesh is of a relaxed metric
-  fitted       // for a whole run: the mesh of a relaxed metric was fitted to the one given
+  complete,     // all stars agree, and every triangle meets the demands
+  site_limit,   // mesh_options::max_sites was reached with demands left
+  collateral,   // nothing is left but low angles beside sharp corners, which could not be mended
+  stuck,        // bad triangles are left, and no site can be inserted for any of them
+  too_steep,    // given up: at some triangles the metric varies faster than sites can resolve
+  overworked,   // given up: the most work that is done for so many sites was done
+  stopped,      // by mesh_options::stop
+  crowded,      // the metric varies too fast for sites to be spread: the given vertices alone
+  relaxed,      // for a whole run: the mesh is of a relaxed metric
+  intolerable,  // for a whole run: stars agree in a metric farther away than is allowed
+  fitted        // for a whole run: the mesh of a relaxed metric was fitted to the one given
 };
 
 // Place at which the metric varies faster than sites so near to each other can resolve.
@@ -106,6 +107,12 @@ struct fitting_report {
   std::size_t rounds = 0, moves = 0, flips = 0, collapses = 0, insertions = 0;
 };
 
+// Metric in which stars agree, though it is farther from the one wanted than
+// mesh_options::metric_tolerance allows.
+struct intolerable_distance {
+  double allowed = 0, found = 0;  // as delivered_report::greatest
+};
+
 // Facts about a relaxed outcome beyond its report (data/relaxation_report.hpp), which is a part of
 // certificates and does not hold them.
 struct relaxation_details {
@@ -140,6 +147,9 @@ struct mesh_outcome {
   std::optional<refinement_ending> stopped_relaxing;
   // Report in the metric that is delivered; present if the mesh was made by local changes.
   std::optional<delivered_report> delivered;
+  // Present where such a metric was found and none that is near enough. With a tolerance of 0 the
+  // mesh is of the metric wanted, else of that one.
+  std::optional<intolerable_distance> intolerable;
   // The auditor's report, where the mesher asked for it already: with the angle bound and the
   // domain of the run, no corner exempt, and nothing asked of the Voronoi diagram.
   std::shared_ptr<const audit_report> audited;
@@ -149,6 +159,7 @@ struct mesh_outcome {
     if (fitted) return ending::fitted;
     if (relaxed) return ending::relaxed;
     if (stopped) return ending::stopped;
+    if (intolerable) return ending::intolerable;
     return ended.length_factor > 1 ? ending::site_limit : ended.how;
   }
 };

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/domain/check_domain.hpp"
 
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
+#include "asterism/mesh/domain/domain_values.hpp"
 #include "asterism/mesh/domain/face_map.hpp"
 #include "asterism/mesh/domain/message_names.hpp"
 #include "asterism/mesh/domain/planar_graph.hpp"
@@ -17,30 +16,6 @@ namespace asterism {
 using namespace internal;
 
 namespace {
-
-using failure = std::optional<error>;
-
-bool is_finite(const point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
-failure check_values(const domain& d) {
-  const domain_names names(d);
-  if (d.vertices.size() > std::numeric_limits<vertex_index>::max() / 4)
-    return error{names.at_start() + "more vertices than 32-bit numbers can name"};
-  for (std::size_t v = 0; v < d.vertices.size(); ++v)
-    if (!is_finite(d.vertices[v]))
-      return error{names.at_vertex(v) + names.vertex(v) + " is not finite"};
-  for (std::size_t s = 0; s < d.segments.size(); ++s)
-    if (d.segments[s].a >= d.vertices.size() || d.segments[s].b >= d.vertices.size())
-      return error{names.at_segment(s) + names.segment(s) + " uses a vertex that does not exist"};
-  for (std::size_t h = 0; h < d.holes.size(); ++h)
-    if (!is_finite(d.holes[h])) return error{names.at_hole(h) + names.hole(h) + " is not finite"};
-  for (std::size_t r = 0; r < d.regions.size(); ++r)
-    if (!is_finite(d.regions[r].at))
-      return error{names.at_region(r) + names.region(r) + " is not finite"};
-  if (d.segments.empty())
-    return error{names.at_start() + "the domain is empty: it has no segments"};
-  return {};
-}
 
 // Returns the edges of the boundary, turned so that the domain is on their left, and the internal
 // ones; the others are counted.
@@ -126,7 +101,7 @@ domain assemble(const domain& d, const std::vector<bool>& kept,
 }
 
 result<domain> check(const domain& input, domain_repairs& report) {
-  if (auto failed = check_values(input)) return std::move(*failed);
+  if (auto failed = check_domain_values(input)) return std::move(*failed);
   const auto graph = build_plane_graph(input, report);
   if (!graph.ok()) return graph.failure();
   const face_map faces(input.vertices, graph.value().edges);

@@ -33,6 +33,7 @@ constexpr colour bold_ink{0.07, 0.09, 0.13};
 constexpr colour disagreeing_fill{0.84, 0.15, 0.16, 0.75};
 constexpr colour low_angle_fill{0.98, 0.80, 0.38, 0.65};
 constexpr colour given_fill{0.12, 0.42, 0.72};
+constexpr colour mark_line{0.75, 0.0, 0.13};
 constexpr colour ellipse_line{0.10, 0.55, 0.45, 0.9};
 constexpr colour ellipse_fill{0.10, 0.55, 0.45, 0.13};
 
@@ -236,6 +237,22 @@ void draw_sites(cairo_t* cairo, const page& p, const mesh& m) {
   }
 }
 
+// Rings, with a rim of paper that lifts them off the lines; places that are not on the page are
+// left out.
+void draw_marks(cairo_t* cairo, const page& p, const std::vector<point>& marks) {
+  for (const point& mark : marks) {
+    const point at = p.at(mark);
+    if (!(at.x >= 0 && at.x <= p.width && at.y >= 0 && at.y <= p.height)) continue;
+    for (const auto& [ink, width] : {std::pair{paper, 4.0}, std::pair{mark_line, 2.0}}) {
+      cairo_new_sub_path(cairo);
+      cairo_arc(cairo, at.x, at.y, 8 * p.unit(), 0, 2 * std::numbers::pi);
+      use(cairo, ink);
+      cairo_set_line_width(cairo, width * p.unit());
+      cairo_stroke(cairo);
+    }
+  }
+}
+
 }  // namespace
 
 result<std::string> draw_picture(const mesh& m, picture_format format,
@@ -253,6 +270,7 @@ result<std::string> draw_picture(const mesh& m, picture_format format,
     stroke_boundary(cairo, p, m);
     if (options.ellipses) draw_ellipses(cairo, p, m);
     if (options.sites) draw_sites(cairo, p, m);
+    draw_marks(cairo, p, options.marks);
   });
 }
 

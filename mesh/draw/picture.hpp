@@ -9,9 +9,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
@@ -25,6 +27,7 @@ struct picture_options {
   bool sites = true;
   bool ellipses = false;
   double angle_bound = 0;  // degrees; tints triangles below it as seen from one of their vertices
+  std::vector<point> marks = {};  // places to ring in red
 };
 
 // Returns the bytes of the file. Fails for a width out of range, a mesh without extent or with

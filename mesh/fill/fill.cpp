@@ -132,6 +132,7 @@ class filling {
     filled.complete = !is_over();
     filled.stopped = stopped_;
     filled.needed = needed_;
+    filled.work_units = work_.units();
     if (crowded_) filled.crowded = stars_.most_crowded();
     filled.divisions = segments_.dividing_sites();
     for (auto w = static_cast<vertex_index>(domain_.vertices.size()); w < sites_.size(); ++w)

@@ -51,6 +51,7 @@ struct filled_domain {
   std::optional<crowded_site> crowded;
   // If not complete: about how many sites it would take, as far as can be told from coarser levels.
   double needed = 0;
+  double work_units = 0;  // done, about, in the units of kernels/work_units.hpp
 };
 
 // Told the number of sites and about how many there will be (0 when that cannot be told yet).

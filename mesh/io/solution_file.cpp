@@ -76,7 +76,7 @@ result<double> values_reader::read_number(std::size_t field, std::size_t v) {
   const word w = source_.next();
   const auto place = [&] { return fmt::format("field {}, vertex {}", field + 1, v + 1); };
   if (w.empty()) return source_.failure(w.line, place() + ": the file ends here");
-  const auto value = parse_number(w.text);
+  auto value = parse_number(w.text);
   if (!value)
     return source_.failure(w.line, value.failure().at(place()).message, value.failure().code);
   return value;

@@ -135,7 +135,7 @@ failure vtu_reader::collect() {
 result<std::size_t> vtu_reader::components(const data_array& a) const {
   const std::string_view said = a.tag["NumberOfComponents"];
   if (said.empty()) return std::size_t{1};
-  const auto count = whole_number(said);
+  auto count = whole_number(said);
   if (!count || count.value() == 0 || count.value() > 9)
     return tags_.failure(a.tag.line,
                          "NumberOfComponents: " + quoted_token(said) + " is not 1 to 9");

@@ -2,6 +2,7 @@
 #include "asterism/mesh/pipeline/make_mesh.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "asterism/kernels/filtered_kernel.hpp"
@@ -15,32 +16,63 @@ namespace asterism {
 using namespace internal;
 namespace {
 
+// Distance of the metric delivered from the one wanted; none where that is near enough.
+std::optional<intolerable_distance> excess_of(const mesh_outcome& made,
+                                              const mesh_options& options) {
+  if (!options.metric_tolerance || !made.delivered || made.stopped) return std::nullopt;
+  const double found = made.delivered->greatest;
+  if (found <= *options.metric_tolerance) return std::nullopt;
+  return intolerable_distance{*options.metric_tolerance, found};
+}
+
+// Chooses what there is to show where no metric that is near enough led to a mesh: with a tolerance
+// of 0 the mesh of the metric wanted, in which not all stars agree, and else the mesh of a metric
+// too far away, in which they do.
+mesh_outcome mesh_beyond_tolerance(mesh_outcome as_given, mesh_outcome delivered,
+                                   const mesh_options& options) {
+  const auto found = excess_of(delivered, options);
+  if (!found) return as_given;
+  mesh_outcome& shown = found->allowed > 0 ? delivered : as_given;
+  shown.intolerable = found;
+  shown.complete = false;
+  return std::move(shown);
+}
+
 result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
                                   const mesh_options& options, const progress_listener& progress) {
   if (auto refused = check_options(d, options)) return *refused;
   metric_delivery delivery(d, field, options);
   const bool is_first = may_adapt(options) && delivery.is_first_choice();
   const bool is_second = may_adapt(options) && !is_first;
-  if (is_first)
-    if (auto made = delivery.make(0)) return *std::move(made);
+  std::optional<mesh_outcome> delivered;
+  if (is_first) {
+    delivered = delivery.make(0);
+    if (delivered && !excess_of(*delivered, options)) return *std::move(delivered);
+  }
   // Little is spent on finding out that a mesh is not likely, the metric varying too fast.
   constexpr double little = 0.1;
-  const double work_share = is_second && delivery.varies_fast() ? little : 1;
+  const bool is_strict = options.metric_tolerance == 0.0;
+  const double work_share = !is_strict && is_second && delivery.varies_fast() ? little : 1;
+  mesh_options as_wanted = options;
+  as_wanted.relax = options.relax && !is_strict;
   tier_counters decided;
   const star_predicates_on<filtered_kernel> stars_on(decided);
   const unit_image image(d, field, options);
   auto outcome =
-      mesh_domain({stars_on, image.shape(), image.field(), options, progress, work_share});
+      mesh_domain({stars_on, image.shape(), image.field(), as_wanted, progress, work_share});
   if (!outcome) return outcome;
   image.outward(outcome.value());
   if (wants_relaxation(outcome.value(), options)) {
     constexpr std::size_t fewest = 400, most = 2000;
     const std::size_t few = std::clamp(outcome.value().sites, fewest, most);
-    if (is_second)
-      if (auto made = delivery.make(few)) return *std::move(made);
-    outcome = refine_relaxed({stars_on, d, field, options, progress}, std::move(outcome).value());
+    if (is_second) delivered = delivery.make(few);
+    if (is_second && delivered && !excess_of(*delivered, options)) return *std::move(delivered);
+    if (!options.metric_tolerance)
+      outcome = refine_relaxed({stars_on, d, field, options, progress}, std::move(outcome).value());
   }
   if (!outcome) return outcome;
+  if (delivered && !outcome.value().complete && !outcome.value().stopped)
+    outcome = mesh_beyond_tolerance(std::move(outcome).value(), *std::move(delivered), options);
   outcome.value().counters = decided;
   assign_regions(outcome.value().result, d);
   return outcome;

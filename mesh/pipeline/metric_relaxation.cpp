@@ -24,6 +24,7 @@
 #include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/refine/site_budget.hpp"
+#include "asterism/mesh/stars/work_limit.hpp"
 #include "asterism/mesh/support/wide_range.hpp"
 
 namespace asterism::internal {
@@ -170,7 +171,7 @@ class relaxation {
     tried_.reset();
     crowded_ = false;
     longer_edges_ = 1;
-    if (is_stopped()) return tried_;
+    if (is_stopped() || spent_units_ > most_spent * units_for_relaxing) return tried_;
     mesh_options options = options_;
     if (step.kind == relaxation_kind::without_demands) {
       options.angle_bound = 0;
@@ -185,6 +186,7 @@ class relaxation {
     const meshing_context job = job_in_frame(*relaxed, options);
     const auto filled = fill_within_budget(job);
     if (!filled || (filled.value().proposed.stopped && is_stopped())) return tried_;
+    spent_units_ += filled.value().work_units;
     crowded_ = filled.value().proposed.crowded.has_value();
     longer_edges_ = elementary::exp2(filled.value().halvings / 2.0);
     if (crowded_ || (may_vary && longer_edges_ > step.reach)) return tried_;
@@ -196,11 +198,23 @@ class relaxation {
     return {job_.kernel, image_, relaxed, options, job_.progress};
   }
 
+  // Returns the part of the work allowed for so many sites that is left for relaxing.
+  double share_left(const filled_domain& proposed) const {
+    std::size_t sites = image_.vertices.size() + proposed.interior.size();
+    for (const std::vector<site>& division : proposed.divisions) sites += division.size();
+    return (units_for_relaxing - spent_units_) / most_work_units(sites, image_.vertices.size());
+  }
+
   void refine(const budgeted_filling& filled, const meshing_context& job) {
+    const double share = share_left(filled.proposed);
+    if (!(share > 0)) return;
     ++tries_;
     tier_counters own;  // the work done for one mesh is counted from zero
     const auto own_kernel = job.kernel.fork(own);
-    auto made = mesh_from_sites(job.on(*own_kernel), filled);
+    meshing_context limited = job.on(*own_kernel);
+    limited.work_share = std::min(1.0, share);
+    auto made = mesh_from_sites(limited, filled);
+    spent_units_ += work_units(own);
     job.kernel.counters() += own;
     if (!made) return;
     tried_ = std::move(made).value();
@@ -352,6 +366,9 @@ class relaxation {
       tried_->too_large = count_large(as_given);
   }
 
+  // Part of the work for relaxing after which no other attempt is begun.
+  static constexpr double most_spent = 0.9;
+
   const meshing_context& job_;
   const domain& domain_;
   const metric_field& field_;
@@ -370,6 +387,7 @@ class relaxation {
   bool crowded_ = false;
   double longer_edges_ = 1;
   std::size_t tries_ = 0;
+  double spent_units_ = 0;  // of work, by all attempts
 };
 
 }  // namespace

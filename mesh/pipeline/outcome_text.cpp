@@ -13,6 +13,7 @@
 namespace asterism {
 namespace {
 using internal::format_number;
+using internal::number_text;
 using internal::squared_distance;
 
 std::string place_text(const point& at) {
@@ -162,6 +163,18 @@ std::string fitted_text(const mesh_outcome& outcome) {
       outcome.fitted->power, outcome.too_large, outcome.fitted->why);
 }
 
+// Names the distance to the last digit where it is what may be tolerated: rounded, it might not do.
+std::string intolerable_text(const mesh_outcome& outcome) {
+  const intolerable_distance& distance = *outcome.intolerable;
+  const std::string found = format_number(distance.found);
+  const std::string beyond = " from the one wanted, where " + format_number(distance.allowed) +
+                             " is tolerated; a metric tolerance of " + number_text(distance.found) +
+                             " is kept, and a smaller size or a gradation brings the two nearer";
+  const std::string ended = ending_text(outcome.ended);
+  if (outcome.delivered) return ended + ", in a metric delivered that is " + found + beyond;
+  return "stars agree in a metric " + found + beyond + "; in the one wanted: " + ended;
+}
+
 }  // namespace
 
 std::string ending_text(const refinement_ending& e) {
@@ -174,6 +187,7 @@ std::string ending_text(const refinement_ending& e) {
 }
 
 std::string ending_text(const mesh_outcome& outcome) {
+  if (outcome.intolerable) return intolerable_text(outcome);
   if (outcome.fitted) return fitted_text(outcome);
   if (outcome.relaxed && outcome.relaxed_details) return relaxed_text(outcome);
   std::string ended = ending_text(outcome.ended);

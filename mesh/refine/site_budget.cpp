@@ -106,6 +106,7 @@ result<budgeted_filling> fill_by_halving(const meshing_context& job) {
     auto proposed = fill(job.shape, field, wanted, progress_of(job));
     if (!proposed) return proposed.failure();
     filled.proposed = std::move(proposed).value();
+    filled.work_units += filled.proposed.work_units;
     if (filled.proposed.complete || filled.proposed.stopped || filled.proposed.crowded) break;
     filled.halvings += halvings_for(filled.proposed.needed, job.options.max_sites);
   }
@@ -122,7 +123,10 @@ result<budgeted_filling> fill_within_budget(const meshing_context& job) {
   if (is_large) {
     auto featured = fill_by_features(job);
     if (!featured) return featured.failure();
-    if (featured.value()) return budgeted_filling{*std::move(featured).value(), 0};
+    if (featured.value()) {
+      const double units = featured.value()->work_units;
+      return budgeted_filling{*std::move(featured).value(), 0, units};
+    }
     if (!limit_size) return nothing_proposed(job.shape);
   }
   return fill_by_halving(job);

@@ -13,6 +13,7 @@ namespace asterism::internal {
 struct budgeted_filling {
   filled_domain proposed;  // measured in the field divided by 2^halvings (refine/coarser_mesh.hpp)
   int halvings = 0;        // of the number of sites: edges are 2^(halvings / 2) times as long
+  double work_units = 0;   // done in all attempts
 };
 
 // Fills the domain for the strategies that begin so; for the others it proposes nothing. Divides

@@ -5,14 +5,18 @@
 //
 // An item lies in the node that holds its middle, on the level whose cells are about as large as
 // the item: long subsegments stay near the root, short ones go deep, and a small question never has
-// to look through long lists. A node knows a box around everything that ever was below it.
-// Deterministic: items are visited in an order that depends on the changes alone.
+// to look through long lists. Cells are quartered while the item is small both ways. A cell with
+// many items that are small one way alone is halved that way: where metrics are thin, thousands of
+// boxes are as high as the domain and thousands of times as narrow. A node knows a box around
+// everything that ever was below it. Deterministic: items are visited in an order that depends on
+// the changes alone.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "asterism/mesh/data/domain.hpp"
@@ -29,7 +33,7 @@ class box_index {
   // Removes an item. Requires that it was inserted with this box.
   void remove(std::uint32_t item, const bounding_box& box);
 
-  // Calls visit(item) for every item whose box meets the closed one, and perhaps for some others.
+  // Calls visit(item) for every item whose box meets the closed one.
   // visit returns whether to go on; so does this.
   template <class Visit>
   bool visit(const bounding_box& box, Visit&& visit) const;
@@ -38,15 +42,30 @@ class box_index {
   static constexpr int most_levels = 40;
   static constexpr std::uint32_t none = 0;
 
+  // Ways in which a cell is divided.
+  enum class division : std::size_t { in_four, along_x, along_y };
+  static constexpr std::size_t division_count = 3;
+
+  struct item_box {
+    std::uint32_t item;
+    bounding_box box;
+  };
+
   struct node {
     bounding_box around;
     point middle, half;
-    std::uint32_t first_child = none;
+    // Of each way the first of four or two children.
+    std::array<std::uint32_t, division_count> first_child{none, none, none};
     bool used = false;  // `around` means something
-    std::vector<std::uint32_t> items;
+    std::vector<item_box> items;
   };
 
   std::uint32_t place(const bounding_box& box, bool grow);
+  std::optional<division> way_to_divide(std::uint32_t at, const bounding_box& box) const;
+  std::uint32_t child_for(std::uint32_t at, division how, const bounding_box& box) const;
+  void divide(std::uint32_t at, division how);
+  void relieve(std::uint32_t at);
+  static std::uint32_t children(division how) { return how == division::in_four ? 4 : 2; }
 
   std::vector<node> nodes_;  // the root first
 };
@@ -61,16 +80,20 @@ inline bounding_box box_of(const point& p, const point& q) {
 
 template <class Visit>
 bool box_index::visit(const bounding_box& box, Visit&& visit) const {
-  std::array<std::uint32_t, 3 * most_levels + 4> open;
+  // A node at hand leaves at most seven others waiting on each level.
+  std::array<std::uint32_t, 7 * most_levels + 8> open;
   std::size_t waiting = 0;
   if (!nodes_.empty()) open[waiting++] = 0;
   while (waiting > 0) {
     const node& n = nodes_[open[--waiting]];
     if (!n.used || !boxes_meet(n.around, box)) continue;
-    for (const std::uint32_t item : n.items)
-      if (!visit(item)) return false;
-    if (n.first_child != none)
-      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
+    for (const item_box& i : n.items)
+      if (boxes_meet(i.box, box) && !visit(i.item)) return false;
+    for (const division how : {division::in_four, division::along_x, division::along_y}) {
+      const std::uint32_t first = n.first_child[static_cast<std::size_t>(how)];
+      if (first == none) continue;
+      for (std::uint32_t i = 0; i < children(how); ++i) open[waiting++] = first + i;
+    }
   }
   return true;
 }

@@ -35,17 +35,25 @@ std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
 
 }  // namespace
 
-void sort_along_curve(std::vector<site>& sites, const bounding_box& box) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(sites.size());
+std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,
+                                             const bounding_box& box) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> places(sites.size());
   for (std::uint32_t i = 0; i < sites.size(); ++i) {
     const point& q = sites[i].position;
-    order[i] = {place_on_curve(cell(q.x, box.low.x, box.high.x), cell(q.y, box.low.y, box.high.y)),
-                i};
+    places[i] = {place_on_curve(cell(q.x, box.low.x, box.high.x), cell(q.y, box.low.y, box.high.y)),
+                 i};
   }
-  std::sort(order.begin(), order.end());
+  std::sort(places.begin(), places.end());
+  std::vector<std::uint32_t> order;
+  order.reserve(sites.size());
+  for (const auto& [place, i] : places) order.push_back(i);
+  return order;
+}
+
+void sort_along_curve(std::vector<site>& sites, const bounding_box& box) {
   std::vector<site> sorted;
   sorted.reserve(sites.size());
-  for (const auto& [place, i] : order) sorted.push_back(sites[i]);
+  for (const std::uint32_t i : order_along_curve(sites, box)) sorted.push_back(sites[i]);
   sites = std::move(sorted);
 }
 

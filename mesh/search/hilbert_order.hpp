@@ -4,6 +4,7 @@
 // other in memory.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "asterism/core/site.hpp"
@@ -11,7 +12,11 @@
 
 namespace asterism::internal {
 
-// Returns the order. It is stable: sites in one cell of the finest grid keep their order.
+// Returns the numbers of the sites in the order of the curve. It is stable: sites in one cell of
+// the finest grid keep their order.
+std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,
+                                             const bounding_box& box);
+// Puts the sites into that order.
 void sort_along_curve(std::vector<site>& sites, const bounding_box& box);
 
 }  // namespace asterism::internal

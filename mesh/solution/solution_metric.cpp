@@ -271,6 +271,7 @@ result<solution_metric> make_solution_metric(const mesh& m, const std::vector<no
   if (fields.empty()) return error{"there is no field to make a metric of"};
   metric_maker maker(m, options, intersected);
   std::vector<const nodal_values*> sorted;
+  sorted.reserve(fields.size());
   for (const nodal_values& f : fields) sorted.push_back(&f);
   std::sort(sorted.begin(), sorted.end(),
             [](const auto* a, const auto* b) { return a->name < b->name; });

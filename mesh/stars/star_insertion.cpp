@@ -26,12 +26,11 @@ void remove_beside(const site_oracle& oracle, vertex_index v, sector& s, std::si
     while (s.neighbours[k] != w) ++k;
     return k;
   };
-  for (std::size_t next = s.after(at_w()); s.neighbours[next] != w && !stands(oracle, v, s, next);
-       next = s.after(at_w()))
-    erase_at(s, next);
-  for (std::size_t next = s.before(at_w()); s.neighbours[next] != w && !stands(oracle, v, s, next);
-       next = s.before(at_w()))
-    erase_at(s, next);
+  const auto falls = [&](std::size_t next) {
+    return s.neighbours[next] != w && !oracle.is_over() && !stands(oracle, v, s, next);
+  };
+  for (std::size_t next = s.after(at_w()); falls(next); next = s.after(at_w())) erase_at(s, next);
+  for (std::size_t next = s.before(at_w()); falls(next); next = s.before(at_w())) erase_at(s, next);
 }
 
 void insert_in_gap(const site_oracle& oracle, vertex_index v, sector& s, std::size_t gap,

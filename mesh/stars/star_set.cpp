@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/stars/equal_metric_stars.hpp"
 #include "asterism/mesh/stars/star_finality.hpp"
 #include "asterism/mesh/stars/star_insertion.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 // Most work, as a part of the bound on refinement's. More than 1, as refinement ends with these
 // stars.
-constexpr double most_work = 2;
+constexpr double most_work = 1.2;
 
 // Returns the stars that a new site is offered to: about those it will be a neighbour in are those
 // it has as neighbours. A thorough search finds what this local one misses
@@ -90,6 +91,10 @@ void star_set::construct_all(const site_oracle& oracle) {
   stars_.assign(oracle.size(), {});
   condition_.assign(oracle.size(), condition::stale);
   final_.assign(oracle.size(), {});
+  if (auto made = stars_of_equal_metrics(oracle, cancelled_)) {
+    for (vertex_index v = 0; v < oracle.size(); ++v) accept(oracle, v, std::move((*made)[v]));
+    return;
+  }
   std::vector<vertex_index> all(oracle.size());
   std::iota(all.begin(), all.end(), vertex_index{0});
   construct(oracle, all, star_search::near);
@@ -108,11 +113,10 @@ double star_set::part_of_work_bound(const site_oracle& oracle) const {
          work_share_;
 }
 
-star_patience star_set::patience_for(const site_oracle& oracle) const {
+// Returns the units of work that may have been done once all stars are made.
+double star_set::most_units(const site_oracle& oracle) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double units =
-      given_ ? most_work * work_share_ * most_work_units(oracle.size(), *given_) : infinity;
-  return {cancelled_, units};
+  return given_ ? most_work * work_share_ * most_work_units(oracle.size(), *given_) : infinity;
 }
 
 std::size_t star_set::stars_missing() const {
@@ -120,7 +124,8 @@ std::size_t star_set::stars_missing() const {
       std::count_if(stars_.begin(), stars_.end(), [](const star& s) { return s.sectors.empty(); }));
 }
 
-// Works in blocks and checks the work done between them. Blocks grow while it stays little.
+// Works in blocks and checks the work done between them. Blocks grow while it stays little. What a
+// block leaves for later, as its share of the work was used up, is first in the next one.
 std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
                                               const std::vector<vertex_index>& which,
                                               star_search search) {
@@ -129,28 +134,36 @@ std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
   const bool confirm = search == star_search::thorough && oracle.near() != nullptr;
   const site_index latest = confirm ? latest_sites(oracle, which) : site_index();
   std::vector<made_star> all;
+  std::vector<vertex_index> waiting(which.rbegin(), which.rend());  // the last one is the next
   std::size_t block = first_block;
-  for (std::size_t at = 0; at < which.size();) {
+  while (!waiting.empty() && !cancelled_.is_requested()) {
     const double part = part_of_work_bound(oracle);
     if (part > most_work) break;
-    const std::size_t end = std::min(which.size(), at + (part > much ? careful_block : block));
+    const std::size_t count = std::min(waiting.size(), part > much ? careful_block : block);
+    const auto first = waiting.end() - static_cast<std::ptrdiff_t>(count);
+    const std::vector<vertex_index> now(waiting.rbegin(), std::make_reverse_iterator(first));
+    waiting.erase(first, waiting.end());
     std::vector<made_star> more =
-        construct_block(oracle, std::span(which).subspan(at, end - at), search,
-                        confirm ? &latest : nullptr, which.size());
-    std::move(more.begin(), more.end(), std::back_inserter(all));
-    at = end;
+        construct_block(oracle, now, search, confirm ? &latest : nullptr, which.size());
+    const std::size_t left = waiting.size();
+    for (auto m = more.rbegin(); m != more.rend(); ++m)
+      if (!m->built) waiting.push_back(m->at);
+    if (waiting.size() - left == count) break;
+    std::copy_if(std::move_iterator(more.begin()), std::move_iterator(more.end()),
+                 std::back_inserter(all), [](const made_star& m) { return m.built.has_value(); });
     block *= 2;
   }
   std::vector<vertex_index> changed;
   for (made_star& m : all) {
     changed.push_back(m.at);
-    accept(oracle, m.at, std::move(m.built));
+    accept(oracle, m.at, *std::move(m.built));
   }
   return changed;
 }
 
-// Returns the stars that changed or did not settle. `latest` is given if settled stars are to be
-// confirmed; `in_all` is how many are made in all blocks.
+// Returns the stars that changed or did not settle, and those left for later: each thread may use
+// an even part of the work that is left. `latest` is given if settled stars are to be confirmed;
+// `in_all` is how many are made in all blocks.
 std::vector<star_set::made_star> star_set::construct_block(const site_oracle& oracle,
                                                            std::span<const vertex_index> which,
                                                            star_search search,
@@ -158,23 +171,27 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
                                                            std::size_t in_all) {
   constexpr std::size_t chunk = 64;
   const bool few = in_all <= chunk;
+  const double done = work_units(oracle.kernel().counters());
+  const double part =
+      (most_units(oracle) - done) / static_cast<double>(chunk_count(which.size(), chunk));
   std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
   std::vector<made_star> all = collect_chunks<made_star>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
         // Remembers answers if there are few stars, as this thread alone then makes them.
-        star_patience patience = patience_for(oracle);
+        star_patience patience(cancelled_, few ? done + part : part);
         const site_oracle own =
             (few ? oracle : oracle.with_kernel(*kernel)).with_patience(patience);
         for (std::size_t i = begin; i < end; ++i) {
           constexpr std::size_t at_a_time = 8;
-          if (i % at_a_time == 0 && cancelled_.is_requested()) break;
-          // Checks the work at every star: tensors may be so thin that a chunk alone takes too
-          // long.
-          if (part_of_work_bound(own) > most_work) break;
-          auto built = remake(own, which[i], search, latest);
-          if (own.is_over()) break;
-          if (built) out.push_back({which[i], *std::move(built)});
+          const bool cancelled = i % at_a_time == 0 && cancelled_.is_requested();
+          auto built =
+              cancelled || own.is_over() ? std::nullopt : remake(own, which[i], search, latest);
+          if (cancelled || own.is_over()) {
+            for (; i < end; ++i) out.push_back({which[i], std::nullopt});
+            break;
+          }
+          if (built) out.push_back({which[i], std::move(built)});
         }
       });
   for (const tier_counters& c : counts) oracle.kernel().counters() += c;
@@ -274,13 +291,18 @@ void star_set::add_many(const site_oracle& oracle, vertex_index first) {
   construct(oracle, added, star_search::near);
   constexpr std::size_t chunk = 16;
   std::vector<tier_counters> counts(chunk_count(added.size(), chunk));
+  const double part = (most_units(oracle) - work_units(oracle.kernel().counters())) /
+                      static_cast<double>(counts.size());
   std::vector<vertex_index> disturbed = collect_chunks<vertex_index>(
       added.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
-        const site_oracle own = oracle.with_kernel(*kernel);
+        star_patience patience(cancelled_, part);
+        const site_oracle own = oracle.with_kernel(*kernel).with_patience(patience);
+        // A star that nobody asks, for want of work, is made anew like one that accepts.
         for (std::size_t i = begin; i < end; ++i)
           for (const vertex_index v : candidate_stars(own, added[i], stars_[added[i]]))
-            if (v < first && would_accept(own, v, stars_[v], added[i])) out.push_back(v);
+            if (v < first && (own.is_over() || would_accept(own, v, stars_[v], added[i])))
+              out.push_back(v);
       });
   for (const tier_counters& c : counts) oracle.kernel().counters() += c;
   sort_unique(disturbed);
@@ -320,7 +342,7 @@ void star_set::accept(const site_oracle& oracle, vertex_index v, constructed_sta
 }
 
 bool star_set::rebuild(const site_oracle& oracle, vertex_index v, star_search search) {
-  star_patience patience = patience_for(oracle);
+  star_patience patience(cancelled_, most_units(oracle));
   constructed_star built = construct_star(oracle.with_patience(patience), v, search);
   const bool changed = is_news(v, built);
   accept(oracle, v, std::move(built));

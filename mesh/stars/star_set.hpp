@@ -87,11 +87,11 @@ class star_set {
 
   struct made_star {
     vertex_index at;
-    constructed_star built;
+    std::optional<constructed_star> built;  // empty if it was left for later
   };
 
   double part_of_work_bound(const site_oracle& oracle) const;
-  star_patience patience_for(const site_oracle& oracle) const;
+  double most_units(const site_oracle& oracle) const;
   std::vector<made_star> construct_block(const site_oracle& oracle,
                                          std::span<const vertex_index> which, star_search search,
                                          const site_index* latest, std::size_t in_all);

@@ -120,6 +120,7 @@ result<transferred_solution> transfer_solution(const mesh& from, const solution&
   if (!located) return located.failure();
   const std::vector<nodal_values> before = components_in(values);
   std::vector<std::vector<double>> after;
+  after.reserve(before.size());
   for (const nodal_values& u : before)
     after.push_back(interpolated(from, u.values, to, located.value()));
   transfer_report report;

@@ -139,6 +139,7 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
          angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: int = 100000,
          gradation: Optional[float] = None, relax: bool = True, prove_voronoi: bool = False,
          improve: int = 0, vertices: Optional[int] = None, complexity: Optional[float] = None,
+         metric_tolerance: Optional[float] = None,
          progress: Optional[Callable[[Dict[str, Any]], Any]] = None) -> Mesh:
     """Makes a mesh whose angles are at least angle_bound degrees, each measured by the metric of all
     three vertices of its triangle, and audits it.
@@ -152,6 +153,8 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
     metric that asterism.metric() made.
     vertices, complexity: in place of a size, the number of vertices, or the area of the domain as the
     metric measures it; the metric is scaled to that.
+    metric_tolerance: how far the metric delivered may be from the one wanted, as ln of the greatest
+    ratio of two lengths; 0: no tensor is changed.
     progress: called now and then with a dict of counts. Ctrl-C ends the run.
     """
     if on is not None:
@@ -161,7 +164,8 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
             size = 1
         metric = (metric[0]._made, metric[1])
     made = Mesh._of(_asterism._mesh(domain, metric, size, angle_bound, max_sites, gradation, relax,
-                                    prove_voronoi, improve, vertices, complexity, progress))
+                                    prove_voronoi, improve, vertices, complexity, metric_tolerance,
+                                    progress))
     if not made.complete:
         warnings.warn(made.reason, NotReachedWarning, stacklevel=2)
     return made

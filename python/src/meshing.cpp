@@ -164,7 +164,9 @@ mesh_arguments arguments_of(const std::optional<double>& size, double angle_boun
                             std::size_t max_sites, const std::optional<double>& gradation,
                             bool relax, bool prove_voronoi, std::size_t improve,
                             const std::optional<std::size_t>& vertices,
-                            const std::optional<double>& complexity, const py::object& progress) {
+                            const std::optional<double>& complexity,
+                            const std::optional<double>& metric_tolerance,
+                            const py::object& progress) {
   mesh_arguments a{size, gradation, complexity, {}, progress};
   if (size.has_value() + vertices.has_value() + complexity.has_value() > 1)
     throw input_error("size, vertices, complexity: one of them at most is wanted");
@@ -178,6 +180,9 @@ mesh_arguments arguments_of(const std::optional<double>& size, double angle_boun
     throw input_error("angle_bound: at least 0 and below 60 degrees is wanted");
   if (gradation && !(*gradation > 1 && std::isfinite(*gradation)))
     throw input_error("gradation: a finite number above 1 is wanted");
+  if (metric_tolerance && !(*metric_tolerance >= 0 && std::isfinite(*metric_tolerance)))
+    throw input_error("metric_tolerance: a finite number of at least 0 is wanted");
+  a.options.metric_tolerance = metric_tolerance;
   a.options.angle_bound = angle_bound;
   a.options.limit_size = size || vertices || complexity;
   a.options.vertices = vertices;
@@ -250,7 +255,12 @@ py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_argu
       {"metric-fingerprint", "none"},
       {"regions", "as given"},
       {"random-points", "0"},
+      {"repair-distance", "none"},
+      {"repair-done", "none"},
+      {"repair-places", "none"},
       {"fit-done", outcome.fitted ? "done" : "none"},
+      {"metric-tolerance",
+       a.options.metric_tolerance ? text_of(*a.options.metric_tolerance) : "none"},
       {"relax", a.options.relax ? "where needed" : "no"},
       {"seed", "1"}};
   py_mesh m;
@@ -354,15 +364,16 @@ py::dict certify_mesh(const py_mesh& m, double angle_bound, bool prove_voronoi) 
 }  // namespace
 
 void define_meshing(py::module_& m) {
-  m.def("_mesh", [](const domain& d, const py::object& metric, const std::optional<double>& size,
-                    double angle_bound, std::size_t max_sites,
-                    const std::optional<double>& gradation, bool relax, bool prove_voronoi,
-                    std::size_t improve, const std::optional<std::size_t>& vertices,
-                    const std::optional<double>& complexity, const py::object& progress) {
-    return run(d, metric,
-               arguments_of(size, angle_bound, max_sites, gradation, relax, prove_voronoi, improve,
-                            vertices, complexity, progress));
-  });
+  m.def("_mesh",
+        [](const domain& d, const py::object& metric, const std::optional<double>& size,
+           double angle_bound, std::size_t max_sites, const std::optional<double>& gradation,
+           bool relax, bool prove_voronoi, std::size_t improve,
+           const std::optional<std::size_t>& vertices, const std::optional<double>& complexity,
+           const std::optional<double>& metric_tolerance, const py::object& progress) {
+          return run(d, metric,
+                     arguments_of(size, angle_bound, max_sites, gradation, relax, prove_voronoi,
+                                  improve, vertices, complexity, metric_tolerance, progress));
+        });
   m.def("_verify", &verify_mesh);
   m.def("_certify", &certify_mesh);
 }

@@ -185,6 +185,17 @@ class AdaptTest(AdaptationTest):
                           for f in ("n.mesh", "n.sol", "v.sol", "n.certificate.json")])
         self.assertEqual(*texts)
 
+    def test_metric_tolerance(self):
+        job = ("adapt", "g.mesh", "--solution", "u.sol", "--vertices", "200", "-o", "n.mesh")
+        done = self.run_command(*job, "--metric-tolerance", "0.001")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("where 0.001 is tolerated", done.stderr)
+        self.assertEqual(self.run_command("verify", "n.mesh").returncode, 1)
+        done = self.run_command(*job, "--metric-tolerance", "9")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+        self.assertEqual(self.run_command(*job, "--metric-tolerance", "-1").returncode, 2)
+
     def test_what_is_refused(self):
         adapt = ("adapt", "g.mesh")
         self.refused(*adapt, "-o", "n.mesh", sentence="there is none")

@@ -94,6 +94,19 @@ REFUSED = [
 ]
 
 
+# Refused, and repaired: what is said of it.
+DIRTY = [
+    ("crossing inside", square().chain([(-0.5, 0), (0.5, 0.1)], 0).chain([(0, -0.5), (0.1, 0.5)], 0),
+     "1 crossings made vertices, 0 vertices joined"),
+    ("a gap", Shape().chain([(0, 0), (1, 0), (1, 1), (0, 1), (1e-7, 1e-6)], 3), "1 vertices joined"),
+    ("an end beside a segment", square().ring([(1 + 1e-9, 0), (2, -0.5), (2, 0.5)])
+     .chain([(1.5, -0.2), (1.5, 0.7)], 0), "1 crossings made vertices.*1 cut off"),
+    ("a ring across itself", Shape().ring([(0, 0), (4, 0), (0, 3), (4, 3.5)]), "1 crossings"),
+    ("two rings across each other", Shape().ring(box(0, 0, 3, 3)).ring(box(1, 1, 4, 4.5)), "2 crossings"),
+    ("beyond the wall", square().chain([(0, 0), (1.5, 0.25)], 5), "1 crossings.*1 cut off"),
+]
+
+
 class Domains(command.CommandTest):
     def mesh(self, shape, *more):
         self.write("in.poly", shape.text())
@@ -113,6 +126,31 @@ class Domains(command.CommandTest):
                 for more in ([], ["--domain", "in.poly"]):
                     verdict = self.run_command("verify", "m.mesh", *more)
                     self.assertEqual(verdict.returncode, 0, verdict.stdout + verdict.stderr)
+
+    def test_a_dirty_domain_meshes_with_one_option(self):
+        for name, shape, done_so in DIRTY:
+            with self.subTest(name):
+                refused = self.mesh(shape)
+                self.assertEqual(refused.returncode, 2)
+                self.assertRegex(refused.stderr, "--repair-domain mends it: .*" + done_so)
+                done = self.mesh(shape, "--repair-domain", "--angle-bound", "5")
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                self.assertRegex(done.stdout, "repaired: .*" + done_so)
+                options = json.loads((self.folder / "m.certificate.json").read_text())["asked"]["options"]
+                self.assertRegex(options["repair-done"], done_so)
+                self.assertNotEqual(options["repair-places"], "none")
+                # An end that was cut off may lie beyond the picture.
+                rings = (self.folder / "m.svg").read_text().count("rgb(75%,0%,13%)")
+                self.assertIn(rings, range(1, options["repair-places"].count(";") + 2))
+                for more in ([], ["--domain", "in.poly"]):
+                    verdict = self.run_command("verify", "m.mesh", *more)
+                    self.assertEqual(verdict.returncode, 0, verdict.stdout + verdict.stderr)
+
+    def test_a_distance_needs_the_repair_and_room(self):
+        self.assertEqual(self.mesh(square(), "--repair-distance", "0.1").returncode, 2)
+        too_small = self.mesh(square(), "--repair-domain", "--repair-distance", "1e-17")
+        self.assertRegex(too_small.stderr, "at least .*no finer steps")
+        self.assertEqual(too_small.returncode, 2)
 
     def test_what_is_refused_names_both_places(self):
         for name, shape, pattern in REFUSED:

@@ -2,12 +2,14 @@
 """Runs that limits or an interrupt end through the real command: what is certain is written and
 says so."""
 import json
+import resource
 import signal
 import subprocess
 import time
 import unittest
 
 import command
+import hostile_inputs
 
 
 class Limits(command.CommandTest):
@@ -63,6 +65,42 @@ class Limits(command.CommandTest):
             self.assertEqual(done.returncode, 2, bad)
             self.assertIn(bad[0], done.stderr)
             self.assertEqual(self.files(), [])
+
+
+class HostileJobs(command.CommandTest):
+    """Limits and interrupts on jobs of which one star, or one question, takes long."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("fan.poly", hostile_inputs.fan(360, 1))
+        for name in ("random_1e4", "random_30"):
+            mesh, solution = hostile_inputs.MESHES[name]()
+            self.write(f"{name}.mesh", mesh)
+            self.write(f"{name}.sol", solution)
+
+    JOBS = [["mesh", "fan.poly", "--metric", "swirl:12", "-o", "out.mesh"],
+            ["mesh", "random_30.mesh", "--metric", "random_30.mesh", "-o", "out.mesh"],
+            ["certify", "random_1e4.mesh", "--repair", "-o", "out.mesh"]]
+
+    def test_seconds_are_kept_inside_one_star(self):
+        for words in self.JOBS:
+            with self.subTest(words):
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                done = self.run_command(*words, "--max-seconds", "1")
+                self.assertIn(done.returncode, (0, 1), done.stderr)
+                # Two threads for the second that is allowed, and one for what follows.
+                spent = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+                self.assertLess(spent, 5)
+                if "1 seconds have passed" in done.stderr:
+                    self.assertEqual(done.returncode, 1)
+
+    def test_an_interrupt_is_heeded_while_a_mesh_is_repaired(self):
+        with subprocess.Popen([command.PROGRAM, *self.JOBS[2]], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as run:
+            time.sleep(1)
+            run.send_signal(signal.SIGINT)
+            _, told = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 1, told.decode())
 
 
 if __name__ == "__main__":

@@ -137,6 +137,34 @@ class Mesh(command.CommandTest):
         self.assertIsNone(claim["outcome"]["delivered"])
         self.assertEqual(claim["asked"]["options"]["relax"], "no")
 
+    def test_metric_tolerance(self):
+        job = ("mesh", "square", "--metric", "expr:(x>0)?100:1;0;1", "--size", "0.5", "-o", "m.mesh")
+        self.assertEqual(self.run_command(*job).returncode, 0)
+        claim = json.loads((self.folder / "m.certificate.json").read_text())
+        self.assertEqual(claim["asked"]["options"]["metric-tolerance"], "none")
+        greatest = claim["outcome"]["delivered"]["greatest"]
+        done = self.run_command(*job, "--metric-tolerance", repr(greatest))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+        kept = json.loads((self.folder / "m.certificate.json").read_text())
+        kept["asked"]["options"]["metric-tolerance"] = "0.1"
+        (self.folder / "m.certificate.json").write_text(json.dumps(kept))
+        done = self.run_command("verify", "m.mesh")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("from the one wanted, where 0.1 is tolerated", done.stdout)
+        for tolerance in ("0.1", "0"):
+            done = self.run_command(*job, "--metric-tolerance", tolerance)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, "where %s is tolerated; a metric tolerance of [0-9.]+ is kept" % tolerance)
+            self.assertEqual(self.run_command("verify", "m.mesh").returncode, 1)
+        self.assertIsNone(json.loads((self.folder / "m.certificate.json").read_text())["outcome"]["delivered"])
+        before = self.files()
+        for wrong in ("nan", "inf", "-0.5", "much"):
+            self.assertEqual(self.run_command(*job[:-1], "n.mesh", "--metric-tolerance", wrong).returncode, 2)
+        self.assertEqual(self.files(), before)
+        easy = ("mesh", "square", "--metric", "swirl:3", "--size", "0.4", "-o", "e.mesh")
+        self.assertEqual(self.run_command(*easy, "--metric-tolerance", "0").returncode, 0)
+
     def test_the_summary_told_fewer_low_angles_than_the_certificate(self):
         done = self.run_command("mesh", "square", "--size", "0.3", "--max-sites", "80", "--no-relaxation", "--metric",
                                 "expr:sin(4*x)*sin(4*y)<0?100:1;0;sin(4*x)*sin(4*y)<0?1:100", "-o", "m.mesh")

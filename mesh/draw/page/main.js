@@ -38,6 +38,7 @@ function makeStage(mesh, claim) {
     context.clearRect(0, 0, camera.width, camera.height);
     stage.ellipses = element("ellipses").checked ? drawEllipses(context, camera, mesh, places) : 0;
     drawCorners(context, camera, mesh, corners, markPlace);
+    drawCorners(context, camera, mesh, mesh.repairs.map(({ vertex }) => vertex), markPlace);
     if (stage.chosen?.triangle !== undefined) drawChosen(context, camera, mesh, stage.chosen.triangle);
     if (stage.chosen?.vertex !== undefined) drawCorners(context, camera, mesh, [stage.chosen.vertex], markInk);
   };
@@ -214,6 +215,7 @@ async function start() {
   const bound = claim?.asked.angle_bound ?? null;
   showVerdict(facts, claim);
   const mesh = readMesh(facts, await readArrays(facts));
+  mesh.repairs = repairsOf(facts.is_of_this_mesh ? claim : null, mesh);
   const stage = makeStage(mesh, facts.is_of_this_mesh ? claim : null);
   const actions = makeActions(stage, mesh, { facts, claim, bound });
   element("canvas").setAttribute("aria-label", `The mesh: ${plural(mesh.vertices, "vertex", "vertices")}, ${plural(mesh.count, "triangle")}.`);

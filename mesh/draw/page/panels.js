@@ -131,6 +131,24 @@ function showLengths(mesh) {
   element("lengths").append(make("p", {}, `${plural(edges, "edge")}, each as long as its two ends measure it in the mean; ${count(unit)} (${short(100 * unit / Math.max(1, edges))} %) from 0.71 to 1.41.`));
 }
 
+// Places where the domain was repaired, as the certificate lists them ("what x y; what x y"): the
+// vertices there, or next to there.
+function repairsOf(claim, mesh) {
+  const text = claim?.asked.options["repair-places"] ?? "none", p = mesh.positions, known = new Map();
+  if (text === "none") return [];
+  for (let v = mesh.vertices - 1; v >= 0; --v) known.set(`${p[2 * v]} ${p[2 * v + 1]}`, v);
+  const nearest = (x, y) => {
+    let best = 0;
+    for (let v = 1; v < mesh.vertices; ++v)
+      if (Math.hypot(p[2 * v] - x, p[2 * v + 1] - y) < Math.hypot(p[2 * best] - x, p[2 * best + 1] - y)) best = v;
+    return best;
+  };
+  return text.split("; ").map((place) => {
+    const [, what, x, y] = /^(.*) (\S+) (\S+)$/.exec(place), key = `${Number(x)} ${Number(y)}`;
+    return { vertex: known.get(key) ?? nearest(Number(x), Number(y)), text: `${what} (${x}, ${y})` };
+  });
+}
+
 // The lists of places: a name, what it means, and items that are {triangle} or {vertex} with a text.
 function listsOf(facts, claim, mesh) {
   const triangles = (numbers) => numbers.map((t) => ({ triangle: t, text: String(t + 1) }));
@@ -147,6 +165,7 @@ function listsOf(facts, claim, mesh) {
     add("Low triangles as the metric given measures them", fromOne(outcome.relaxed?.low_triangles_as_given));
     add("Low triangles as the metric wanted measures them", fromOne(outcome.delivered?.low_triangles_as_wanted));
   }
+  add("Repairs of the domain", mesh.repairs);
   add("Disagreeing triangles", triangles(Array.from({ length: facts.disagreeing }, (_, i) => facts.triangles + i)));
   add("Triangles not in the stars of all their vertices", triangles([...mesh.notOfStars]));
   const changed = [...mesh.distances.keys()].filter((v) => mesh.distances[v] > 0).sort((v, w) => mesh.distances[w] - mesh.distances[v] || v - w);

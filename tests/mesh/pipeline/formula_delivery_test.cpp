@@ -140,3 +140,43 @@ TEST_CASE("no metric is delivered where the one wanted is to be kept") {
   CHECK_FALSE(made.delivered);
   CHECK(made.disagreeing > 0);
 }
+
+TEST_CASE("a metric tolerance is kept, or the distance found is told with status and reason") {
+  const domain d = accepted(square());
+  const formula_field field(checkered);
+  mesh_options options = with_size();
+  const mesh_outcome any = mesh_of(d, field, options);
+  REQUIRE(any.complete);
+  REQUIRE(any.delivered);
+  const double distance = any.delivered->greatest;
+  REQUIRE(distance > 0);
+
+  options.metric_tolerance = distance;
+  const mesh_outcome kept = mesh_of(d, field, options);
+  CHECK(kept.complete);
+  CHECK_FALSE(kept.intolerable);
+  CHECK(mesh_fingerprint(kept.result) == mesh_fingerprint(any.result));
+
+  options.metric_tolerance = distance / 2;
+  const mesh_outcome beyond = mesh_of(d, field, options);
+  CHECK_FALSE(beyond.complete);
+  REQUIRE(beyond.intolerable);
+  CHECK(beyond.intolerable->found > distance / 2);
+  CHECK(beyond.how() == ending::intolerable);
+  CHECK(ending_text(beyond).find("is tolerated; a metric tolerance of ") != std::string::npos);
+}
+
+TEST_CASE("a metric tolerance of 0 leaves every tensor as it is, met or not") {
+  const domain d = accepted(square());
+  mesh_options options = with_size();
+  options.metric_tolerance = 0;
+  const formula_field hostile(checkered);
+  const mesh_outcome made = mesh_of(d, hostile, options);
+  CHECK_FALSE(made.complete);
+  CHECK_FALSE(made.delivered);
+  REQUIRE(made.intolerable);
+  CHECK(made.intolerable->found > 0);
+  for (const site& s : made.result.sites) CHECK(identical(s.metric, checkered(s.position)));
+  const auto easy = make_metric_field("swirl:3", d.box(), 0.3);
+  CHECK(mesh_of(d, *easy.value(), options).complete);
+}

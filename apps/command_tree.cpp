@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/command_tree.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace asterism::apps {
+namespace {
+
+// The parser appends the names of checks to the type: "HOW:{darts,fill,voronoi}".
+std::vector<std::string> choices_in(const std::string& type) {
+  std::vector<std::string> choices;
+  const std::size_t open = type.find('{'), close = type.find('}');
+  if (open == std::string::npos || close == std::string::npos) return choices;
+  // With several checks there is a map, "{a->0,b->1}".
+  for (const std::string& item : CLI::detail::split(type.substr(open + 1, close - open - 1), ','))
+    choices.push_back(item.substr(0, item.find("->")));
+  return choices;
+}
+
+option_entry entry_of(const CLI::Option& option) {
+  option_entry entry;
+  for (const std::string& name : option.get_snames()) entry.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) entry.names.push_back("--" + name);
+  entry.positional = entry.names.empty();
+  if (entry.positional) entry.names.push_back(option.get_name());
+  entry.text = option.get_description();
+  entry.required = option.get_required();
+  entry.repeats = option.get_expected_max() > 1;
+  if (option.get_type_size_max() == 0 || entry.positional) return entry;
+  const std::string type = option.get_type_name();
+  entry.choices = choices_in(type);
+  entry.value = type.substr(0, type.find(':'));
+  return entry;
+}
+
+command_entry entry_of(const CLI::App& app) {
+  command_entry entry{app.get_name(), app.get_description(), app.get_footer(), {}};
+  for (const CLI::Option* option : app.get_options()) entry.options.push_back(entry_of(*option));
+  return entry;
+}
+
+}  // namespace
+
+std::vector<command_entry> command_tree(const CLI::App& program) {
+  std::vector<command_entry> tree = {entry_of(program)};
+  for (const CLI::App* app : program.get_subcommands([](const CLI::App*) { return true; }))
+    tree.push_back(entry_of(*app));
+  return tree;
+}
+
+}  // namespace asterism::apps

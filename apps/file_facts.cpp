@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/file_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <system_error>
+
+#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/repair_domain.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/load_domain.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
+#include "asterism/mesh/numerics/mesh_statistics.hpp"
+
+namespace asterism::apps {
+using namespace internal;
+namespace fs = std::filesystem;
+namespace {
+
+std::string text_of(const bounding_box& box) {
+  return fmt::format("x {} to {}, y {} to {}", number_text(box.low.x), number_text(box.high.x),
+                     number_text(box.low.y), number_text(box.high.y));
+}
+
+// "1 (12), 5 (3)": each number and how often it is there; the first ten.
+std::string text_of(const std::map<int, std::size_t>& counts,
+                    const std::map<int, std::string>& names = {}) {
+  std::string text;
+  std::size_t told = 0;
+  for (const auto& [number, count] : counts) {
+    if (told++ == 10) return text + fmt::format(", and {} more", counts.size() - 10);
+    const auto name = names.find(number);
+    text += fmt::format("{}{}{} ({})", text.empty() ? "" : ", ", number,
+                        name == names.end() ? "" : " \"" + name->second + "\"", count);
+  }
+  return text.empty() ? "none" : text;
+}
+
+file_facts facts_of(const domain& d) {
+  file_facts facts = {{"kind", "domain"},
+                      {"vertices", std::to_string(d.vertices.size())},
+                      {"segments", std::to_string(d.segments.size())},
+                      {"hole points", std::to_string(d.holes.size())},
+                      {"region points", std::to_string(d.regions.size())},
+                      {"box", text_of(d.box())}};
+  std::map<int, std::size_t> markers;
+  for (const segment& s : d.segments) ++markers[s.marker];
+  facts.emplace_back("markers", text_of(markers));
+  domain_repairs repairs;
+  const auto checked = check_domain(d, &repairs);
+  if (!checked) {
+    facts.emplace_back("can be meshed", "no: " + checked.failure().message);
+    facts.emplace_back("with --repair-domain", repair_domain(d).ok() ? "yes" : "no");
+    return facts;
+  }
+  std::string put_in_order;
+  for (const std::string& message : repairs.messages)
+    put_in_order += (put_in_order.empty() ? "" : "; ") + message;
+  facts.emplace_back("can be meshed", "yes");
+  facts.emplace_back("put in order first", put_in_order.empty() ? "nothing" : put_in_order);
+  const auto inside =
+      std::count_if(checked.value().segments.begin(), checked.value().segments.end(),
+                    [](const segment& s) { return s.internal; });
+  facts.emplace_back("segments inside", std::to_string(inside));
+  return facts;
+}
+
+void add_metric(const fs::path& path, file_facts& facts) {
+  const auto measured = read_mesh(path);
+  if (!measured) {
+    facts.emplace_back("metric", "none: " + measured.failure().message);
+    return;
+  }
+  const mesh_statistics found = measure(measured.value());
+  facts.emplace_back("metric", "a tensor at each vertex");
+  facts.emplace_back("longest unit circle",
+                     fmt::format("{:.4g} times as long as wide", found.aspect));
+  facts.emplace_back("complexity", fmt::format("{:.6g}", found.metric_area));
+  facts.emplace_back("unit edges",
+                     fmt::format("{:.1f} % of {}", 100 * found.unit_edges, found.edges));
+}
+
+void add_certificate(const fs::path& path, const mesh& m, file_facts& facts) {
+  const fs::path beside = fs::path(path).replace_extension(".certificate.json");
+  std::error_code ignored;
+  if (!fs::exists(beside, ignored)) {
+    facts.emplace_back("certificate", "none beside it");
+    return;
+  }
+  const auto claim = read_certificate(beside);
+  facts.emplace_back("certificate",
+                     !claim ? claim.failure().message
+                     : claim.value().fingerprint != mesh_fingerprint(m)
+                         ? beside.string() + ", of another mesh"
+                         : beside.string() +
+                               (claim.value().certified ? ": certified" : ": not certified") +
+                               ", says it; asterism verify proves it");
+}
+
+result<file_facts> facts_of_mesh(const fs::path& path) {
+  auto read = read_mesh(path, {.identity_without_solution = true});
+  if (!read) return read.failure();
+  const mesh& m = read.value();
+  file_facts facts = {{"kind", "mesh"},
+                      {"vertices", std::to_string(m.sites.size())},
+                      {"given vertices", std::to_string(m.given)},
+                      {"triangles", std::to_string(m.triangles.size())},
+                      {"boundary edges", std::to_string(m.boundary.size())}};
+  if (!m.sites.empty()) {
+    bounding_box box{m.sites[0].position, m.sites[0].position};
+    for (const site& s : m.sites) box.include(s.position);
+    facts.emplace_back("box", text_of(box));
+  }
+  const physical_names names = names_in(path);
+  std::map<int, std::size_t> markers, regions;
+  for (const boundary_edge& e : m.boundary) ++markers[e.marker];
+  for (const int region : m.regions) ++regions[region];
+  if (m.regions.empty()) regions[1] = m.triangles.size();
+  facts.emplace_back("markers", text_of(markers, names.markers));
+  facts.emplace_back("regions", text_of(regions, names.regions));
+  add_metric(path, facts);
+  add_certificate(path, m, facts);
+  return facts;
+}
+
+result<file_facts> facts_of_certificate(const fs::path& path) {
+  const auto read = read_certificate(path);
+  if (!read) return read.failure();
+  const certificate& c = read.value();
+  const auto option = [&](const char* name) {
+    const auto found = c.options.find(name);
+    return found == c.options.end() ? std::string("none") : found->second;
+  };
+  return file_facts{
+      {"kind", "certificate"},
+      {"made by", "asterism " + c.version},
+      {"says", std::string(c.certified ? "certified" : "not certified") +
+                   (c.complete ? ", complete" : ", not complete")},
+      {"reason", c.reason},
+      {"domain", option("domain")},
+      {"metric", c.metric},
+      {"size", option("size")},
+      {"angle bound", c.angle_bound ? number_text(*c.angle_bound) + " degrees" : "none"},
+      {"worst angle", c.worst_angle < 180 ? number_text(c.worst_angle) + " degrees" : "none"},
+      {"vertices", std::to_string(c.sites)},
+      {"triangles", std::to_string(c.triangles)},
+      {"fingerprint", fmt::format("{:016x}", c.fingerprint)}};
+}
+
+}  // namespace
+
+result<file_facts> facts_of_file(const fs::path& path) {
+  const std::string name = path.string();
+  if (is_mesh_file(name)) return facts_of_mesh(path);
+  if (has_ending(name, ".certificate.json")) return facts_of_certificate(path);
+  const auto loaded = load_domain(name);
+  if (loaded) return facts_of(loaded.value());
+  // A certificate may have any name; a domain's message is the one to tell otherwise.
+  if (has_ending(name, ".json"))
+    if (auto facts = facts_of_certificate(path)) return facts;
+  return loaded.failure();
+}
+
+}  // namespace asterism::apps

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/json_summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace asterism::apps {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+std::string text_of(const json& object) {
+  return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+// Null where no angle is of the kind.
+json angle(const audited_angle& least) {
+  return least.degrees < 180 ? json(least.degrees) : json();
+}
+
+// What an audit found, the same for all commands.
+void add_audit(json& object, const audit_report& audit) {
+  object["vertices"] = audit.sites;
+  object["triangles"] = audit.triangles;
+  object["worst_angle"] = angle(audit.worst_ordinary);
+  object["worst_collateral_angle"] = angle(audit.worst_collateral);
+  object["worst_exempt_angle"] = angle(audit.worst_exempt);
+  object["exempt_corners"] = audit.exempt_corners.size();
+  object["low_triangles"] = audit.low_triangles.size();
+  object["largest_boundary_deviation"] = audit.largest_deviation;
+  object["voronoi"] = voronoi_verdict_names[static_cast<std::size_t>(audit.voronoi)];
+  json findings = json::object();
+  for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
+    if (audit.found[kind] > 0) findings[std::string(finding_kind_names[kind])] = audit.found[kind];
+  object["findings"] = findings;
+  json witnesses = json::array();
+  for (const audit_finding& f : audit.findings) witnesses.push_back(f.witness);
+  object["witnesses"] = witnesses;
+}
+
+}  // namespace
+
+std::string summary_json(const certified_mesh& made, int status,
+                         const std::vector<std::filesystem::path>& files, const std::string& next) {
+  const mesh_outcome& outcome = made.outcome;
+  json object = {{"command", "mesh"},
+                 {"status", status},
+                 {"certified", made.report.certified},
+                 {"complete", outcome.complete},
+                 {"reason", made.claim.reason}};
+  add_audit(object, made.report);
+  object["disagreeing"] = outcome.disagreeing;
+  object["too_large"] = outcome.too_large;
+  object["length_factor"] = outcome.ended.length_factor;
+  object["metric"] = outcome.relaxed ? "relaxed" : outcome.delivered ? "delivered" : "as asked";
+  const auto unit_edges = made.claim.measured.find("unit_edges");
+  object["unit_edges"] =
+      unit_edges == made.claim.measured.end() ? json() : json(unit_edges->second);
+  json written = json::array();
+  for (const std::filesystem::path& file : files) written.push_back(file.string());
+  object["files"] = written;
+  object["next"] = next.empty() ? json() : json(next);
+  return text_of(object);
+}
+
+std::string summary_json(const verify_report& verdict, int status, const std::string& scope) {
+  json object = {{"command", "verify"},
+                 {"status", status},
+                 {"verified", verdict.verified},
+                 {"scope", scope},
+                 {"contradictions", verdict.contradictions}};
+  add_audit(object, verdict.audit);
+  return text_of(object);
+}
+
+std::string summary_json(const certify_report& report, int status, double angle_bound) {
+  json object = {{"command", "certify"},
+                 {"status", status},
+                 {"certified", report.certified()},
+                 {"angle_bound", angle_bound}};
+  add_audit(object, report.audit);
+  object["compared"] = report.compared;
+  object["in_stars_of_all"] = report.compared ? json(report.in_stars[3]) : json();
+  object["inverted"] = report.inverted;
+  object["below_bound"] = report.below_bound;
+  object["edges"] = report.edges;
+  object["unit_edges"] = report.unit_edges;
+  return text_of(object);
+}
+
+}  // namespace asterism::apps

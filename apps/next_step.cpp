@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/next_step.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/core/number_text.hpp"
+
+namespace asterism::apps {
+namespace {
+
+// A fifth more than are wanted, since that is an estimate, in two digits.
+std::string more_sites(const mesh_outcome& outcome) {
+  if (!(outcome.ended.sites_wanted > 0)) return "a larger --max-sites, or a larger --size";
+  const double wanted = 1.2 * outcome.ended.sites_wanted;
+  const double unit =
+      internal::elementary::pow(10, std::floor(internal::elementary::log10(wanted)) - 1);
+  if (wanted > 1e8) return "a larger --size";
+  return fmt::format("--max-sites {:.0f}, or a larger --size", std::ceil(wanted / unit) * unit);
+}
+
+std::string smoother(const mesh_job& job) {
+  if (!job.gradation || *job.gradation > 1.2) return "--gradation 1.2, or a smaller --size";
+  return "a smaller --gradation, or a smaller --size";
+}
+
+// Angles beside sharp corners are what they are; a bound below them is met.
+std::string lower_bound(const certified_mesh& made) {
+  const double worst = made.report.worst().degrees;
+  const std::string other = "a domain without corners that sharp";
+  if (!(worst >= 1)) return other;
+  return fmt::format("--angle-bound {:.0f}, or {}", std::floor(worst), other);
+}
+
+}  // namespace
+
+std::string next_step(const mesh_job& job, const certified_mesh& made) {
+  const mesh_outcome& outcome = made.outcome;
+  if (made.certified())
+    return job.refinement.prove_voronoi ? "a smaller --size, or --gradation 1.2" : "";
+  switch (outcome.how()) {
+    case ending::complete:
+    case ending::fitted:
+      return "";
+    case ending::site_limit:
+      return more_sites(outcome);
+    case ending::collateral:
+      return lower_bound(made);
+    case ending::stopped:
+      return job.max_megabytes &&
+                     outcome.ended.stopped_because.find("megabytes") != std::string::npos
+                 ? "a larger --max-memory, or a larger --size"
+             : job.max_seconds ? "a larger --max-seconds, or a larger --size"
+                               : "";
+    case ending::intolerable:
+      return fmt::format("--metric-tolerance {}, a smaller --size, or --gradation",
+                         internal::number_text(outcome.intolerable->found));
+    case ending::stuck:
+    case ending::too_steep:
+    case ending::overworked:
+    case ending::crowded:
+    case ending::relaxed:
+      return smoother(job);
+  }
+  return "";
+}
+
+}  // namespace asterism::apps

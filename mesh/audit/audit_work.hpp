@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+//
+// Bounds the work of an audit: where metrics vary wildly every site is held against every other, in
+// exact numbers that take milliseconds each. Counted, not timed, so that every audit of a mesh ends
+// at the same place. Internal to the auditor.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "asterism/kernels/work_units.hpp"
+#include "asterism/mesh/audit/context.hpp"
+
+namespace asterism::internal::audit_detail {
+
+// Returns the units of kernels/work_units.hpp that an audit of so many sites may take: five
+// seconds, and a millisecond a site, of which an audit of a mesh that is certified takes a
+// hundredth.
+inline double most_audit_units(std::size_t sites) {
+  constexpr double at_least = 5e5, for_each = 100, first_ones = 5000, for_more = 20;
+  const auto n = static_cast<double>(sites);
+  return at_least + for_each * (n < first_ones ? n : first_ones) +
+         for_more * (n < first_ones ? 0 : n - first_ones);
+}
+
+// Returns the work of what was counted. A pair that is looked at costs about a microsecond, and an
+// exact question about a Voronoi arc a millisecond.
+inline double audit_units(const audit_report& counted, double looked_units) {
+  constexpr double a_pair = 0.1, an_exact_pair = 100;
+  return work_units(counted.counters) + looked_units +
+         a_pair * static_cast<double>(counted.star_pairs + counted.voronoi_pairs) +
+         an_exact_pair * static_cast<double>(counted.voronoi_pairs_exact);
+}
+
+// Returns the units of work that are left for an audit; may be negative.
+inline double units_left(const audit_context& context) {
+  return most_audit_units(context.report.sites) - audit_units(context.report, context.looked_units);
+}
+
+// Says when a part of a check is to end early. For one thread.
+class audit_patience {
+ public:
+  audit_patience(const audit_context& context, audit_tally& tally)
+      : stop_(context.options.stop), tally_(tally) {}
+
+  // Adds work that is counted nowhere else.
+  void count(double units) { tally_.looked_units += units; }
+
+  // True if the part has done the most work, or the audit is told to stop; then it stays true. The
+  // question whether to stop, which may look at a clock, is asked after some work.
+  bool is_over() {
+    constexpr std::size_t asked_between = 16, asked_between_polls = 64;
+    constexpr double units_between_polls = 1000;  // ten milliseconds
+    if (tally_.unfinished) return true;
+    const std::uint64_t slow = tally_.part.counters.spread_wide;
+    if (++asked_ % asked_between != 0 && slow == slow_) return false;
+    slow_ = slow;
+    const double units = audit_units(tally_.part, tally_.looked_units);
+    if (units > tally_.most_units) return tally_.unfinished = true;
+    if (++looked_ % asked_between_polls != 0 && units < polled_at_ + units_between_polls)
+      return false;
+    polled_at_ = units;
+    return tally_.unfinished = stop_.is_requested();
+  }
+
+ private:
+  const cancellation& stop_;
+  audit_tally& tally_;
+  std::uint64_t slow_ = 0;
+  std::size_t asked_ = 0, looked_ = 0;
+  double polled_at_ = 0;
+};
+
+// Calls check as check_in_parallel does, for one part of [0, count) after the other, until `ended`
+// says so, the audit is told to stop, or the work is done that there is for it. Returns whether all
+// was checked. Parts are small at first, as a few stars may be enough to refuse a mesh; where it
+// ends does not depend on threads.
+template <class Check, class Ended>
+bool check_in_parts(audit_context& context, std::size_t count, const Check& check,
+                    const Ended& ended) {
+  constexpr std::size_t at_a_time = 128, most = 32 * at_a_time, first_part = 16, pieces = 16;
+  std::size_t part = first_part;
+  for (std::size_t first = 0, size = 0; first < count; first += size) {
+    size = std::min(part, count - first);
+    part = std::min(2 * part, most);
+    const std::size_t chunk = std::clamp(size / pieces, std::size_t{1}, at_a_time);
+    check_in_parallel(
+        context, size,
+        [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+          check(tally, first + begin, first + end);
+        },
+        chunk, units_left(context));
+    if (ended() || context.unfinished || context.options.stop.is_requested()) return false;
+  }
+  return true;
+}
+
+// Returns why a check ended early, in a sentence for its finding.
+inline std::string unfinished_text(const audit_context& context, const std::string& what) {
+  const auto why = context.options.stop.poll();
+  return what + " were not all looked at: " +
+         (why ? *why : "the most work that is done for so many sites was done");
+}
+
+}  // namespace asterism::internal::audit_detail

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/domain/snapping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "asterism/core/sign.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/data/bounding_box.hpp"
+#include "asterism/mesh/domain/exact_lengths.hpp"
+#include "asterism/mesh/domain/near_vertices.hpp"
+
+namespace asterism::internal {
+namespace {
+
+// Of 64 bytes with what belongs to them: a quarter of a gigabyte.
+constexpr std::size_t most_pieces = 4000000;
+
+using vertex_pair = std::pair<vertex_index, vertex_index>;
+
+// A straight edge, whatever segments run along it.
+struct edge {
+  vertex_index a = 0, b = 0;  // a has the lower index
+  std::size_t source = 0;     // of the first piece
+  std::vector<vertex_index> through = {};
+};
+
+class snapper {
+ public:
+  snapper(const domain& d, double distance) : distance_(distance), near_(distance) {
+    made_.vertices = d.vertices;
+    join_vertices(d);
+    for (std::size_t s = 0; s < d.segments.size(); ++s)
+      made_.pieces.push_back(
+          {made_.joined_to[d.segments[s].a], made_.joined_to[d.segments[s].b], s});
+    std::erase_if(made_.pieces, [](const snapped_piece& p) { return p.a == p.b; });
+  }
+
+  result<snapped_graph> snap() {
+    for (bool changed = true; changed; ++made_.rounds) {
+      while (bend_to_vertices())
+        if (is_too_much()) return too_much();
+      changed = cut_crossings();
+      if (is_too_much()) return too_much();
+    }
+    return std::move(made_);
+  }
+
+ private:
+  bool is_too_much() const {
+    return std::max(made_.pieces.size(), made_.meetings.size()) > most_pieces;
+  }
+  static error too_much() {
+    return {"the segments cross too often to be repaired: they fall into more than " +
+            std::to_string(most_pieces) + " pieces"};
+  }
+  const point& at(vertex_index v) const { return made_.vertices[v]; }
+  bounding_box box_of(const edge& e) const {
+    bounding_box box{at(e.a), at(e.a)};
+    box.include(at(e.b));
+    return box;
+  }
+
+  void join_vertices(const domain& d);
+  std::vector<edge> edges() const;
+  void order_along(edge& e) const;
+  bool bend_to_vertices();
+  bool cut_crossings();
+  void meet(edge& e, edge& f);
+  std::optional<vertex_index> common_vertex(const edge& e, const edge& f);
+  bool is_safe(vertex_index v, const edge& e) const;
+  std::vector<vertex_index> chain_of(const edge& e) const;
+  bool replace(const std::vector<edge>& edges);
+
+  double distance_;
+  near_vertices near_;
+  std::vector<vertex_index> kept_;  // what no other vertex replaces
+  snapped_graph made_;
+};
+
+void snapper::join_vertices(const domain& d) {
+  for (vertex_index v = 0; v < d.vertices.size(); ++v) {
+    vertex_index nearest = v;
+    for (const vertex_index w : near_.around(at(v))) {
+      if (!are_nearer(at(v), at(w), distance_)) continue;
+      const bool is_first = nearest == v || is_nearer_to(at(v), at(w), at(nearest)) ||
+                            (!is_nearer_to(at(v), at(nearest), at(w)) && w < nearest);
+      if (is_first) nearest = w;
+    }
+    made_.joined_to.push_back(nearest);
+    if (nearest != v) continue;
+    near_.add(v, at(v));
+    kept_.push_back(v);
+  }
+}
+
+// Returns each edge once, in the order of the pieces.
+std::vector<edge> snapper::edges() const {
+  std::map<vertex_pair, std::size_t> known;
+  std::vector<edge> all;
+  for (const snapped_piece& p : made_.pieces) {
+    const vertex_pair ends = std::minmax(p.a, p.b);
+    if (known.try_emplace(ends, all.size()).second)
+      all.push_back({ends.first, ends.second, p.source});
+  }
+  return all;
+}
+
+// Sorts what the edge shall go through, from a to b. In doubles: a wrong order makes links that are
+// too long, and those are refused.
+void snapper::order_along(edge& e) const {
+  const point &a = at(e.a), &b = at(e.b);
+  const double scale = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
+  const double x = (b.x - a.x) / scale, y = (b.y - a.y) / scale;
+  const auto along = [&](vertex_index v) { return (at(v).x - a.x) * x + (at(v).y - a.y) * y; };
+  std::stable_sort(e.through.begin(), e.through.end(),
+                   [&](vertex_index v, vertex_index w) { return along(v) < along(w); });
+  e.through.erase(std::unique(e.through.begin(), e.through.end()), e.through.end());
+}
+
+// Step 2, once for each edge. Returns true if anything changed.
+bool snapper::bend_to_vertices() {
+  std::vector<vertex_index> by_x = kept_;
+  std::stable_sort(by_x.begin(), by_x.end(), [&](vertex_index v, vertex_index w) {
+    return lexicographically_less(at(v), at(w));
+  });
+  std::vector<edge> all = edges();
+  for (edge& e : all) {
+    const bounding_box box = box_of(e);
+    // Wider than half the distance, so that rounding excludes nothing.
+    const double low = box.low.x - distance_, high = box.high.x + distance_;
+    auto v = std::lower_bound(by_x.begin(), by_x.end(), low,
+                              [&](vertex_index w, double x) { return at(w).x < x; });
+    for (; v != by_x.end() && at(*v).x <= high; ++v) {
+      const point& p = at(*v);
+      if (p.y < box.low.y - distance_ || p.y > box.high.y + distance_) continue;
+      if (*v == e.a || *v == e.b || !is_beside(p, at(e.a), at(e.b), distance_ / 2)) continue;
+      e.through.push_back(*v);
+      made_.meetings.push_back({*v, e.source, *v, false});
+    }
+    order_along(e);
+  }
+  return replace(all);
+}
+
+// Step 3, for all crossings that there are now. Returns true if there were any.
+bool snapper::cut_crossings() {
+  const filtered_kernel kernel;
+  std::vector<edge> all = edges();
+  std::vector<bounding_box> boxes;
+  for (const edge& e : all) boxes.push_back(box_of(e));
+  std::vector<std::size_t> by_x(all.size());
+  for (std::size_t i = 0; i < by_x.size(); ++i) by_x[i] = i;
+  std::stable_sort(by_x.begin(), by_x.end(),
+                   [&](std::size_t i, std::size_t j) { return boxes[i].low.x < boxes[j].low.x; });
+  const auto cross = [&](const edge& e, const edge& f) {
+    if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return false;
+    const point &a = at(e.a), &b = at(e.b), &c = at(f.a), &d = at(f.b);
+    return kernel.orientation(a, b, c) * kernel.orientation(a, b, d) == sign::negative &&
+           kernel.orientation(c, d, a) * kernel.orientation(c, d, b) == sign::negative;
+  };
+  for (std::size_t i = 0; i < by_x.size(); ++i) {
+    edge& e = all[by_x[i]];
+    const bounding_box& box = boxes[by_x[i]];
+    for (std::size_t j = i + 1; j < by_x.size() && boxes[by_x[j]].low.x <= box.high.x; ++j) {
+      const bounding_box& other = boxes[by_x[j]];
+      if (other.low.y > box.high.y || other.high.y < box.low.y) continue;
+      if (cross(e, all[by_x[j]])) meet(e, all[by_x[j]]);
+    }
+    if (made_.meetings.size() > most_pieces) break;
+  }
+  for (edge& e : all) order_along(e);
+  return replace(all);
+}
+
+bool snapper::is_safe(vertex_index v, const edge& e) const {
+  return v == e.a || v == e.b || shortens(at(v), at(e.a), at(e.b));
+}
+
+// Returns a new vertex at the crossing, or the nearest one there is. The exact nearest would do
+// always; here its place is rounded, so that others are tried after it.
+std::optional<vertex_index> snapper::common_vertex(const edge& e, const edge& f) {
+  const point p = rounded_crossing(at(e.a), at(e.b), at(f.a), at(f.b));
+  std::vector<vertex_index> near = near_.around(p);
+  const bool is_free = std::none_of(
+      near.begin(), near.end(), [&](vertex_index v) { return are_nearer(p, at(v), distance_); });
+  if (is_free && shortens(p, at(e.a), at(e.b)) && shortens(p, at(f.a), at(f.b))) {
+    const auto made = static_cast<vertex_index>(made_.vertices.size());
+    made_.vertices.push_back(p);
+    near_.add(made, p);
+    kept_.push_back(made);
+    return made;
+  }
+  near.insert(near.end(), {e.a, e.b, f.a, f.b});
+  std::stable_sort(near.begin(), near.end(), [&](vertex_index v, vertex_index w) {
+    return is_nearer_to(p, at(v), at(w)) || (!is_nearer_to(p, at(w), at(v)) && v < w);
+  });
+  for (const vertex_index v : near)
+    if (is_safe(v, e) && is_safe(v, f)) return v;
+  return std::nullopt;
+}
+
+void snapper::meet(edge& e, edge& f) {
+  const auto v = common_vertex(e, f);
+  if (!v) return;
+  for (edge* const cut : {&e, &f})
+    if (*v != cut->a && *v != cut->b) cut->through.push_back(*v);
+  const auto [first, second] = std::minmax(e.source, f.source);
+  made_.meetings.push_back({*v, second, first, true});
+}
+
+// Returns the vertices from a to b, both included: through all that were found, or, if that makes a
+// link as long as the edge, through the first alone.
+std::vector<vertex_index> snapper::chain_of(const edge& e) const {
+  std::vector<vertex_index> chain = {e.a};
+  chain.insert(chain.end(), e.through.begin(), e.through.end());
+  chain.push_back(e.b);
+  if (chain.size() <= 3) return chain;
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+    if (!is_shorter(at(chain[i]), at(chain[i + 1]), at(e.a), at(e.b)))
+      return {e.a, e.through.front(), e.b};
+  return chain;
+}
+
+// Replaces the pieces along edges that shall go through something. Returns true if there are any.
+bool snapper::replace(const std::vector<edge>& edges) {
+  std::map<vertex_pair, std::vector<vertex_index>> chains;
+  for (const edge& e : edges)
+    if (!e.through.empty()) chains.emplace(vertex_pair{e.a, e.b}, chain_of(e));
+  if (chains.empty()) return false;
+  std::vector<snapped_piece> pieces;
+  for (const snapped_piece& p : made_.pieces) {
+    const auto found = chains.find(std::minmax(p.a, p.b));
+    if (found == chains.end()) {
+      pieces.push_back(p);
+      continue;
+    }
+    std::vector<vertex_index> chain = found->second;
+    if (p.a > p.b) std::reverse(chain.begin(), chain.end());
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      pieces.push_back({chain[i], chain[i + 1], p.source});
+  }
+  made_.pieces = std::move(pieces);
+  return true;
+}
+
+}  // namespace
+
+result<snapped_graph> snap_segments(const domain& d, double distance) {
+  return snapper(d, distance).snap();
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+//
+// Keeps the constrained Delaunay triangulation of sites that all have one metric.
+//
+// Sites are put in one by one and edges flipped (Lawson), exactly, with the ties of edge_test. The
+// sites are in a frame of four more, far enough outside to be at no face inside the domain once the
+// domain's boundary is put in. Source: Lawson, Software for C1 surface interpolation, 1977; Sloan,
+// A fast algorithm for generating constrained Delaunay triangulations, 1993.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/stars/star_predicates.hpp"
+
+namespace asterism::internal {
+
+class delaunay_net {
+ public:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  // Counter-clockwise. across[i] is the face on the other side of the edge that corner[i] is not an
+  // end of, and fixed[i] tells whether that edge must stay.
+  struct face {
+    std::array<vertex_index, 3> corner{};
+    std::array<std::uint32_t, 3> across{};
+    std::array<bool, 3> fixed{};
+  };
+  // A face, and one of its corners.
+  struct place {
+    std::uint32_t face = none;
+    std::uint32_t corner = 0;
+  };
+
+  // Starts with the frame alone. Requires at least one site, all of the same metric. The kernel
+  // must outlive the net.
+  delaunay_net(std::vector<site> sites, const star_predicates& kernel);
+
+  // Each of the following returns false, and the net is of no use, where the sites are not as
+  // required, or where it takes more steps than are allowed for so many sites.
+
+  // Puts site v in. Requires that it is not in yet and that no segment was put in.
+  bool insert(vertex_index v);
+  // Makes the edge from a to b one that stays. Requires that both are in; false where the segment
+  // goes through a site.
+  bool insert_segment(vertex_index a, vertex_index b);
+  // Flips edges until all are Delaunay but those that stay; to be called after the last segment.
+  bool settle();
+
+  std::size_t sites() const { return sites_.size() - frame_size; }
+  const std::vector<site>& all_sites() const { return sites_; }
+  bool is_frame(vertex_index v) const { return v >= sites(); }
+  const std::vector<face>& faces() const { return faces_; }
+  // Returns one face at v, with v's corner.
+  place at(vertex_index v) const { return {face_at_[v], corner_of(faces_[face_at_[v]], v)}; }
+  // Returns the next face around the corner, counter-clockwise.
+  place next_around(const place& p) const;
+
+  // True if the face turns counter-clockwise, and no edge of it that may go has to; each edge is
+  // asked about by the face of the lesser number.
+  bool is_sound(std::uint32_t face, const star_predicates& kernel) const;
+
+ private:
+  static constexpr std::size_t frame_size = 4;
+
+  static std::uint32_t corner_of(const face& f, vertex_index v) {
+    return f.corner[0] == v ? 0 : f.corner[1] == v ? 1 : 2;
+  }
+  static constexpr std::uint32_t after(std::uint32_t i) { return i == 2 ? 0 : i + 1; }
+  static constexpr std::uint32_t before(std::uint32_t i) { return i == 0 ? 2 : i - 1; }
+
+  bool add_frame();
+  // Returns the face to the left of the edge from a to b, with the corner that is not on it.
+  std::optional<place> find_edge(vertex_index a, vertex_index b);
+  place other_side(const place& p) const;
+  sign turn(vertex_index a, vertex_index b, vertex_index c) const;
+  // True if the edge across from the corner is not to be flipped.
+  bool stays(const place& p, const star_predicates& kernel) const;
+  bool take_step() { return ++steps_ <= most_steps_; }
+  std::optional<place> locate(vertex_index v, bool& on_edge);
+  void put(std::uint32_t f, const face& what);
+  void relink(std::uint32_t neighbour, std::uint32_t old_face, std::uint32_t new_face);
+  void turn_to_front(const place& p);
+  void split_face(std::uint32_t f, vertex_index v);
+  void split_edge(const place& p, vertex_index v);
+  void flip(const place& p);
+  bool flip_around(vertex_index v);
+  bool cross(vertex_index a, vertex_index b, std::vector<std::pair<vertex_index, vertex_index>>&);
+  bool clear_way(vertex_index a, vertex_index b,
+                 std::vector<std::pair<vertex_index, vertex_index>> crossing);
+  void suspect(const face& f);
+  bool fix(vertex_index a, vertex_index b);
+
+  std::vector<site> sites_;  // the frame last
+  const star_predicates* kernel_;
+  std::vector<face> faces_;
+  std::vector<std::uint32_t> face_at_;                           // by site
+  std::vector<std::uint32_t> open_;                              // scratch of flip_around
+  std::vector<std::pair<vertex_index, vertex_index>> suspects_;  // edges for settle()
+  std::uint32_t last_ = 0;
+  std::size_t steps_ = 0, most_steps_ = 0;
+  bool is_framed_ = false;
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/stars/equal_metric_stars.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/stars/delaunay_net.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool have_one_metric(const std::vector<site>& sites) {
+  return std::all_of(sites.begin(), sites.end(),
+                     [&](const site& s) { return identical(s.metric, sites.front().metric); });
+}
+
+// Returns the order in which sites are put in: in rounds, each four times as many as all before and
+// drawn as if at random, so that no arrangement of sites makes many long flips; along a curve
+// within each, so that the way to the next is short. Source: Amenta, Choi and Rote, Incremental
+// constructions con BRIO, 2003.
+std::vector<vertex_index> insertion_order(const std::vector<site>& sites) {
+  constexpr std::size_t most_rounds = 16;
+  const auto round_of = [](vertex_index v) {
+    std::uint64_t bits = (std::uint64_t{v} + 1) * 0x9e3779b97f4a7c15U;
+    bits = (bits ^ bits >> 31) * 0xbf58476d1ce4e5b9U;
+    std::size_t round = 0;
+    for (bits ^= bits >> 29; round + 1 < most_rounds && (bits & 3U) == 0; bits >>= 2) ++round;
+    return round;
+  };
+  std::array<std::vector<vertex_index>, most_rounds> rounds;
+  for (const vertex_index v : order_along_curve(sites, box_of_sites(sites)))
+    rounds[round_of(v)].push_back(v);
+  std::vector<vertex_index> order;
+  order.reserve(sites.size());
+  for (std::size_t round = most_rounds; round-- > 0;)
+    order.insert(order.end(), rounds[round].begin(), rounds[round].end());
+  return order;
+}
+
+// Knows the sites in the order in which they were put in.
+struct triangulated {
+  delaunay_net net;
+  std::vector<vertex_index> original;  // by number in the net
+  std::vector<vertex_index> numbers;   // in the net, by original number
+};
+
+std::optional<triangulated> triangulate(const site_oracle& oracle, const cancellation& cancelled) {
+  std::vector<vertex_index> order = insertion_order(oracle.sites());
+  std::vector<vertex_index> numbers(order.size());
+  std::vector<site> sites;
+  sites.reserve(order.size() + 4);
+  for (const vertex_index v : order) {
+    numbers[v] = static_cast<vertex_index>(sites.size());
+    sites.push_back(oracle.sites()[v]);
+  }
+  delaunay_net net(std::move(sites), oracle.kernel());
+  constexpr vertex_index polled_after = 1024;
+  for (vertex_index v = 0; v < order.size(); ++v) {
+    if (v % polled_after == 0 && cancelled.is_requested()) return std::nullopt;
+    if (!net.insert(v)) return std::nullopt;
+  }
+  for (const boundary_edge& e : oracle.edges().subsegments())
+    if (!net.insert_segment(numbers[e.a], numbers[e.b])) return std::nullopt;
+  if (!net.settle()) return std::nullopt;
+  return triangulated{std::move(net), std::move(order), std::move(numbers)};
+}
+
+// Returns the radius of the circle around a triangle in its metric, from above: the product of its
+// sides over four times its area. A length is off by at most 2^-46 of its monomials, an area by
+// 2^-49. Infinite where that does not say enough, or near underflow or overflow.
+double circumradius_above(const site& v, const point& q, const point& r) {
+  const metric_tensor& m = v.metric;
+  const auto squared_above = [&](double x, double y) {
+    const double xx = m.m11 * x * x, yy = m.m22 * y * y;
+    return xx + yy + 2 * (m.m12 * x * y) + 0x1p-46 * (xx + yy);
+  };
+  const double ax = q.x - v.position.x, ay = q.y - v.position.y, bx = r.x - v.position.x,
+               by = r.y - v.position.y;
+  const double left = ax * by, right = ay * bx;
+  const double twice_area = left - right - 0x1p-49 * (std::abs(left) + std::abs(right));
+  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
+  const double determinant = product - square - 0x1p-49 * (product + square);
+  const double sides =
+      squared_above(ax, ay) * squared_above(bx, by) * squared_above(r.x - q.x, r.y - q.y);
+  const double below = 4 * determinant * (twice_area * twice_area);
+  constexpr double smallest = 0x1p-900, largest = 0x1p900;
+  const bool in_range = twice_area > 0 && determinant > 0 && sides > smallest && sides < largest &&
+                        below > smallest && below < largest;
+  return in_range ? std::sqrt(sides / below) * (1 + 0x1p-40) : infinity;
+}
+
+// Reads stars from the triangulation; each notes the faces it is the first to have, for the proof.
+class star_reader {
+ public:
+  star_reader(const site_oracle& oracle, const triangulated& from, const star_predicates& kernel)
+      : oracle_(oracle), from_(from), kernel_(kernel) {}
+
+  // Returns the star of v; none if something is not as it must be.
+  std::optional<constructed_star> read(vertex_index v) {
+    constructed_star built{empty_star(oracle_.edges(), v), true, false, {}};
+    reach_ = 0;
+    for (sector& s : built.content.sectors)
+      if (!fill(v, s)) return std::nullopt;
+    built.final_reach = reach_;
+    return built;
+  }
+
+ private:
+  using face = delaunay_net::face;
+  using place = delaunay_net::place;
+
+  static std::uint32_t after(std::uint32_t i) { return i == 2 ? 0 : i + 1; }
+
+  // Fills in the sector between its ends, or all around, beginning with the nearest neighbour.
+  bool fill(vertex_index v, sector& s) {
+    const vertex_index centre = from_.numbers[v];
+    place p = from_.net.at(centre);
+    if (!s.closed && !turn_to(p, from_.numbers[s.neighbours.front()])) return false;
+    const std::uint32_t first = p.face;
+    ring_.clear();
+    do {
+      if (!take(p)) return false;
+      const face& f = from_.net.faces()[p.face];
+      ring_.push_back(from_.original[f.corner[after(p.corner)]]);
+      const vertex_index next = from_.original[f.corner[after(after(p.corner))]];
+      if (!s.closed && next == s.neighbours.back()) {
+        ring_.push_back(next);
+        s.neighbours.assign(ring_.begin(), ring_.end());
+        return true;
+      }
+      p = from_.net.next_around(p);
+    } while (p.face != first);
+    if (!s.closed) return false;
+    std::rotate(ring_.begin(), nearest(v), ring_.end());
+    s.neighbours.assign(ring_.begin(), ring_.end());
+    return true;
+  }
+
+  std::vector<vertex_index>::iterator nearest(vertex_index v) {
+    return std::min_element(ring_.begin(), ring_.end(), [&](vertex_index a, vertex_index b) {
+      return oracle_.squared_distance(v, a) < oracle_.squared_distance(v, b);
+    });
+  }
+
+  // Turns p about its corner until the edge to `end` starts the face.
+  bool turn_to(place& p, vertex_index end) const {
+    const std::uint32_t first = p.face;
+    do {
+      if (from_.net.faces()[p.face].corner[after(p.corner)] == end) return true;
+      p = from_.net.next_around(p);
+      if (p.face == delaunay_net::none) return false;
+    } while (p.face != first);
+    return false;
+  }
+
+  // Counts the face in; false if it is not sound, or reaches out of the domain. The reach is
+  // infinite where a subsegment closes the gap, as that may be split.
+  bool take(const place& p) {
+    const face& f = from_.net.faces()[p.face];
+    for (const vertex_index corner : f.corner)
+      if (from_.net.is_frame(corner)) return false;
+    const vertex_index v = f.corner[p.corner];
+    const bool is_first = v == *std::min_element(f.corner.begin(), f.corner.end());
+    if (is_first && !from_.net.is_sound(p.face, kernel_)) return false;
+    const auto& sites = from_.net.all_sites();
+    const double radius =
+        f.fixed[p.corner] ? infinity
+                          : circumradius_above(sites[v], sites[f.corner[after(p.corner)]].position,
+                                               sites[f.corner[after(after(p.corner))]].position);
+    reach_ = std::max(reach_, radius);
+    return true;
+  }
+
+  const site_oracle& oracle_;
+  const triangulated& from_;
+  const star_predicates& kernel_;
+  std::vector<vertex_index> ring_;
+  double reach_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::vector<constructed_star>> stars_of_equal_metrics(const site_oracle& oracle,
+                                                                    const cancellation& cancelled) {
+  if (oracle.size() < 3 || !have_one_metric(oracle.sites())) return std::nullopt;
+  const auto from = triangulate(oracle, cancelled);
+  if (!from) return std::nullopt;
+  constexpr std::size_t chunk = 1024;
+  std::vector<tier_counters> counts(chunk_count(oracle.size(), chunk));
+  std::vector<constructed_star> stars = collect_chunks<constructed_star>(
+      oracle.size(), chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<constructed_star>& out) {
+        const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
+        star_reader reader(oracle, *from, *kernel);
+        out.reserve(end - begin);
+        for (std::size_t v = begin; v < end; ++v) {
+          auto made = reader.read(static_cast<vertex_index>(v));
+          if (!made) return;
+          out.push_back(std::move(*made));
+        }
+      });
+  for (const tier_counters& c : counts) oracle.kernel().counters() += c;
+  if (stars.size() != oracle.size()) return std::nullopt;
+  return stars;
+}
+
+}  // namespace asterism::internal

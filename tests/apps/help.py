@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: MIT
+"""What the command says about itself and about files: completions and manual pages are those of its
+own options, `info` and `--json` say what the files and certificates say, hints name what helps."""
+import json
+import os
+import pty
+import re
+import shutil
+import subprocess
+import unittest
+
+import command
+
+COMMANDS = ["mesh", "verify", "certify", "adapt", "metric", "transfer", "eval", "challenge", "draw", "info",
+            "completion", "man"]
+
+
+def options_in(text):
+    return set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))
+
+
+class Help(command.CommandTest):
+    def options_of(self, name):
+        """Those listed, not those mentioned in examples."""
+        listed = self.run_command(name, "--help").stdout
+        return {found for line in listed.splitlines() if re.match(r"  -", line)
+                for found in options_in(line[:32])}
+
+    def test_all_commands_are_known_here(self):
+        listed = self.run_command("--help").stdout.split("Subcommands:")[1]
+        self.assertEqual(set(re.findall(r"^  (\w+) ", listed, re.M)), set(COMMANDS))
+
+    def test_every_option_is_completed_in_every_shell(self):
+        scripts = {shell: self.run_command("completion", shell).stdout for shell in ("bash", "zsh", "fish")}
+        for name in COMMANDS:
+            for option in self.options_of(name):
+                self.assertRegex(scripts["bash"], rf"(?s)\n    {name}\).*?options='[^']*{option}[ ']")
+                self.assertRegex(scripts["zsh"], rf"(?s)\n    {name}\)\n.*?\*{option}\[")
+                self.assertRegex(scripts["fish"], rf"seen_subcommand_from {name}'.* -l {option[2:]} ")
+        self.assertEqual(self.run_command("completion", "tcsh").returncode, 2)
+        for shell in ("zsh", "fish"):
+            if shutil.which(shell):
+                self.write("script", scripts[shell])
+                subprocess.run([shell, "-n", self.folder / "script"], check=True)
+
+    def complete(self, *words):
+        self.write("script", self.run_command("completion", "bash").stdout)
+        call = (f"source ./script; COMP_WORDS=({' '.join(repr(w) for w in words)}); COMP_CWORD={len(words) - 1}; "
+                "_asterism; printf '%s\\n' \"${COMPREPLY[@]}\"")
+        done = subprocess.run(["bash", "-c", call], cwd=self.folder, capture_output=True, text=True, check=True)
+        self.assertEqual(done.stderr, "")
+        return done.stdout.split()
+
+    def test_bash_completes_commands_options_choices_and_files(self):
+        self.write("lake.poly", "")
+        self.assertEqual(self.complete("asterism", "ver"), ["verify"])
+        self.assertEqual(self.complete("asterism", "mesh", "--angle"), ["--angle-bound"])
+        self.assertEqual(set(self.complete("asterism", "mesh", "--refine", "")), {"fill", "voronoi", "darts"})
+        self.assertEqual(self.complete("asterism", "mesh", "la"), ["lake.poly"])
+        self.assertEqual(self.complete("asterism", "mesh", "x", "-o", "la"), ["lake.poly"])
+
+    def test_manual_pages_have_every_option_and_are_set_without_a_warning(self):
+        for name in [None, *COMMANDS]:
+            page = self.run_command("man", *([name] if name else [])).stdout
+            plain = page.replace("\\-", "-")
+            self.assertRegex(page, r"^\.\\\" Written by .*\n\.TH ASTERISM")
+            for option in self.options_of(name) if name else ["--version"]:
+                self.assertIn(f"\\fB{option}\\fR", plain)
+            if shutil.which("groff"):
+                done = subprocess.run(["groff", "-man", "-ww", "-z", "-Tutf8"], input=page, text=True,
+                                      capture_output=True, check=True)
+                self.assertEqual(done.stderr, "")
+        self.assertEqual(self.run_command("man", "nothing").returncode, 2)
+
+    def test_a_summary_for_programs_is_one_object(self):
+        done = self.run_command(*command.JOB, "-o", "m.mesh", "-o", "m.vtu", "--json")
+        said, written = json.loads(done.stdout), self.certificate("m")
+        self.assertEqual((done.returncode, said["status"], said["certified"], said["complete"]), (0, 0, True, True))
+        self.assertEqual(said["worst_angle"], written["audit"]["worst_angle"])
+        self.assertEqual((said["vertices"], said["triangles"]), (written["mesh"]["vertices"], written["mesh"]["triangles"]))
+        self.assertEqual(sorted(said["files"]), self.files())
+        self.assertIsNone(said["next"])
+        for name in ("verify", "certify"):
+            judged = self.run_command(name, "m.mesh", "--json")
+            verdict = json.loads(judged.stdout)
+            self.assertEqual((judged.returncode, verdict["status"], verdict["command"]), (0, 0, name))
+            self.assertEqual(verdict["worst_angle"], said["worst_angle"])
+        self.assertEqual(self.run_command(*command.JOB, "-o", "m.mesh", "--json", "--quiet").returncode, 2)
+
+    def certificate(self, name):
+        return json.loads((self.folder / f"{name}.certificate.json").read_text())
+
+    def test_info_says_what_files_hold(self):
+        self.run_command(*command.JOB, "-o", "m.mesh")
+        said = json.loads(self.run_command("info", "m.mesh", "--json").stdout)
+        written = self.certificate("m")
+        self.assertEqual((said["kind"], said["vertices"]), ("mesh", str(written["mesh"]["vertices"])))
+        self.assertRegex(said["certificate"], "certified, says it")
+        self.assertEqual(json.loads(self.run_command("info", "m.certificate.json", "--json").stdout)["fingerprint"],
+                         written["mesh"]["fingerprint"])
+        self.write("cross.poly", "4 2 0 0\n1 0 0\n2 4 0\n3 0 3\n4 4 3.5\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n")
+        lines = self.run_command("info", "cross.poly").stdout
+        self.assertRegex(lines, r"can be meshed +no: cross.poly:9: segment 4 .*crosses")
+        self.assertRegex(lines, r"with --repair-domain +yes")
+        (self.folder / "m.sol").unlink()
+        self.assertRegex(self.run_command("info", "m.mesh").stdout, r"metric +none: m\.sol")
+        self.assertEqual(self.run_command("info", "nothing.poly").returncode, 2)
+
+    def test_what_did_not_end_well_names_what_to_try(self):
+        for arguments, hint in [
+                (["square", "--size", "0.01", "--max-sites", "500"], r"try --max-sites \d+00, or a larger --size"),
+                (["square", "--metric", "expr:1+1e6*(x>0.1);0;1", "--no-relaxation", "--max-sites", "2000"],
+                 r"try (--gradation 1.2|a larger --max-sites)")]:
+            done = self.run_command("mesh", *arguments, "-o", "m.mesh")
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, "asterism: " + hint)
+
+    def at_terminal(self, **environment):
+        """Standard output of a run at a terminal."""
+        ours, theirs = pty.openpty()
+        subprocess.run([command.PROGRAM, "mesh", "square", "-o", "m.mesh"], cwd=self.folder, stdout=theirs,
+                       stderr=subprocess.DEVNULL, check=True,
+                       env={**{k: v for k, v in os.environ.items() if k != "NO_COLOR"}, **environment})
+        os.close(theirs)
+        text = os.read(ours, 100000).decode()
+        os.close(ours)
+        return text
+
+    def test_colours_are_for_terminals_that_want_them(self):
+        green = "\x1b[1;32mcertified\x1b[0m"
+        self.assertIn(green, self.at_terminal(TERM="xterm"))
+        self.assertNotIn("\x1b", self.at_terminal(TERM="xterm", NO_COLOR="1"))
+        self.assertNotIn("\x1b", self.at_terminal(TERM="dumb"))
+        self.assertNotIn("\x1b", self.run_command("mesh", "square", "-o", "m.mesh").stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+//
+// Stars made all at once where there is one metric, held against stars made one by one from all
+// sites.
+#include "asterism/mesh/stars/equal_metric_stars.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "asterism/mesh/stars/delaunay_net.hpp"
+#include "asterism/mesh/stars/star_finality.hpp"
+#include "fixtures/audit_meshes.hpp"
+#include "fixtures/domain_kinds.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::testing;
+using asterism::vertex_index;
+using asterism::test::splitmix64;
+
+namespace {
+
+struct setting {
+  setting(const domain& d, const metric_tensor& metric) {
+    for (const point& q : d.vertices) sites.push_back({q, metric});
+    edges = boundary::build(d, kernel).value();
+    near = neighbourhood(sites, edges);
+  }
+  setting(const setting&) = delete;
+  setting& operator=(const setting&) = delete;
+
+  site_oracle oracle() const { return {sites, edges, kernel, nullptr, &near}; }
+  site_oracle of_all() const { return {sites, edges, kernel}; }
+
+  tier_counters decided;
+  star_predicates_on<filtered_kernel> kernel{decided};
+  std::vector<site> sites;
+  boundary edges;
+  neighbourhood near;
+};
+
+void scatter(domain& d, int count, double half, std::uint64_t seed) {
+  splitmix64 random(seed);
+  for (int i = 0; i < count; ++i) {
+    const double x = random.real(-half, half), y = random.real(-half, half);
+    d.vertices.push_back({x, y});
+  }
+}
+
+void add_grid(domain& d, int side) {
+  for (int i = 1; i < side; ++i)
+    for (int j = 1; j < side; ++j) d.vertices.push_back({-1 + 2.0 * i / side, -1 + 2.0 * j / side});
+}
+
+// The square with segments inside that cross many edges of the triangulation without them: one from
+// side to side, one from the middle of it that ends inside, and one apart.
+domain divided_square() {
+  domain d = square();
+  d.vertices.insert(
+      d.vertices.end(),
+      {{-1, 0.0625}, {1, 0.125}, {0.25, 0.1015625}, {0.5, 0.875}, {-0.75, -0.75}, {0.75, -0.5}});
+  d.segments.push_back({4, 6, 2});
+  d.segments.push_back({6, 5, 2});
+  d.segments.push_back({6, 7, 3});
+  d.segments.push_back({8, 9, 4});
+  return d;
+}
+
+domain moved(domain d, double scale, const point& offset) {
+  for (point& q : d.vertices) q = {offset.x + scale * q.x, offset.y + scale * q.y};
+  return d;
+}
+
+struct arrangement {
+  std::string name;
+  domain shape;
+};
+
+std::vector<arrangement> arrangements() {
+  std::vector<arrangement> all;
+  const auto add = [&](const std::string& name, const domain& d) { all.push_back({name, d}); };
+  for (const named_domain& each : domain_kinds()) add(each.name, each.shape);
+  domain random = square(), grid = square(), cluster = square(), hole = square_with_hole(),
+         divided = divided_square();
+  scatter(random, 60, 0.99, 1);
+  add_grid(grid, 8);
+  scatter(cluster, 20, 0.99, 2);
+  scatter(cluster, 20, 1e-9, 3);
+  for (const point& q : {point{0.5, 0.5}, {-0.5, 0.5}, {0.6, -0.7}, {0, 0.9}, {-0.9, -0.8}})
+    hole.vertices.push_back(q);
+  scatter(divided, 60, 0.99, 4);
+  add("random", random);
+  add("grid", grid);
+  add("cluster", cluster);
+  add("hole", hole);
+  add("divided", divided);
+  add("far", moved(random, 1, {1e8, -1e8}));
+  add("small", moved(random, 0x1p-300, {}));
+  add("large", moved(divided, 0x1p300, {}));
+  return all;
+}
+
+// The star with each closed sector turned so that it begins with the least neighbour.
+star in_order(star s) {
+  for (sector& part : s.sectors)
+    if (part.closed)
+      std::rotate(part.neighbours.begin(),
+                  std::min_element(part.neighbours.begin(), part.neighbours.end()),
+                  part.neighbours.end());
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("stars made all at once in one metric are those made one by one from all sites") {
+  const std::vector<metric_tensor> metrics = {
+      {1, 0, 1}, {4, 1, 9}, {1e8, 9e3, 1}, {1, 0.5, 0.2501}};
+  for (const arrangement& a : arrangements())
+    for (const metric_tensor& metric : metrics) {
+      INFO(a.name << ", metric " << metric.m11 << " " << metric.m12 << " " << metric.m22);
+      const setting now(accepted(a.shape), metric);
+      const auto made = stars_of_equal_metrics(now.oracle(), {});
+      REQUIRE(made);
+      REQUIRE(made->size() == now.sites.size());
+      for (vertex_index v = 0; v < now.sites.size(); ++v) {
+        INFO("star of site " << v);
+        const constructed_star alone = construct_star(now.of_all(), v);
+        REQUIRE(alone.settled);
+        CHECK((*made)[v].settled);
+        CHECK(in_order((*made)[v].content) == in_order(alone.content));
+        // Both reaches are bounds from above on the same radius; that of gaps has more to spare.
+        const auto reach = final_reach(now.oracle(), v, (*made)[v].content);
+        REQUIRE(reach);
+        REQUIRE((*made)[v].final_reach);
+        CHECK(*(*made)[v].final_reach <= *reach * (1 + 1e-9));
+        const double radius = farthest_vertex(now.oracle(), v, (*made)[v].content);
+        // Doubles are off by more where the metric is thin, and may not find a vertex far away.
+        if (std::isfinite(radius)) CHECK(*(*made)[v].final_reach >= radius * (1 - 1e-2));
+      }
+    }
+}
+
+TEST_CASE("stars are not made all at once where metrics differ, or sites coincide") {
+  domain d = square();
+  scatter(d, 10, 0.9, 7);
+  setting now(accepted(d), {1, 0, 1});
+  REQUIRE(stars_of_equal_metrics(now.oracle(), {}));
+  now.sites[9].metric.m11 = 1 + 0x1p-52;
+  CHECK_FALSE(stars_of_equal_metrics(now.oracle(), {}));
+  now.sites[9] = now.sites[8];
+  CHECK_FALSE(stars_of_equal_metrics(now.oracle(), {}));
+}
+
+TEST_CASE("a net refuses a segment through a site, and one across another") {
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> kernel(decided);
+  const metric_tensor one{1, 0, 1};
+  const std::vector<site> sites = {
+      {{0, 0}, one}, {{2, 0}, one}, {{1, 0}, one}, {{1, 3}, one}, {{1.5, -2}, one}};
+  const auto with_sites = [&] {
+    delaunay_net net(sites, kernel);
+    for (vertex_index v = 0; v < sites.size(); ++v) REQUIRE(net.insert(v));
+    return net;
+  };
+  delaunay_net through = with_sites();
+  CHECK_FALSE(through.insert_segment(0, 1));
+  delaunay_net across = with_sites();
+  REQUIRE(across.insert_segment(3, 4));
+  REQUIRE(across.settle());
+  CHECK_FALSE(across.insert_segment(2, 1));
+  delaunay_net twice = with_sites();
+  CHECK_FALSE(twice.insert(2));
+}
