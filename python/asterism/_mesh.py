@@ -85,8 +85,8 @@ class Mesh:
         return verify(self, certificate, angle_bound)
 
     def save(self, path: "str | os.PathLike[str]") -> List[str]:
-        """Writes .mesh (with .sol), .vtu, .svg, .png or .pdf by the ending, and the certificate, if
-        there is one, beside it. Returns the names of the files."""
+        """Writes .mesh (with .sol), .msh, .vtu, .su2, .node (with .ele), .svg, .png or .pdf by the ending, and
+        the certificate, if there is one, beside it. Returns the names of the files."""
         return self._made.save(os.fspath(path))
 
     def to_meshio(self) -> Any:
@@ -145,7 +145,10 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
     three vertices of its triangle, and audits it.
 
     metric: a text as the command takes it ("swirl:12", "expr:1+x*x;0;1"); a callable from (n, 2) points
-    to (n, 3) tensors; a pair (mesh, tensors (n, 3)), or the tensors alone with on=mesh.
+    to (n, 3) tensors = m11 m12 m22; a pair (mesh, tensors (n, 3)), or the tensors alone with on=mesh.
+    A callable is asked for thousands of points at a time, each once, and for single ones (n = 1) where
+    they are not known in advance; each row is to depend on its point alone. One that does not give n
+    rows, or raises, for n > 1 is asked for one point at a time from then on.
     size: edges are to have this length in the metric; None: no longer than angles need, but 1 in a
     metric that asterism.metric() made.
     vertices, complexity: in place of a size, the number of vertices, or the area of the domain as the

@@ -61,6 +61,36 @@ def test_the_metric_in_every_form_gives_the_same_mesh(made):
     assert on.certified and np.array_equal(on.points, same.points)
 
 
+def test_a_callable_is_asked_for_many_points_at_a_time():
+    calls = []
+
+    def swirl(p):
+        calls.append(len(p))
+        x, y = p[:, 0], p[:, 1]
+        return np.column_stack([1 + 12 * y * y, -12 * x * y, 1 + 12 * x * x])
+
+    made = asterism.mesh(asterism.Domain.square(), swirl, 0.1)
+    alone = sum(n == 1 for n in calls)
+    assert made.certified and max(calls) > 1000 and sum(calls) > 3 * len(made.points)
+    assert len(calls) < sum(calls) / 5, (len(calls), alone, sum(calls))
+
+
+@pytest.mark.parametrize("one_by_one", [
+    lambda p: [1 + 12 * p[0, 1] ** 2, -12 * p[0, 0] * p[0, 1], 1 + 12 * p[0, 0] ** 2],
+    lambda p: (lambda x, y: [[1 + 12 * y * y, -12 * x * y, 1 + 12 * x * x]])(*map(float, p.ravel())),
+    lambda p: [1 + 12 * p.item(1) ** 2, -12 * p.item(0) * p.item(1), 1 + 12 * p.item(0) ** 2],
+], ids=["of the first row", "fails for many", "one tensor for all"])
+def test_a_callable_for_one_point_is_asked_for_one(made, one_by_one):
+    formula = asterism.mesh(asterism.Domain.square(), "expr:1+12*y*y;-12*x*y;1+12*x*x", 0.4)
+    called = asterism.mesh(asterism.Domain.square(), one_by_one, 0.4)
+    assert np.allclose(formula.points, called.points) and called.certified
+
+
+def test_a_constant_may_be_one_tensor():
+    made = asterism.mesh(asterism.Domain.square(), lambda p: (4, 0, 1), 0.5)
+    assert made.certified and (made.metric == made.metric[0]).all()
+
+
 def test_vertices_and_complexity_in_place_of_a_size():
     back = asterism.mesh(asterism.Domain.square(), "swirl:3", 0.2)
     made = asterism.mesh(asterism.Domain.square(), np.array(back.metric), vertices=500, on=back)

@@ -15,10 +15,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <random>
 #include <utility>
 #include <vector>
 
-#include "asterism/core/random.hpp"
 #include "metric_traits.hpp"
 
 namespace {
@@ -36,13 +36,13 @@ using triangulation = CGAL::Delaunay_triangulation_2<
 // On a lattice that the metric sees as squares, a quarter of them moved by one unit in the last
 // place: many are on one ellipse, or nearly.
 std::vector<point> lattice_points(std::size_t count) {
-  asterism::internal::splitmix64 random(7);
+  std::mt19937_64 random(7);  // the same numbers everywhere
   const int size = static_cast<int>(std::sqrt(double(count)));
   std::vector<point> points;
   for (int i = 0; i < size; ++i)
     for (int j = 0; j < size; ++j) {
       point p = {(4 * i + j) / 16.0 + 1, (i + 2 * j) / 16.0 + 1};
-      if (random.chance(4)) p.x = std::nextafter(p.x, random.chance(2) ? 0 : 1e9);
+      if (random() % 4 == 0) p.x = std::nextafter(p.x, random() % 2 == 0 ? 0 : 1e9);
       points.push_back(p);
     }
   return points;

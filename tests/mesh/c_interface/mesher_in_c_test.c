@@ -131,6 +131,16 @@ static int stretched(void* context, double x, double y, double metric[3]) {
   return 0;
 }
 
+static int stretched_many(void* context, size_t count, const double* points, double* metrics) {
+  size_t k;
+  ++*(int*)context;
+  for (k = 0; k < count; ++k) {
+    int uncounted = 0;
+    (void)stretched(&uncounted, points[2 * k], points[2 * k + 1], metrics + 3 * k);
+  }
+  return 0;
+}
+
 static int failing(void* context, double x, double y, double metric[3]) {
   (void)context, (void)y, (void)metric;
   return x >= 0;
@@ -219,6 +229,29 @@ static void test_arrays(const asterism_mesh* mesh) {
   free(tensors);
 }
 
+/* The same mesh, whether points are asked for alone or together; together in few calls. */
+static void test_batch_function(const asterism_mesh* mesh, const asterism_metric* metric,
+                                const asterism_mesh_options* options, int calls_alone) {
+  asterism_domain square;
+  asterism_metric together = *metric;
+  asterism_mesh* same = NULL;
+  size_t sites, count;
+  int calls = 0;
+  make_square(&square);
+  together.function = NULL;
+  together.batch_function = stretched_many;
+  together.context = &calls;
+  expect(asterism_mesh_create(&square, &together, options, &same, NULL, 0) == ASTERISM_OK,
+         "a batch function");
+  (void)asterism_mesh_sites(mesh, &sites);
+  expect(memcmp(asterism_mesh_sites(same, &count), asterism_mesh_sites(mesh, &sites),
+                5 * sites * sizeof(double)) == 0 &&
+             count == sites,
+         "the same mesh");
+  expect(calls < calls_alone / 5, "in few calls");
+  asterism_mesh_free(same);
+}
+
 static int at_once(void* context) {
   (void)context;
   return 1;
@@ -244,6 +277,7 @@ static void test_meshes(void) {
   expect_mesh(mesh);
   test_verify(mesh);
   test_arrays(mesh);
+  test_batch_function(mesh, &metric, &options, calls);
   asterism_mesh_free(mesh);
 
   options.stop = at_once;
