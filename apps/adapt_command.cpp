@@ -192,6 +192,7 @@ int run_adapt(adapt_job job) {
   fs::path certificate_path = job.certificate;
   if (certificate_path.empty())
     certificate_path = fs::path(job.outputs[0]).replace_extension(".certificate.json");
+  set_defaults(job.request);
   if (const auto failed = check_request(job.request)) return complain(*failed, refused);
   if (const auto failed = check_files(job, certificate_path)) return complain(*failed, refused);
   if (const auto failed = take_domain(job)) return complain(*failed, refused);

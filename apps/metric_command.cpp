@@ -55,9 +55,10 @@ std::optional<error> check_files(const metric_job& job) {
   return std::nullopt;
 }
 
-int run_metric(const metric_job& job) {
+int run_metric(metric_job job) {
   std::optional<tbb::global_control> threads;
   if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  set_defaults(job.request);
   if (const auto failed = check_request(job.request)) return complain(*failed, refused);
   if (const auto failed = check_files(job)) return complain(*failed, refused);
   const auto made = answer(job.request);

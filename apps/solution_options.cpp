@@ -46,7 +46,7 @@ void add_source_options(CLI::App& app, metric_request& request) {
 void add_target_options(CLI::App& app, solution_metric_options& wishes) {
   app.add_option_function<std::string>(
          "--hessian", [&wishes](const std::string& name) { wishes.hessian = methods.at(name); },
-         "l2 (default): averages of averages; green: weak form; lsq: fitted quadratics")
+         "lsq (default): fitted quadratics; green: weak form; l2: averages of averages")
       ->check(CLI::IsMember(methods))
       ->type_name("HOW");
   app.add_option_function<std::string>(
@@ -77,7 +77,20 @@ void add_target_options(CLI::App& app, solution_metric_options& wishes) {
       ->type_name("E");
 }
 
-void add_bound_options(CLI::App& app, solution_metric_options& wishes) {
+void take_gradation(const std::string& text, metric_request& request) {
+  request.names_gradation = true;
+  request.wishes.gradation.reset();
+  if (text == "none") return;
+  const auto value = parse_number(text);
+  if (!value) throw CLI::ValidationError("--gradation", value.failure().message);
+  if (!(value.value() > factors.low && value.value() <= factors.high))
+    throw CLI::ValidationError("--gradation",
+                               text + " is out of range: it must be " + factors.text);
+  request.wishes.gradation = value.value();
+}
+
+void add_bound_options(CLI::App& app, metric_request& request) {
+  solution_metric_options& wishes = request.wishes;
   add_real(
       app, "--hmin", sizes, [&wishes](double x) { wishes.least_size = x; },
       "Least length of an edge")
@@ -90,9 +103,10 @@ void add_bound_options(CLI::App& app, solution_metric_options& wishes) {
       app, "--aspect", aspects, [&wishes](double x) { wishes.aspect = x; },
       "How many times as long as wide a triangle may be (default 1e6)")
       ->type_name("A");
-  add_real(
-      app, "--gradation", factors, [&wishes](double x) { wishes.gradation = x; },
-      "Greatest factor between the sizes of neighbours, about")
+  app.add_option_function<std::string>(
+         "--gradation", [&request](const std::string& text) { take_gradation(text, request); },
+         "Greatest factor between the sizes of neighbours, about, or none (default: 3 for a "
+         "solution, none for a metric)")
       ->type_name("B");
   app.add_option_function<std::string>(
          "--gradation-space",
@@ -112,7 +126,12 @@ void add_bound_options(CLI::App& app, solution_metric_options& wishes) {
 void add_solution_options(CLI::App& app, metric_request& request) {
   add_source_options(app, request);
   add_target_options(app, request.wishes);
-  add_bound_options(app, request.wishes);
+  add_bound_options(app, request);
+}
+
+void set_defaults(metric_request& request) {
+  if (!request.names_gradation && !request.solution.empty())
+    request.wishes.gradation = loop_gradation;
 }
 
 std::optional<error> check_request(const metric_request& request) {

@@ -16,6 +16,9 @@ namespace asterism::apps {
 // Adds MESH, --solution and the wishes.
 void add_solution_options(CLI::App& app, internal::metric_request& request);
 
+// Sets what was not named and depends on the source: the gradation.
+void set_defaults(internal::metric_request& request);
+
 // Refuses requests that contradict themselves. Empty if this one does not.
 std::optional<error> check_request(const internal::metric_request& request);
 

@@ -112,7 +112,7 @@ def main():
     parser.add_argument("--functions", nargs="+", default=TEN)
     parser.add_argument("--vertices", nargs="+", type=int, default=[2000])
     parser.add_argument("--rounds", type=int, default=6)
-    parser.add_argument("--hessian", default="l2")
+    parser.add_argument("--hessian", default="lsq")
     parser.add_argument("--with-options", default="")
     parser.add_argument("--limit", type=float, default=120)
     options = parser.parse_args()

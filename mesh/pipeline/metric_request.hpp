@@ -21,6 +21,7 @@ struct metric_request {
   std::vector<std::string> intersected;  // files of metrics on the same mesh
   bool implied = false;                  // the mesh's own metric in place of a solution
   solution_metric_options wishes;
+  bool names_gradation = false;  // else the default of the source holds
 };
 
 // A request, read and answered.

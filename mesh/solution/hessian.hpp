@@ -11,8 +11,11 @@
 //   fields
 //                  as above; quadratic ones in a grid whose diagonals are parallel.
 //   least_squares  a quadratic fitted to two rings of neighbours, in coordinates in which their
-//                  covariance is the identity: else thin patches are singular. Linear and quadratic
-//                  fields to rounding, everywhere.
+//                  covariance is the identity: else thin patches are singular. The near ones count
+//                  most. Linear and quadratic fields to rounding, everywhere. The default.
+//
+// The first averages over the widest patch: it does not see waves of a few edges, so that a loop
+// never resolves them. The second and third do (docs/results/adaptation.md).
 //
 // At the boundary the first two take the mean of the neighbours inside, as one-sided patches say
 // nothing of second derivatives; gradients there, which the first needs, come from the third.
@@ -45,6 +48,6 @@ struct recovered_hessian {
 // parallel, the same for any number of threads.
 ASTERISM_EXPORT result<recovered_hessian> recover_hessian(
     const mesh& m, const std::vector<double>& values,
-    hessian_method method = hessian_method::l2_projection);
+    hessian_method method = hessian_method::least_squares);
 
 }  // namespace asterism

@@ -93,6 +93,9 @@ std::optional<std::array<double, unknowns>> solve(std::vector<row>& rows) {
   return x;
 }
 
+// Each equation is divided by the square of its distance, so that what is least is the error in
+// second differences, not in values. Near vertices count most then. With equal weights two rings
+// average waves of three edges away (docs/results/adaptation.md has both).
 std::optional<fitted_quadratic> fit_to(const mesh& m, const std::vector<double>& values,
                                        vertex_index v, const std::vector<vertex_index>& around) {
   const whitening w(covariance(m, v, around));
@@ -102,7 +105,11 @@ std::optional<fitted_quadratic> fit_to(const mesh& m, const std::vector<double>&
   rows.reserve(around.size());
   for (const vertex_index q : around) {
     const point d = w.white({m.sites[q].position.x - p.x, m.sites[q].position.y - p.y});
-    rows.push_back({d.x, d.y, d.x * d.x / 2, d.x * d.y, d.y * d.y / 2, values[q] - values[v]});
+    const double square = d.x * d.x + d.y * d.y;
+    if (!(square > 0)) return std::nullopt;
+    row each = {d.x, d.y, d.x * d.x / 2, d.x * d.y, d.y * d.y / 2, values[q] - values[v]};
+    for (double& entry : each) entry /= square;
+    rows.push_back(each);
   }
   const auto x = solve(rows);
   if (!x) return std::nullopt;

@@ -30,9 +30,14 @@
 
 namespace asterism {
 
+// Growth of sizes that loops do best with (docs/results/adaptation.md has 1.5 to 6, and none). What
+// grows faster is not delivered anyway, as stars do not agree about it; from 2 down, gradation
+// takes the vertices that fronts need.
+inline constexpr double loop_gradation = 3;
+
 // Wishes. At most one of vertices, complexity and error; without, as many vertices as the mesh has.
 struct solution_metric_options {
-  hessian_method hessian = hessian_method::l2_projection;
+  hessian_method hessian = hessian_method::least_squares;
   std::optional<double> norm = 2;       // p of L^p, at least 1; none: the maximum norm
   std::optional<double> vertices = {};  // a mesh of unit edges has 2 / sqrt 3 times the complexity
   std::optional<double> complexity = {};  // area in the metric
@@ -40,7 +45,7 @@ struct solution_metric_options {
   double least_size = 0;
   double greatest_size = std::numeric_limits<double>::infinity();
   double aspect = 1e6;
-  std::optional<double> gradation = {};  // beta above 1
+  std::optional<double> gradation = {};  // beta above 1; none: sizes stay as they are
   bool gradation_keeps_shape = false;    // in metric space; else in mixed space
   bool isotropic = false;
   std::optional<double> step = {};  // greatest factor by which a length changes, above 1

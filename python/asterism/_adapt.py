@@ -34,7 +34,7 @@ def metric(mesh: Mesh, values: Fields, *, norm: float = 2, complexity: Optional[
            hmax: Optional[float] = None, aspect: Optional[float] = None,
            intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None,
            isotropic: bool = False, gradation_keeps_shape: bool = False,
-           hessian: str = "l2") -> ReportedArray:
+           hessian: str = "least_squares") -> ReportedArray:
     """The metric (n, 3) at the mesh's points in which the next mesh interpolates `values` best.
 
     values: a number a point (n,); a dict of such fields by name, whose metrics are intersected in
@@ -42,9 +42,10 @@ def metric(mesh: Mesh, values: Fields, *, norm: float = 2, complexity: Optional[
     norm: p of the L^p norm of the error, at least 1; math.inf for the maximum.
     At most one of complexity (area in the metric), vertices and error; without, as many vertices as
     the mesh has. hmin, hmax: lengths; aspect: how many times as long as wide, at most (1e6).
-    gradation: neighbouring lengths grow by this factor at most over a length of one.
+    gradation: neighbouring lengths grow by this factor at most over a length of one; loops do best
+    with 3.
     intersect: metrics (n, 3) that are to hold besides. step: how many times a length may change from
-    what it is in the mesh. hessian: 'l2', 'green' or 'least_squares'.
+    what it is in the mesh. hessian: 'l2', 'green' or 'least_squares' (docs/manual/adaptation.md).
     A target that cannot be met is a NotReachedWarning; `report` of the result has the numbers.
     """
     fields, given = _fields_and_tensors(values)

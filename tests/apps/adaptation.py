@@ -85,6 +85,24 @@ class MetricTest(AdaptationTest):
             texts.append((self.folder / "m.sol").read_bytes())
         self.assertEqual(*texts)
 
+    def test_gradation_of_a_solution_is_three_unless_named(self):
+        texts = []
+        for words in ((), ("--gradation", "3"), ("--gradation", "none")):
+            done = self.metric("--solution", "u.sol", "--vertices", "900", *words)
+            texts.append((self.folder / "m.sol").read_text())
+        self.assertEqual(texts[0], texts[1])
+        self.assertNotEqual(texts[0], texts[2])
+        self.assertNotIn("graded", done.stdout)
+        self.refused("metric", "g.mesh", "--solution", "u.sol", "--gradation", "1", "-o", "x.mesh",
+                     sentence="--gradation: 1 is out of range: it must be above 1")
+
+    def test_gradation_of_a_metric_is_none_unless_named(self):
+        rows = [(1 / (0.01 + 0.3 * x) ** 2, 0.0, 100.0) for x, _ in self.points]
+        self.write("own.sol", solution_text(rows, (3,)))
+        self.metric("--metric", "own.sol")
+        kept = [float(w) for w in (self.folder / "m.sol").read_text().split("1 3\n")[1].split()[:3]]
+        self.assertEqual(kept, list(rows[0]))
+
     def test_implied_metric_of_a_grid(self):
         self.metric("--implied")
         self.refused("metric", "g.mesh", "--implied", "--solution", "u.sol", "-o", "n.mesh",

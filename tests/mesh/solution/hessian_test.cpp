@@ -107,6 +107,28 @@ TEST_CASE("averages come near the derivatives of a smooth field on an irregular 
   }
 }
 
+TEST_CASE("waves of three edges are seen by all but averages of averages") {
+  constexpr vertex_index n = 30;
+  const double k = 2 * std::acos(-1.0) * n / 3;  // three edges of the grid to a wave
+  const mesh m = grid(n, 1);
+  const auto values = values_of(m, [&](const point& q) { return std::sin(k * q.x + 0.4); });
+  const auto seen = [&](hessian_method method) {
+    const auto found = recovered(m, values, method);
+    double greatest = 0;  // away from the boundary
+    for (std::size_t v = 0; v < m.sites.size(); ++v) {
+      const point& q = m.sites[v].position;
+      if (std::abs(q.x - 0.5) < 0.2 && std::abs(q.y - 0.5) < 0.2)
+        greatest = std::max(greatest, std::abs(found.at[v].m11));
+    }
+    return greatest / (k * k);
+  };
+  // Of a wave with kh = 2 pi / 3 a second difference sees (sin(kh/2) / (kh/2))^2 = 0.68, averages
+  // of averages at most (sin(kh) / kh)^2 = 0.17.
+  CHECK(seen(hessian_method::green) > 0.6);
+  CHECK(seen(hessian_method::least_squares) > 0.3);
+  CHECK(seen(hessian_method::l2_projection) < 0.2);
+}
+
 TEST_CASE("a mesh without inner vertices has what its boundary has") {
   mesh m;
   m.sites = {{{0, 0}, {}}, {{1, 0}, {}}, {{1, 1}, {}}, {{0, 1}, {}}};
