@@ -43,7 +43,7 @@ class exponent_range {
 template <std::size_t Count>
 std::uint64_t spread_weight(const std::array<const site*, Count>& sites) {
   constexpr int wide = 300, too_wide = 1022;  // 2^-1022 is the least double of full precision
-  constexpr std::uint64_t weight_of_different = 150, weight_of_wide = 20,
+  constexpr std::uint64_t weight_of_different = 200, weight_of_wide = 20,
                           weight_of_too_wide = 10000;
   exponent_range tensors, coordinates;
   for (const site* s : sites) {

@@ -21,7 +21,7 @@ namespace {
 
 // Most work, as a part of the bound on refinement's. More than 1, as refinement ends with these
 // stars.
-constexpr double most_work = 1.2;
+constexpr double most_work = 1.1;
 
 // Returns the stars that a new site is offered to: about those it will be a neighbour in are those
 // it has as neighbours. A thorough search finds what this local one misses

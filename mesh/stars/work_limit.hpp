@@ -21,7 +21,7 @@ namespace asterism::internal {
 // Comes to ten seconds on one core for 3,000 sites and to thirty for 100,000, the default limit;
 // meshes of so many take 5 to 20 units a site.
 inline double most_work_units(std::size_t sites, std::size_t given) {
-  constexpr double at_least = 5e5, for_each = 150, first_ones = 5000, for_more = 20, a_pair = 1,
+  constexpr double at_least = 4e5, for_each = 150, first_ones = 5000, for_more = 20, a_pair = 1,
                    pairs_at_most = 3e5;
   const auto n = static_cast<double>(sites), g = static_cast<double>(given);
   return at_least + for_each * std::min(n, first_ones) + for_more * std::max(0.0, n - first_ones) +
@@ -36,6 +36,6 @@ inline double part_of_work_bound(const tier_counters& counts, std::size_t sites,
 
 // Work that all meshes in relaxed metrics together may take besides, where one in the metric given
 // was abandoned.
-constexpr double units_for_relaxing = 5e5;
+constexpr double units_for_relaxing = 3e5;
 
 }  // namespace asterism::internal

@@ -78,13 +78,13 @@ def turning(cells, aspect, turns):
 
 
 def huge_and_tiny(cells):
-    return measured(*grid(cells, cells, 0.2), lambda i, _x, _y: tensor(10.0**(300 * (i % 2) - 150), 1.0, 0.3 * i))
+    return measured(*grid(cells, cells, 0.2), lambda i, _x, _y: (10.0**(300 * (i % 2) - 150), 0.0, 1.0))
 
 
 def big_tensor(cells):
     last = (cells + 1)**2 // 2
     return measured(*grid(cells, cells, 0.2),
-                    lambda i, _x, _y: (1.8e308 / 1.1, 0.0, 1.0) if i == last else tensor(16.0, 9.0, 0.2))
+                    lambda i, _x, _y: (1.6e308, 0.0, 1.0) if i == last else tensor(16.0, 9.0, 0.2))
 
 
 def flat_rectangle(height):
