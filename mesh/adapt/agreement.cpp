@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
-#include "asterism/kernels/vertex_hints.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 
@@ -15,58 +14,14 @@ namespace asterism::internal::adapting {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Margins that rounding cannot turn: by how much farther the site across has to be, as a part of
-// the squared radius, and degrees to spare above the angle bound; then the degrees above it aimed
-// at.
-constexpr double margin = 1e-3, degrees_to_spare = 0.05, degrees_above = 4;
-
-// Voronoi vertex of a face, relative to its first node.
-struct centre {
-  double x = 0, y = 0, squared_radius = -1;
-};
-
-centre find_centre(const node& a, const node& b, const node& c) {
-  const auto near = numeric::voronoi_vertex_near({a.position, a.metric}, {b.position, b.metric},
-                                                 {c.position, c.metric});
-  if (!near) return {};
-  return {near->x, near->y, squared(a.metric, near->x, near->y)};
-}
-
-// Returns how much farther d is than the three, as a part of the squared radius.
-double clearance(const node& a, const node& b, const node& c, const node& d) {
-  const centre x = find_centre(a, b, c);
-  if (!(x.squared_radius > 0)) return -infinity;
-  const double dx = a.position.x + x.x - d.position.x, dy = a.position.y + x.y - d.position.y;
-  return squared(d.metric, dx, dy) / x.squared_radius - 1;
-}
-
-double greatest_cotangent(const metric_tensor& m, const node& a, const node& b, const node& c) {
-  const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
-  const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
-  const double uu = squared(m, ux, uy), ww = squared(m, wx, wy),
-               uw = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
-  const double across = 1 / (root_of_determinant(m) * (ux * wy - uy * wx));
-  return std::max({uw, uu - uw, ww - uw}) * across;
-}
-
-// Returns the cotangent of the angle at a.
-double cotangent_at(const metric_tensor& m, const node& a, const node& b, const node& c) {
-  const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
-  const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
-  const double inner = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
-  return inner / (root_of_determinant(m) * (ux * wy - uy * wx));
-}
-
-double cotangent_of(double degrees) {
-  return 1 / elementary::tan(std::max(1e-3, degrees) * std::numbers::pi / 180);
-}
+constexpr double degrees_above = 4;  // the bound, that are aimed at
 
 }  // namespace
 
 agreement::agreement(working_mesh& m, const agreement_options& options)
     : m_(m),
       options_(options),
-      cotangent_(cotangent_of(options.angle_bound + degrees_to_spare)),
+      tests_(m, options.angle_bound),
       aim_(cotangent_of(options.angle_bound + degrees_above)) {
   active_.assign(m_.nodes().size(), 1);
 }
@@ -107,96 +62,26 @@ void agreement::disagreed_at(const std::vector<vertex_index>& nodes) {
   for (const vertex_index v : nodes) active_[v] = 1;
 }
 
-agreement::quad agreement::quad_at(vertex_index t, std::size_t i) const {
-  const face& f = m_.faces()[t];
-  const face& g = m_.faces()[f.next[i]];
-  const vertex_index a = f.v[after(i)];
-  return {a, f.v[before(i)], f.v[i], g.v[after(g.corner_of(a))]};
-}
-
-double agreement::worst_clearance(const quad& q) const {
-  const node &a = m_.at(q.a), &b = m_.at(q.b), &c = m_.at(q.c), &d = m_.at(q.d);
-  return std::min(clearance(c, a, b, d), clearance(d, b, a, c));
-}
-
 void agreement::check_edge(vertex_index t, std::size_t i) {
-  const quad q = quad_at(t, i);
-  const double now = worst_clearance(q);
-  if (now > margin) return;
+  const edge_quad q = tests_.quad_at(t, i);
+  const double now = tests_.worst_clearance(q);
+  if (now > least_clearance) return;
   ++report_.disagreeing;
   for (const vertex_index v : {q.a, q.b, q.c, q.d}) next_[v] = 1;
   if (m_.can_flip(t, i)) {
-    const double then = worst_clearance({q.d, q.c, q.a, q.b});
+    const double then = tests_.worst_clearance({q.d, q.c, q.a, q.b});
     if (then > now) {
       m_.flip(t, i);
       ++report_.flips;
-      if (then > margin) return;
+      if (then > least_clearance) return;
     }
   }
   constexpr double part = 0.7;
   make_alike_at({q.a, q.b, q.c, q.d}, part);
 }
 
-bool agreement::is_low(vertex_index t) const {
-  const face& f = m_.faces()[t];
-  const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
-  for (const node* n : {&a, &b, &c})
-    if (!(greatest_cotangent(n->metric, a, b, c) <= cotangent_)) return true;
-  return false;
-}
-
-// True if an angle of t but the one at v is below the bound as one of the three measures it.
-bool agreement::has_low_angle_beside(vertex_index t, vertex_index v) const {
-  const face& f = m_.faces()[t];
-  const std::size_t i = f.corner_of(v);
-  const node &a = m_.at(v), &b = m_.at(f.v[after(i)]), &c = m_.at(f.v[before(i)]);
-  for (const node* n : {&a, &b, &c})
-    if (!(std::max(cotangent_at(n->metric, b, c, a), cotangent_at(n->metric, c, a, b)) <=
-          cotangent_))
-      return true;
-  return false;
-}
-
-// True if the face is at a corner of the domain that is below the bound in its own metric. Where
-// that is so in its metric alone, and other angles of the face are low as well, for which nothing
-// is exempt, the corner is to have another metric.
-bool agreement::is_exempt(vertex_index t) const {
-  for (const vertex_index v : m_.faces()[t].v) {
-    if (m_.at(v).kind != node_kind::given) continue;
-    vertex_index first = t, last = t;
-    std::size_t steps = 0;
-    face_list at;
-    m_.around(v, at);
-    const auto subsegment_after = [&](vertex_index s) {
-      const face& f = m_.faces()[s];
-      return f.segment[after(f.corner_of(v))];
-    };
-    const auto subsegment_before = [&](vertex_index s) {
-      const face& f = m_.faces()[s];
-      return f.segment[before(f.corner_of(v))];
-    };
-    while (subsegment_after(last) == none && ++steps < at.size())
-      last = m_.faces()[last].next[after(m_.faces()[last].corner_of(v))];
-    while (subsegment_before(first) == none && ++steps < 2 * at.size())
-      first = m_.faces()[first].next[before(m_.faces()[first].corner_of(v))];
-    if (subsegment_after(last) == none || subsegment_before(first) == none) continue;
-    const point &o = m_.at(v).position,
-                &p = m_.at(m_.faces()[first].v[after(m_.faces()[first].corner_of(v))]).position,
-                &q = m_.at(m_.faces()[last].v[before(m_.faces()[last].corner_of(v))]).position;
-    const metric_tensor& m = m_.at(v).metric;
-    const double ux = p.x - o.x, uy = p.y - o.y, wx = q.x - o.x, wy = q.y - o.y;
-    const double turned = m_.at(v).root * (ux * wy - uy * wx);
-    const double inner = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
-    const double bound = cotangent_of(options_.angle_bound);
-    const bool is_sharp = turned > 0 && inner > bound * turned;
-    const bool is_plainly_sharp = ux * wx + uy * wy > bound * (ux * wy - uy * wx);
-    if (is_sharp && (is_plainly_sharp || !has_low_angle_beside(t, v))) return true;
-  }
-  return false;
-}
-
 void agreement::check_angles(vertex_index t) {
-  if (options_.angle_bound <= 0 || !is_low(t) || is_exempt(t)) return;
+  if (options_.angle_bound <= 0 || !tests_.is_low(t) || tests_.is_exempt(t)) return;
   ++report_.low;
   const std::array<vertex_index, 3> at = m_.faces()[t].v;
   for (const vertex_index v : at) next_[v] = 1;

@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include "asterism/mesh/adapt/local_tests.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
@@ -50,19 +51,10 @@ class agreement {
   const agreement_report& report() const { return report_; }
 
  private:
-  struct quad {
-    vertex_index a, b, c, d;  // the edge from a to b with c on its left, d on its right
-  };
-
   bool round();
   bool is_active(vertex_index t) const;
-  quad quad_at(vertex_index t, std::size_t i) const;
-  double worst_clearance(const quad& q) const;
   void check_edge(vertex_index t, std::size_t i);
   void check_angles(vertex_index t);
-  bool is_low(vertex_index t) const;
-  bool is_exempt(vertex_index t) const;
-  bool has_low_angle_beside(vertex_index t, vertex_index v) const;
   double excess(const node& a, const node& b, const node& c) const;
   bool merge_away(vertex_index t);
   void follow_shape(vertex_index t);
@@ -72,7 +64,8 @@ class agreement {
 
   working_mesh& m_;
   const agreement_options& options_;
-  double cotangent_, aim_;  // of the least angle allowed, and of the one aimed at
+  local_tests tests_;
+  double aim_;  // cotangent of the angle aimed at
   std::vector<char> active_, next_;
   agreement_report report_;
 };

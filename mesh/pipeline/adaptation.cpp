@@ -13,6 +13,7 @@
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/adapt/restoration.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/audit/audit.hpp"
@@ -169,6 +170,7 @@ class adaptation {
     if (!take_wanted(m)) return false;
     grade_mesh(m, how.mesh, length_factor_);
     deliver(m);
+    if (outcome_.audited->certified) give_back(m);
     return true;
   }
 
@@ -182,13 +184,46 @@ class adaptation {
     agreement agreeing(m, agree);
     for (int audits = 0; audits < most_audits; ++audits) {
       agreeing.run();
-      std::vector<vertex_index> renumbered;
-      outcome_.result = m.triangulation(renumbered);
-      assign_regions(outcome_.result, domain_);
-      judge();
+      const std::vector<vertex_index> nodes = take(m);
       if (outcome_.audited->certified || stop_reason()) return;
-      if (!mend(agreeing, renumbered)) return;
+      const std::vector<std::vector<vertex_index>> found = nodes_found(nodes);
+      if (found.empty()) return;
+      for (const std::vector<vertex_index>& at : found) agreeing.disagreed_at(at);
     }
+  }
+
+  // Gives tensors wanted back to the nodes of a certified mesh, as many as the auditor lets pass.
+  void give_back(working_mesh& m) {
+    std::vector<metric_tensor> tensors;
+    for (const node& n : m.nodes()) {
+      const auto there = n.kind == node_kind::gone ? n.metric : wanted_at(n.position);
+      if (!there) return;
+      tensors.push_back(*there);
+    }
+    restoration giving(m, options_.angle_bound, std::move(tensors));
+    if (giving.run(options_.stop) == 0) return;
+    const mesh_outcome certified = outcome_;
+    for (int audits = 0; audits < most_audits && !stop_reason(); ++audits) {
+      const std::vector<vertex_index> nodes = take(m);
+      if (outcome_.audited->certified) return;
+      bool any = false;
+      for (const std::vector<vertex_index>& at : nodes_found(nodes))
+        any = giving.take_back(at) || any;
+      if (!any) break;
+    }
+    outcome_ = certified;
+  }
+
+  // Makes the outcome's mesh and its audit. Returns the nodes that its sites are.
+  std::vector<vertex_index> take(const working_mesh& m) {
+    std::vector<vertex_index> renumbered;
+    outcome_.result = m.triangulation(renumbered);
+    assign_regions(outcome_.result, domain_);
+    judge();
+    std::vector<vertex_index> node_of(outcome_.result.sites.size());
+    for (vertex_index v = 0; v < renumbered.size(); ++v)
+      if (renumbered[v] != none) node_of[renumbered[v]] = v;
+    return node_of;
   }
 
   void judge() {
@@ -201,20 +236,20 @@ class adaptation {
     outcome_.audited = std::make_shared<audit_report>(audit(outcome_.result, asked));
   }
 
-  // Mends what the audit found; true if there was a star to mend.
-  bool mend(agreement& agreeing, const std::vector<vertex_index>& renumbered) const {
-    std::vector<vertex_index> node_of(outcome_.result.sites.size());
-    for (vertex_index v = 0; v < renumbered.size(); ++v)
-      if (renumbered[v] != none) node_of[renumbered[v]] = v;
-    bool any = false;
-    for (const audit_finding& found : outcome_.audited->findings) {
-      if (found.vertices.empty()) continue;
-      std::vector<vertex_index> nodes;
-      for (const vertex_index v : found.vertices) nodes.push_back(node_of[v]);
-      agreeing.disagreed_at(nodes);
-      any = true;
-    }
-    return any;
+  // Returns the nodes that the audit's findings are about, a list for each: of stars, and of
+  // triangles with an angle below the bound.
+  std::vector<std::vector<vertex_index>> nodes_found(
+      const std::vector<vertex_index>& node_of) const {
+    std::vector<std::vector<vertex_index>> all;
+    const auto add = [&](const auto& vertices) {
+      std::vector<vertex_index>& nodes = all.emplace_back();
+      for (const vertex_index v : vertices) nodes.push_back(node_of[v]);
+    };
+    for (const audit_finding& found : outcome_.audited->findings)
+      if (!found.vertices.empty()) add(found.vertices);
+    for (const vertex_index t : outcome_.audited->refused_triangles())
+      add(outcome_.result.triangles[t]);
+    return all;
   }
 
   void count_up() {

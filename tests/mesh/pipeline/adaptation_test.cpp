@@ -121,7 +121,7 @@ TEST_CASE("what a certificate says of the metric delivered is measured again") {
   REQUIRE(made.claim.delivered.has_value());
   CHECK(contradictions_in_delivered(m, made.claim, *field).empty());
   certificate altered = made.claim;
-  altered.delivered->ninetieth /= 2;
+  altered.delivered->greatest /= 2;
   CHECK(contradictions_in_delivered(m, altered, *field).size() == 1);
   altered = made.claim;
   altered.delivered->low_wanted.push_back(0);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// Asks, in doubles, whether stars agree as far as neighbours see, and whether angles meet the
+// bound.
+//
+// An edge agrees if from the Voronoi vertex of either face beside it, to which the face's three
+// sites are equally far, the site across the edge is farther. Sites farther away are not asked, so
+// this is less than agreement of stars; the auditor decides. Internal to mesh/adapt.
+#pragma once
+
+#include <cstddef>
+
+#include "asterism/mesh/adapt/working_mesh.hpp"
+
+namespace asterism::internal::adapting {
+
+// By how much farther the site across an edge has to be, as a part of the squared radius: more than
+// rounding can turn.
+inline constexpr double least_clearance = 1e-3;
+
+// Edge from a to b with c on its left, d on its right.
+struct edge_quad {
+  vertex_index a, b, c, d;
+};
+
+// Returns the greatest cotangent of the three angles as the metric measures them.
+double greatest_cotangent(const metric_tensor& m, const node& a, const node& b, const node& c);
+double cotangent_of(double degrees);
+
+// The mesh must outlive it; what is asked is of the mesh at the time.
+class local_tests {
+ public:
+  local_tests(const working_mesh& m, double angle_bound);
+
+  // Edge i of face t must have a face beyond it.
+  edge_quad quad_at(vertex_index t, std::size_t i) const;
+  // Returns how much farther the sites across are than the faces' own, for the worse of the two
+  // faces: a part of the squared radius, minus infinity where a face has no Voronoi vertex.
+  double worst_clearance(const edge_quad& q) const;
+  // True if an angle of the face is below the bound as one of its nodes measures it.
+  bool is_low(vertex_index t) const;
+  // True if the face is at a corner of the domain that is below the bound in its own metric. Where
+  // that is so in its metric alone, and other angles of the face are low as well, for which nothing
+  // is exempt, the corner is to have another metric.
+  bool is_exempt(vertex_index t) const;
+
+ private:
+  bool has_low_angle_beside(vertex_index t, vertex_index v) const;
+
+  const working_mesh& m_;
+  double angle_bound_, cotangent_;  // the latter of the least angle allowed
+};
+
+}  // namespace asterism::internal::adapting

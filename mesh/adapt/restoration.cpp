@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/adapt/restoration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+
+namespace asterism::internal::adapting {
+namespace {
+
+// Clearance that an edge is to keep. With little of it sites farther away are in the way, which
+// only the auditor sees; with much of it little can be given (docs/design/adaptation.md).
+constexpr double room = 0.15;
+
+// Returns the tensor that is `share` of the way from a to b, by logarithms.
+metric_tensor between(const metric_tensor& a, const metric_tensor& b, double share) {
+  const tensor_logarithm from = logarithm(a), to = logarithm(b);
+  const double rest = 1 - share;
+  return exponential({rest * from.l11 + share * to.l11, rest * from.l12 + share * to.l12,
+                      rest * from.l22 + share * to.l22});
+}
+
+bool is_metric(const metric_tensor& m) {
+  return std::isfinite(m.m11) && std::isfinite(m.m22) && root_of_determinant(m) > 0;
+}
+
+}  // namespace
+
+restoration::restoration(working_mesh& m, double angle_bound, std::vector<metric_tensor> wanted)
+    : m_(m),
+      tests_(m, angle_bound),
+      has_angles_(angle_bound > 0),
+      wanted_(std::move(wanted)),
+      awake_(m.nodes().size(), 1),
+      kept_(m.nodes().size(), 0) {
+  for (const node& n : m.nodes()) before_.push_back(n.metric);
+}
+
+std::size_t restoration::run(const cancellation& stop) {
+  constexpr int most_sweeps = 8;
+  bool any = true;
+  for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
+    any = false;
+    for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
+      if (!awake_[v] || kept_[v] || m_.at(v).kind == node_kind::gone) continue;
+      awake_[v] = 0;
+      if (identical(m_.at(v).metric, wanted_[v]) || !give(v)) continue;
+      wake_around(v);
+      any = true;
+    }
+  }
+  std::size_t given = 0;
+  for (vertex_index v = 0; v < m_.nodes().size(); ++v)
+    if (m_.at(v).kind != node_kind::gone && !identical(m_.at(v).metric, before_[v])) ++given;
+  return given;
+}
+
+void restoration::wake_around(vertex_index v) {
+  face_list ring;
+  m_.neighbours(v, ring);
+  for (const vertex_index u : ring) awake_[u] = 1;
+  awake_[v] = 1;
+}
+
+// Moves the tensor towards the one wanted; false if no part of the way will do.
+bool restoration::give(vertex_index v) {
+  const metric_tensor now = m_.at(v).metric;
+  // Below a hundredth only the whole way is worth the while.
+  constexpr double short_way = 0.01;
+  const bool is_short = !(log_distortion(now, wanted_[v]) > short_way);
+  clearances_.clear();
+  for_edges_around(v, [this](double clearance) {
+    clearances_.push_back(clearance);
+    return true;
+  });
+  for (const double share : {1.0, 0.5, 0.2}) {
+    if (share < 1 && is_short) break;
+    const metric_tensor tried = share < 1 ? between(now, wanted_[v], share) : wanted_[v];
+    if (!is_metric(tried)) continue;
+    m_.set_metric(v, tried);
+    if (agrees_around(v)) return true;
+  }
+  m_.set_metric(v, now);
+  return false;
+}
+
+double restoration::clearance_across(vertex_index t, std::size_t i) const {
+  const face& f = m_.faces()[t];
+  if (f.next[i] == none || f.segment[i] != none) return std::numeric_limits<double>::infinity();
+  return tests_.worst_clearance(tests_.quad_at(t, i));
+}
+
+// Tells the clearance of each edge that has v at an end or across, while the answer is true;
+// returns the last answer. Of the edges at v each face has one to tell; the other one is the next
+// face's.
+template <class Tell>
+bool restoration::for_edges_around(vertex_index v, const Tell& tell) const {
+  face_list at;
+  m_.around(v, at);
+  for (const vertex_index t : at) {
+    const std::size_t i = m_.faces()[t].corner_of(v);
+    if (!tell(clearance_across(t, i)) || !tell(clearance_across(t, after(i)))) return false;
+  }
+  return true;
+}
+
+// True if no angle at the faces around v is low, and each edge has the room wanted, or at least
+// half of what it had.
+bool restoration::agrees_around(vertex_index v) const {
+  if (has_angles_) {
+    face_list at;
+    m_.around(v, at);
+    for (const vertex_index t : at)
+      if (tests_.is_low(t) && !tests_.is_exempt(t)) return false;
+  }
+  std::size_t edge = 0;
+  return for_edges_around(v, [&](double clearance) {
+    const double before = clearances_[edge++];
+    return clearance >= std::min(room, before > 0 ? before / 2 : before);
+  });
+}
+
+// Lists the nodes of edges, and of faces with low angles, that are not in order around v.
+void restoration::list_disagreeing(vertex_index v, std::vector<vertex_index>& out) const {
+  face_list at;
+  m_.around(v, at);
+  for (const vertex_index t : at) {
+    const face& f = m_.faces()[t];
+    if (has_angles_ && tests_.is_low(t) && !tests_.is_exempt(t))
+      out.insert(out.end(), f.v.begin(), f.v.end());
+    const std::size_t i = f.corner_of(v);
+    for (const std::size_t e : {i, after(i)}) {
+      if (clearance_across(t, e) > least_clearance) continue;
+      const edge_quad q = tests_.quad_at(t, e);
+      out.insert(out.end(), {q.a, q.b, q.c, q.d});
+    }
+  }
+}
+
+// Each node is taken back once, so this ends.
+bool restoration::take_back(const std::vector<vertex_index>& nodes) {
+  std::vector<vertex_index> waiting = nodes;
+  bool any = false;
+  while (!waiting.empty()) {
+    const vertex_index v = waiting.back();
+    waiting.pop_back();
+    if (kept_[v]) continue;
+    kept_[v] = 1;
+    if (identical(m_.at(v).metric, before_[v])) continue;
+    m_.set_metric(v, before_[v]);
+    any = true;
+    list_disagreeing(v, waiting);
+  }
+  return any;
+}
+
+}  // namespace asterism::internal::adapting

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// Gives nodes back the tensors wanted, where stars go on agreeing, as far as doubles can tell.
+//
+// A mesh is made and mended in a metric that is graded all over, and its stars agree in that. Most
+// tensors need not have been changed for it. So each is tried as it was wanted, and else moved
+// part of the way, one node after the other, as long as the edges and angles around it are in order
+// (local_tests.hpp). Positions and edges stay. Internal to mesh/adapt.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asterism/mesh/adapt/local_tests.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
+
+namespace asterism::internal::adapting {
+
+class restoration {
+ public:
+  // `wanted` has a tensor for each node. Those the nodes have are the ones to return to. The mesh
+  // must outlive the object.
+  restoration(working_mesh& m, double angle_bound, std::vector<metric_tensor> wanted);
+
+  // Gives back until nothing more can be given, or sweeps are over. Returns how many nodes have
+  // another tensor than at the beginning.
+  std::size_t run(const cancellation& stop);
+  // Takes back what was given to these nodes, and to those around whose edges do not agree then.
+  // They keep it from then on. Returns false if none had been given anything.
+  bool take_back(const std::vector<vertex_index>& nodes);
+
+ private:
+  bool give(vertex_index v);
+  double clearance_across(vertex_index t, std::size_t i) const;
+  template <class Tell>
+  bool for_edges_around(vertex_index v, const Tell& tell) const;
+  bool agrees_around(vertex_index v) const;
+  void list_disagreeing(vertex_index v, std::vector<vertex_index>& out) const;
+  void wake_around(vertex_index v);
+
+  working_mesh& m_;
+  local_tests tests_;
+  bool has_angles_;
+  std::vector<metric_tensor> wanted_, before_;
+  std::vector<char> awake_, kept_;
+  std::vector<double> clearances_;  // around a node, before it is given anything
+};
+
+}  // namespace asterism::internal::adapting

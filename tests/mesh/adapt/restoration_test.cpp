@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+//
+// Tensors given back to the nodes of a mesh, and taken back.
+#include "asterism/mesh/adapt/restoration.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "asterism/mesh/mesher.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::internal::adapting;
+
+namespace {
+
+constexpr double bound = 20;
+
+// A mesh that is certified in the metric of the formula.
+working_mesh certified_mesh_in(const domain& d, const std::string& metric, double size) {
+  const auto field = make_metric_field(metric, d.box(), size);
+  mesh_options options;
+  options.limit_size = true;
+  auto made = make_mesh(d, *field.value(), options);
+  REQUIRE(made.ok());
+  REQUIRE(made.value().complete);
+  REQUIRE_FALSE(made.value().delivered);
+  auto built = working_mesh::build(d, made.value().result);
+  REQUIRE(built.ok());
+  return std::move(built).value();
+}
+
+std::vector<metric_tensor> tensors_of(const working_mesh& m) {
+  std::vector<metric_tensor> all;
+  for (const node& n : m.nodes()) all.push_back(n.metric);
+  return all;
+}
+
+std::size_t differing(const working_mesh& m, const std::vector<metric_tensor>& from) {
+  std::size_t count = 0;
+  for (vertex_index v = 0; v < from.size(); ++v)
+    if (!identical(m.at(v).metric, from[v])) ++count;
+  return count;
+}
+
+// Counts low faces, and edges across which doubles do not see stars agree.
+std::size_t count_disorder(const working_mesh& m) {
+  const local_tests tests(m, bound);
+  std::size_t count = 0;
+  for (vertex_index t = 0; t < m.faces().size(); ++t) {
+    if (!m.faces()[t].exists()) continue;
+    if (tests.is_low(t) && !tests.is_exempt(t)) ++count;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (m.faces()[t].next[i] != none && m.faces()[t].segment[i] == none &&
+          !(tests.worst_clearance(tests.quad_at(t, i)) > 0))
+        ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("tensors that a mesh agrees in are given back to the last bit") {
+  const domain d = square();
+  working_mesh m = certified_mesh_in(d, "swirl:3", 0.3);
+  const std::vector<metric_tensor> wanted = tensors_of(m);
+  // A little longer along x, all over: agreed in as well, nearly everywhere.
+  for (vertex_index v = 0; v < wanted.size(); ++v)
+    m.set_metric(v, {1.05 * wanted[v].m11, wanted[v].m12, wanted[v].m22});
+  restoration giving(m, bound, wanted);
+  CHECK(giving.run({}) > wanted.size() / 2);
+  CHECK(differing(m, wanted) < wanted.size() / 2);
+}
+
+TEST_CASE("what was given is taken back once, and kept from then on") {
+  const domain d = square();
+  working_mesh m = certified_mesh_in(d, "swirl:3", 0.3);
+  const std::vector<metric_tensor> wanted = tensors_of(m);
+  for (vertex_index v = 0; v < wanted.size(); ++v)
+    m.set_metric(v, {1.05 * wanted[v].m11, wanted[v].m12, wanted[v].m22});
+  const std::vector<metric_tensor> before = tensors_of(m);
+  restoration giving(m, bound, wanted);
+  REQUIRE(giving.run({}) > 0);
+  std::vector<vertex_index> all;
+  for (vertex_index v = 0; v < before.size(); ++v) all.push_back(v);
+  CHECK(giving.take_back(all));
+  CHECK(differing(m, before) == 0);
+  CHECK_FALSE(giving.take_back(all));
+  CHECK(giving.run({}) == 0);
+}
+
+TEST_CASE("nothing is given that neighbours do not agree about") {
+  const domain d = square();
+  working_mesh m = certified_mesh_in(d, "identity", 0.3);
+  const std::vector<metric_tensor> agreed = tensors_of(m);
+  // Thin along x and along y in turns: no two nodes are alike.
+  std::vector<metric_tensor> wanted;
+  for (vertex_index v = 0; v < agreed.size(); ++v)
+    wanted.push_back(v % 2 == 0 ? metric_tensor{1e4, 0, 1} : metric_tensor{1, 0, 1e4});
+  restoration giving(m, bound, wanted);
+  const std::size_t in_disorder = count_disorder(m);
+  giving.run({});
+  CHECK(count_disorder(m) <= in_disorder);
+}
