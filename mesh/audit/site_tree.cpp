@@ -73,7 +73,9 @@ void site_tree::bound_leaf(node& n, const std::vector<site>& sites) const {
   if (n.determinant_below == 0) return;
   const tensor<bounded> b = tensor_of_doubles(n.inverse);
   for (std::size_t i = n.first; i < n.last; ++i) {
-    const tensor<bounded> m = tensor_of_doubles(sites[order_[i]].metric);
+    const metric_tensor& metric = sites[order_[i]].metric;
+    if (i > n.first && identical(metric, sites[order_[i - 1]].metric)) continue;  // bounded already
+    const tensor<bounded> m = tensor_of_doubles(metric);
     const bounded determinant = b.determinant() * m.determinant();
     const double greatest = greatest_eigenvalue(trace_of_product(b, m), determinant);
     const double inverse = (bounded(1) / determinant).upper();

@@ -41,8 +41,9 @@ double covering_radius(const mesh& m) {
         double radius = 0;
         for (std::size_t i = begin; i < end; ++i) {
           const triangle& t = m.triangles[i];
-          radius = greatest_bound(radius, theorem::covering_radius_above(
-                                              {m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}));
+          const std::array<site, 3> corners = {m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]};
+          if (!(theorem::circumradius_above(corners) < radius))
+            radius = greatest_bound(radius, theorem::covering_radius_above(corners));
         }
         out.push_back(radius);
       });

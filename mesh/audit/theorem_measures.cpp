@@ -103,6 +103,20 @@ double covering_radius_above(const std::array<site, 3>& t) {
   return radius;
 }
 
+// The product of the sides over four times the area. Each point of a triangle is within that of the
+// nearest corner, which is the centre's nearest site in the part that it is in.
+double circumradius_above(const std::array<site, 3>& t) {
+  const metric_tensor& metric = t[0].metric;
+  if (!identical(metric, t[1].metric) || !identical(metric, t[2].metric)) return infinity;
+  const tensor<bounded> m = tensor_of_doubles(metric);
+  const offset a = between(t[0].position, t[1].position), b = between(t[0].position, t[2].position),
+               c = between(t[1].position, t[2].position);
+  const bounded area = cross(a, b);
+  const bounded sides = square_norm(m, a) * square_norm(m, b) * square_norm(m, c);
+  const double radius = root(sides / (bounded(4) * m.determinant() * area * area)).upper();
+  return radius >= 0 ? radius : infinity;
+}
+
 // A line across u separates the disks if |u.d| > R (|u| as p's inverse metric measures + as q's).
 // u = M_p d, then M_q d.
 bool certainly_apart(const site& p, const site& q, double radius) {

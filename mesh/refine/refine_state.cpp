@@ -24,14 +24,14 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
   state.work_share_ = work_share;
   state.divide(d, filling);
   state.add_proposed(filling.interior);
-  state.construct_stars();
+  state.segments_.suspect_all();
   return state;
 }
 
 void refine_state::construct_stars() {
   stars_.bound_work(given_, work_share_);
   stars_.construct_all(oracle());
-  segments_.suspect_all();
+  has_stars_ = true;
 }
 
 // Divides the segments at the proposed points. A point that rounding puts on the wrong side of
@@ -105,7 +105,7 @@ bool refine_state::split_at(std::size_t subsegment, const point& q, double short
   if (!m || !segments_.can_split_at(whole, *m, shortest)) return false;
   segments_.put_on_subsegment(subsegment, *m);
   const auto added = static_cast<vertex_index>(sites().size() - 1);
-  stars_.split_subsegment(oracle(), whole.a, added, whole.b);
+  if (has_stars_) stars_.split_subsegment(oracle(), whole.a, added, whole.b);
   segments_.note_encroached_by(added);
   return true;
 }

@@ -25,12 +25,13 @@ namespace asterism::internal {
 
 class refine_state {
  public:
-  // Builds the state with the proposal put in. Segments are divided where that is possible. Of the
-  // other sites those are taken that are inside what then is the domain and encroach on nothing. No
-  // subsegment is split once there are `most_sites`. `field` and `kernel` must outlive the state.
-  // Fails where the field does, and for a boundary that check_domain would have refused.
-  // `cancelled` ends clear_encroachments and shorten_subsegments early. It is polled between stars
-  // and between splits, which may be many, and each slow where only exact arithmetic decides.
+  // Builds the state with the proposal put in, but for its stars. Segments are divided where that
+  // is possible. Of the other sites those are taken that are inside what then is the domain and
+  // encroach on nothing. No subsegment is split once there are `most_sites`. `field` and `kernel`
+  // must outlive the state. Fails where the field does, and for a boundary that check_domain would
+  // have refused. `cancelled` ends clear_encroachments and shorten_subsegments early. It is polled
+  // between stars and between splits, which may be many, and each slow where only exact arithmetic
+  // decides.
   static result<refine_state> start(const domain& d, const metric_field& field,
                                     const star_predicates& kernel, std::size_t most_sites,
                                     const filled_domain& filling,
@@ -60,6 +61,10 @@ class refine_state {
   // Returns the subsegments a site at this place would encroach on.
   std::vector<std::size_t> encroached_by(const site& s) const;
 
+  // Makes all stars. Until then subsegments may be split, and nothing else may be asked or done
+  // that is about stars.
+  void construct_stars();
+
   // Adds a site with its star. Requires a site strictly inside the domain and distinct from the
   // others, and !is_full().
   void add_interior(const site& s);
@@ -87,7 +92,6 @@ class refine_state {
 
   void divide(const domain& d, const filled_domain& filling);
   void add_proposed(const std::vector<site>& proposed);
-  void construct_stars();
   bool split_at(std::size_t subsegment, const point& q, double shortest);
   bool strictly_inside_near(const star_predicates& kernel, const point& q) const;
 
@@ -99,6 +103,7 @@ class refine_state {
   star_set stars_;
   std::unique_ptr<edge_test_memory> memory_ = std::make_unique<edge_test_memory>();
   cancellation cancelled_;
+  bool has_stars_ = false;
 };
 
 }  // namespace asterism::internal

@@ -15,6 +15,7 @@
 #include "asterism/mesh/refine/refine_state.hpp"
 #include "asterism/mesh/refine/stale_stars.hpp"
 #include "asterism/mesh/refine/steepness.hpp"
+#include "asterism/mesh/stars/equal_metric_stars.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
@@ -67,7 +68,7 @@ class refinement_loop {
   refinement_loop& operator=(const refinement_loop&) = delete;
 
   result<mesh_outcome> run() {
-    if (options_.limit_size) state_.shorten_subsegments(longest_subsegment);
+    prepare();
     std::optional<ending> ended;
     while (!ended) ended = step();
     if (state_.field_failure()) return *state_.field_failure();
@@ -76,6 +77,18 @@ class refinement_loop {
   }
 
  private:
+  // Splits subsegments that are too long, and makes the stars. Where metrics are all the same,
+  // stars follow from the sites whatever the order in which these came. So they are made when
+  // encroached subsegments were split: a split changes as many stars as the old subsegment is long.
+  void prepare() {
+    const bool stars_last = have_one_metric(state_.sites());
+    if (!stars_last) state_.construct_stars();
+    if (options_.limit_size) state_.shorten_subsegments(longest_subsegment);
+    if (!stars_last) return;
+    state_.clear_encroachments(tolerance_.floor);
+    state_.construct_stars();
+  }
+
   // Takes one step; returns how refinement ended, or go_on. The steps come to an end, because each
   // call inserts a site (bounded by max_sites), or settles a stale star or repairs one (there are
   // finitely many between insertions), or shrinks the tolerance towards its floor, or ends.

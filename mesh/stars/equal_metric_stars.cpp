@@ -19,11 +19,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool have_one_metric(const std::vector<site>& sites) {
-  return std::all_of(sites.begin(), sites.end(),
-                     [&](const site& s) { return identical(s.metric, sites.front().metric); });
-}
-
 // Returns the order in which sites are put in: in rounds, each four times as many as all before and
 // drawn as if at random, so that no arrangement of sites makes many long flips; along a curve
 // within each, so that the way to the next is short. Source: Amenta, Choi and Rote, Incremental
@@ -189,6 +184,11 @@ class star_reader {
 };
 
 }  // namespace
+
+bool have_one_metric(const std::vector<site>& sites) {
+  return std::all_of(sites.begin(), sites.end(),
+                     [&](const site& s) { return identical(s.metric, sites.front().metric); });
+}
 
 std::optional<std::vector<constructed_star>> stars_of_equal_metrics(const site_oracle& oracle,
                                                                     const cancellation& cancelled) {
