@@ -40,13 +40,14 @@ struct medit_read_options {
   std::filesystem::path solution = {};
 };
 
-// Returns `NAME.mesh`, with the tensors of `NAME.sol` beside it. Edges are a set, turned so that a
-// triangle is on their left; those with triangles on both sides are internal where the file marks
-// them as segments (mesh/io/medit_edges.hpp), and left out elsewhere. References of triangles that
-// are all 1 say nothing of regions. `given` is the number of required vertices if these are the
-// first ones, else 0. Subsegments without `#segments` comments are numbered each as its own
-// segment. Tensors are checked to be positive definite, exactly. Nothing is assumed or checked
-// about the geometry: that is the auditor's.
+// Returns `NAME.mesh`, or the same in binary, `NAME.meshb` (mesh/io/medit_binary.hpp), with the
+// tensors of `NAME.sol` beside it. Edges are a set, turned so that a triangle is on their left;
+// those with triangles on both sides are internal where the file marks them as segments
+// (mesh/io/medit_edges.hpp), and left out elsewhere. References of triangles that are all 1 say
+// nothing of regions. `given` is the number of required vertices if these are the first ones, else
+// 0. Subsegments without `#segments` comments are numbered each as its own segment. Tensors are
+// checked to be positive definite, exactly. Nothing is assumed or checked about the geometry: that
+// is the auditor's.
 ASTERISM_EXPORT result<mesh> read_medit(const std::filesystem::path& path,
                                         const medit_read_options& options = {});
 
@@ -59,7 +60,7 @@ ASTERISM_EXPORT std::string medit_mesh_text(const mesh& m);
 // Returns the contents of the .sol file.
 ASTERISM_EXPORT std::string medit_solution_text(const mesh& m);
 
-// Returns NAME.sol for NAME.mesh.
+// Returns NAME.sol for NAME.mesh, NAME.solb for NAME.meshb.
 ASTERISM_EXPORT std::filesystem::path solution_path(const std::filesystem::path& mesh_path);
 
 }  // namespace asterism

@@ -5,11 +5,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_binary.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
@@ -370,20 +372,23 @@ bool medit_reader::take_segment_numbers() {
 }  // namespace
 
 result<mesh> read_medit(const std::filesystem::path& path, const medit_read_options& options) {
-  const auto text = read_text_file(path);
+  const auto text = read_medit_text(path);
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
   mesh m;
   if (auto failed = medit_reader(source, m, options.all_edges).read_mesh())
     return std::move(*failed);
-  const std::filesystem::path beside = solution_path(path);
+  std::filesystem::path beside = solution_path(path);
+  std::error_code ignored;
+  if (is_medit_binary(path) && !std::filesystem::exists(beside, ignored))
+    beside.replace_extension(".sol");
   const auto& solution = options.solution.empty() ? beside : options.solution;
   if (auto failed = read_medit_solution(solution, m, options)) return std::move(*failed);
   return m;
 }
 
 result<mesh_marks> read_medit_marks(const std::filesystem::path& path) {
-  const auto text = read_text_file(path);
+  const auto text = read_medit_text(path);
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
   mesh m;

@@ -10,6 +10,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/medit_binary.hpp"
 
 namespace asterism::internal {
 
@@ -137,7 +138,7 @@ std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh
     for (site& s : m.sites) s.metric = {1, 0, 1};
     return {};
   }
-  const auto text = read_text_file(path);
+  const auto text = read_medit_text(path);
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
   return has_ending(path.string(), ".mtr") ? read_bamg_metric(source, m) : read_sections(source, m);

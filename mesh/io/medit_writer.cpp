@@ -8,6 +8,7 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_binary.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 
@@ -115,7 +116,8 @@ std::string medit_solution_text(const mesh& m) {
 }
 
 std::filesystem::path solution_path(const std::filesystem::path& mesh_path) {
-  return std::filesystem::path(mesh_path).replace_extension(".sol");
+  return std::filesystem::path(mesh_path).replace_extension(is_medit_binary(mesh_path) ? ".solb"
+                                                                                       : ".sol");
 }
 
 }  // namespace asterism

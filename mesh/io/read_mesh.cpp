@@ -16,7 +16,9 @@ bool is_gmsh(std::string_view name) {
 
 }  // namespace
 
-bool is_mesh_file(std::string_view name) { return has_ending(name, ".mesh") || is_gmsh(name); }
+bool is_mesh_file(std::string_view name) {
+  return has_ending(name, ".mesh") || has_ending(name, ".meshb") || is_gmsh(name);
+}
 
 result<mesh> read_mesh(const std::filesystem::path& path, const medit_read_options& options) {
   if (!is_gmsh(path.string())) return read_medit(path, options);

@@ -15,7 +15,7 @@
 
 namespace asterism {
 
-// True if a file of this name is a mesh: .mesh, .msh or .msh2.
+// True if a file of this name is a mesh: .mesh, .meshb, .msh or .msh2.
 ASTERISM_EXPORT bool is_mesh_file(std::string_view name);
 
 // Reads a mesh with its metric. A .msh file has its own as node data; the options about a .sol mean

@@ -11,6 +11,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/medit_binary.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/solution_output.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
@@ -195,10 +196,10 @@ void append_values(std::string& contents, const solution& s) {
 result<solution> read_solution(const std::filesystem::path& path, const mesh& m) {
   const std::string file = path.string();
   const bool is_vtu = has_ending(file, ".vtu"), is_bamg = has_ending(file, ".bb");
-  if (!is_vtu && !is_bamg && !has_ending(file, ".sol"))
-    return error{file + ": a solution is a file whose name ends in .sol, .bb or .vtu",
+  if (!is_vtu && !is_bamg && !has_ending(file, ".sol") && !has_ending(file, ".solb"))
+    return error{file + ": a solution is a file whose name ends in .sol, .solb, .bb or .vtu",
                  error_code::bad_option};
-  const auto text = read_text_file(path);
+  const auto text = read_medit_text(path);
   if (!text) return text.failure();
   solution made;
   if (is_vtu) {
@@ -263,12 +264,15 @@ std::string bamg_fields_text(const solution& s) {
 namespace internal {
 
 result<std::filesystem::path> check_solution_output(const std::filesystem::path& path) {
-  if (!has_ending(path.string(), ".sol") && !has_ending(path.string(), ".bb"))
-    return error{path.string() + ": a solution is written as .sol or .bb", error_code::bad_option};
+  if (!has_ending(path.string(), ".sol") && !has_ending(path.string(), ".bb") &&
+      !has_ending(path.string(), ".solb"))
+    return error{path.string() + ": a solution is written as .sol, .solb or .bb",
+                 error_code::bad_option};
   return check_writable(path);
 }
 
 std::string solution_text(const std::filesystem::path& path, const solution& s) {
+  if (is_medit_binary(path)) return medit_binary_of_text(medit_fields_text(s));
   return has_ending(path.string(), ".bb") ? bamg_fields_text(s) : medit_fields_text(s);
 }
 

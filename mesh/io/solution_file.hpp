@@ -5,9 +5,11 @@
 //   .sol   Medit: SolAtVertices with any list of types (1 scalar, 2 vector, 3 symmetric tensor);
 //   the
 //          fields are called 1, 2, ... in their order
+//   .solb  the same in binary (mesh/io/medit_binary.hpp)
 //   .bb    BAMG: `2 N V 2`, then N scalars for each of V vertices; .BB: `2 N T1 ... TN V 2`, with
 //          types 1 to 3
-//   .vtu   VTK: the point data of one piece, as text or base64, not compressed, by their names
+//   .vtu   VTK: the point data of one piece, as text, base64 or raw bytes, not compressed, by their
+//   names
 //
 // Refused, with file, line and vertex: numbers that are not finite, counts that are not the mesh's,
 // types and shapes that are none of these, anything after the last number.
@@ -41,7 +43,7 @@ ASTERISM_EXPORT std::string medit_fields_text(const solution& s);
 // Returns the contents of a .bb file: all components as scalars.
 ASTERISM_EXPORT std::string bamg_fields_text(const solution& s);
 
-// Writes the solution in the format that the extension names, .sol or .bb.
+// Writes the solution in the format that the extension names, .sol, .solb or .bb.
 ASTERISM_EXPORT result<std::filesystem::path> write_solution(const std::filesystem::path& path,
                                                              const solution& s);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes VTK unstructured grids (.vtu), ASCII, for ParaView and VTK.
+// Writes VTK unstructured grids (.vtu) for ParaView and VTK: markup, and after it the numbers
+// as they are in memory, little-endian ("appended", "raw"), each array behind a count of 64 bits.
 //
 // Cells: the triangles, then the disagreeing triangles. Point data: `metric` (m11 m12 m22),
 // `metric_tensor` (3x3, rows one after the other, 1 for z), `star_size` (triangles at the vertex),
@@ -15,6 +16,6 @@
 
 namespace asterism::internal {
 
-std::string vtu_text(const mesh& m);
+std::string vtu_bytes(const mesh& m);
 
 }  // namespace asterism::internal

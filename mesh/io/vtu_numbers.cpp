@@ -87,11 +87,13 @@ std::string decode_base64(std::string_view text, std::size_t most_bytes) {
 }
 
 result<std::vector<double>> vtu_binary_numbers(std::string_view text, std::string_view type,
-                                               std::size_t count, const vtu_encoding& how) {
+                                               std::size_t count, const vtu_encoding& how,
+                                               bool raw) {
   const auto size = vtu_bytes_of(type);
   if (!size) return error{quoted_token(type) + " is no known type of number"};
   const std::size_t header = how.wide_header ? 8 : 4;
-  const std::string bytes = decode_base64(text, header + count * *size + 3);
+  const std::string decoded = raw ? "" : decode_base64(text, header + count * *size + 3);
+  const std::string_view bytes = raw ? text : std::string_view(decoded);
   if (bytes.size() < header) return error{"there is no count of bytes before them"};
   const std::uint64_t said = word_at(bytes, 0, header, how.big_endian);
   if (said != count * *size)

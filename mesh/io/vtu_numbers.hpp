@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Decodes the numbers of a VTK data array: written as text, or as bytes in base64 behind their
-// count.
+// Decodes the numbers of a VTK data array that is written as bytes behind their count: in base64,
+// or as they are.
 #pragma once
 
 #include <cstddef>
@@ -27,9 +27,11 @@ std::optional<std::size_t> vtu_bytes_of(std::string_view type);
 // may occur where one block ends and another begins.
 std::string decode_base64(std::string_view text, std::size_t most_bytes);
 
-// Returns `count` numbers of a type from base64 text: a header with the number of bytes, then the
+// Returns `count` numbers of a type from text that begins with them, in base64 or, if `raw`, as
+// bytes: a header with the number of bytes, then the
 // bytes. An error is half a sentence. Values may be any doubles, not finite ones too.
 result<std::vector<double>> vtu_binary_numbers(std::string_view text, std::string_view type,
-                                               std::size_t count, const vtu_encoding& how);
+                                               std::size_t count, const vtu_encoding& how,
+                                               bool raw = false);
 
 }  // namespace asterism::internal

@@ -55,7 +55,7 @@ class vtu_reader {
   std::size_t pieces_ = 0;
   std::vector<data_array> arrays_, points_;
   std::string_view appended_;
-  bool has_appended_ = false;
+  bool has_appended_ = false, raw_ = false;
   solution made_;
 };
 
@@ -93,8 +93,10 @@ failure vtu_reader::enter(const xml_tag& tag) {
   if (tag.name == "VTKFile") return read_encoding(tag);
   if (tag.name == "Piece") return read_piece(tag);
   if (tag.name == "AppendedData") {
-    if (tag["encoding"] != "base64")
-      return tags_.failure(tag.line, "appended data that are not base64 cannot be read");
+    raw_ = tag["encoding"] == "raw";
+    if (!raw_ && tag["encoding"] != "base64")
+      return tags_.failure(tag.line,
+                           "appended data are raw or base64, not " + quoted_token(tag["encoding"]));
     const std::string_view rest = tags_.rest();
     const std::size_t mark = rest.find('_');
     if (mark == std::string_view::npos)
@@ -187,7 +189,7 @@ result<std::vector<double>> vtu_reader::numbers(const data_array& a, std::size_t
   } else if (format != "binary") {
     return tags_.failure(a.tag.line, "format " + quoted_token(format) + " is not known");
   }
-  auto found = vtu_binary_numbers(text, a.tag["type"], count, how_);
+  auto found = vtu_binary_numbers(text, a.tag["type"], count, how_, raw_ && format == "appended");
   if (!found)
     return tags_.failure(a.tag.line,
                          "array " + quoted_token(a.tag["Name"]) + ": " + found.failure().message);

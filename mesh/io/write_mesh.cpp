@@ -13,6 +13,7 @@
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_binary.hpp"
 #include "asterism/mesh/io/plain_meshes.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/vtu.hpp"
@@ -23,8 +24,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, mesh_format>, 10> formats = {
+constexpr std::array<std::pair<std::string_view, mesh_format>, 11> formats = {
     {{".mesh", mesh_format::medit},
+     {".meshb", mesh_format::medit_binary},
      {".vtu", mesh_format::vtu},
      {".svg", mesh_format::svg},
      {".png", mesh_format::png},
@@ -112,14 +114,25 @@ std::string render_gmsh(const mesh& m, const write_options& options, gmsh_versio
                      "$Comments\n" + comment("", options.note) + "$EndComments\n");
 }
 
+// Numbers, from 1, of the edges with triangles on both sides.
+std::vector<std::size_t> inner_edges(const mesh& m) {
+  std::vector<std::size_t> inner;
+  for (std::size_t e = 0; e < m.boundary.size(); ++e)
+    if (m.boundary[e].internal) inner.push_back(e + 1);
+  return inner;
+}
+
 result<output_files> render(const fs::path& path, mesh_format format, const mesh& m,
                             const write_options& options) {
   switch (format) {
     case mesh_format::medit:
       return output_files{{path, with_note(medit_mesh_text(m), format, options.note)},
                           {solution_path(path), medit_solution_text(m)}};
+    case mesh_format::medit_binary:
+      return output_files{{path, medit_binary_of_text(medit_mesh_text(m), inner_edges(m))},
+                          {solution_path(path), medit_binary_of_text(medit_solution_text(m))}};
     case mesh_format::vtu:
-      return output_files{{path, with_note(vtu_text(m), format, options.note)}};
+      return output_files{{path, with_note(vtu_bytes(m), format, options.note)}};
     case mesh_format::gmsh:
       return output_files{{path, render_gmsh(m, options, gmsh_version::four)}};
     case mesh_format::gmsh2:
@@ -143,15 +156,18 @@ result<mesh_format> mesh_format_of(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());
   for (const auto& [name, format] : formats)
     if (extension == name) return format;
-  return error{path.string() + ": unknown kind of file '" + extension +
-                   "'; there are .mesh, .msh, .msh2, .vtu, .su2, .node, .svg, .png, .pdf and "
-                   ".html",
-               error_code::bad_option};
+  return error{
+      path.string() + ": unknown kind of file '" + extension +
+          "'; there are .mesh, .meshb, .msh, .msh2, .vtu, .su2, .node, .svg, .png, .pdf and "
+          ".html",
+      error_code::bad_option};
 }
 
 std::vector<fs::path> files_of_output(const fs::path& path) {
   const auto format = mesh_format_of(path);
-  if (format && format.value() == mesh_format::medit) return {path, solution_path(path)};
+  if (format &&
+      (format.value() == mesh_format::medit || format.value() == mesh_format::medit_binary))
+    return {path, solution_path(path)};
   if (format && format.value() == mesh_format::node)
     return {path, beside(path, ".ele"), beside(path, ".edge")};
   return {path};

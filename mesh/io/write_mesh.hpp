@@ -3,6 +3,7 @@
 // Writes a mesh in the format that the extension names.
 //
 //   .mesh              Medit, and the metric in .sol beside it (mesh/io/medit.hpp)
+//   .meshb             the same in binary, and the metric in .solb
 //   .vtu               VTK unstructured grid for ParaView (mesh/io/vtu.hpp)
 //   .msh  .msh2        gmsh 4.1 and 2.2, with the metric (mesh/io/gmsh.hpp)
 //   .su2               SU2 (mesh/io/plain_meshes.hpp)
@@ -28,7 +29,7 @@
 namespace asterism {
 
 // The formats of meshes, pictures and pages.
-enum class mesh_format { medit, vtu, svg, png, pdf, html, gmsh, gmsh2, su2, node };
+enum class mesh_format { medit, vtu, svg, png, pdf, html, gmsh, gmsh2, su2, node, medit_binary };
 
 // Returns the format that the extension names, in upper or lower case; the error lists the known
 // ones.

@@ -12,7 +12,7 @@ try:
     import meshio
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 except ImportError as missing:
     print(f"skipped: {missing}; the test needs python3-meshio and python3-vtk9")
     sys.exit(77)
@@ -124,6 +124,44 @@ Physical Curve("floor", 7) = {1}; Physical Curve("rest", 8) = {2,3,4}; Physical 
                      for kind, cells in (("Triangles", "triangle"), ("Edges", "line"))}
             self.assertEqual(found, self.expected)
             self.assertEqual(read.point_data["metric"].shape, (len(read.points), 9))
+
+    def test_binary_medit_and_meshio(self):
+        self.run_command("certify", "t.mesh", "-o", "t.meshb")
+        self.check_certified("t.meshb")
+        read = meshio.read(self.folder / "t.meshb")
+        self.assertEqual(len(read.cells_dict["triangle"]), len(self.expected["Triangles"]))
+        self.assertEqual(sorted(read.cell_data_dict["medit:ref"]["triangle"].tolist()),
+                         sorted(r for _, r in self.expected["Triangles"]))
+        meshio.write(self.folder / "m.meshb", read)
+        self.check_triangles("m.meshb")
+
+    def check_triangles(self, name):
+        """Triangles and regions are there; what else a program keeps is its affair."""
+        done = self.run_command("certify", name, *FORMULA, "-o", "again.msh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        read = meshio.read(self.folder / "again.msh", file_format="gmsh")
+        self.assertEqual(sorted(read.cell_data_dict["gmsh:physical"]["triangle"].tolist()),
+                         sorted(r for _, r in self.expected["Triangles"]))
+
+    def test_point_data_of_vtk_and_meshio(self):
+        """A raw file with a solution, by VTK's own writer, is what `metric` reads."""
+        read = meshio.read(self.folder / "t.vtu")
+        read.point_data["u"] = numpy.tanh(20 * (read.points[:, 0] - 1))
+        meshio.write(self.folder / "u.vtu", meshio.Mesh(read.points, read.cells, point_data={"u": read.point_data["u"]}),
+                     compression=None)
+        reader, writer = vtkXMLUnstructuredGridReader(), vtkXMLUnstructuredGridWriter()
+        reader.SetFileName(str(self.folder / "u.vtu"))
+        writer.SetInputConnection(reader.GetOutputPort())
+        writer.SetFileName(str(self.folder / "raw.vtu"))
+        writer.SetCompressorTypeToNone()
+        writer.SetDataModeToAppended()
+        writer.EncodeAppendedDataOff()
+        writer.Write()
+        self.assertIn(b'encoding="raw"', (self.folder / "raw.vtu").read_bytes())
+        for name in ("u", "raw"):
+            done = self.run_command("metric", "t.mesh", "--solution", f"{name}.vtu", "--vertices", "300", "-o", f"{name}.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((self.folder / "u.sol").read_text(), (self.folder / "raw.sol").read_text())
 
     def test_meshio_and_su2(self):
         read = meshio.read(self.folder / "t.su2")

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// Turns Medit's binary files, .meshb and .solb, into the words of its text files and back, so that
+// one reader and one writer know what they mean.
+//
+// A file is a number 1 (which shows the order of bytes), a version, and sections: a keyword's
+// number, the place in the file where the next section begins, a count, and the records. Reals have
+// 4 bytes in version 1, else 8; integers 8 in version 4, else 4; places 8 from version 3 on,
+// else 4. Both orders of bytes are read; written is version 2, little-endian, or 3 beyond 2
+// gigabytes. Sections that mean nothing to the reader of the text are passed over by their places.
+// Source: libMeshb 7, https://github.com/LoicMarechal/libMeshb, whose format this is.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+
+namespace asterism::internal {
+
+// True for .meshb and .solb.
+bool is_medit_binary(const std::filesystem::path& path);
+
+// Returns a Medit file as text, whichever of the two it is. Fails where it cannot be read, and
+// where a binary one is cut off, has a count that its length cannot hold, or places that do not
+// lead on; the message has the byte.
+result<std::string> read_medit_text(const std::filesystem::path& path);
+
+// Returns the text of a binary file.
+result<std::string> text_of_medit_binary(const std::string& file, std::string_view bytes);
+
+// Returns the binary form of a text that this library wrote. `required_edges`, from 1, are added to
+// it: comments, which say of the text that all edges are segments, have no place in it.
+std::string medit_binary_of_text(const std::string& text,
+                                 const std::vector<std::size_t>& required_edges = {});
+
+}  // namespace asterism::internal
