@@ -171,7 +171,7 @@ class relaxation {
     tried_.reset();
     crowded_ = false;
     longer_edges_ = 1;
-    if (is_stopped() || spent_units_ > most_spent * units_for_relaxing) return tried_;
+    if (is_stopped() || !(units_left() > least_left * units_for_relaxing)) return tried_;
     mesh_options options = options_;
     if (step.kind == relaxation_kind::without_demands) {
       options.angle_bound = 0;
@@ -198,11 +198,20 @@ class relaxation {
     return {job_.kernel, image_, relaxed, options, job_.progress};
   }
 
+  // Returns the units of work that the attempt may take. One metric for all sites, which is the
+  // last resort, has as much again whatever the others took.
+  double units_left() const {
+    const bool is_last_resort = step_.kind == relaxation_kind::constant ||
+                                step_.kind == relaxation_kind::without_demands;
+    const double left = units_for_relaxing - spent_units_;
+    return is_last_resort ? std::max(left, units_for_relaxing) : left;
+  }
+
   // Returns the part of the work allowed for so many sites that is left for relaxing.
   double share_left(const filled_domain& proposed) const {
     std::size_t sites = image_.vertices.size() + proposed.interior.size();
     for (const std::vector<site>& division : proposed.divisions) sites += division.size();
-    return (units_for_relaxing - spent_units_) / most_work_units(sites, image_.vertices.size());
+    return units_left() / most_work_units(sites, image_.vertices.size());
   }
 
   void refine(const budgeted_filling& filled, const meshing_context& job) {
@@ -366,8 +375,8 @@ class relaxation {
       tried_->too_large = count_large(as_given);
   }
 
-  // Part of the work for relaxing after which no other attempt is begun.
-  static constexpr double most_spent = 0.9;
+  // Part of the work for relaxing without which no attempt is begun.
+  static constexpr double least_left = 0.1;
 
   const meshing_context& job_;
   const domain& domain_;
