@@ -204,7 +204,8 @@ class AdaptTest(AdaptationTest):
         self.assertEqual(*texts)
 
     def test_metric_tolerance(self):
-        job = ("adapt", "g.mesh", "--solution", "u.sol", "--vertices", "200", "-o", "n.mesh")
+        job = ("adapt", "g.mesh", "--solution", "u.sol", "--vertices", "200",
+               "--gradation", "none", "-o", "n.mesh")
         done = self.run_command(*job, "--metric-tolerance", "0.001")
         self.assertEqual(done.returncode, 1)
         self.assertIn("where 0.001 is tolerated", done.stderr)
@@ -305,7 +306,7 @@ class TransferTest(AdaptationTest):
         self.refused("transfer", "g.mesh", "u.sol", "h.mesh", "-o", "u.sol", sentence="used twice")
         self.refused("transfer", "h.mesh", "u.sol", "g.mesh", "-o", "v.sol",
                      sentence="values at 441 vertices, and the mesh has 324")
-        self.refused("transfer", "g.mesh", "u.sol", "h.mesh", "-o", "v.txt", sentence=".sol or .bb")
+        self.refused("transfer", "g.mesh", "u.sol", "h.mesh", "-o", "v.txt", sentence=".sol, .solb or .bb")
         self.refused("transfer", "g.mesh", "u.sol", "no.mesh", "-o", "v.sol", sentence="no such file")
         points, triangles = grid(3, 5, 6)
         self.write("far.mesh", mesh_text(points, triangles))
