@@ -17,7 +17,7 @@ json angle(const audited_angle& least) {
   return least.degrees < 180 ? json(least.degrees) : json();
 }
 
-// What an audit found, the same for all commands.
+// Adds what an audit found, the same for all commands.
 void add_audit(json& object, const audit_report& audit) {
   object["vertices"] = audit.sites;
   object["triangles"] = audit.triangles;

@@ -16,7 +16,7 @@ namespace asterism::internal {
 
 class near_vertices {
  public:
-  // What is within `distance` is found.
+  // Finds what is within `distance`.
   explicit near_vertices(double distance) : width_(distance) {}
 
   void add(vertex_index v, const point& p) { squares_[square_of(p)].push_back(v); }

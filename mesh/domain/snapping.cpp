@@ -17,7 +17,7 @@
 namespace asterism::internal {
 namespace {
 
-// Of 64 bytes with what belongs to them: a quarter of a gigabyte.
+// Bounds memory: at 64 bytes a piece, with what belongs to it, a quarter of a gigabyte.
 constexpr std::size_t most_pieces = 4000000;
 
 using vertex_pair = std::pair<vertex_index, vertex_index>;

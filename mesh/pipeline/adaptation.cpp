@@ -148,8 +148,8 @@ class adaptation {
     const nodal_field background = graded(how.background);
     unit_mesh_options making;
     making.count = count_;
-    // Where edges are still too long with so many more nodes, the metric is too thin for splitting
-    // to get anywhere.
+    // Ends splitting: if edges are still too long with so many more nodes, the metric is too thin
+    // for it to get anywhere.
     constexpr std::size_t times_as_many = 4, at_least = 1000;
     making.most_nodes =
         std::min(options_.max_sites, times_as_many * count_ + at_least + start_.sites.size());

@@ -201,8 +201,8 @@ class relaxation {
   // Returns the units of work that the attempt may take. One metric for all sites, which is the
   // last resort, has as much again whatever the others took.
   double units_left() const {
-    const bool is_last_resort = step_.kind == relaxation_kind::constant ||
-                                step_.kind == relaxation_kind::without_demands;
+    const bool is_last_resort =
+        step_.kind == relaxation_kind::constant || step_.kind == relaxation_kind::without_demands;
     const double left = units_for_relaxing - spent_units_;
     return is_last_resort ? std::max(left, units_for_relaxing) : left;
   }

@@ -54,7 +54,7 @@ class box_index {
   struct node {
     bounding_box around;
     point middle, half;
-    // Of each way the first of four or two children.
+    // The first of four or two children, for each way of dividing.
     std::array<std::uint32_t, division_count> first_child{none, none, none};
     bool used = false;  // `around` means something
     std::vector<item_box> items;

@@ -122,7 +122,7 @@ TEST_CASE("waves of three edges are seen by all but averages of averages") {
     }
     return greatest / (k * k);
   };
-  // Of a wave with kh = 2 pi / 3 a second difference sees (sin(kh/2) / (kh/2))^2 = 0.68, averages
+  // A second difference sees (sin(kh/2) / (kh/2))^2 = 0.68 of a wave with kh = 2 pi / 3, averages
   // of averages at most (sin(kh) / kh)^2 = 0.17.
   CHECK(seen(hessian_method::green) > 0.6);
   CHECK(seen(hessian_method::least_squares) > 0.3);
