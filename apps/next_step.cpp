@@ -29,7 +29,7 @@ std::string smoother(const mesh_job& job) {
 // Angles beside sharp corners are what they are; a bound below them is met.
 std::string lower_bound(const certified_mesh& made) {
   const double worst = made.report.worst().degrees;
-  const std::string other = "a domain without corners that sharp";
+  std::string other = "a domain without corners that sharp";
   if (!(worst >= 1)) return other;
   return fmt::format("--angle-bound {:.0f}, or {}", std::floor(worst), other);
 }

@@ -152,6 +152,7 @@ bool snapper::cut_crossings() {
   const filtered_kernel kernel;
   std::vector<edge> all = edges();
   std::vector<bounding_box> boxes;
+  boxes.reserve(all.size());
   for (const edge& e : all) boxes.push_back(box_of(e));
   std::vector<std::size_t> by_x(all.size());
   for (std::size_t i = 0; i < by_x.size(); ++i) by_x[i] = i;
