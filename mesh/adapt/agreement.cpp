@@ -219,6 +219,7 @@ void agreement::make_alike_at(const std::vector<vertex_index>& nodes, double par
   for (const vertex_index v : nodes)
     for (const vertex_index w : nodes)
       if (v < w) most = std::max(most, log_distortion(m_.at(v).metric, m_.at(w).metric));
+  // Lengths that differ by 1e-9 change a clearance by far less than the margin asked of it.
   if (!(most > 1e-9)) return;
   for (const vertex_index v : nodes)
     for (const vertex_index w : nodes) {

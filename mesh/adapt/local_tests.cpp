@@ -55,6 +55,7 @@ double greatest_cotangent(const metric_tensor& m, const node& a, const node& b, 
   return std::max({uw, uu - uw, ww - uw}) * across;
 }
 
+// Keeps the cotangent finite where no angle is asked for.
 double cotangent_of(double degrees) {
   return 1 / elementary::tan(std::max(1e-3, degrees) * std::numbers::pi / 180);
 }

@@ -84,6 +84,8 @@ double nodal_field::least_weight(const point& q, vertex_index t, double (&w)[3])
 
 // Walks to the point; true if it ended in a triangle that has the point.
 bool nodal_field::walk(const point& q, vertex_index& t, double (&w)[3]) const {
+  // Roundings of a weight are a few 1e-16 in a triangle that is not thin. Only the choice between
+  // neighbours depends on it, which agree at their common edge.
   constexpr double slack = 1e-12;
   const std::size_t most = 64 + 4 * static_cast<std::size_t>(std::sqrt(cells_.size()));
   for (std::size_t step = 0; step < most; ++step) {

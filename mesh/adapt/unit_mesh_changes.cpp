@@ -59,6 +59,7 @@ point middle(const node& a, const node& b) {
   const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
   const double ratio = std::sqrt(squared(b.metric, x, y) / squared(a.metric, x, y));
   double t = 0.5;
+  // With x = ratio - 1 the place is at 1/2 + x / 8: nearer to 1/2 than 2e-4 otherwise.
   if (std::isfinite(ratio) && ratio > 0 && std::abs(ratio - 1) > 1e-3)
     t = std::clamp(elementary::log((1 + ratio) / 2) / elementary::log(ratio), 0.25, 0.75);
   return {a.position.x + t * x, a.position.y + t * y};
@@ -94,6 +95,7 @@ bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
   constexpr double good = 2.1;
   if (now < good || !m_.can_flip(t, edge)) return false;
   const double then = shape_energy(c, a, d, 0) + shape_energy(d, b, c, 0);
+  // Far above the roundings of an energy: no two flips undo each other for ever.
   constexpr double margin = 1e-6;
   if (!(then < now * (1 - margin))) return false;
   m_.flip(t, edge);
