@@ -15,7 +15,8 @@
 //
 // A mesh whose metric varies much over an edge has stars that see far, and thousands of sites to
 // hold against each. It also has edges that are refused at once, by the site across them. So these
-// are asked first, and where some are refused the mesh is, without the rest.
+// are asked first, and where some are refused the mesh is, without the rest. Where all sites have
+// one metric and none is refused, there is nothing else to ask.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -341,6 +342,16 @@ bool check_in_turn(audit_context& context, const star_surroundings& around, bool
   return false;
 }
 
+// True if the neighbours, once none is rejected, leave no other site to look for: where all sites
+// have one metric (docs/math/certificate.md, 4.0).
+bool neighbours_suffice(const audit_context& context) {
+  if (context.options.own_filter_alone || context.report.total_found() > 0) return false;
+  const std::vector<site>& sites = context.subject.sites;
+  return std::all_of(sites.begin(), sites.end(), [&](const site& s) {
+    return identical(s.metric, sites.front().metric);
+  });
+}
+
 }  // namespace
 
 // Looks at neighbours first, then at all sites in reach. Ends where as much is refused as a tenth
@@ -351,7 +362,8 @@ void check_stars(audit_context& context) {
   const std::size_t most = context.options.findings_kept == all ? all : context.report.sites / part;
   context.report.stars_checked = true;
   const star_surroundings around(context);
-  if (check_in_turn(context, around, true, most)) check_in_turn(context, around, false, most);
+  if (!check_in_turn(context, around, true, most) || neighbours_suffice(context)) return;
+  check_in_turn(context, around, false, most);
 }
 
 }  // namespace asterism::internal::audit_detail
