@@ -37,7 +37,7 @@ class sampling {
     shortest_ = 0x1p-40 * extent;
   }
 
-  std::optional<mesh> run() {
+  std::optional<sampled_background> run() {
     field_.expect([this] { return places_of_nodes(); });
     for (vertex_index v = 0; v < m_.nodes().size(); ++v)
       if (!measure(v)) return std::nullopt;
@@ -57,7 +57,7 @@ class sampling {
       if (!refine(t, waiting)) return std::nullopt;
     }
     std::vector<vertex_index> renumbered;
-    return m_.triangulation(renumbered);
+    return sampled_background{m_.triangulation(renumbered), longest_left_};
   }
 
  private:
@@ -126,6 +126,7 @@ class sampling {
         in_plane > longest_ ||
         (in_plane > shortest_ &&
          (e.length > limits_.longest || (e.length > limits_.shortest && is_off(a, b, e))));
+    if (!e.is_to_be_halved) longest_left_ = std::max(longest_left_, e.length);
     return &e;
   }
 
@@ -185,6 +186,7 @@ class sampling {
   const metric_field& field_;
   const sampling_limits& limits_;
   double longest_, shortest_;  // in the plane
+  double longest_left_ = 0;                    // as the metric measures
   std::vector<tensor_logarithm> logarithms_;  // by node
   // Edges that were measured once; their ends never change.
   std::unordered_map<std::uint64_t, measured_edge> edges_;
@@ -192,8 +194,8 @@ class sampling {
 
 }  // namespace
 
-std::optional<mesh> sample_background(working_mesh m, const metric_field& field,
-                                      const sampling_limits& limits) {
+std::optional<sampled_background> sample_background(working_mesh m, const metric_field& field,
+                                                    const sampling_limits& limits) {
   return sampling(std::move(m), field, limits).run();
 }
 

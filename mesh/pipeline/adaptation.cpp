@@ -328,7 +328,7 @@ bool metric_delivery::prepare() {
   auto sampled = sample_field(image_.shape(), *start_, image_.field(), any_length, options_.stop);
   if (!sampled) return false;
   background_ = std::move(sampled->nodes);
-  variation_ = sampled->variation;
+  longest_ = sampled->longest;
   return true;
 }
 
@@ -339,7 +339,8 @@ bool metric_delivery::is_first_choice() const {
 
 bool metric_delivery::varies_fast() {
   constexpr double most_that_is_met = 0.6;
-  return options_.limit_size && prepare() && variation_ > most_that_is_met;
+  return options_.limit_size && field_.background() == nullptr && prepare() &&
+         sampled_variation(*background_) > most_that_is_met;
 }
 
 // Returns how often the number of sites is to be halved: until there is room for them, or, without
@@ -353,27 +354,38 @@ std::optional<int> metric_delivery::halvings(double vertices, std::size_t few) c
   return std::max(0, static_cast<int>(std::ceil(elementary::log2(vertices / most))));
 }
 
-std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
-  if (!prepare()) return std::nullopt;
-  const double vertices = vertices_of_unit * nodal_field(*background_).complexity();
-  const auto halved = halvings(vertices, few);
-  if (!halved) return std::nullopt;
-  const coarser_field coarser(image_.field(), *halved);
+// Returns the metric wanted, in the field divided by 2^halved: a formula with samples as dense as the
+// sites will be, unless the ones that there are will do.
+std::optional<nodal_field> metric_delivery::wanted_in(const metric_field& coarser, int halved,
+                                                      const nodal_field& sampled) const {
+  constexpr double as_sites = 1;
+  const bool is_formula = field_.background() == nullptr;
+  if (halved == 0 && (!is_formula || longest_ <= as_sites)) return sampled;
+  if (is_formula) {
+    auto fine = sample_field(image_.shape(), *start_, coarser, as_sites, options_.stop);
+    if (!fine) return std::nullopt;
+    return nodal_field(fine->nodes);
+  }
   mesh background = *background_;
-  const double factor = elementary::exp2(-*halved);
+  const double factor = elementary::exp2(-halved);
   for (site& s : background.sites)
     s.metric = {s.metric.m11 * factor, s.metric.m12 * factor, s.metric.m22 * factor};
-  if (field_.background() == nullptr) {
-    auto fine = sample_field(image_.shape(), *start_, coarser, 1, options_.stop);
-    if (!fine) return std::nullopt;
-    background = std::move(fine->nodes);
-  }
-  nodal_field wanted(background);
+  return nodal_field(background);
+}
+
+std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
+  if (!prepare()) return std::nullopt;
+  const nodal_field sampled(*background_);
+  const auto halved = halvings(vertices_of_unit * sampled.complexity(), few);
+  if (!halved) return std::nullopt;
+  const coarser_field coarser(image_.field(), *halved);
+  auto wanted = wanted_in(coarser, *halved, sampled);
+  if (!wanted) return std::nullopt;
   const double count = *halved == 0 && options_.vertices ? static_cast<double>(*options_.vertices)
-                                                         : vertices_of_unit * wanted.complexity();
+                                                         : vertices_of_unit * wanted->complexity();
   if (!(count < static_cast<double>(options_.max_sites))) return std::nullopt;
   auto made = adaptation(image_.shape(), coarser, options_, *start_,
-                         {std::move(wanted), field_.background() != nullptr,
+                         {std::move(*wanted), field_.background() != nullptr,
                           static_cast<std::size_t>(count)})
                   .run();
   if (!made) return std::nullopt;
