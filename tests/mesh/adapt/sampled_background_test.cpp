@@ -109,6 +109,6 @@ TEST_CASE("most places at which a metric is sampled are announced in a few calls
   REQUIRE(sampled);
   CHECK(sampled->nodes.sites == sample_background(coarse_square(d), front, {})->nodes.sites);
   INFO(told.asked << " asked, " << told.unexpected << " unexpected, " << told.calls << " calls");
-  CHECK(told.unexpected < told.asked / 10);
-  CHECK(told.calls < told.asked / 50);
+  CHECK(told.asked < 20'000);  // each place once
+  CHECK(told.unexpected + told.calls < told.asked / 5);
 }
