@@ -79,8 +79,8 @@ class sampling {
     return places;
   }
 
-  // Returns the middles of those edges of the first faces that were not measured yet; edges that two
-  // of them share come twice.
+  // Returns the middles of those edges of the first faces that were not measured yet; edges that
+  // two of them share come twice.
   std::vector<point> middles_of(const std::deque<vertex_index>& faces, std::size_t count) const {
     std::vector<point> places;
     for (std::size_t k = 0; k < count; ++k) {
@@ -152,8 +152,7 @@ class sampling {
     const metric_tensor mean = mean_of(f);
     std::array<double, 3> lengths{};
     for (std::size_t i = 0; i < 3; ++i)
-      lengths[i] =
-          length(mean, m_.at(f.v[after(i)]).position, m_.at(f.v[before(i)]).position);
+      lengths[i] = length(mean, m_.at(f.v[after(i)]).position, m_.at(f.v[before(i)]).position);
     return static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) -
                                     lengths.begin());
   }
@@ -185,8 +184,8 @@ class sampling {
   working_mesh m_;
   const metric_field& field_;
   const sampling_limits& limits_;
-  double longest_, shortest_;  // in the plane
-  double longest_left_ = 0;                    // as the metric measures
+  double longest_, shortest_;                 // in the plane
+  double longest_left_ = 0;                   // as the metric measures
   std::vector<tensor_logarithm> logarithms_;  // by node
   // Edges that were measured once; their ends never change.
   std::unordered_map<std::uint64_t, measured_edge> edges_;

@@ -32,8 +32,8 @@ struct sampling_limits {
 
 struct sampled_background {
   mesh nodes;  // those of the triangulation, and those added, with the metric there
-  // Length of the longest edge that was left as it is, as its ends and its middle measure it. With a
-  // limit of no less the background would have been the same.
+  // Length of the longest edge that was left as it is, as its ends and its middle measure it. With
+  // a limit of no less the background would have been the same.
   double longest = 0;
 };
 

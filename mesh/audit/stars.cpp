@@ -347,9 +347,8 @@ bool check_in_turn(audit_context& context, const star_surroundings& around, bool
 bool neighbours_suffice(const audit_context& context) {
   if (context.options.own_filter_alone || context.report.total_found() > 0) return false;
   const std::vector<site>& sites = context.subject.sites;
-  return std::all_of(sites.begin(), sites.end(), [&](const site& s) {
-    return identical(s.metric, sites.front().metric);
-  });
+  return std::all_of(sites.begin(), sites.end(),
+                     [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
 
 }  // namespace

@@ -354,8 +354,8 @@ std::optional<int> metric_delivery::halvings(double vertices, std::size_t few) c
   return std::max(0, static_cast<int>(std::ceil(elementary::log2(vertices / most))));
 }
 
-// Returns the metric wanted, in the field divided by 2^halved: a formula with samples as dense as the
-// sites will be, unless the ones that there are will do.
+// Returns the metric wanted, in the field divided by 2^halved: a formula with samples as dense as
+// the sites will be, unless the ones that there are will do.
 std::optional<nodal_field> metric_delivery::wanted_in(const metric_field& coarser, int halved,
                                                       const nodal_field& sampled) const {
   constexpr double as_sites = 1;

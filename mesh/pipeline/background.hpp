@@ -26,8 +26,8 @@ std::optional<adapting::sampled_background> sample_field(const domain& d, const 
                                                          const metric_field& field, double longest,
                                                          const cancellation& stop);
 
-// Returns the logarithm of the distortion over an edge, for each unit of the edge's length, that one
-// edge in fifty exceeds: how fast the metric varies, as far as its samples tell.
+// Returns the logarithm of the distortion over an edge, for each unit of the edge's length, that
+// one edge in fifty exceeds: how fast the metric varies, as far as its samples tell.
 double sampled_variation(const mesh& nodes);
 
 }  // namespace asterism::internal

@@ -44,10 +44,10 @@ class subsegment_distances {
   // True if w certainly does not encroach. Nowhere on a b are both f_a and f_b above r^2, their
   // value at the bisector point, and r grows with either length; if f_w is above it all along a b,
   // w does not encroach. With S the magnitude, a bound on the monomials of f_w on the segment is
-  // 2 S, so that evaluating f_w at t is off by less than 40 eps S. t itself is off by at most 64 eps
-  // S / |d|_w^2, and by at most 1 as it is clamped, which raises f_w above its least value by less
-  // than 192 eps S whichever is smaller: 256 eps = 2^-44 covers both. The few roundings of r are
-  // relative. Near underflow these bounds do not hold, and nothing is decided.
+  // 2 S, so that evaluating f_w at t is off by less than 40 eps S. t itself is off by at most 64
+  // eps S / |d|_w^2, and by at most 1 as it is clamped, which raises f_w above its least value by
+  // less than 192 eps S whichever is smaller: 256 eps = 2^-44 covers both. The few roundings of r
+  // are relative. Near underflow these bounds do not hold, and nothing is decided.
   bool surely_stay_clear() const {
     const double from_a = std::sqrt(squared_length_above(a_, d_));
     const double from_b = std::sqrt(squared_length_above(b_, d_));

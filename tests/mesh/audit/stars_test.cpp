@@ -286,7 +286,8 @@ TEST_CASE("a metric that varies gently keeps the stars, and nobody but neighbour
   CHECK(report.star_pairs == 0);
 }
 
-TEST_CASE("in one metric neighbours suffice, and the auditor by itself finds the same of all pairs") {
+TEST_CASE(
+    "in one metric neighbours suffice, and the auditor by itself finds the same of all pairs") {
   std::size_t pairs = 0;
   for (const double unevenness : {0.0, 0.1, 0.3}) {
     const patch p = make_patch(10, unevenness);
