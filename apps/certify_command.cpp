@@ -315,7 +315,10 @@ int run_certify(certify_options options) {
     write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
   }
   if (report.certified()) return write_as_it_is(options, adopted, report);
-  if (!options.repair) return show_what_was_found(options, adopted, report);
+  if (!options.repair) {
+    if (!options.json) std::cerr << "asterism: try --repair -o REPAIRED.mesh\n";
+    return show_what_was_found(options, adopted, report);
+  }
   if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);
   return repair(options, adopted, *measured.value().field, report, limits);
 }

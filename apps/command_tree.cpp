@@ -17,6 +17,15 @@ std::vector<std::string> choices_in(const std::string& type) {
   return choices;
 }
 
+// Domains and metrics have names, and may be files or formulas as well.
+std::vector<std::string> names_of_values(const std::string& value) {
+  if (value == "DOMAIN") return {"square", "airfoil"};
+  if (value == "SPEC")
+    return {"identity", "swirl",   "sink",    "layer",   "shock",
+            "linear",   "polar-1", "polar-2", "circle-1"};
+  return {};
+}
+
 option_entry entry_of(const CLI::Option& option) {
   option_entry entry;
   for (const std::string& name : option.get_snames()) entry.names.push_back("-" + name);
@@ -26,10 +35,11 @@ option_entry entry_of(const CLI::Option& option) {
   entry.text = option.get_description();
   entry.required = option.get_required();
   entry.repeats = option.get_expected_max() > 1;
-  if (option.get_type_size_max() == 0 || entry.positional) return entry;
+  if (option.get_type_size_max() == 0) return entry;
   const std::string type = option.get_type_name();
   entry.choices = choices_in(type);
-  entry.value = type.substr(0, type.find(':'));
+  if (!entry.positional) entry.value = type.substr(0, type.find(':'));
+  entry.names_of_values = names_of_values(entry.positional ? entry.names[0] : entry.value);
   return entry;
 }
 

@@ -15,9 +15,10 @@ namespace asterism::apps {
 
 // An option, or a positional argument.
 struct option_entry {
-  std::vector<std::string> names;    // "-o", "--output"; of a positional its name alone
-  std::string value;                 // "FILE"; empty: takes none
-  std::vector<std::string> choices;  // all values there are, where they are a list
+  std::vector<std::string> names;            // "-o", "--output"; of a positional its name alone
+  std::string value;                         // "FILE"; empty: takes none
+  std::vector<std::string> choices;          // all values there are, where they are a list
+  std::vector<std::string> names_of_values;  // values that have a name; there are others
   std::string text;
   bool positional = false, required = false, repeats = false;
 };

@@ -18,23 +18,30 @@ std::string commands_of(const std::vector<command_entry>& tree) {
   return joined(names, " ");
 }
 
-// Files are completed where a value, or nothing in particular, is wanted.
+// Files are completed where a value, or nothing in particular, is wanted, but for closed lists.
+std::string bash_words(const option_entry& option) {
+  if (!option.choices.empty())
+    return "compgen -W '" + joined(option.choices, " ") + "' -- \"$word\"";
+  if (option.names_of_values.empty()) return "compgen -f -- \"$word\"";
+  return "compgen -W '" + joined(option.names_of_values, " ") +
+         "' -- \"$word\"; compgen -f -- \"$word\"";
+}
+
 std::string bash_case(const command_entry& command) {
   std::vector<std::string> options;
-  std::string values;
+  std::string values, positional = bash_words({});
   for (const option_entry& option : command.options) {
+    if (option.positional && bash_words(option) != bash_words({})) positional = bash_words(option);
     if (option.positional) continue;
     options.insert(options.end(), option.names.begin(), option.names.end());
     if (option.value.empty()) continue;
-    const std::string known = option.choices.empty()
-                                  ? "compgen -f -- \"$word\""
-                                  : "compgen -W '" + joined(option.choices, " ") + "' -- \"$word\"";
-    values +=
-        fmt::format("        {}) COMPREPLY=($({})); return ;;\n", joined(option.names, "|"), known);
+    values += fmt::format("        {}) COMPREPLY=($({})); return ;;\n", joined(option.names, "|"),
+                          bash_words(option));
   }
-  return fmt::format("    {})\n      case \"$before\" in\n{}      esac\n      options='{}' ;;\n",
-                     command.name, values.empty() ? "        *) ;;\n" : values,
-                     joined(options, " "));
+  return fmt::format(
+      "    {})\n      case \"$before\" in\n{}      esac\n      options='{}'\n"
+      "      case \"$word\" in -*) ;; *) COMPREPLY=($({})); return ;; esac ;;\n",
+      command.name, values.empty() ? "        *) ;;\n" : values, joined(options, " "), positional);
 }
 
 std::string bash_script(const std::vector<command_entry>& tree) {
@@ -53,10 +60,7 @@ std::string bash_script(const std::vector<command_entry>& tree) {
          "  case \"${COMP_WORDS[1]}\" in\n" +
          cases +
          "  esac\n"
-         "  case \"$word\" in\n"
-         "    -*) COMPREPLY=($(compgen -W \"$options\" -- \"$word\")) ;;\n"
-         "    *) COMPREPLY=($(compgen -f -- \"$word\")) ;;\n"
-         "  esac\n"
+         "  COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n"
          "}\n"
          "complete -o filenames -F _asterism asterism\n";
 }
@@ -75,12 +79,17 @@ std::string quoted(const std::string& text, const std::string& special) {
   return safe + "'";
 }
 
+std::string zsh_action(const option_entry& option) {
+  if (!option.choices.empty()) return fmt::format("({})", joined(option.choices, " "));
+  if (option.names_of_values.empty()) return "_files";
+  return fmt::format("{{compadd {}; _files}}", joined(option.names_of_values, " "));
+}
+
 std::string zsh_argument(const option_entry& option) {
-  const std::string action =
-      option.choices.empty() ? "_files" : fmt::format("({})", joined(option.choices, " "));
+  const std::string action = zsh_action(option);
   if (option.positional)
     return fmt::format("        {}",
-                       quoted((option.repeats ? "*:" : ":") + option.names[0] + ":_files", ""));
+                       quoted((option.repeats ? "*:" : ":") + option.names[0] + ":" + action, ""));
   std::string lines;
   for (const std::string& name : option.names) {
     std::string spec = fmt::format("*{}[", name);
@@ -124,11 +133,18 @@ std::string zsh_script(const std::vector<command_entry>& tree) {
 
 std::string fish_option(const std::string& command, const option_entry& option) {
   std::string line = "complete -c asterism -n '__fish_seen_subcommand_from " + command + "'";
+  if (option.positional) {
+    const bool closed = !option.choices.empty();
+    if (!closed && option.names_of_values.empty()) return "";
+    return line + (closed ? " -f -a " : " -a ") +
+           quoted(joined(closed ? option.choices : option.names_of_values, " "), "\\") + "\n";
+  }
   for (const std::string& name : option.names)
     line += name.rfind("--", 0) == 0 ? fmt::format(" -l {}", name.substr(2))
                                      : fmt::format(" -s {}", name.substr(1));
   if (!option.value.empty()) line += option.choices.empty() ? " -r -F" : " -x";
-  if (!option.choices.empty()) line += " -a " + quoted(joined(option.choices, " "), "\\");
+  const auto& known = option.choices.empty() ? option.names_of_values : option.choices;
+  if (!known.empty()) line += " -a " + quoted(joined(known, " "), "\\");
   return line + " -d " + quoted(option.text, "\\") + "\n";
 }
 
@@ -139,8 +155,7 @@ std::string fish_script(const std::vector<command_entry>& tree) {
     text += "complete -c asterism -n __fish_use_subcommand -f -a " + tree[i].name + " -d " +
             quoted(tree[i].text, "\\") + "\n";
   for (std::size_t i = 1; i < tree.size(); ++i)
-    for (const option_entry& option : tree[i].options)
-      if (!option.positional) text += fish_option(tree[i].name, option);
+    for (const option_entry& option : tree[i].options) text += fish_option(tree[i].name, option);
   return text;
 }
 

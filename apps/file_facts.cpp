@@ -14,6 +14,7 @@
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
+#include "asterism/mesh/io/solution_file.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 
 namespace asterism::apps {
@@ -42,10 +43,10 @@ std::string text_of(const std::map<int, std::size_t>& counts,
 
 file_facts facts_of(const domain& d) {
   file_facts facts = {{"kind", "domain"},
-                      {"vertices", std::to_string(d.vertices.size())},
-                      {"segments", std::to_string(d.segments.size())},
-                      {"hole points", std::to_string(d.holes.size())},
-                      {"region points", std::to_string(d.regions.size())},
+                      {"vertices", d.vertices.size()},
+                      {"segments", d.segments.size()},
+                      {"hole points", d.holes.size()},
+                      {"region points", d.regions.size()},
                       {"box", text_of(d.box())}};
   std::map<int, std::size_t> markers;
   for (const segment& s : d.segments) ++markers[s.marker];
@@ -65,12 +66,11 @@ file_facts facts_of(const domain& d) {
   const auto inside =
       std::count_if(checked.value().segments.begin(), checked.value().segments.end(),
                     [](const segment& s) { return s.internal; });
-  facts.emplace_back("segments inside", std::to_string(inside));
+  facts.emplace_back("segments inside", static_cast<std::size_t>(inside));
   return facts;
 }
 
-void add_metric(const fs::path& path, file_facts& facts) {
-  const auto measured = read_mesh(path);
+void add_metric(const result<mesh>& measured, file_facts& facts) {
   if (!measured) {
     facts.emplace_back("metric", "none: " + measured.failure().message);
     return;
@@ -106,10 +106,10 @@ result<file_facts> facts_of_mesh(const fs::path& path) {
   if (!read) return read.failure();
   const mesh& m = read.value();
   file_facts facts = {{"kind", "mesh"},
-                      {"vertices", std::to_string(m.sites.size())},
-                      {"given vertices", std::to_string(m.given)},
-                      {"triangles", std::to_string(m.triangles.size())},
-                      {"boundary edges", std::to_string(m.boundary.size())}};
+                      {"vertices", m.sites.size()},
+                      {"given vertices", std::size_t{m.given}},
+                      {"triangles", m.triangles.size()},
+                      {"boundary edges", m.boundary.size()}};
   if (!m.sites.empty()) {
     bounding_box box{m.sites[0].position, m.sites[0].position};
     for (const site& s : m.sites) box.include(s.position);
@@ -122,9 +122,49 @@ result<file_facts> facts_of_mesh(const fs::path& path) {
   if (m.regions.empty()) regions[1] = m.triangles.size();
   facts.emplace_back("markers", text_of(markers, names.markers));
   facts.emplace_back("regions", text_of(regions, names.regions));
-  add_metric(path, facts);
+  add_metric(read_mesh(path), facts);
   add_certificate(path, m, facts);
   return facts;
+}
+
+std::string text_of(const solution_field& field) {
+  const char* const kinds[] = {"", "scalar", "vector", "tensor"};
+  const auto [least, most] = std::minmax_element(field.values.begin(), field.values.end());
+  if (least == field.values.end()) return kinds[components_of(field.kind)];
+  return fmt::format("{}, numbers from {} to {}", kinds[components_of(field.kind)],
+                     number_text(*least), number_text(*most));
+}
+
+// Numbers at vertices mean nothing without the mesh, which is looked for beside them.
+result<file_facts> facts_of_solution(const fs::path& path) {
+  std::error_code ignored;
+  for (const char* const ending : {".mesh", ".meshb", ".msh"}) {
+    const fs::path beside = fs::path(path).replace_extension(ending);
+    if (!fs::exists(beside, ignored)) continue;
+    const auto m = read_mesh(beside, {.without_solution = true});
+    if (!m) return m.failure();
+    file_facts facts = {
+        {"kind", "solution"}, {"mesh", beside.string()}, {"vertices", m.value().sites.size()}};
+    const auto read = read_solution(path, m.value());
+    if (read) {
+      for (const solution_field& f : read.value().fields)
+        facts.emplace_back("field " + f.name, text_of(f));
+      return facts;
+    }
+    const auto measured = read_mesh(beside, {.solution = path});
+    if (!measured) return read.failure();  // the metric's would be about another use of the file
+    facts[0].second = "metric";
+    add_metric(measured, facts);
+    return facts;
+  }
+  return error{path.string() + ": what is given at vertices is told with their mesh beside it, " +
+               fs::path(path).replace_extension(".mesh").string()};
+}
+
+bool is_domain(const std::string& name) {
+  for (const char* const ending : {".poly", ".geojson", ".json", ".wkt"})
+    if (has_ending(name, ending)) return true;
+  return name == "square" || name == "airfoil" || name == "naca0012";
 }
 
 result<file_facts> facts_of_certificate(const fs::path& path) {
@@ -146,8 +186,8 @@ result<file_facts> facts_of_certificate(const fs::path& path) {
       {"size", option("size")},
       {"angle bound", c.angle_bound ? number_text(*c.angle_bound) + " degrees" : "none"},
       {"worst angle", c.worst_angle < 180 ? number_text(c.worst_angle) + " degrees" : "none"},
-      {"vertices", std::to_string(c.sites)},
-      {"triangles", std::to_string(c.triangles)},
+      {"vertices", c.sites},
+      {"triangles", c.triangles},
       {"fingerprint", fmt::format("{:016x}", c.fingerprint)}};
 }
 
@@ -157,6 +197,13 @@ result<file_facts> facts_of_file(const fs::path& path) {
   const std::string name = path.string();
   if (is_mesh_file(name)) return facts_of_mesh(path);
   if (has_ending(name, ".certificate.json")) return facts_of_certificate(path);
+  for (const char* const ending : {".sol", ".solb", ".bb"})
+    if (has_ending(name, ending)) return facts_of_solution(path);
+  if (!is_domain(name))
+    return error{name +
+                 ": not a file that is known here by its name: domains (.poly, .geojson, .json, "
+                 ".wkt), meshes (.mesh, .meshb, .msh), solutions (.sol, .solb, .bb), certificates "
+                 "(.certificate.json)"};
   const auto loaded = load_domain(name);
   if (loaded) return facts_of(loaded.value());
   // A certificate may have any name; a domain's message is the one to tell otherwise.

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "asterism/apps/command_tree.hpp"
 #include "asterism/apps/commands.hpp"
@@ -45,7 +46,11 @@ void add_man_command(CLI::App& program, command& chosen) {
   auto* const app =
       program.add_subcommand("man", "Write a manual page, of the program or of a command");
   const auto name = std::make_shared<std::string>();
-  app->add_option("COMMAND", *name, "The command; default: the program");
+  std::vector<std::string> known = {"man"};
+  for (const CLI::App* other : program.get_subcommands([](const CLI::App*) { return true; }))
+    if (other != app) known.push_back(other->get_name());
+  app->add_option("COMMAND", *name, "The command; default: the program")
+      ->check(CLI::IsMember(known));
   app->footer("Example:\n  asterism man mesh | man -l -");
   app->callback([&program, name, &chosen] {
     chosen = [&program, name] { return write_manual_page(program, *name); };

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <variant>
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
@@ -21,7 +22,8 @@ struct info_options {
 
 constexpr const char* examples =
     R"(FILE  a domain (.poly, .geojson, .wkt), a mesh (.mesh, .msh and others) with the metric and the
-      certificate beside it, or a certificate. Nothing is proved and nothing is written.
+      certificate beside it, a solution or metric (.sol, .solb, .bb) with its mesh beside it, or a
+      certificate. Nothing is proved and nothing is written.
 
 Exit status: 0 told; 2 unreadable.
 
@@ -34,13 +36,15 @@ int run_info(const info_options& options) {
   if (!facts) return complain(facts.failure(), refused);
   if (options.json) {
     nlohmann::ordered_json object;
-    for (auto& [name, value] : facts.value()) object[name] = std::move(value);
+    for (auto& [name, value] : facts.value())
+      std::visit([&](auto& known) { object[name] = std::move(known); }, value);
     std::cout << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
               << '\n';
     return done;
   }
   for (const auto& [name, value] : facts.value())
-    std::cout << fmt::format("{:<22} {}\n", name, value);
+    std::visit([&](const auto& known) { std::cout << fmt::format("{:<22} {}\n", name, known); },
+               value);
   return done;
 }
 

@@ -7,6 +7,7 @@
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/usage_message.hpp"
 #include "asterism/core/version.h"
 
 namespace {
@@ -42,7 +43,7 @@ int run(int argc, char** argv) {
           "completion or man)");
   } catch (const CLI::ParseError& failure) {
     if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
-    std::cerr << "asterism: " << failure.what() << "\nRun with --help for more information.\n";
+    std::cerr << "asterism: " << usage_message(program, {argv + 1, argv + argc}, failure) << '\n';
     return refused;
   }
   const int status = chosen();

@@ -12,7 +12,8 @@ namespace asterism::apps {
 namespace {
 
 // A fifth more than are wanted, since that is an estimate, in two digits.
-std::string more_sites(const mesh_outcome& outcome) {
+std::string more_sites(const mesh_job& job, const mesh_outcome& outcome) {
+  if (!job.refinement.limit_size) return "a lower --angle-bound, or a larger --max-sites";
   if (!(outcome.ended.sites_wanted > 0)) return "a larger --max-sites, or a larger --size";
   const double wanted = 1.2 * outcome.ended.sites_wanted;
   const double unit =
@@ -45,7 +46,7 @@ std::string next_step(const mesh_job& job, const certified_mesh& made) {
     case ending::fitted:
       return "";
     case ending::site_limit:
-      return more_sites(outcome);
+      return more_sites(job, outcome);
     case ending::collateral:
       return lower_bound(made);
     case ending::stopped:

@@ -52,6 +52,10 @@ class Help(command.CommandTest):
         self.assertEqual(self.complete("asterism", "mesh", "--angle"), ["--angle-bound"])
         self.assertEqual(set(self.complete("asterism", "mesh", "--refine", "")), {"fill", "voronoi", "darts"})
         self.assertEqual(self.complete("asterism", "mesh", "la"), ["lake.poly"])
+        self.assertEqual(self.complete("asterism", "mesh", "sq"), ["square"])
+        self.assertEqual(self.complete("asterism", "mesh", "square", "--metric", "sh"), ["shock"])
+        self.assertEqual(self.complete("asterism", "completion", ""), ["bash", "zsh", "fish"])
+        self.assertEqual(self.complete("asterism", "man", "tr"), ["transfer"])
         self.assertEqual(self.complete("asterism", "mesh", "x", "-o", "la"), ["lake.poly"])
 
     def test_manual_pages_have_every_option_and_are_set_without_a_warning(self):
@@ -89,10 +93,17 @@ class Help(command.CommandTest):
         self.run_command(*command.JOB, "-o", "m.mesh")
         said = json.loads(self.run_command("info", "m.mesh", "--json").stdout)
         written = self.certificate("m")
-        self.assertEqual((said["kind"], said["vertices"]), ("mesh", str(written["mesh"]["vertices"])))
+        self.assertEqual((said["kind"], said["vertices"]), ("mesh", written["mesh"]["vertices"]))
         self.assertRegex(said["certificate"], "certified, says it")
         self.assertEqual(json.loads(self.run_command("info", "m.certificate.json", "--json").stdout)["fingerprint"],
                          written["mesh"]["fingerprint"])
+        told = json.loads(self.run_command("info", "m.sol", "--json").stdout)
+        self.assertEqual((told["kind"], told["vertices"]), ("metric", said["vertices"]))
+        self.write("m.bb", f"2 1 {said['vertices']} 2\n" + "".join(f"{i}.5\n" for i in range(said["vertices"])))
+        self.assertRegex(self.run_command("info", "m.bb").stdout, r"field 1 +scalar, numbers from 0.5 to \d+.5")
+        self.write("alone.sol", "")
+        self.assertIn("alone.mesh", self.run_command("info", "alone.sol").stderr)
+        self.assertIn("certificates", self.run_command("info", "notes.txt").stderr)
         self.write("cross.poly", "4 2 0 0\n1 0 0\n2 4 0\n3 0 3\n4 4 3.5\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n")
         lines = self.run_command("info", "cross.poly").stdout
         self.assertRegex(lines, r"can be meshed +no: cross.poly:10: segment 4 .*crosses")
@@ -104,11 +115,29 @@ class Help(command.CommandTest):
     def test_what_did_not_end_well_names_what_to_try(self):
         for arguments, hint in [
                 (["square", "--size", "0.01", "--max-sites", "500"], r"try --max-sites \d+00, or a larger --size"),
+                (["airfoil", "--angle-bound", "40", "--max-sites", "500"], "try a lower --angle-bound"),
                 (["square", "--metric", "expr:1+1e6*(x>0.1);0;1", "--no-relaxation", "--max-sites", "2000"],
                  r"try (--gradation 1.2|a larger --max-sites)")]:
             done = self.run_command("mesh", *arguments, "-o", "m.mesh")
             self.assertEqual(done.returncode, 1)
             self.assertRegex(done.stderr, "asterism: " + hint)
+
+    def test_a_slip_of_the_keyboard_is_told_with_what_was_meant(self):
+        for words, told in [(["msh", "square"], "no command 'msh'; did you mean mesh?"),
+                            (["mesh", "square", "--sise", "0.1", "-o", "m.mesh"],
+                             "mesh has no option --sise; did you mean --size?"),
+                            (["mesh", "square", "--metrik=swirl", "-o", "m.mesh"], "did you mean --metric?"),
+                            (["verify", "m.mesh", "--xyzzy"], "verify has no option --xyzzy\n")]:
+            done = self.run_command(*words)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(told, done.stderr)
+            self.assertRegex(done.stderr, "'asterism (mesh |verify )?--help' lists")
+
+    def test_a_mesh_that_is_not_certified_may_be_repaired(self):
+        self.run_command("mesh", "square", "--size", "0.3", "-o", "m.mesh")
+        done = self.run_command("certify", "m.mesh", "--metric", "swirl:12")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("try --repair", done.stderr)
 
     def at_terminal(self, **environment):
         """Standard output of a run at a terminal."""
