@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/adaptation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -63,9 +64,13 @@ class adaptation {
   std::optional<mesh_outcome> run() {
     if (count_ < 1) return std::nullopt;
     order_places();
+    // A step costs what its nodes do: the stricter ones are tried while all together have no more
+    // than one mesh may have.
+    std::size_t made = 0;
     for (const strictness& how : ladder) {
       if (!attempt(start_, how)) return std::nullopt;
-      if (outcome_.audited->certified || stop_reason()) break;
+      made += std::max(count_, outcome_.result.sites.size());
+      if (outcome_.audited->certified || stop_reason() || made > options_.max_sites) break;
     }
     if (outcome_.audited->certified) meet_count(start_);
     if (const auto why = stop_reason(); why && !outcome_.audited->certified) return stopped(*why);
@@ -169,18 +174,37 @@ class adaptation {
     length_factor_ = maker.unit();
     if (!take_wanted(m)) return false;
     grade_mesh(m, how.mesh, length_factor_);
+    split_left_long(m, maker);
     deliver(m);
     if (outcome_.audited->certified) give_back(m);
     return true;
   }
 
-  // Makes tensors alike until the auditor has nothing against the mesh.
-  void deliver(working_mesh& m) {
+  agreement_options asked_of_agreement() const {
     agreement_options agree;
     agree.angle_bound = options_.angle_bound;
     agree.unit = length_factor_;
     agree.stop = options_.stop;
     agree.wanted = [this](const point& q) { return wanted_at(q); };
+    return agree;
+  }
+
+  // Splits the long edges that stars have wanted, where the unit mesh had others.
+  void split_left_long(working_mesh& m, unit_mesher& maker) const {
+    const agreement_options agree = asked_of_agreement();
+    constexpr int rounds = 3;
+    const metric_at wanted = [this](const point& q, vertex_index& hint) {
+      return wanted_.at(q, hint);
+    };
+    for (int i = 0; i < rounds && !stop_reason(); ++i) {
+      agreement(m, agree).run();
+      if (maker.split_left_long(wanted) == 0) return;
+    }
+  }
+
+  // Makes tensors alike until the auditor has nothing against the mesh.
+  void deliver(working_mesh& m) {
+    const agreement_options agree = asked_of_agreement();
     agreement agreeing(m, agree);
     for (int audits = 0; audits < most_audits; ++audits) {
       agreeing.run();
