@@ -140,7 +140,7 @@ class MetricTest(AdaptationTest):
         of_vtu = (self.folder / "m.sol").read_bytes()
         self.metric("--solution", "u.sol", "--vertices", "500")
         self.assertEqual(of_vtu, (self.folder / "m.sol").read_bytes())
-        for spoiled in (text.replace("_", "_?", 1), text.replace(f'offset="{offsets["u"]}"', 'offset="99999999"'),
+        for spoiled in (text.replace("\n_", "\n_?"), text.replace(f'offset="{offsets["u"]}"', 'offset="99999999"'),
                         text.replace(appended.decode(), appended.decode()[:-4000])):
             self.write("u.vtu", spoiled)
             self.refused("metric", "g.mesh", "--solution", "u.vtu", "-o", "n.mesh", sentence="u.vtu")
