@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -10,10 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/apps/adaptation_json.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/option_values.hpp"
+#include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
@@ -47,7 +51,7 @@ struct adapt_job {
   fs::path values, certificate;
   std::optional<double> max_seconds;
   std::size_t threads = 0;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 
 constexpr const char* examples =
@@ -70,6 +74,7 @@ struct adapted {
   requested_metric wanted;
   adapted_mesh next;
   std::optional<transferred_solution> values;
+  std::optional<std::size_t> vertices_wanted;  // none where the metric alone says how many
 };
 
 std::optional<error> check_files(const adapt_job& job, const fs::path& certificate_path) {
@@ -105,13 +110,34 @@ std::optional<error> take_domain(adapt_job& job) {
   return std::nullopt;
 }
 
+// Sets the number of vertices where the request names one, and room for what it asks for in other
+// words. A target that was not met leaves the number to the metric.
+void take_target(const metric_request& request, const requested_metric& wanted,
+                 mesh_adaptation_options& options) {
+  const solution_metric_options& wishes = request.wishes;
+  const bool names_other = wishes.complexity || wishes.error;
+  if (names_other && !options.keeps_site_limit) {
+    constexpr double most = 1e8, times = 4;
+    const double room = std::min(most, times * wanted.report.complexity_delivered);
+    options.refinement.max_sites =
+        std::max(options.refinement.max_sites, static_cast<std::size_t>(room));
+  }
+  if (names_other || !wanted.report.reached) return;
+  const auto own = static_cast<double>(wanted.background.sites.size());
+  if (wishes.vertices || !request.solution.empty())
+    options.refinement.vertices =
+        static_cast<std::size_t>(std::max(1L, std::lround(wishes.vertices.value_or(own))));
+}
+
 result<adapted> adapt(const adapt_job& job, const run_limits& limits) {
   auto wanted = answer(job.request);
   if (!wanted) return wanted.failure();
-  adapted made{std::move(wanted).value(), {}, {}};
+  adapted made{std::move(wanted).value(), {}, {}, {}};
   const auto marks = read_medit_marks(job.request.mesh);
   if (!marks) return marks.failure();
   mesh_adaptation_options options = job.options;
+  take_target(job.request, made.wanted, options);
+  made.vertices_wanted = options.refinement.vertices;
   options.refinement.stop = [&limits] { return limits.reason(); };
   progress_line line(!job.quiet);
   auto next = adapt_to_metric({made.wanted.background, marks.value()}, options,
@@ -153,10 +179,35 @@ void describe(const adapt_job& job, adapted& made) {
   if (made.values) claim.options.merge(words_of(made.values->report, job.how));
 }
 
+report_facts facts_of_page(const adapt_job& job, const fs::path& certificate_path,
+                           const adapted& made) {
+  const certified_mesh& next = made.next.made;
+  report_facts facts;
+  facts.title = job.request.mesh + ", metric of " + next.claim.metric;
+  facts.claim = next.claim;
+  facts.claim_from = "As the run that made this page judged the mesh it had made.";
+  facts.repeat = repeating_command(job.outputs, certificate_path);
+  const auto adopted = adopt_mesh(made.wanted.background);
+  if (next.outcome.delivered && adopted)
+    facts.wanted =
+        tensors_at_sites(*make_sampled_field(adopted.value().subject, 1), next.outcome.result);
+  return facts;
+}
+
+written_paths written_files(const adapt_job& job, const fs::path& certificate_path) {
+  written_paths all;
+  for (const fs::path& output : job.outputs)
+    for (const fs::path& file : files_of_output(output)) all.push_back(file);
+  if (!job.values.empty()) all.push_back(job.values);
+  all.push_back(certificate_path);
+  return all;
+}
+
 std::optional<error> write_all(const adapt_job& job, const fs::path& certificate_path,
                                const adapted& made) {
   write_options options;
   const certificate& claim = made.next.made.claim;
+  if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, made);
   if (!claim.complete || !claim.certified)
     options.note = "Incomplete, not certified: " + claim.reason;
   std::vector<output_file> files;
@@ -175,7 +226,10 @@ std::optional<error> write_all(const adapt_job& job, const fs::path& certificate
 
 void summarize(const adapted& made) {
   std::cout << "metric: " << internal::text_of(made.wanted.report) << '\n';
-  if (made.next.boundary_vertices > 0)
+  if (made.next.keeps_boundary)
+    std::cout << "domain: all boundary vertices kept, as its parts touch; --domain names one "
+                 "exactly\n";
+  else if (made.next.boundary_vertices > 0)
     std::cout << fmt::format("domain: {} of {} boundary vertices kept, others within {:.3g}\n",
                              made.next.boundary_kept, made.next.boundary_vertices,
                              made.next.boundary_distance);
@@ -184,6 +238,26 @@ void summarize(const adapted& made) {
     std::cout << "delivered: " << text_of(*made.next.made.outcome.delivered) << '\n';
   if (made.values) std::cout << text_of(made.values->report);
   write_summary(std::cout, made.next.made, made.next.made.claim.measured.at("unit_edges"));
+}
+
+// Says in a sentence what was not reached: the mesh, the metric's target, or the number of vertices
+// to a tenth.
+std::optional<std::string> what_is_missed(const adapted& made) {
+  const certified_mesh& next = made.next.made;
+  if (!next.certified()) return next.claim.reason;
+  if (!made.wanted.report.reached) return made.wanted.report.reason;
+  if (!made.vertices_wanted) return std::nullopt;
+  constexpr double tolerable = 0.1, few = 5;
+  const auto wanted = static_cast<double>(*made.vertices_wanted),
+             got = static_cast<double>(next.outcome.result.sites.size());
+  if (std::abs(got - wanted) <= std::max(tolerable * wanted, few)) return std::nullopt;
+  return fmt::format("{} vertices were wanted, and {} are there, {} of them on the boundary",
+                     wanted, got, next.outcome.result.boundary.size());
+}
+
+adapt_facts facts_of(const adapted& made) {
+  return {made.wanted.report, made.next, made.values ? &made.values->report : nullptr,
+          made.vertices_wanted};
 }
 
 int run_adapt(adapt_job job) {
@@ -202,12 +276,13 @@ int run_adapt(adapt_job job) {
   describe(job, made.value());
   if (const auto failed = write_all(job, certificate_path, made.value()))
     return complain(*failed, not_reached);
-  if (!job.quiet) summarize(made.value());
-  const certified_mesh& next = made.value().next.made;
-  if (!next.certified()) return complain({"not reached: " + next.claim.reason}, not_reached);
-  const solution_metric_report& report = made.value().wanted.report;
-  if (!report.reached) return complain({"not reached: " + report.reason}, not_reached);
-  return done;
+  const auto missed = what_is_missed(made.value());
+  const int status = missed ? not_reached : done;
+  if (job.json)
+    std::cout << adapt_json(facts_of(made.value()), status, written_files(job, certificate_path));
+  else if (!job.quiet)
+    summarize(made.value());
+  return missed ? complain({"not reached: " + *missed}, not_reached) : done;
 }
 
 void add_mesh_options(CLI::App& app, adapt_job& job) {
@@ -237,7 +312,8 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
         job.options.refinement.max_sites = static_cast<std::size_t>(n);
         job.options.keeps_site_limit = true;
       },
-      "Refinement ends at this many (default 100000, or three times those wanted)")
+      "Refinement ends at this many (default 100000, or three times those wanted; where a metric "
+      "alone wants them, no more than ten times those of MESH)")
       ->type_name("N");
   add_real(
       app, "--max-seconds", positive_reals, [&job](double x) { job.max_seconds = x; },
@@ -267,7 +343,9 @@ void add_adapt_command(CLI::App& program, command& chosen) {
   app->add_option("--certificate", job->certificate,
                   "The certificate's file (default: first OUT with extension .certificate.json)")
       ->type_name("FILE");
-  app->add_flag("--quiet", job->quiet, "No progress, no summary");
+  auto* const quiet = app->add_flag("--quiet", job->quiet, "No progress, no summary");
+  app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
+      ->excludes(quiet);
   app->footer(examples);
   app->callback([job, &chosen] { chosen = [job] { return run_adapt(*job); }; });
 }

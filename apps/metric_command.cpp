@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/apps/adaptation_json.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/option_values.hpp"
@@ -25,7 +26,7 @@ struct metric_job {
   metric_request request;
   fs::path output;
   std::size_t threads = 0;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 
 constexpr const char* examples =
@@ -68,7 +69,11 @@ int run_metric(metric_job job) {
   if (!report.reached) options.note = "The target was not met: " + report.reason;
   const auto written = write_mesh(job.output, made.value().background, options);
   if (!written) return complain(written.failure(), not_reached);
-  if (!job.quiet) std::cout << "metric: " << text_of(report) << '\n';
+  if (job.json)
+    std::cout << metric_json(report, report.reached ? done : not_reached,
+                             {job.output, solution_path(job.output)});
+  else if (!job.quiet)
+    std::cout << "metric: " << text_of(report) << '\n';
   if (report.reached) return done;
   return complain({"not reached: " + report.reason}, not_reached);
 }
@@ -85,7 +90,9 @@ void add_metric_command(CLI::App& program, command& chosen) {
       [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
       "Threads to use (default: one a processor); the metric is the same for any number")
       ->type_name("N");
-  app->add_flag("--quiet", job->quiet, "No summary");
+  auto* const quiet = app->add_flag("--quiet", job->quiet, "No summary");
+  app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
+      ->excludes(quiet);
   app->footer(examples);
   app->callback([job, &chosen] { chosen = [job] { return run_metric(*job); }; });
 }

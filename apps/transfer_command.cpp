@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/apps/adaptation_json.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/option_values.hpp"
@@ -29,7 +30,7 @@ struct transfer_job {
   transfer_method how = transfer_method::interpolate;
   fs::path output;
   std::size_t threads = 0;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 
 constexpr const char* examples =
@@ -65,7 +66,10 @@ int run_transfer(const transfer_job& job) {
   if (!done_so) return complain(done_so.failure(), refused);
   const auto written = write_solution(job.output, done_so.value().values);
   if (!written) return complain(written.failure(), not_reached);
-  if (!job.quiet) std::cout << text_of(done_so.value().report);
+  if (job.json)
+    std::cout << transfer_json(done_so.value().report, done, {job.output});
+  else if (!job.quiet)
+    std::cout << text_of(done_so.value().report);
   return done;
 }
 
@@ -86,7 +90,9 @@ void add_transfer_command(CLI::App& program, command& chosen) {
       [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
       "Threads to use (default: one a processor); the values are the same for any number")
       ->type_name("N");
-  app->add_flag("--quiet", job->quiet, "No summary");
+  auto* const quiet = app->add_flag("--quiet", job->quiet, "No summary");
+  app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
+      ->excludes(quiet);
   app->footer(examples);
   app->callback([job, &chosen] { chosen = [job] { return run_transfer(*job); }; });
 }

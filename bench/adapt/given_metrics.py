@@ -82,16 +82,6 @@ def lengths_of(mesh, edges, tensors):
     return np.where(alike, (a + b) / 2, (b - a) / np.where(alike, 1, ratio))
 
 
-def unit_count(mesh, tensors):
-    """Vertices of a mesh with unit edges: twice its triangles, of area sqrt(3) / 4 each, are two for a
-    vertex less one for each edge of the boundary, and less two (Euler)."""
-    root = np.sqrt(np.linalg.det(tensors))
-    area = (meshes.node_areas(mesh) * root).sum()
-    edges, _ = meshes.border(meshes.Mesh(2 * mesh.points - 1, mesh.triangles))
-    boundary = lengths_of(mesh, edges, tensors).sum()
-    return int(round(2 / np.sqrt(3) * area + boundary / 2 + 1))
-
-
 def loop(name, options, folder):
     """Status of the last round, vertices, lengths in the metric of the formula."""
     formula = METRICS[name][0]
@@ -101,8 +91,7 @@ def loop(name, options, folder):
         tensors = formula(*mesh.points.T)
         meshes.write_sol(folder / "wanted.sol", tensors)
         done = subprocess.run([options.asterism, "adapt", "old.mesh", "--metric", "wanted.sol",
-                               "--vertices", str(unit_count(mesh, tensors)), "--threads", "1", "--quiet",
-                               "-o", "new.mesh"], cwd=folder, check=False)
+                               "--threads", "1", "--quiet", "-o", "new.mesh"], cwd=folder, check=False)
         status = done.returncode
         mesh = meshes.read(folder / "new.mesh")
     t = mesh.triangles

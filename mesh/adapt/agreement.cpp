@@ -15,6 +15,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double degrees_above = 4;  // the bound, that are aimed at
+// Length of an edge that no merge makes, in units: twice the shortest that stay.
+constexpr double longest_edge = std::numbers::sqrt2;
 
 }  // namespace
 
@@ -110,6 +112,7 @@ double agreement::excess(const node& a, const node& b, const node& c) const {
 // much less; true if it did.
 bool agreement::merge_away(vertex_index t) {
   constexpr double enough = 0.5;
+  const double longest = longest_edge * options_.unit;
   double best = 0;
   vertex_index from = none, into = none;
   face_list at, ring;
@@ -118,6 +121,9 @@ bool agreement::merge_away(vertex_index t) {
     m_.neighbours(v, ring);
     for (const vertex_index w : ring) {
       if (!m_.can_merge(v, w)) continue;
+      if (std::any_of(ring.begin(), ring.end(),
+                      [&](vertex_index u) { return u != w && m_.length(w, u) > longest; }))
+        continue;
       double then = 0;
       for (const vertex_index s : at) {
         const face& f = m_.faces()[s];
@@ -178,12 +184,21 @@ double agreement::trouble_around(vertex_index v, face_list& at) const {
   return sum;
 }
 
+double agreement::longest_around(vertex_index v) const {
+  face_list ring;
+  m_.neighbours(v, ring);
+  double longest = 0;
+  for (const vertex_index u : ring) longest = std::max(longest, m_.length(v, u));
+  return longest;
+}
+
 // Moves v to the place, of several around it, where there is least trouble.
 void agreement::move_away(vertex_index v) {
   const node here = m_.at(v);
   if (here.kind != node_kind::free && here.kind != node_kind::sliding) return;
   face_list at;
   double least = trouble_around(v, at);
+  const double most = std::max(longest_edge * options_.unit, longest_around(v));
   node best = here;
   const auto asked = options_.wanted(here.position);
   const bool is_wanted = asked && identical(*asked, here.metric);
@@ -202,6 +217,7 @@ void agreement::move_away(vertex_index v) {
         if (const auto there = options_.wanted(to)) m_.set_metric(v, *there);
       const double trouble = trouble_around(v, at);
       if (!(trouble < least)) continue;
+      if (longest_around(v) > most) continue;
       least = trouble;
       best = m_.at(v);
     }

@@ -59,6 +59,7 @@ class agreement {
   bool merge_away(vertex_index t);
   void follow_shape(vertex_index t);
   double trouble_around(vertex_index v, face_list& at) const;
+  double longest_around(vertex_index v) const;
   void move_away(vertex_index v);
   void make_alike_at(const std::vector<vertex_index>& nodes, double part);
 

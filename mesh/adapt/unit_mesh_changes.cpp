@@ -67,6 +67,31 @@ point middle(const node& a, const node& b) {
 
 }  // namespace
 
+// Splits the edges that are too long in the metric wanted and not short in the mesh's own. The
+// latter is the one that stars can agree about: what it has coarsened stays so.
+std::size_t unit_mesher::split_left_long(metric_at wanted) {
+  std::size_t done = 0;
+  field_ = std::move(wanted);
+  constexpr double most = 1.35, own = 1.2;  // units
+  const std::vector<long_edge> found = edges_where(m_, [&](double l) { return l > own * unit_; });
+  for (const long_edge& e : found) {
+    const auto [t, edge] = find_edge(m_, e.a, e.b);
+    if (t == none) continue;
+    node &a = m_.at(e.a), &b = m_.at(e.b);
+    const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
+    const double at_a = std::sqrt(squared(field_(a.position, a.hint), x, y)),
+                 at_b = std::sqrt(squared(field_(b.position, b.hint), x, y));
+    if (!((at_a + at_b) / 2 > most * unit_)) continue;
+    const auto made = m_.split(t, edge, middle(a, b));
+    if (!made) continue;
+    m_.at(*made).hint = m_.at(e.a).hint;
+    measure(*made);
+    settle_around(*made);
+    ++done;
+  }
+  return done;
+}
+
 // Has the edges of t checked for flips, and its nodes tried for moves.
 void unit_mesher::note_change(vertex_index t) {
   if (is_due_.size() < m_.faces().size()) is_due_.resize(m_.faces().size(), 0);

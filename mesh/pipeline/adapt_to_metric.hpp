@@ -3,12 +3,11 @@
 // Makes the next mesh of an adaptation loop: the one that a metric at the vertices of this one asks
 // for.
 //
-//   auto metric = make_solution_metric(old.subject, fields, wishes);          //
-//   solution_metric.hpp for (size_t v = 0; v < old.subject.sites.size(); ++v)
-//     old.subject.sites[v].metric = metric.value().tensors[v];
+//   const auto wanted = make_solution_metric(old.subject, fields, wishes);
+//   for (std::size_t v = 0; v < old.subject.sites.size(); ++v)
+//     old.subject.sites[v].metric = wanted.value().tensors[v];
 //   const auto next = adapt_to_metric(old, options);
-//   const auto values = transfer_solution(old.subject, u, next.value().made.outcome.result,
-//                                         transfer_method::project);           // transfer.hpp
+//   const auto values = transfer_solution(old.subject, u, next.value().made.outcome.result, how);
 #pragma once
 
 #include <cstddef>
@@ -28,8 +27,12 @@ struct mesh_adaptation_options {
   double corner_angle = 30;  // degrees: where the boundary turns by more it keeps its vertex
   std::optional<domain> exact =
       {};  // the domain itself, as check_domain accepts it, in place of the mesh's
-  mesh_options refinement = {};   // limit_size is set
-  bool keeps_site_limit = false;  // else max_sites is raised to three times what is wanted
+  // limit_size is set. Without `vertices` the mesh has as many as unit edges take, the boundary's
+  // included.
+  mesh_options refinement = {};
+  // Else max_sites is raised to three times the vertices wanted, and where the metric alone wants
+  // them, to ten times those of the mesh at most.
+  bool keeps_site_limit = false;
 };
 
 // The next mesh.
@@ -39,6 +42,7 @@ struct adapted_mesh {
   bool kept = false;                  // the mesh given meets its metric already, and is the result
   std::size_t boundary_vertices = 0;  // of the mesh given
   std::size_t boundary_kept = 0;      // of those
+  bool keeps_boundary = false;        // all of them, because parts touch
   double boundary_distance = 0;       // of a dropped one from the new boundary
 };
 

@@ -67,9 +67,13 @@ class adaptation {
   std::optional<mesh_outcome> run() {
     if (count_ < 1) return std::nullopt;
     order_places();
+    // A step costs what its nodes do: the stricter ones are tried while all together have no more
+    // than one mesh may have.
+    std::size_t made = 0;
     for (const strictness& how : ladder) {
       if (!attempt(start_, how)) return std::nullopt;
-      if (outcome_.audited->certified || stop_reason()) break;
+      made += std::max(count_, outcome_.result.sites.size());
+      if (outcome_.audited->certified || stop_reason() || made > options_.max_sites) break;
     }
     if (outcome_.audited->certified) meet_count(start_);
     if (const auto why = stop_reason(); why && !outcome_.audited->certified) return stopped(*why);
@@ -173,19 +177,38 @@ class adaptation {
     length_factor_ = maker.unit();
     if (!take_wanted(m)) return false;
     grade_mesh(m, how.mesh, length_factor_);
+    split_left_long(m, maker);
     deliver(m);
     return true;
+  }
+
+  agreement_options asked_of_agreement() const {
+    agreement_options agree;
+    agree.angle_bound = options_.angle_bound;
+    agree.unit = length_factor_;
+    agree.stop = options_.stop;
+    agree.wanted = [this](const point& q) { return wanted_at(q); };
+    return agree;
+  }
+
+  // Splits the long edges that stars have wanted, where the unit mesh had others.
+  void split_left_long(working_mesh& m, unit_mesher& maker) const {
+    const agreement_options agree = asked_of_agreement();
+    constexpr int rounds = 3;
+    const metric_at wanted = [this](const point& q, vertex_index& hint) {
+      return wanted_.at(q, hint);
+    };
+    for (int i = 0; i < rounds && !stop_reason(); ++i) {
+      agreement(m, agree).run();
+      if (maker.split_left_long(wanted) == 0) return;
+    }
   }
 
   // Makes tensors alike until the mesh is certified, and gives back what need not be alike. Nearly
   // always neighbours that agree make a mesh that is certified; so it is not audited before tensors
   // have been given back, unless that goes wrong.
   void deliver(working_mesh& m) {
-    agreement_options agree;
-    agree.angle_bound = options_.angle_bound;
-    agree.unit = length_factor_;
-    agree.stop = options_.stop;
-    agree.wanted = [this](const point& q) { return wanted_at(q); };
+    const agreement_options agree = asked_of_agreement();
     agreement agreeing(m, agree);
     agreeing.run();
     const working_mesh alike = m;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <string>
 #include <utility>
@@ -29,6 +30,7 @@ class locator {
   result<located_vertices> run() {
     walk_to_all();
     look_up_the_rest();
+    choose_sides();
     for (const vertex_index v : missing()) ++found_.outside, outside_.push_back(v);
     if (auto failed = follow_neighbours()) return *failed;
     return std::move(found_);
@@ -91,25 +93,102 @@ class locator {
     return all;
   }
 
-  void look_up_the_rest() {
-    const std::vector<vertex_index> rest = missing();
-    if (rest.empty()) return;
-    box_index boxes(box_of_sites(in_.sites));
+  // Returns the first triangle with q in it for which `accepts`, or no_triangle.
+  template <class Accepts>
+  vertex_index first_with(const point& q, const Accepts& accepts) const {
+    vertex_index least = no_triangle;
+    boxes_->visit({q, q}, [&](std::uint32_t t) {
+      if (t < least && exit_from(t, q, 0) == 3 && accepts(t)) least = t;
+      return true;
+    });
+    return least;
+  }
+
+  void make_boxes() {
+    if (boxes_) return;
+    boxes_.emplace(box_of_sites(in_.sites));
     for (vertex_index t = 0; t < in_.triangles.size(); ++t) {
       const auto c = corners(t);
       bounding_box around = box_of(c[0], c[1]);
       around.include(c[2]);
-      boxes.insert(t, around);
+      boxes_->insert(t, around);
     }
+  }
+
+  void look_up_the_rest() {
+    const std::vector<vertex_index> rest = missing();
+    if (rest.empty()) return;
+    make_boxes();
     for_each_node(rest.size(), [&](std::size_t i) {
-      const point& q = of_.sites[rest[i]].position;
-      vertex_index least = no_triangle;
-      boxes.visit({q, q}, [&](std::uint32_t t) {
-        if (t < least && exit_from(t, q, 0) == 3) least = t;
-        return true;
-      });
-      found_.triangle[rest[i]] = least;
+      found_.triangle[rest[i]] =
+          first_with(of_.sites[rest[i]].position, [](vertex_index) { return true; });
     });
+  }
+
+  // True if t, which has q in it, goes on from there towards m.
+  bool leads(vertex_index t, const point& q, const point& m) const {
+    const auto c = corners(t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const point &a = c[i], &b = c[(i + 1) % 3];
+      if (kernel_.orientation(a, b, q) == sign::zero &&
+          kernel_.orientation(a, b, m) == sign::negative)
+        return false;
+    }
+    return true;
+  }
+
+  // Lists the triangles that have q in them and are joined to t by edges that have.
+  std::vector<vertex_index> fan_of(vertex_index t, const point& q) const {
+    std::vector<vertex_index> fan{t};
+    for (std::size_t k = 0; k < fan.size(); ++k) {
+      const auto c = corners(fan[k]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const vertex_index next = links_.across(fan[k], i);
+        if (next != no_triangle &&
+            kernel_.orientation(c[(i + 1) % 3], c[(i + 2) % 3], q) == sign::zero &&
+            std::find(fan.begin(), fan.end(), next) == fan.end())
+          fan.push_back(next);
+      }
+    }
+    return fan;
+  }
+
+  // True if t goes on from v towards the middle of one of v's own triangles.
+  bool is_on_side_of(vertex_index v, vertex_index t) const {
+    const point& q = of_.sites[v].position;
+    for (const incidence& at : of_links_.around(v)) {
+      const triangle& own = of_.triangles[at.triangle];
+      point m{0, 0};
+      for (const vertex_index w : own) {
+        m.x += of_.sites[w].position.x / 3;
+        m.y += of_.sites[w].position.y / 3;
+      }
+      if (leads(t, q, m)) return true;
+    }
+    return false;
+  }
+
+  // Looks again for vertices on a slit, both sides of which have the same place: theirs is the side
+  // on which their own triangles are.
+  void choose_sides() {
+    std::vector<char> is_wrong(of_.sites.size(), 0);
+    for_each_node(of_.sites.size(), [&](std::size_t i) {
+      const auto v = static_cast<vertex_index>(i);
+      const vertex_index t = found_.triangle[v];
+      if (t == no_triangle || !of_links_.on_boundary(v) || is_on_side_of(v, t)) return;
+      const std::vector<vertex_index> fan = fan_of(t, of_.sites[v].position);
+      is_wrong[v] =
+          std::any_of(fan.begin(), fan.end(), [&](vertex_index s) { return is_on_side_of(v, s); })
+              ? 0
+              : 1;
+    });
+    for (vertex_index v = 0; v < is_wrong.size(); ++v) {
+      if (is_wrong[v] == 0) continue;
+      make_boxes();
+      const vertex_index other =
+          first_with(of_.sites[v].position, [&](vertex_index t) { return is_on_side_of(v, t); });
+      if (other != no_triangle) found_.triangle[v] = other;
+    }
   }
 
   double distance_to(vertex_index t, const point& q) const {
@@ -184,6 +263,7 @@ class locator {
   filtered_kernel kernel_;
   located_vertices found_;
   std::vector<vertex_index> outside_;
+  std::optional<box_index> boxes_;  // of the triangles
 };
 
 }  // namespace

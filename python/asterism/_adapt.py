@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -30,7 +30,7 @@ def _fields_and_tensors(values: Fields) -> Tuple[List[Tuple[str, Any]], Optional
 
 def metric(mesh: Mesh, values: Fields, *, norm: float = 2, complexity: Optional[float] = None,
            vertices: Optional[float] = None, error: Optional[float] = None,
-           gradation: Optional[float] = None, hmin: Optional[float] = None,
+           gradation: Union[float, None, Literal["default"]] = "default", hmin: Optional[float] = None,
            hmax: Optional[float] = None, aspect: Optional[float] = None,
            intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None,
            isotropic: bool = False, gradation_keeps_shape: bool = False,
@@ -42,13 +42,17 @@ def metric(mesh: Mesh, values: Fields, *, norm: float = 2, complexity: Optional[
     norm: p of the L^p norm of the error, at least 1; math.inf for the maximum.
     At most one of complexity (area in the metric), vertices and error; without, as many vertices as
     the mesh has. hmin, hmax: lengths; aspect: how many times as long as wide, at most (1e6).
-    gradation: neighbouring lengths grow by this factor at most over a length of one; loops do best
-    with 3.
+    gradation: neighbouring lengths grow by this factor at most over a length of one; None: by any. By
+    default 3 for fields, with which loops do best, and None for a metric.
     intersect: metrics (n, 3) that are to hold besides. step: how many times a length may change from
     what it is in the mesh. hessian: 'l2', 'green' or 'least_squares' (docs/manual/adaptation.md).
     A target that cannot be met is a NotReachedWarning; `report` of the result has the numbers.
     """
     fields, given = _fields_and_tensors(values)
+    if gradation == "default":
+        gradation = None if given is not None else _asterism._loop_gradation
+    elif isinstance(gradation, str):
+        raise InputError(f"gradation: a number above 1 or None is wanted, not {gradation!r}")
     keywords = {"norm": norm, "complexity": complexity, "vertices": vertices, "error": error,
                 "gradation": gradation, "hmin": hmin, "hmax": hmax, "aspect": aspect, "step": step,
                 "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape,

@@ -222,6 +222,7 @@ py::tuple transfer(const py_mesh& from, const named_fields& fields, const py_mes
 }  // namespace
 
 void define_solution(py::module_& m) {
+  m.attr("_loop_gradation") = loop_gradation;
   m.def("_transfer", &transfer);
   m.def("_metric", &metric_for);
   m.def("_implied_metric", &implied);

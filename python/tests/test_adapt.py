@@ -41,6 +41,15 @@ def test_a_metric_that_is_given_is_bounded(background):
     assert values.min() >= 25 * (1 - 1e-12) and values.max() <= 100 * (1 + 1e-12)
 
 
+def test_the_gradation_of_a_field_is_three_unless_named_and_of_a_metric_none(background):
+    u = ridge(background.points)
+    by_default, three, none = (asterism.metric(background, u, vertices=400, **words)
+                               for words in ({}, {"gradation": 3}, {"gradation": None}))
+    assert np.array_equal(by_default, three) and not np.array_equal(three, none)
+    steep = np.array(background.metric) * np.exp(3 * background.points[:, :1])
+    assert np.array_equal(asterism.metric(background, steep), steep)
+
+
 def test_the_implied_metric_is_that_of_the_edges(background):
     implied = asterism.implied_metric(background)
     sizes = np.linalg.det(implied[:, [0, 1, 1, 2]].reshape(-1, 2, 2)) ** -0.25
@@ -58,6 +67,7 @@ def test_targets_that_cannot_be_met_are_warnings(background):
     (np.zeros((2, 2)), {}, "one number a point"),
     ({"u": np.zeros(2)}, {}, "u: an array of"),
     (None, {"norm": 0.5}, "norm"),
+    (None, {"gradation": "mild"}, "a number above 1 or None"),
     (None, {"hessian": "guess"}, "'least_squares' is wanted"),
     (None, {"complexity": 10, "vertices": 10}, "one of"),
     (None, {"intersect": [np.ones((2, 3))]}, "intersect: 2 tensors"),

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 """From a solution to the next mesh through the real command: files, statuses, sentences."""
+import base64
+import json
 import math
 import re
+import struct
 import unittest
 
 import command
@@ -117,6 +120,31 @@ class MetricTest(AdaptationTest):
         self.refused("metric", "g.mesh", "--solution", "v.sol", "--field", "p", "-o", "n.mesh",
                      sentence="there is no field 'p'; there are '1', '2'")
 
+    def test_appended_base64_of_a_vtu(self):
+        points, triangles = grid(20)
+        arrays = {"Points": [c for x, y in points for c in (x, y, 0.0)],
+                  "u": [front(x, y) for x, y in points]}
+        appended, offsets = b"", {}
+        for name, numbers in arrays.items():
+            offsets[name] = len(appended)
+            raw = struct.pack(f"<{len(numbers)}d", *numbers)
+            appended += base64.b64encode(struct.pack("<I", len(raw)) + raw)
+        text = ('<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">'
+                f'<UnstructuredGrid><Piece NumberOfPoints="{len(points)}" NumberOfCells="0"><PointData>'
+                f'<DataArray type="Float64" Name="u" format="appended" offset="{offsets["u"]}"/></PointData>'
+                '<Points><DataArray type="Float64" NumberOfComponents="3" format="appended" '
+                f'offset="{offsets["Points"]}"/></Points><Cells></Cells></Piece></UnstructuredGrid>'
+                f'<AppendedData encoding="base64">\n_{appended.decode()}\n</AppendedData></VTKFile>\n')
+        self.write("u.vtu", text)
+        self.metric("--solution", "u.vtu", "--vertices", "500")
+        of_vtu = (self.folder / "m.sol").read_bytes()
+        self.metric("--solution", "u.sol", "--vertices", "500")
+        self.assertEqual(of_vtu, (self.folder / "m.sol").read_bytes())
+        for spoiled in (text.replace("\n_", "\n_?"), text.replace(f'offset="{offsets["u"]}"', 'offset="99999999"'),
+                        text.replace(appended.decode(), appended.decode()[:-4000])):
+            self.write("u.vtu", spoiled)
+            self.refused("metric", "g.mesh", "--solution", "u.vtu", "-o", "n.mesh", sentence="u.vtu")
+
     def test_metric_is_no_solution(self):
         self.metric("--implied")
         self.refused("metric", "g.mesh", "--solution", "m.sol", "-o", "n.mesh",
@@ -214,6 +242,51 @@ class AdaptTest(AdaptationTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
         self.assertEqual(self.run_command(*job, "--metric-tolerance", "-1").returncode, 2)
+
+    def test_page_and_json(self):
+        done = self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "200", "--transfer", "project", "-o",
+                          "n.mesh", "-o", "n.html", "--solution-out", "v.sol", "--json")
+        said = json.loads(done.stdout)
+        self.assertEqual((said["command"], said["status"], said["vertices_wanted"], said["kept"]),
+                         ("adapt", 0, 200, False))
+        self.assertEqual(sorted(said["files"]), ["n.certificate.json", "n.html", "n.mesh", "n.sol", "v.sol"])
+        self.assertTrue(said["solution_metric"]["reached"])
+        field = said["transfer"]["fields"][0]
+        self.assertLess(abs(field["integral_after"] - field["integral_before"]), 1e-14)
+        page = (self.folder / "n.html").read_text()
+        self.assertIn("solution u.sol", page)
+        self.assertIn("verify", page)
+        self.assertEqual(self.run_command("adapt", "g.mesh", "--solution", "u.sol", "-o", "k.mesh", "--json",
+                                          "--quiet").returncode, 2)
+
+    def test_json_of_metric_and_transfer(self):
+        said = json.loads(self.run_command("metric", "g.mesh", "--solution", "u.sol", "--complexity", "700",
+                                           "-o", "m.mesh", "--json").stdout)
+        self.assertEqual((said["command"], said["status"], said["complexity_asked"]), ("metric", 0, 700))
+        self.assertLess(abs(said["complexity_delivered"] - 700), 14)
+        missed = self.run_command("metric", "g.mesh", "--solution", "u.sol", "--complexity", "1e6", "--hmin",
+                                  "0.1", "-o", "m.mesh", "--json")
+        self.assertEqual(missed.returncode, 1)
+        self.assertIn("hmin", json.loads(missed.stdout)["reason"])
+        points, triangles = grid(17)
+        self.write("h.mesh", mesh_text(points, triangles))
+        said = json.loads(self.run_command("transfer", "g.mesh", "u.sol", "h.mesh", "--transfer", "bounded",
+                                           "-o", "v.sol", "--json").stdout)
+        self.assertEqual((said["command"], said["files"]), ("transfer", ["v.sol"]))
+        self.assertLess(abs(said["area_common"] - 1), 1e-14)
+
+    def test_another_number_than_was_wanted_is_told(self):
+        # A comb whose teeth end in points that all stay: more than the number wanted.
+        lines = ["MeshVersionFormatted 2", "Dimension 2", "Vertices", "302"]
+        lines += [f"{i / 150!r} {0 if k == 0 else 0.2 + 0.1 * (i % 2)!r} 0" for i in range(151) for k in (0, 1)]
+        triangles = [t for i in range(150) for t in ((2 * i, 2 * i + 2, 2 * i + 3), (2 * i, 2 * i + 3, 2 * i + 1))]
+        lines += ["Triangles", "300", *(" ".join(str(v + 1) for v in t) + " 1" for t in triangles), "End", ""]
+        self.write("c.mesh", "\n".join(lines))
+        self.write("c.sol", solution_text([(float(i % 7),) for i in range(302)]))
+        done = self.run_command("adapt", "c.mesh", "--solution", "c.sol", "--vertices", "100", "-o", "d.mesh",
+                                seconds=100)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertRegex(done.stderr, "not reached: ")
 
     def test_what_is_refused(self):
         adapt = ("adapt", "g.mesh")

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"
@@ -33,8 +34,10 @@ marked_mesh with_metric(mesh m, double vertices) {
   return {std::move(m), {}};
 }
 
-adapted_mesh adapted(const marked_mesh& from) {
-  auto next = adapt_to_metric(from, {});
+adapted_mesh adapted(const marked_mesh& from, std::optional<std::size_t> vertices = {}) {
+  mesh_adaptation_options options;
+  options.refinement.vertices = vertices;
+  auto next = adapt_to_metric(from, options);
   INFO((next.ok() ? "" : next.failure().message));
   REQUIRE(next.ok());
   return std::move(next).value();
@@ -44,13 +47,39 @@ adapted_mesh adapted(const marked_mesh& from) {
 
 TEST_CASE("vertices come and go, and the number wanted is there") {
   for (const double wanted : {150.0, 900.0}) {
-    const auto next = adapted(with_metric(sample_mesh(20), wanted));
+    const auto next =
+        adapted(with_metric(sample_mesh(20), wanted), static_cast<std::size_t>(wanted));
     CHECK(next.made.certified());
     CHECK_FALSE(next.kept);
     CHECK(next.shape.vertices.size() == 4);
     const auto sites = static_cast<double>(next.made.outcome.result.sites.size());
-    CHECK(std::abs(sites / wanted - 1) < 0.12);
+    CHECK(std::abs(sites / wanted - 1) < 0.05);
   }
+}
+
+TEST_CASE("without a number wanted there are as many vertices as unit edges take") {
+  mesh m = sample_mesh(12);
+  constexpr double h = 0.07;
+  for (site& s : m.sites) s.metric = {1 / (h * h), 0, 1 / (h * h)};
+  const auto next = adapted({m, {}});
+  REQUIRE(next.made.certified());
+  // Of unit triangles there are 4 / (h^2 sqrt(3) / 4) in the square of side 2, and 8 / h sides.
+  const double wanted = 8 / std::sqrt(3.0) / (h * h) + 4 / h + 1;
+  const auto sites = static_cast<double>(next.made.outcome.result.sites.size());
+  CHECK(std::abs(sites / wanted - 1) < 0.03);
+}
+
+TEST_CASE("a metric that asks for billions of vertices ends at the limit on sites") {
+  mesh m = sample_mesh(6);
+  for (site& s : m.sites) s.metric = {1e12, 0, 1e12};
+  mesh_adaptation_options options;
+  options.refinement.max_sites = 3000;
+  const auto next = adapt_to_metric({m, {}}, options);
+  REQUIRE(next.ok());
+  const auto& made = next.value().made.outcome;
+  CHECK_FALSE(made.complete);
+  CHECK(made.result.sites.size() <= 3000);
+  CHECK(made.result.sites.size() > 1000);
 }
 
 TEST_CASE("adapting twice with the metric delivered changes nothing") {

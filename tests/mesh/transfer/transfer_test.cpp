@@ -167,6 +167,65 @@ TEST_CASE("nothing is read across a hole or a thin gap") {
                               [](const point& q) { return q.y < 0.5004 ? 0.0 : 1.0; }) < 1e-15);
 }
 
+TEST_CASE("nothing is read across holes, slits, or from one part to another") {
+  // A hole that leaves corridors of one cell; a slit whose two sides are the same points twice; and
+  // three parts side by side. Each side has a value of its own.
+  const auto hole = [](vertex_index k) {
+    return grid(20 * k, 20 * k, [k](vertex_index i, vertex_index j) {
+      return (i >= 2 * k && i < 18 * k && j >= 2 * k && j < 18 * k) ||
+             (i >= 9 * k && i < 11 * k && j >= 18 * k);
+    });
+  };
+  const auto parts = [](vertex_index k) {
+    return grid(5 * k, 7 * k, [k](vertex_index i, vertex_index) { return i / k % 2 == 1; });
+  };
+  const auto slit = [](vertex_index n) {
+    mesh m = grid(n, 20, [](vertex_index, vertex_index j) { return j >= 10; });
+    mesh above = grid(n, 20, [](vertex_index, vertex_index j) { return j < 10; });
+    const auto base = static_cast<vertex_index>(m.sites.size());
+    m.sites.insert(m.sites.end(), above.sites.begin(), above.sites.end());
+    for (const triangle& t : above.triangles)
+      m.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    return m;
+  };
+  const auto by_part = [](const point& q) { return std::floor(2.5 * q.x + 0.25); };
+  // The corridor below joins the two arms, which end at the gap above.
+  const auto by_arm = [](const point& q) {
+    return q.y > 0.15 ? (q.x < 0.5 ? -1.0 : 1.0) : std::clamp(4 * q.x - 2, -1.0, 1.0);
+  };
+  for (const auto how : methods) {
+    const mesh ring = hole(1), finer = hole(3);
+    const auto around = moved(ring, scalar(ring, by_arm), finer, how);
+    for (std::size_t v = 0; v < finer.sites.size(); ++v) {
+      const point& q = finer.sites[v].position;
+      if (q.y > 0.5) CHECK(std::abs(around.values.fields[0].values[v] - by_arm(q)) < 1e-12);
+    }
+    const mesh three = parts(2), many = parts(5);
+    CHECK(greatest_difference(many, moved(three, scalar(three, by_part), many, how).values,
+                              by_part) < 1e-14);
+    // Both sides of the slit have the same coordinates: the part decides, not the place.
+    const mesh two = slit(4), again = slit(9);
+    solution s = scalar(two, [](const point&) { return 0.0; });
+    for (std::size_t v = two.sites.size() / 2; v < two.sites.size(); ++v) s.fields[0].values[v] = 1;
+    const auto halves = moved(two, s, again, how);
+    for (std::size_t v = 0; v < again.sites.size(); ++v)
+      CHECK(std::abs(halves.values.fields[0].values[v] - (v < again.sites.size() / 2 ? 0.0 : 1.0)) <
+            1e-14);
+  }
+}
+
+TEST_CASE("an internal segment is no wall: linear fields pass, jumps stay where they are") {
+  const mesh from = tests::divided_mesh(12), to = tests::divided_mesh(17);
+  const auto linear = [](const point& q) { return 2 + q.x - 3 * q.y; };
+  for (const auto how : {transfer_method::interpolate, transfer_method::project})
+    CHECK(greatest_difference(to, moved(from, scalar(from, linear), to, how).values, linear) <
+          4e-14);
+  for (const auto how : {transfer_method::project, transfer_method::bounded}) {
+    const auto c = moved(from, scalar(from, step), to, how).report.components[0];
+    CHECK(std::abs(c.integral_after - c.integral_before) < 1e-14);
+  }
+}
+
 TEST_CASE("a vertex that rounding has put outside takes its value from its own side") {
   const auto plates = [](vertex_index n) {
     return grid(n, 1000, [](vertex_index, vertex_index j) { return j == 500; });
