@@ -38,6 +38,14 @@ mesh_outcome mesh_beyond_tolerance(mesh_outcome as_given, mesh_outcome delivered
   return std::move(shown);
 }
 
+// True if stars disagree or angles are low, which another metric may mend; false where only the
+// limit on sites made edges longer.
+bool wants_delivery(const mesh_outcome& made, const mesh_options& options) {
+  if (wants_relaxation(made, options)) return true;
+  return !made.complete && !made.stopped && made.ended.how != ending::complete &&
+         made.ended.how != ending::site_limit;
+}
+
 result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
                                   const mesh_options& options, const progress_listener& progress) {
   if (auto refused = check_options(d, options)) return *refused;
@@ -49,10 +57,12 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
     delivered = delivery.make(0);
     if (delivered && !excess_of(*delivered, options)) return *std::move(delivered);
   }
-  // Little is spent on finding out that a mesh is not likely, the metric varying too fast.
-  constexpr double little = 0.1;
+  // Little is spent on finding out that a mesh is not likely, the metric varying too fast, and not
+  // much where there are other ways.
+  constexpr double little = 0.1, less = 0.5;
   const bool is_strict = options.metric_tolerance == 0.0;
-  const double work_share = !is_strict && is_second && delivery.varies_fast() ? little : 1;
+  double work_share = may_adapt(options) ? less : 1;
+  if (!is_strict && is_second && delivery.varies_fast()) work_share = little;
   mesh_options as_wanted = options;
   as_wanted.relax = options.relax && !is_strict;
   tier_counters decided;
@@ -62,14 +72,14 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
       mesh_domain({stars_on, image.shape(), image.field(), as_wanted, progress, work_share});
   if (!outcome) return outcome;
   image.outward(outcome.value());
-  if (wants_relaxation(outcome.value(), options)) {
+  if (is_second && wants_delivery(outcome.value(), options)) {
     constexpr std::size_t fewest = 400, most = 2000;
     const std::size_t few = std::clamp(outcome.value().sites, fewest, most);
-    if (is_second) delivered = delivery.make(few);
-    if (is_second && delivered && !excess_of(*delivered, options)) return *std::move(delivered);
-    if (!options.metric_tolerance)
-      outcome = refine_relaxed({stars_on, d, field, options, progress}, std::move(outcome).value());
+    delivered = delivery.make(std::min(few, options.max_sites / 2));
+    if (delivered && !excess_of(*delivered, options)) return *std::move(delivered);
   }
+  if (wants_relaxation(outcome.value(), options) && !options.metric_tolerance)
+    outcome = refine_relaxed({stars_on, d, field, options, progress}, std::move(outcome).value());
   if (!outcome) return outcome;
   if (delivered && !outcome.value().complete && !outcome.value().stopped)
     outcome = mesh_beyond_tolerance(std::move(outcome).value(), *std::move(delivered), options);

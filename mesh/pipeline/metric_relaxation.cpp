@@ -14,12 +14,11 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/data/site_box.hpp"
-#include "asterism/mesh/metric/softened_field.hpp"
+#include "asterism/mesh/metric/constant_field.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
-#include "asterism/mesh/optimize/optimize_mesh.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
@@ -43,7 +42,7 @@ std::pair<double, double> longer_and_shorter(const metric_tensor& b, const metri
   return {longer, longer / std::sqrt(static_cast<double>(product))};
 }
 
-// Way to make the metric slower; `reach` is in the frame.
+// The last resorts differ in whether there are demands; `reach` is the extent, in the frame.
 struct relaxation_step {
   relaxation_kind kind = relaxation_kind::softened;
   double power = 1, beta = 1, reach = 1;  // as in relaxation_report
@@ -70,18 +69,6 @@ class relaxation {
       if (is_final(attempt({relaxation_kind::without_demands, 1, 1, extent_}))) return conclude();
       is_same_everywhere_ = false;
       if (auto failure = measure_sites(false)) return *failure;
-    }
-    if (!as_given_.jumps)
-      for (const double power : {0.7, 0.5})
-        if (is_final(attempt({relaxation_kind::softened, power, 1, 1}))) return conclude();
-    constexpr double part_of_domain = 1.0 / 16;
-    double reach = options_.limit_size ? 1 : part_of_domain * extent_;
-    for (const double beta : {1.5, 1.2}) {
-      if (is_final(attempt({relaxation_kind::graded, 1, beta, reach}))) return conclude();
-      if (crowded_) break;
-      if (longer_edges_ <= reach) continue;
-      reach = 2 * longer_edges_;  // fewer sites, and more for the slower metric
-      if (is_final(attempt({relaxation_kind::graded, 1, beta, reach}))) return conclude();
     }
     for (const auto kind : {relaxation_kind::constant, relaxation_kind::without_demands})
       if (is_final(attempt({kind, 1, 1, extent_}))) return conclude();
@@ -125,71 +112,22 @@ class relaxation {
     return true;
   }
 
-  // Makes the field of the step; empty where it cannot be made, or is what has been meshed already.
-  std::unique_ptr<metric_field> make_field() const {
-    std::unique_ptr<metric_field> made;
-    if (step_.kind == relaxation_kind::softened)
-      made = soften(unit_.field(), step_.power);
-    else if (step_.kind == relaxation_kind::graded)
-      made = grade_over(unit_.field(), image_.box(), step_.beta, step_.reach, mean_, options_.stop);
-    else
-      made = same_everywhere(mean_);
-    return made ? checked(std::move(made)) : nullptr;
-  }
-
-  // True if an edge of length 1 ends, at many places of a lattice over the box, where lengths are
-  // measured quite otherwise. This forecast spares fills in which every site meets all others. A
-  // metric that turns by a radian over an edge has a distortion of 2.8, and of 1.6 once it is
-  // softened enough.
-  bool varies_too_fast(const metric_field& field) const {
-    constexpr int lattice = 24;
-    constexpr double too_much = 3, part = 0.1;
-    const bounding_box box = image_.box();
-    int asked = 0, beyond = 0;
-    for (int i = 0; i < lattice * lattice; ++i) {
-      const int row = i / lattice, column = i % lattice;
-      const double u = (column + 0.5) / lattice, v = (row + 0.5) / lattice;
-      const point q{box.low.x + u * (box.high.x - box.low.x),
-                    box.low.y + v * (box.high.y - box.low.y)};
-      const auto here = field.at(q);
-      if (!here) continue;
-      const unit_displacements unit = unit_circle(here.value());
-      for (const point& e : {unit.first, unit.second}) {
-        const auto there = field.at({q.x + e.x, q.y + e.y});
-        if (!there) continue;
-        ++asked;
-        if (distortion(here.value(), there.value()) > too_much) ++beyond;
-      }
-    }
-    return beyond > part * asked;
-  }
-
-  // Makes a mesh by this step and leaves it in tried_. Leaves nothing where sites cannot be spread,
-  // or edges will be longer than the field was made for.
+  // Makes a mesh by this step and leaves it in tried_. Leaves nothing where sites cannot be spread.
   const std::optional<mesh_outcome>& attempt(const relaxation_step& step) {
     step_ = step;
     tried_.reset();
-    crowded_ = false;
-    longer_edges_ = 1;
     if (is_stopped() || !(units_left() > least_left * units_for_relaxing)) return tried_;
     mesh_options options = options_;
     if (step.kind == relaxation_kind::without_demands) {
       options.angle_bound = 0;
       options.limit_size = false;
     }
-    const auto relaxed = make_field();
-    if (is_stopped() || !relaxed) return tried_;
-    const bool may_vary =
-        step.kind == relaxation_kind::softened || step.kind == relaxation_kind::graded;
-    crowded_ = options.limit_size && may_vary && varies_too_fast(*relaxed);
-    if (crowded_) return tried_;
+    const auto relaxed = same_everywhere(mean_);
     const meshing_context job = job_in_frame(*relaxed, options);
     const auto filled = fill_within_budget(job);
     if (!filled || (filled.value().proposed.stopped && is_stopped())) return tried_;
     spent_units_ += filled.value().work_units;
-    crowded_ = filled.value().proposed.crowded.has_value();
-    longer_edges_ = elementary::exp2(filled.value().halvings / 2.0);
-    if (crowded_ || (may_vary && longer_edges_ > step.reach)) return tried_;
+    if (filled.value().proposed.crowded) return tried_;
     refine(filled.value(), job);
     return tried_;
   }
@@ -264,74 +202,11 @@ class relaxation {
     report.tries = tries_;
     if (auto failure = compare(report)) return *failure;
     judge(report);
-    if (auto fitted = fit_to_given(report)) return *std::move(fitted);
     if (step_.kind == relaxation_kind::without_demands) tried_->complete = false;
     tried_->complete = tried_->complete && report.low_triangles.empty();
     tried_->relaxed = std::move(report);
-    tried_->relaxed_details = {options_.angle_bound, is_same_everywhere_, fitting_stopped_};
+    tried_->relaxed_details = {options_.angle_bound, is_same_everywhere_, {}};
     return *std::move(tried_);
-  }
-
-  // Fits the mesh to the metric given, and returns it if the auditor then certifies it there. Aims
-  // differ in what comes of them by little, which may be what is missing.
-  std::optional<mesh_outcome> fit_to_given(const relaxation_report& report) {
-    const bool mended = tried_->complete || tried_->ended.how == ending::collateral;
-    if (step_.kind != relaxation_kind::softened || !mended || report.low_triangles.empty())
-      return std::nullopt;
-    for (const double aim : {4.5, 6.0, 3.5}) {
-      fitting_options wanted;
-      wanted.angle_bound = options_.angle_bound;
-      wanted.degrees_above_bound = aim;
-      wanted.stop = options_.stop;
-      const auto fitted = fit(domain_, field_, tried_->result, wanted);
-      if (fitted && fitted.value().stopped) fitting_stopped_ = options_.stop.poll();
-      if (!fitted || fitted.value().stopped) return std::nullopt;
-      constexpr std::size_t hopeless = 50;
-      if (fitted.value().low > hopeless) return std::nullopt;
-      if (fitted.value().low > 0) continue;
-      audit_options options;
-      options.angle_bound = options_.angle_bound;
-      options.find_exempt_corners = true;
-      options.original = &domain_;
-      const audit_report found = audit(fitted.value().triangulation, options);
-      if (found.certified) return outcome_of(fitted.value(), found, report);
-    }
-    return std::nullopt;
-  }
-
-  mesh_outcome outcome_of(const fitted_domain& fitted, const audit_report& found,
-                          const relaxation_report& report) const {
-    mesh_outcome o;
-    o.complete = true;
-    o.result = fitted.triangulation;
-    o.ended = tried_->ended;
-    o.sites = o.result.sites.size();
-    o.triangles = o.result.triangles.size();
-    o.splits = o.result.boundary.size() - domain_.segments.size();
-    o.inserted = o.sites - domain_.vertices.size() - o.splits;
-    for (const vertex_index v : found.exempt_corners)
-      o.exempt.push_back({v, angle_at(o.result, v)});
-    for (const vertex_index t : found.exempt_triangles)
-      o.exempt_triangles.push_back(o.result.triangles[t]);
-    if (options_.limit_size) o.too_large = count_large(o.result);
-    o.fitted = fitting_report{ending_text(as_given_), report.power,     report.low_triangles.size(),
-                              fitted.rounds,          fitted.moves,     fitted.flips,
-                              fitted.collapses,       fitted.insertions};
-    return o;
-  }
-
-  // Returns the smallest angle between two subsegments at v, in degrees as v measures it.
-  static double angle_at(const mesh& m, vertex_index v) {
-    double least = 180;
-    for (const boundary_edge& leaving : m.boundary)
-      for (const boundary_edge& entering : m.boundary) {
-        if (leaving.a != v || entering.b != v) continue;
-        const point &o = m.sites[v].position, &p = m.sites[leaving.b].position,
-                    &q = m.sites[entering.a].position;
-        if ((p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x) > 0)
-          least = std::min(least, corner_angle(m.sites[v], p, q));
-      }
-    return least;
   }
 
   static std::size_t count_large(const mesh& m) {
@@ -390,11 +265,8 @@ class relaxation {
   bool is_same_everywhere_ = false;
   double extent_ = 0;
   std::optional<mesh_outcome> tried_;
-  relaxation_step step_;                        // of the last attempt, as what follows
-  std::optional<std::string> stopped_;          // why, between meshes
-  std::optional<std::string> fitting_stopped_;  // why, while fitting
-  bool crowded_ = false;
-  double longer_edges_ = 1;
+  relaxation_step step_;                // of the last attempt, as what follows
+  std::optional<std::string> stopped_;  // why, between meshes
   std::size_t tries_ = 0;
   double spent_units_ = 0;  // of work, by all attempts
 };

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/local_adaptation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/kernels/work_units.hpp"
+#include "asterism/mesh/adapt/agreement.hpp"
+#include "asterism/mesh/adapt/mesh_gradation.hpp"
+#include "asterism/mesh/adapt/nodal_field.hpp"
+#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/adapt/restoration.hpp"
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/audit_again.hpp"
+#include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/pipeline/one_metric.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using namespace adapting;
+
+// Distortion allowed over an edge of length one: of the metric the mesh is made in, on the graph of
+// the background, and of the one delivered, on that of the mesh. Found by experiment
+// (docs/design/adaptation.md); the later steps of the ladder are for where the first did not lead
+// to agreement.
+struct strictness {
+  double background, mesh;
+};
+constexpr std::array<strictness, 4> ladder = {{{4, 2}, {3, 1.7}, {1.8, 1.4}, {1.25, 1.15}}};
+// How often the mesh is fitted to the metric as its own graph has graded it. Once makes what is
+// left to mend a tenth of what it is without; twice costs time and error, and gains nothing.
+constexpr int refits = 1;
+// Most audits of one mesh, each after what the one before had found was mended.
+constexpr int most_audits = 12;
+// The same of a mesh whose tensors alone are changed, where audits after the first cost little.
+constexpr int most_audits_again = 40;
+constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
+class adaptation {
+ public:
+  explicit adaptation(const adaptation_job& job)
+      : domain_(job.shape),
+        field_(job.field),
+        options_(job.options),
+        start_(job.start),
+        wanted_(job.wanted),
+        is_field_itself_(job.is_field_itself),
+        count_(job.count) {}
+
+  std::optional<mesh_outcome> run() {
+    if (count_ < 1) return std::nullopt;
+    order_places();
+    // A step costs what its nodes do: the stricter ones are tried while all together have no more
+    // than one mesh may have.
+    std::size_t made = 0;
+    for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
+      if (!attempt(start_, ladder[step])) return std::nullopt;
+      made += std::max(count_, outcome_.result.sites.size());
+      if (outcome_.audited->certified || stop_reason() || is_overworked()) break;
+      // Where mending is in vain a little more strictness does not help.
+      if (std::exchange(is_hopeless_, false)) step = std::max(step, ladder.size() - 2);
+    }
+    if (!outcome_.audited->certified && !stop_reason()) adapt_in_one_metric();
+    if (outcome_.audited->certified) meet_count(start_);
+    if (const auto why = stop_reason(); why && !outcome_.audited->certified) return stopped(*why);
+    if (!outcome_.audited->certified) return std::nullopt;
+    return conclude();
+  }
+
+ private:
+  std::optional<std::string> stop_reason() const { return options_.stop.poll(); }
+
+  // True if audits have taken the most work that is spent on them: eight seconds, and a millisecond
+  // and a half for each site wanted.
+  bool is_overworked() const {
+    constexpr double at_least = 8e5, for_each = 150;
+    return audit_units_ > at_least + for_each * static_cast<double>(count_);
+  }
+
+  static double off_count(std::size_t sites, std::size_t wanted) {
+    return std::abs(elementary::log(static_cast<double>(sites) / static_cast<double>(wanted)));
+  }
+
+  // Makes the mesh once more if mending has changed the number of sites by much, with as many more
+  // or fewer wanted to begin with. The new mesh stays if it is nearer to the number wanted.
+  void meet_count(const mesh& start) {
+    constexpr double tolerable = 0.04;
+    const std::size_t wanted = count_, got = outcome_.result.sites.size();
+    if (off_count(got, wanted) <= tolerable || stop_reason()) return;
+    mesh_outcome before = outcome_;
+    const double length_factor = length_factor_;
+    count_ = wanted * wanted / got;
+    const bool made = attempt(start, ladder[0]);
+    if (made && outcome_.audited->certified &&
+        off_count(outcome_.result.sites.size(), wanted) < off_count(got, wanted))
+      return;
+    outcome_ = std::move(before);
+    length_factor_ = length_factor;
+  }
+
+  // Orders the places of the background along a space-filling curve.
+  void order_places() {
+    std::vector<site> sites;
+    for (const point& q : wanted_.places()) sites.push_back({q, {}});
+    sort_along_curve(sites, domain_.box());
+    for (const site& s : sites) seeds_.push_back(s.position);
+  }
+
+  nodal_field graded(double distortion) const {
+    nodal_field made = wanted_;
+    std::vector<metric_tensor> tensors = wanted_.tensors();
+    gradation_limit limit;
+    limit.distortion = distortion;
+    limit.longest = 20;
+    grade(made.places(), made.edges(), limit, tensors);
+    made.set_tensors(std::move(tensors));
+    return made;
+  }
+
+  std::optional<metric_tensor> wanted_at(const point& q) const {
+    const auto there = field_.at(q);
+    return there ? std::optional(there.value()) : std::nullopt;
+  }
+
+  // Gives the nodes what is interpolated between the background's: the metric wanted but for
+  // rounding, and looked up sooner.
+  void take_interpolated(working_mesh& m) const {
+    for (vertex_index v = 0; v < m.nodes().size(); ++v)
+      if (m.at(v).kind != node_kind::gone)
+        m.set_metric(v, wanted_.at(m.at(v).position, m.at(v).hint));
+  }
+
+  // Gives the nodes the metric wanted where they are. Returns false where it fails.
+  bool take_wanted(working_mesh& m) const {
+    for (vertex_index v = 0; v < m.nodes().size(); ++v) {
+      if (m.at(v).kind == node_kind::gone) continue;
+      const auto there = wanted_at(m.at(v).position);
+      if (!there) return false;
+      m.set_metric(v, *there);
+    }
+    return true;
+  }
+
+  // Makes the mesh and its audit in outcome_. Returns false where it cannot be made.
+  bool attempt(const mesh& start, const strictness& how) {
+    auto built = working_mesh::build(domain_, start);
+    if (!built) return false;
+    working_mesh m = std::move(built).value();
+    const nodal_field background = graded(how.background);
+    unit_mesh_options making;
+    making.count = count_;
+    // Ends splitting: if edges are still too long with so many more nodes, the metric is too thin
+    // for it to get anywhere.
+    constexpr std::size_t times_as_many = 4, at_least = 1000;
+    making.most_nodes =
+        std::min(options_.max_sites, times_as_many * count_ + at_least + start_.sites.size());
+    making.stop = options_.stop;
+    unit_mesher maker(m, making);
+    maker.run([&background](const point& q, vertex_index& hint) { return background.at(q, hint); },
+              seeds_);
+    for (int i = 0; i < refits; ++i) {
+      if (is_field_itself_)
+        take_interpolated(m);
+      else if (!take_wanted(m))
+        return false;
+      grade_mesh(m, how.mesh, maker.unit());
+      const nodal_field own = field_of(m);
+      maker.refit([&own](const point& q, vertex_index& hint) { return own.at(q, hint); });
+    }
+    length_factor_ = maker.unit();
+    if (!take_wanted(m)) return false;
+    grade_mesh(m, how.mesh, length_factor_);
+    split_left_long(m, maker);
+    deliver(m);
+    return true;
+  }
+
+  agreement_options asked_of_agreement() const {
+    agreement_options agree;
+    agree.angle_bound = options_.angle_bound;
+    agree.unit = length_factor_;
+    agree.stop = options_.stop;
+    agree.wanted = [this](const point& q) { return wanted_at(q); };
+    return agree;
+  }
+
+  // Splits the long edges that stars have wanted, where the unit mesh had others.
+  void split_left_long(working_mesh& m, unit_mesher& maker) const {
+    const agreement_options agree = asked_of_agreement();
+    constexpr int rounds = 3;
+    const metric_at wanted = [this](const point& q, vertex_index& hint) {
+      return wanted_.at(q, hint);
+    };
+    for (int i = 0; i < rounds && !stop_reason(); ++i) {
+      agreement(m, agree).run();
+      if (maker.split_left_long(wanted) == 0) return;
+    }
+  }
+
+  // Makes tensors alike until the mesh is certified, and gives back what need not be alike. Nearly
+  // always neighbours that agree make a mesh that is certified; so it is not audited before tensors
+  // have been given back, unless that goes wrong.
+  void deliver(working_mesh& m) {
+    const agreement_options agree = asked_of_agreement();
+    agreement agreeing(m, agree);
+    agreeing.run();
+    constexpr std::size_t few = 20;  // one in so many
+    const std::size_t left = agreeing.report().disagreeing + agreeing.report().low;
+    if (few * left <= m.nodes().size()) {
+      const working_mesh alike = m;
+      if (give_back(m)) return;
+      m = alike;
+    }
+    mend(m, agreeing);
+    if (!outcome_.audited->certified) return;
+    mesh_outcome certified = outcome_;
+    if (!give_back(m)) outcome_ = std::move(certified);
+  }
+
+  // Makes tensors alike until the auditor has nothing against the mesh.
+  void mend(working_mesh& m, agreement& agreeing) {
+    constexpr int patience = 3;
+    std::size_t least = all_findings;
+    int in_vain = 0;
+    for (int audits = 0; audits < most_audits; ++audits) {
+      const std::vector<vertex_index> nodes = take(m);
+      judge(outcome_.result.sites.size());
+      if (outcome_.audited->certified || stop_reason() || is_overworked()) return;
+      const std::size_t left = outcome_.audited->total_found();
+      const bool are_many = 20 * left > outcome_.result.sites.size();
+      in_vain = are_many && 10 * left > 9 * least ? in_vain + 1 : 0;
+      least = std::min(least, left);
+      is_hopeless_ = in_vain == patience;
+      if (is_hopeless_) return;
+      const std::vector<std::vector<vertex_index>> found = nodes_found(nodes);
+      if (found.empty()) return;
+      for (const std::vector<vertex_index>& at : found) agreeing.disagreed_at(at);
+      agreeing.run();
+    }
+  }
+
+  // Gives tensors wanted back to the nodes, as many as the auditor lets pass. Returns whether the
+  // outcome then is a certified mesh.
+  bool give_back(working_mesh& m) {
+    std::vector<metric_tensor> tensors;
+    for (const node& n : m.nodes()) {
+      const auto there = n.kind == node_kind::gone ? n.metric : wanted_at(n.position);
+      if (!there) return false;
+      tensors.push_back(*there);
+    }
+    restoration giving(m, options_.angle_bound, std::move(tensors));
+    giving.run(options_.stop);
+    std::vector<vertex_index> nodes = take(m);
+    judge(all_findings);
+    for (int audits = 1; audits < most_audits_again; ++audits) {
+      if (outcome_.audited->certified) return true;
+      if (stop_reason() || is_overworked()) return false;
+      std::vector<vertex_index> looked_at, taken;
+      for (const std::vector<vertex_index>& at : nodes_found(nodes)) {
+        giving.take_back(at, taken);
+        looked_at.insert(looked_at.end(), at.begin(), at.end());
+      }
+      if (taken.empty()) return false;
+      looked_at.insert(looked_at.end(), taken.begin(), taken.end());
+      nodes = take(m);
+      judge_again(sites_of(looked_at, nodes));
+    }
+    return outcome_.audited->certified;
+  }
+
+  // Makes the outcome's mesh. Returns the nodes that its sites are.
+  std::vector<vertex_index> take(const working_mesh& m) {
+    std::vector<vertex_index> renumbered;
+    outcome_.result = m.triangulation(renumbered);
+    assign_regions(outcome_.result, domain_);
+    std::vector<vertex_index> node_of(outcome_.result.sites.size());
+    for (vertex_index v = 0; v < renumbered.size(); ++v)
+      if (renumbered[v] != none) node_of[renumbered[v]] = v;
+    return node_of;
+  }
+
+  // Returns the sites that the nodes are, ascending, each once.
+  static std::vector<vertex_index> sites_of(std::vector<vertex_index> nodes,
+                                            const std::vector<vertex_index>& node_of) {
+    std::sort(nodes.begin(), nodes.end());
+    std::vector<vertex_index> sites;
+    for (vertex_index s = 0; s < node_of.size(); ++s)
+      if (std::binary_search(nodes.begin(), nodes.end(), node_of[s])) sites.push_back(s);
+    return sites;
+  }
+
+  audit_options question(std::size_t findings_kept) const {
+    audit_options asked;
+    asked.angle_bound = options_.angle_bound;
+    asked.find_exempt_corners = true;
+    asked.original = &domain_;
+    asked.findings_kept = findings_kept;
+    asked.stop = options_.stop;
+    return asked;
+  }
+
+  // Audits the mesh; an audit that keeps all findings is never cut short.
+  void judge(std::size_t findings_kept) {
+    take_report(audit(outcome_.result, question(findings_kept)));
+  }
+
+  void take_report(audit_report&& found) {
+    constexpr double a_pair = 0.1;
+    audit_units_ += work_units(found.counters) + a_pair * static_cast<double>(found.star_pairs);
+    outcome_.audited = std::make_shared<audit_report>(std::move(found));
+  }
+
+  // Audits the mesh of which only these sites' tensors were changed since.
+  void judge_again(const std::vector<vertex_index>& changed) {
+    const audit_report& before = *outcome_.audited;
+    if (!before.stars_checked) return judge(all_findings);
+    take_report(audit_again(outcome_.result, question(all_findings), before, changed));
+  }
+
+  // Returns the nodes that the audit's findings are about, a list for each: of stars, and of
+  // triangles with an angle below the bound.
+  std::vector<std::vector<vertex_index>> nodes_found(
+      const std::vector<vertex_index>& node_of) const {
+    std::vector<std::vector<vertex_index>> all;
+    const auto add = [&](const auto& vertices) {
+      std::vector<vertex_index>& nodes = all.emplace_back();
+      for (const vertex_index v : vertices) nodes.push_back(node_of[v]);
+    };
+    for (const audit_finding& found : outcome_.audited->findings)
+      if (!found.vertices.empty()) add(found.vertices);
+    for (const vertex_index t : outcome_.audited->refused_triangles())
+      add(outcome_.result.triangles[t]);
+    return all;
+  }
+
+  // Makes the mesh in one metric for all sites, as dense on the whole as the one wanted, in which
+  // stars agree whatever sites there are (docs/math/delivered-metric.md), and gives tensors back.
+  // Leaves the outcome as it was if that is not certified: an angle may be low, or a limit met.
+  void adapt_in_one_metric() {
+    const auto metric = one_metric_for(wanted_, start_);
+    if (!metric) return;
+    auto made = mesh_in_one_metric(domain_, *metric, options_, true);
+    if (!made || !made->complete) return;
+    auto built = working_mesh::build(domain_, made->result);
+    if (!built) return;
+    mesh_outcome before = std::move(outcome_);
+    const double length_factor = std::exchange(length_factor_, 1);
+    working_mesh m = std::move(built).value();
+    const working_mesh alike = m;
+    if (give_back(m)) return;
+    take(alike);
+    judge(all_findings);
+    if (outcome_.audited->certified) return;
+    outcome_ = std::move(before);
+    length_factor_ = length_factor;
+  }
+
+  void count_up() {
+    outcome_.sites = outcome_.result.sites.size();
+    outcome_.triangles = outcome_.result.triangles.size();
+    outcome_.splits = outcome_.result.boundary.size() - domain_.segments.size();
+    outcome_.inserted = outcome_.sites - domain_.vertices.size() - outcome_.splits;
+  }
+
+  mesh_outcome stopped(const std::string& why) {
+    outcome_.stopped = true;
+    outcome_.audited.reset();
+    outcome_.ended.how = ending::stopped;
+    outcome_.ended.stopped_because = why;
+    count_up();
+    return std::move(outcome_);
+  }
+
+  mesh_outcome conclude() {
+    count_up();
+    outcome_.delivered.emplace().length_factor = length_factor_;
+    outcome_.complete = true;
+    outcome_.ended.how = ending::complete;
+    outcome_.ended.max_sites = options_.max_sites;
+    outcome_.ended.sites = outcome_.sites;
+    const audit_report& found = *outcome_.audited;
+    for (const vertex_index v : found.exempt_corners)
+      outcome_.exempt.push_back({v, options_.angle_bound});
+    for (const vertex_index t : found.exempt_triangles)
+      outcome_.exempt_triangles.push_back(outcome_.result.triangles[t]);
+    return std::move(outcome_);
+  }
+
+  const domain& domain_;
+  const metric_field& field_;
+  const mesh_options& options_;
+  const mesh& start_;
+  const nodal_field& wanted_;
+  bool is_field_itself_;
+  std::size_t count_;
+  std::vector<point> seeds_;
+  double length_factor_ = 1;
+  double audit_units_ = 0;    // of work, by all audits
+  bool is_hopeless_ = false;  // mending of the last mesh was given up
+  mesh_outcome outcome_;
+};
+
+}  // namespace
+
+std::optional<mesh_outcome> adapt_by_local_changes(const adaptation_job& job) {
+  return adaptation(job).run();
+}
+
+}  // namespace asterism::internal
