@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/io/text_scanner.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <iterator>
@@ -32,6 +33,12 @@ result<std::string> read_text_file(const std::filesystem::path& path) {
     return error{path.string() + ": cannot be read to its end", error_code::unreadable_file};
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+  return text;
+}
+
+std::string without_controls(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
   return text;
 }
 
@@ -73,7 +80,7 @@ std::vector<word> text_scanner::next_line() {
 }
 
 error text_scanner::failure(std::size_t line, const std::string& what, error_code code) const {
-  return {file_ + ":" + std::to_string(line) + ": " + what, code};
+  return {file_ + ":" + std::to_string(line) + ": " + without_controls(what), code};
 }
 
 result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning) {

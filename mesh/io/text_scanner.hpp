@@ -18,6 +18,10 @@ namespace asterism::internal {
 // when it is missing, no regular file, or unreadable.
 result<std::string> read_text_file(const std::filesystem::path& path);
 
+// Returns the text with `?` for control characters: parts of files get into messages, and a
+// terminal would obey them.
+std::string without_controls(std::string text);
+
 struct word {
   std::string_view text;
   std::size_t line = 0;  // from 1

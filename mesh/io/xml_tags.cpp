@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -24,7 +25,8 @@ std::string_view xml_tag::operator[](std::string_view attribute) const {
 }
 
 error xml_scanner::failure(std::size_t line, const std::string& what) const {
-  return {file_ + ":" + std::to_string(line) + ": " + what, error_code::malformed_file};
+  return {file_ + ":" + std::to_string(line) + ": " + without_controls(what),
+          error_code::malformed_file};
 }
 
 void xml_scanner::advance(std::size_t to) {

@@ -108,6 +108,14 @@ TEST_CASE("spoiled .msh files are read or refused, and nothing else") {
   CHECK(refused > 200);
 }
 
+TEST_CASE("gmsh: the name of a section that has no end is shown without its control characters") {
+  const temporary_directory here("gmsh-controls");
+  const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+  const auto read = read_gmsh(here.write("m.msh", head + "$Nod\x1b[2Jes\n"));
+  REQUIRE_FALSE(read.ok());
+  CHECK_THAT(read.failure().message, Catch::EndsWith("m.msh:4: $EndNod?[2Jes is missing"));
+}
+
 TEST_CASE("SU2 gets the boundary alone, Triangle the edges inside too") {
   const mesh m = divided_mesh(3);
   const std::string su2 = su2_text(m, {.markers = {{2, "far field"}}, .regions = {}});
