@@ -82,6 +82,32 @@ TEST_CASE("a metric that asks for billions of vertices ends at the limit on site
   CHECK(made.result.sites.size() > 1000);
 }
 
+TEST_CASE("the loop in values: solution, Hessian, metric, mesh, solution, each with its report") {
+  marked_mesh old{sample_mesh(20), {}};
+  solution u{old.subject.sites.size(), {{"u", field_kind::scalar, {}}}};
+  for (const site& s : old.subject.sites) u.fields[0].values.push_back(front(s.position));
+  const auto hessian = recover_hessian(old.subject, u.fields[0].values, {});
+  REQUIRE(hessian.ok());
+  CHECK(hessian.value().at.size() == old.subject.sites.size());
+  solution_metric_options wishes;
+  wishes.vertices = 300;
+  const auto metric = make_solution_metric(old.subject, {{"u", u.fields[0].values}}, wishes);
+  REQUIRE(metric.ok());
+  CHECK(metric.value().report.reached);
+  for (std::size_t v = 0; v < old.subject.sites.size(); ++v)
+    old.subject.sites[v].metric = metric.value().tensors[v];
+  mesh_adaptation_options options;
+  options.refinement.vertices = 300;
+  const auto next = adapt_to_metric(old, options);
+  REQUIRE(next.ok());
+  CHECK(next.value().made.certified());
+  const auto moved =
+      transfer_solution(old.subject, u, next.value().made.outcome.result, transfer_method::project);
+  REQUIRE(moved.ok());
+  const transferred_component& c = moved.value().report.components[0];
+  CHECK(c.integral_after == Approx(c.integral_before).epsilon(1e-13));
+}
+
 TEST_CASE("adapting twice with the metric delivered changes nothing") {
   const auto first = adapted(with_metric(sample_mesh(20), 400));
   REQUIRE(first.made.certified());
