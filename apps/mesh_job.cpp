@@ -105,6 +105,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
       {"improve-done", outcome.improved ? text_of(*outcome.improved, outcome.sites) : "none"},
       {"certify", job.refinement.prove_voronoi ? "voronoi" : "stars"},
       {"max-sites", std::to_string(asked.max_sites)},
+      {"chord-tolerance", job.chord_tolerance ? number_text(*job.chord_tolerance) : "none"},
       {"regions", job.number_regions ? "numbered" : "as given"},
       {"repair-distance",
        input.repairs.distance > 0 ? number_text(input.repairs.distance) : "none"},

@@ -100,7 +100,7 @@ void write_summary(std::ostream& out, const certified_mesh& made,
   if (report.voronoi != voronoi_verdict::not_asked)
     out << ", dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)];
-  out << deviation_text(report);
+  out << deviation_text(report) << curves_text(report);
   const char* relaxed = outcome.relaxed ? " in a relaxed metric" : "";
   if (made.certified())
     out << ": " << in_colour("certified", ink::green, 1) << relaxed << '\n';

@@ -8,8 +8,9 @@
 
 namespace asterism::internal {
 
-inline constexpr std::array<std::string_view, 26> mesh_option_names = {"angle-bound",
+inline constexpr std::array<std::string_view, 27> mesh_option_names = {"angle-bound",
                                                                        "certify",
+                                                                       "chord-tolerance",
                                                                        "complexity",
                                                                        "complexity-delivered",
                                                                        "domain",
