@@ -71,6 +71,21 @@ point curve_path::derivative(double t) const {
   return {3 * d.x, 3 * d.y};
 }
 
+std::optional<double> curve_path::nearest(const point& q, double t0, double t1) const {
+  // The way from q to the curve's point goes backward along the curve before the nearest point,
+  // and forward after it.
+  const auto is_before = [&](double t) { return dot(minus(at(t), q), derivative(t)) < 0; };
+  if (!is_before(t0) || is_before(t1)) return std::nullopt;
+  constexpr int halvings = 54;  // the bits of a double
+  double low = t0, high = t1;
+  for (int i = 0; i < halvings; ++i) {
+    const double t = low + (high - low) / 2;
+    (is_before(t) ? low : high) = t;
+  }
+  if (low <= t0 || high >= t1) return std::nullopt;
+  return high;
+}
+
 std::vector<point> curve_path::control_points(double t0, double t1) const {
   if (kind_ == curve_kind::arc) {
     const double half = (t1 - t0) * sweep_ / 2;

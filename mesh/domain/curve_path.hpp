@@ -4,6 +4,8 @@
 // then is from its curve the auditor finds by itself, exactly.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "asterism/mesh/data/domain_curve.hpp"
@@ -19,6 +21,9 @@ class curve_path {
   // Returns the point at a parameter from 0 to 1, rounded; the ends as they were given.
   point at(double t) const;
   point derivative(double t) const;
+  // Returns the parameter of about the nearest point to q strictly between t0 and t1, of a piece
+  // that is straightforward; none if an end is nearest.
+  std::optional<double> nearest(const point& q, double t0, double t1) const;
   // Returns points whose convex hull holds the piece from t0 to t1, up to rounding, and its chord:
   // three for an arc, four for a cubic, the ends first and last. An arc's piece must be below half
   // a turn.

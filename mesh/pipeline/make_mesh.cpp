@@ -67,8 +67,12 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
     const std::size_t few = std::clamp(outcome.value().sites, fewest, most);
     if (is_second) delivered = delivery.make(few);
     if (is_second && delivered && !excess_of(*delivered, options)) return *std::move(delivered);
+    // Fitting keeps to straight chords.
+    domain straight = d;
+    straight.curves.clear();
     if (!options.metric_tolerance)
-      outcome = refine_relaxed({stars_on, d, field, options, progress}, std::move(outcome).value());
+      outcome = refine_relaxed({stars_on, straight, field, options, progress},
+                               std::move(outcome).value());
   }
   if (!outcome) return outcome;
   if (delivered && !outcome.value().complete && !outcome.value().stopped)

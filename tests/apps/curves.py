@@ -97,6 +97,19 @@ class Curves(command.CommandTest):
         self.assertEqual(made["audit"]["curves"]["curves"], 16)
         self.assertLessEqual(made["audit"]["curves"]["largest_distance"], 1.001e-4)
 
+    def test_chords_are_split_on_the_curve(self):
+        # Without a size the four chords of an eighth are split for the angles near the hole.
+        ring = [(1.05, 0), (1.05, 0.02), (1.03, 0.02), (1.03, 0)]
+        sides = [(2, 3, 1), (3, 4, 1), (4, 5, 1), (5, 2, 1)]
+        text = poly([(1.1, 0), *ring], sides, ["circle 1 0 0 7"], [(1.04, 0.01)])
+        for more in ([], ["--refine", "voronoi"], ["--size", "0.3", "--metric", "swirl:2"]):
+            with self.subTest(more):
+                made = self.mesh(text, "--chord-tolerance", "0.2", *more)
+                told, chain = made["audit"]["curves"], made["domain"]["curves"][0]["vertices"]
+                self.assertGreater(told["vertices"], len(chain) - 1)
+                on = sum(abs(math.hypot(x, y) - 1.1) < 1e-15 for x, y in self.vertices_of_mesh())
+                self.assertEqual(on, told["vertices"])
+
     def test_a_cubic_is_the_bezier_curve_of_its_control_points(self):
         made = self.mesh(poly([(0, 0), (1, 0), (0.5, -1)], TRIANGLE, ["bezier 1 0.2 0.7 0.8 0.7"]),
                          "--size", "0.2")
