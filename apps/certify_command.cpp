@@ -85,8 +85,10 @@ std::optional<error> check_files(const certify_options& options) {
   if (options.repair && options.outputs.empty())
     return error{"--repair: name the file to write with -o", error_code::bad_option};
   if (options.outputs.empty()) return std::nullopt;
-  std::vector<fs::path> used = {options.mesh, certificate_path(options)};
-  if (!options.metric) used.push_back(options.solution);
+  std::vector<fs::path> used = {options.mesh};
+  if (!options.metric && options.solution.empty()) used = files_read_with(options.mesh);
+  if (!options.metric && !options.solution.empty()) used.push_back(options.solution);
+  used.push_back(certificate_path(options));
   for (const fs::path& output : options.outputs) {
     const auto format = check_output(output);
     if (!format) return format.failure();
@@ -137,7 +139,7 @@ std::string command_of(const certify_options& options) {
   std::vector<std::string> words = {"asterism", "certify", options.mesh.string()};
   if (options.metric)
     words.insert(words.end(), {"--metric", *options.metric, "--size", format_number(options.size)});
-  else
+  else if (!options.solution.empty())
     words.push_back(options.solution.string());
   words.insert(words.end(), {"--angle-bound", format_number(options.angle_bound)});
   if (options.prove_voronoi) words.emplace_back("--voronoi");
@@ -147,7 +149,8 @@ std::string command_of(const certify_options& options) {
 
 // Adds to the certificate what only the command knows: how the job was worded.
 void describe(certificate& claim, const certify_options& options) {
-  claim.metric = options.metric.value_or("of " + options.solution.string());
+  const fs::path& metric = options.solution.empty() ? options.mesh : options.solution;
+  claim.metric = options.metric.value_or("of " + metric.string());
   claim.options = {{"mesh", options.mesh.string()},
                    {"repair", options.repair ? "yes" : "no"},
                    {"angle-bound", format_number(options.angle_bound)},

@@ -12,7 +12,6 @@
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/repair_domain.hpp"
-#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
@@ -26,7 +25,7 @@ namespace {
 
 // Returns what makes the metric of any size; a mesh is read once.
 result<field_of_size> metric_of(const mesh_job& job, const domain& shape) {
-  if (!has_ending(job.metric, ".mesh"))
+  if (!is_mesh_file(job.metric))
     return field_of_size([spec = job.metric, box = shape.box()](double size) {
       return make_metric_field(spec, box, size);
     });

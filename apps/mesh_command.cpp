@@ -19,8 +19,8 @@ SPEC    identity; swirl:K or sink:K (K = 12 when left out), round in the middle 
         stretched by sqrt(1+K) at distance R from it, R half the longer side of the bounding box;
         layer:H0,H1 (0.001,0.1), flat along the lower side, H1 long, H0 high there and H1 high a
         longer side above; shock:A (50), A times as long as high along a curve, 1 high elsewhere;
-        the benchmarks linear, polar-1, polar-2, circle-1; expr:M11;M12;M22 in x and y; or a Medit
-        .mesh: the tensors of the .sol beside it, interpolated.
+        the benchmarks linear, polar-1, polar-2, circle-1; expr:M11;M12;M22 in x and y; or a
+        mesh with its metric, .mesh, .meshb or .msh: the tensors at its vertices, interpolated.
 OUT     by extension: .mesh (Medit, with the metric in .sol), .msh (gmsh 4.1), .msh2 (2.2), .su2,
         .node (Triangle, with .ele and .edge), .vtu (ParaView), .svg .png .pdf,
         .html (one page to look at and to judge by, which needs no network).

@@ -41,11 +41,10 @@ std::optional<error> check_files(const mesh_job& job, const fs::path& certificat
   std::vector<fs::path> used = {certificate_path};
   std::error_code ignored;
   std::vector<fs::path> read = {job.domain};
-  if (has_ending(job.metric, ".mesh") && job.metric != job.domain) read.emplace_back(job.metric);
+  if (is_mesh_file(job.metric) && job.metric != job.domain) read.emplace_back(job.metric);
   for (const fs::path& file : read) {
-    if (fs::is_regular_file(file, ignored)) used.push_back(file);
-    if (has_ending(file.string(), ".mesh") && fs::is_regular_file(solution_path(file), ignored))
-      used.push_back(solution_path(file));
+    if (!fs::is_regular_file(file, ignored)) continue;
+    for (fs::path& opened : files_read_with(file)) used.push_back(std::move(opened));
     const fs::path vertices = fs::path(file).replace_extension(".node");
     if (has_ending(file.string(), ".poly") && fs::is_regular_file(vertices, ignored))
       used.push_back(vertices);

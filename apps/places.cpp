@@ -7,7 +7,11 @@
 #include <string>
 #include <system_error>
 
+#include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/medit.hpp"
+
 namespace asterism::apps {
+using namespace internal;
 namespace fs = std::filesystem;
 
 std::optional<error> check_place(const fs::path& path) {
@@ -24,11 +28,22 @@ std::optional<error> check_place(const fs::path& path) {
   return std::nullopt;
 }
 
+std::vector<fs::path> files_read_with(const fs::path& mesh) {
+  std::vector<fs::path> files = {mesh};
+  const bool is_binary = has_ending(mesh.string(), ".meshb");
+  if (!is_binary && !has_ending(mesh.string(), ".mesh")) return files;
+  std::error_code ignored;
+  fs::path beside = solution_path(mesh);
+  if (is_binary && !fs::exists(beside, ignored)) beside.replace_extension(".sol");
+  if (fs::is_regular_file(beside, ignored)) files.push_back(std::move(beside));
+  return files;
+}
+
 std::optional<error> check_distinct(const std::vector<fs::path>& paths) {
   std::vector<fs::path> seen;
   for (const fs::path& path : paths) {
     std::error_code failure;
-    fs::path place = fs::weakly_canonical(fs::absolute(path), failure);
+    fs::path place = fs::weakly_canonical(fs::absolute(path, failure), failure);
     if (failure) place = path;
     if (std::find(seen.begin(), seen.end(), place) != seen.end())
       return error{path.string() + ": this file would be used twice", error_code::unwritable_file};

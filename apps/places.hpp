@@ -14,6 +14,10 @@ namespace asterism::apps {
 // Returns why no regular file could be created or replaced there; empty if one could.
 std::optional<error> check_place(const std::filesystem::path& path);
 
+// Returns the files that reading `mesh` opens: itself, and of Medit's formats the metric beside it,
+// where there is one.
+std::vector<std::filesystem::path> files_read_with(const std::filesystem::path& mesh);
+
 // Refuses a path given twice, however it is spelled. Empty if all differ.
 std::optional<error> check_distinct(const std::vector<std::filesystem::path>& paths);
 

@@ -40,7 +40,7 @@ restoration::restoration(working_mesh& m, double angle_bound, std::vector<metric
   for (const node& n : m.nodes()) before_.push_back(n.metric);
 }
 
-std::size_t restoration::run(const cancellation& stop) {
+void restoration::run(const cancellation& stop) {
   constexpr int most_sweeps = 8;
   bool any = true;
   for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
@@ -53,10 +53,6 @@ std::size_t restoration::run(const cancellation& stop) {
       any = true;
     }
   }
-  std::size_t given = 0;
-  for (vertex_index v = 0; v < m_.nodes().size(); ++v)
-    if (m_.at(v).kind != node_kind::gone && !identical(m_.at(v).metric, before_[v])) ++given;
-  return given;
 }
 
 void restoration::wake_around(vertex_index v) {
@@ -142,9 +138,9 @@ void restoration::list_disagreeing(vertex_index v, std::vector<vertex_index>& ou
 }
 
 // Each node is taken back once, so this ends.
-bool restoration::take_back(const std::vector<vertex_index>& nodes) {
+void restoration::take_back(const std::vector<vertex_index>& nodes,
+                            std::vector<vertex_index>& taken) {
   std::vector<vertex_index> waiting = nodes;
-  bool any = false;
   while (!waiting.empty()) {
     const vertex_index v = waiting.back();
     waiting.pop_back();
@@ -152,10 +148,9 @@ bool restoration::take_back(const std::vector<vertex_index>& nodes) {
     kept_[v] = 1;
     if (identical(m_.at(v).metric, before_[v])) continue;
     m_.set_metric(v, before_[v]);
-    any = true;
+    taken.push_back(v);
     list_disagreeing(v, waiting);
   }
-  return any;
 }
 
 }  // namespace asterism::internal::adapting

@@ -23,12 +23,11 @@ class restoration {
   // must outlive the object.
   restoration(working_mesh& m, double angle_bound, std::vector<metric_tensor> wanted);
 
-  // Gives back until nothing more can be given, or sweeps are over. Returns how many nodes have
-  // another tensor than at the beginning.
-  std::size_t run(const cancellation& stop);
+  // Gives back until nothing more can be given, or sweeps are over.
+  void run(const cancellation& stop);
   // Takes back what was given to these nodes, and to those around whose edges do not agree then.
-  // They keep it from then on. Returns false if none had been given anything.
-  bool take_back(const std::vector<vertex_index>& nodes);
+  // They keep it from then on. Adds those that had been given something to `taken`.
+  void take_back(const std::vector<vertex_index>& nodes, std::vector<vertex_index>& taken);
 
  private:
   bool give(vertex_index v);

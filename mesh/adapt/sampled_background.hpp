@@ -30,9 +30,15 @@ struct sampling_limits {
   cancellation stop;
 };
 
-// Returns the background: the nodes of `m`, and those added, with the metric there. Returns nothing
-// where the metric fails.
-std::optional<mesh> sample_background(working_mesh m, const metric_field& field,
-                                      const sampling_limits& limits);
+struct sampled_background {
+  mesh nodes;  // those of the triangulation, and those added, with the metric there
+  // Length of the longest edge that was left as it is, as its ends and its middle measure it. With
+  // a limit of no less the background would have been the same.
+  double longest = 0;
+};
+
+// Returns nothing where the metric fails.
+std::optional<sampled_background> sample_background(working_mesh m, const metric_field& field,
+                                                    const sampling_limits& limits);
 
 }  // namespace asterism::internal::adapting

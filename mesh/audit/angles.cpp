@@ -164,15 +164,21 @@ class angle_check {
   }
 
   void report(const angle& a) {
-    const bool is_collateral = a.standing == angle_standing::collateral;
-    tally_.found(is_collateral ? finding_kind::collateral_angle_below_bound
-                               : finding_kind::angle_below_bound,
-                 "the angle at " + vertex_text(context_, a.at.at) + " of " +
-                     triangle_text(context_, a.triangle) + " is " +
-                     number_text(angle_in_degrees(context_, a.at, a.perspective)) +
-                     " degrees in the metric of " + vertex_text(context_, a.perspective) +
-                     ", below " + number_text(wanted_.degrees) +
-                     (is_collateral ? "; a sharp corner excuses its own angle alone" : ""));
+    const finding_kind kind = a.standing == angle_standing::collateral
+                                  ? finding_kind::collateral_angle_below_bound
+                                  : finding_kind::angle_below_bound;
+    tally_.found(kind, tally_.is_kept(kind) ? witness(a) : std::string());
+  }
+
+  std::string witness(const angle& a) const {
+    return "the angle at " + vertex_text(context_, a.at.at) + " of " +
+           triangle_text(context_, a.triangle) + " is " +
+           number_text(angle_in_degrees(context_, a.at, a.perspective)) +
+           " degrees in the metric of " + vertex_text(context_, a.perspective) + ", below " +
+           number_text(wanted_.degrees) +
+           (a.standing == angle_standing::collateral
+                ? "; a sharp corner excuses its own angle alone"
+                : "");
   }
 
   const audit_context& context_;

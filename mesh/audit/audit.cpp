@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/audit/context.hpp"
 
 namespace asterism {
@@ -65,7 +66,12 @@ std::vector<vertex_index> audit_report::refused_triangles() const {
   return all;
 }
 
-audit_report audit(const mesh& subject, const audit_options& options) {
+namespace {
+
+// Audits everything, or of the stars only what concerns the sites in `changed`, unless that is
+// null.
+audit_report audit_stars_of(const mesh& subject, const audit_options& options,
+                            const std::vector<vertex_index>* changed) {
   using namespace audit_detail;
   audit_report report;
   report.sites = subject.sites.size();
@@ -74,6 +80,7 @@ audit_report audit(const mesh& subject, const audit_options& options) {
   report.given = subject.given;
 
   audit_context context(subject, options, report);
+  context.changed = changed;
   check_values(context);
   check_orientations(context);
   check_edges(context);
@@ -96,6 +103,24 @@ audit_report audit(const mesh& subject, const audit_options& options) {
     report.voronoi = voronoi_verdict::not_reached;
     if (triangulation) check_voronoi(context);
   }
+  return report;
+}
+
+}  // namespace
+
+audit_report audit(const mesh& subject, const audit_options& options) {
+  return audit_stars_of(subject, options, nullptr);
+}
+
+audit_report internal::audit_again(const mesh& subject, const audit_options& options,
+                                   const audit_report& before,
+                                   const std::vector<vertex_index>& changed) {
+  audit_report report = audit_stars_of(subject, options, &changed);
+  report.decisions += before.decisions;
+  report.exact_decisions += before.exact_decisions;
+  report.star_pairs += before.star_pairs;
+  report.star_pairs_tested += before.star_pairs_tested;
+  report.counters += before.counters;
   return report;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <iterator>
 #include <string_view>
@@ -141,14 +142,15 @@ void compare_adapted_names(contradictions& all, const certificate& claim) {
     all.add("\"asked.options.transfer-how\" is missing");
 }
 
-// True if the name of the metric is that of a .mesh file, in upper or lower case.
+// True if the name of the metric is that of a mesh file, in upper or lower case, as is_mesh_file
+// (mesh/io/read_mesh.hpp) tells them.
 bool is_of_mesh(const std::string& metric) {
-  constexpr std::string_view ending = ".mesh";
-  if (metric.size() < ending.size()) return false;
-  return std::equal(
-      ending.begin(), ending.end(), metric.end() - ending.size(), [](char wanted, char c) {
-        return wanted == (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
-      });
+  constexpr std::array<std::string_view, 4> endings = {".mesh", ".meshb", ".msh", ".msh2"};
+  std::string lower = metric;
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return std::any_of(endings.begin(), endings.end(),
+                     [&lower](std::string_view ending) { return lower.ends_with(ending); });
 }
 
 // A metric farther from the one wanted than is tolerated is no reason to refuse a mesh, but the run

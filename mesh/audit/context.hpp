@@ -47,6 +47,10 @@ struct audit_tally {
   double looked_units = 0;  // of work that no other number tells
   bool unfinished = false;  // the part ended early, for want of work or as it was told to
 
+  // False if another finding of the kind would only be counted. Its witness may be empty then.
+  bool is_kept(finding_kind kind) const {
+    return part.found[static_cast<std::size_t>(kind)] < findings_kept;
+  }
   // Counts in `part`.
   filtered_kernel kernel() { return filtered_kernel(part.counters); }
 
@@ -60,6 +64,9 @@ struct audit_context {
   const mesh& subject;
   const audit_options& options;
   audit_report& report;
+  // Sites whose tensors were changed since all stars were looked at; null where they were not.
+  // Only what depends on one of them is looked at then (audit_again.hpp).
+  const std::vector<vertex_index>* changed = nullptr;
 
   // Counts in the report: for the thread that owns the context.
   filtered_kernel kernel() const { return filtered_kernel(report.counters); }

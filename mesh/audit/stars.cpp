@@ -15,7 +15,8 @@
 //
 // A mesh whose metric varies much over an edge has stars that see far, and thousands of sites to
 // hold against each. It also has edges that are refused at once, by the site across them. So these
-// are asked first, and where some are refused the mesh is, without the rest.
+// are asked first, and where some are refused the mesh is, without the rest. Where all sites have
+// one metric and none is refused, there is nothing else to ask.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -67,12 +68,35 @@ struct star_surroundings {
       : unit(in_unit_size(context.subject.sites)),
         at(unit.empty() ? context.subject.sites : unit),
         sites(at),
-        subsegments(context) {}
+        few(sites_of(context.changed)),
+        changed_sites(few),
+        subsegments(context) {
+    if (context.changed == nullptr) return;
+    is_changed.assign(at.size(), 0);
+    for (const vertex_index v : *context.changed) is_changed[v] = 1;
+  }
+
+  // True if an answer that depends on the sites may have changed.
+  template <class... Vertices>
+  bool concerns(Vertices... v) const {
+    return is_changed.empty() || (is_changed[v] | ...);
+  }
 
   std::vector<site> unit;
   const std::vector<site>& at;
   site_tree sites;
+  std::vector<site> few;  // the changed ones, in the context's order
+  site_tree changed_sites;
+  std::vector<char> is_changed;  // one flag a site; none where all is to be looked at
   subsegment_tree subsegments;
+
+ private:
+  std::vector<site> sites_of(const std::vector<vertex_index>* vertices) const {
+    std::vector<site> all;
+    if (vertices != nullptr)
+      for (const vertex_index v : *vertices) all.push_back(at[v]);
+    return all;
+  }
 };
 
 // Does some boundary subsegment meet the open segment between v and w? Such a w is not seen from v:
@@ -129,7 +153,8 @@ struct prepared_fan {
   std::vector<vertex_index> neighbours;  // of all fans of v
   std::vector<vector2<double>> rays;
   std::vector<fan_gap> gaps;
-  double reach = 0;  // how far from v sites matter to one of the gaps
+  double reach = 0;          // how far from v sites matter to one of the gaps
+  bool is_concerned = true;  // or else changed sites alone are to be held against it
 };
 
 class star_check {
@@ -152,7 +177,7 @@ class star_check {
     if (neighbours_alone) return;
     reaching_.clear();
     for (std::size_t i = 0; i < used_; ++i)
-      if (is_finite(prepared_[i].reach))
+      if (prepared_[i].is_concerned && is_finite(prepared_[i].reach))
         reaching_.push_back({at(prepared_[i].v), prepared_[i].reach});
     const bool gathered = around_.sites.gather(reaching_, leaves_);
     for (std::size_t i = 0; i < used_; ++i) {
@@ -162,7 +187,10 @@ class star_check {
         patience_.count(a_look);
         if (w != p.v && !is_neighbour(p, w) && !patience_.is_over()) check_other(p, w);
       };
-      if (gathered && is_finite(p.reach))
+      if (!p.is_concerned)
+        around_.changed_sites.visit_near(at(p.v), p.reach,
+                                         [&](vertex_index nth) { look((*context_.changed)[nth]); });
+      else if (gathered && is_finite(p.reach))
         around_.sites.visit_near(leaves_, at(p.v), p.reach, look);
       else
         around_.sites.visit_near(at(p.v), p.reach, look);
@@ -188,7 +216,7 @@ class star_check {
     const std::size_t skipped = fan.closed ? 0 : 1;
     for (std::size_t i = skipped; i + skipped < n && !patience_.is_over(); ++i) {
       const vertex_index w = fan.link[i], x = fan.link[(i + n - 1) % n], y = fan.link[(i + 1) % n];
-      if (w < v) continue;
+      if (w < v || !around_.concerns(v, w, x, y)) continue;
       const bool by_v = is_asked(v, w, x, y), by_w = is_asked(w, v, y, x);
       if ((!by_v && !by_w) || tally_.kernel().edge_test(at(v), at(w), at(x), at(y))) continue;
       if (by_v) report_rejected(v, w, x, y);
@@ -215,11 +243,15 @@ class star_check {
     p.v = v;
     p.fan = &fan;
     p.reach = 0;
+    p.is_concerned = around_.concerns(v);
     p.neighbours.clear();
     for (const vertex_fan& each : context_.fans[v])
       p.neighbours.insert(p.neighbours.end(), each.link.begin(), each.link.end());
     p.rays.clear();
-    for (const vertex_index r : fan.link) p.rays.push_back(to(v, r));
+    for (const vertex_index r : fan.link) {
+      p.rays.push_back(to(v, r));
+      p.is_concerned = p.is_concerned || around_.concerns(r);
+    }
     p.gaps.clear();
     const std::size_t n = fan.link.size();
     for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
@@ -272,7 +304,7 @@ class star_check {
 
   void check_other(const prepared_fan& p, vertex_index w) {
     const fan_gap* gap = gap_of(p, w);
-    if (gap == nullptr || gap->on_boundary) return;
+    if (gap == nullptr || gap->on_boundary || !around_.concerns(p.v, w, gap->x, gap->y)) return;
     ++tally_.part.star_pairs;
     if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
     tally_.found(finding_kind::star_site_missing,
@@ -341,6 +373,15 @@ bool check_in_turn(audit_context& context, const star_surroundings& around, bool
   return false;
 }
 
+// True if the neighbours, once none is rejected, leave no other site to look for: where all sites
+// have one metric (docs/math/certificate.md, 4.0).
+bool neighbours_suffice(const audit_context& context) {
+  if (context.options.own_filter_alone || context.report.total_found() > 0) return false;
+  const std::vector<site>& sites = context.subject.sites;
+  return std::all_of(sites.begin(), sites.end(),
+                     [&](const site& s) { return identical(s.metric, sites.front().metric); });
+}
+
 }  // namespace
 
 // Looks at neighbours first, then at all sites in reach. Ends where as much is refused as a tenth
@@ -351,7 +392,8 @@ void check_stars(audit_context& context) {
   const std::size_t most = context.options.findings_kept == all ? all : context.report.sites / part;
   context.report.stars_checked = true;
   const star_surroundings around(context);
-  if (check_in_turn(context, around, true, most)) check_in_turn(context, around, false, most);
+  if (!check_in_turn(context, around, true, most) || neighbours_suffice(context)) return;
+  check_in_turn(context, around, false, most);
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -2,6 +2,7 @@
 #include "asterism/mesh/c_interface/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -43,6 +44,9 @@ result<mesh_options> options_of(const asterism_mesh_options& given) {
   options.prove_voronoi = given.prove_voronoi != 0;
   if (!(given.angle_bound >= 0 && given.angle_bound < 60))
     return error{"the angle bound must be at least 0 and below 60 degrees"};
+  if (!std::isfinite(given.metric_tolerance))
+    return error{"metric_tolerance must be a finite number"};
+  if (given.metric_tolerance >= 0) options.metric_tolerance = given.metric_tolerance;
   if (given.stop != nullptr)
     options.stop = [stop = given.stop, context = given.stop_context] {
       return stop(context) != 0 ? std::optional<std::string>("the caller stopped it")
@@ -121,6 +125,7 @@ void asterism_mesh_options_init(asterism_mesh_options* options) {
   options->angle_bound = defaults.angle_bound;
   options->max_sites = defaults.max_sites;
   options->relax = defaults.relax ? 1 : 0;
+  options->metric_tolerance = -1;
 }
 
 asterism_status asterism_mesh_create(const asterism_domain* domain, const asterism_metric* metric,

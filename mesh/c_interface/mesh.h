@@ -81,6 +81,10 @@ typedef struct asterism_mesh_options {
    * certain by then. Null: never. */
   int (*stop)(void* context);
   void* stop_context;
+  /* How far the metric delivered may be from the one wanted, at any site, where stars cannot agree
+   * in that one: ln of the greatest ratio of two lengths of a displacement. Beyond it a mesh is not
+   * complete. 0: no tensor is changed; negative: any distance; -1 */
+  double metric_tolerance;
 } asterism_mesh_options;
 
 /* A mesh with its certificate. */

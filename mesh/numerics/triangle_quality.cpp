@@ -76,9 +76,20 @@ bool thin_corner_is_low(const metric_tensor& given, const std::array<point, 3>& 
   return !(inner <= cotangent * std::sqrt(det) * area * (1 - 8 * epsilon));
 }
 
+// An angle as its sine and cosine times one positive number.
+struct angle_sides {
+  double across = 0, along = 0;
+
+  double degrees() const { return elementary::atan2(across, along) * to_degrees; }
+};
+
+angle_sides sides_of_angle(double root_of_determinant, const metric_tensor& m, const point& a,
+                           const point& b) {
+  return {root_of_determinant * cross(a, b), inner_product(m, a, b)};
+}
+
 double angle_between(const metric_tensor& m, const point& a, const point& b) {
-  const double across = root_of_determinant(m) * cross(a, b);
-  return elementary::atan2(across, inner_product(m, a, b)) * to_degrees;
+  return sides_of_angle(root_of_determinant(m), m, a, b).degrees();
 }
 
 }  // namespace
@@ -112,13 +123,29 @@ triangle_sites in_round_coordinates(triangle_sites t) {
   return t;
 }
 
+// Compares cotangents, and takes the arctangent of what is within a few roundings of the greatest.
 double smallest_angle(const triangle_sites& given) {
   const triangle_sites t = in_round_coordinates(given);
-  double smallest = 180;
+  std::array<double, 3> roots{};
+  for (std::size_t i = 0; i < 3; ++i) roots[i] = root_of_determinant(t[i].metric);
+  std::array<angle_sides, 9> angles;
+  std::array<double, 9> cotangents{};
+  double greatest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
     const point a = difference(t[(i + 1) % 3].position, t[i].position);
     const point b = difference(t[(i + 2) % 3].position, t[i].position);
-    for (const site& from : t) smallest = std::min(smallest, angle_between(from.metric, a, b));
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t k = 3 * i + j;
+      angles[k] = sides_of_angle(roots[j], t[j].metric, a, b);
+      cotangents[k] = angles[k].along / angles[k].across;
+      if (angles[k].across > 0) greatest = std::max(greatest, cotangents[k]);
+    }
+  }
+  const double nearly = greatest - 0x1p-40 * (1 + std::abs(greatest));
+  double smallest = 180;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const bool is_greater = angles[k].across > 0 && cotangents[k] < nearly;
+    if (!is_greater) smallest = std::min(smallest, angles[k].degrees());
   }
   return smallest;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/adaptation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -17,6 +18,7 @@
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "asterism/mesh/pipeline/background.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
@@ -41,6 +43,8 @@ constexpr std::array<strictness, 4> ladder = {{{4, 2}, {3, 1.7}, {1.8, 1.4}, {1.
 constexpr int refits = 1;
 // Most audits of one mesh, each after what the one before had found was mended.
 constexpr int most_audits = 12;
+// The same of a mesh whose tensors alone are changed, where audits after the first cost little.
+constexpr int most_audits_again = 40;
 // Metric wanted, at the nodes of a background.
 struct metric_at_nodes {
   nodal_field nodes;
@@ -170,11 +174,12 @@ class adaptation {
     if (!take_wanted(m)) return false;
     grade_mesh(m, how.mesh, length_factor_);
     deliver(m);
-    if (outcome_.audited->certified) give_back(m);
     return true;
   }
 
-  // Makes tensors alike until the auditor has nothing against the mesh.
+  // Makes tensors alike until the mesh is certified, and gives back what need not be alike. Nearly
+  // always neighbours that agree make a mesh that is certified; so it is not audited before tensors
+  // have been given back, unless that goes wrong.
   void deliver(working_mesh& m) {
     agreement_options agree;
     agree.angle_bound = options_.angle_bound;
@@ -182,58 +187,100 @@ class adaptation {
     agree.stop = options_.stop;
     agree.wanted = [this](const point& q) { return wanted_at(q); };
     agreement agreeing(m, agree);
+    agreeing.run();
+    const working_mesh alike = m;
+    if (give_back(m)) return;
+    m = alike;
+    mend(m, agreeing);
+    if (!outcome_.audited->certified) return;
+    mesh_outcome certified = outcome_;
+    if (!give_back(m)) outcome_ = std::move(certified);
+  }
+
+  // Makes tensors alike until the auditor has nothing against the mesh.
+  void mend(working_mesh& m, agreement& agreeing) {
     for (int audits = 0; audits < most_audits; ++audits) {
-      agreeing.run();
       const std::vector<vertex_index> nodes = take(m);
+      judge();
       if (outcome_.audited->certified || stop_reason()) return;
       const std::vector<std::vector<vertex_index>> found = nodes_found(nodes);
       if (found.empty()) return;
       for (const std::vector<vertex_index>& at : found) agreeing.disagreed_at(at);
+      agreeing.run();
     }
   }
 
-  // Gives tensors wanted back to the nodes of a certified mesh, as many as the auditor lets pass.
-  void give_back(working_mesh& m) {
+  // Gives tensors wanted back to the nodes, as many as the auditor lets pass. Returns whether the
+  // outcome then is a certified mesh.
+  bool give_back(working_mesh& m) {
     std::vector<metric_tensor> tensors;
     for (const node& n : m.nodes()) {
       const auto there = n.kind == node_kind::gone ? n.metric : wanted_at(n.position);
-      if (!there) return;
+      if (!there) return false;
       tensors.push_back(*there);
     }
     restoration giving(m, options_.angle_bound, std::move(tensors));
-    if (giving.run(options_.stop) == 0) return;
-    const mesh_outcome certified = outcome_;
-    for (int audits = 0; audits < most_audits && !stop_reason(); ++audits) {
-      const std::vector<vertex_index> nodes = take(m);
-      if (outcome_.audited->certified) return;
-      bool any = false;
-      for (const std::vector<vertex_index>& at : nodes_found(nodes))
-        any = giving.take_back(at) || any;
-      if (!any) break;
+    giving.run(options_.stop);
+    std::vector<vertex_index> nodes = take(m);
+    judge();
+    for (int audits = 1; audits < most_audits_again; ++audits) {
+      if (outcome_.audited->certified) return true;
+      if (stop_reason()) return false;
+      std::vector<vertex_index> looked_at, taken;
+      for (const std::vector<vertex_index>& at : nodes_found(nodes)) {
+        giving.take_back(at, taken);
+        looked_at.insert(looked_at.end(), at.begin(), at.end());
+      }
+      if (taken.empty()) return false;
+      looked_at.insert(looked_at.end(), taken.begin(), taken.end());
+      nodes = take(m);
+      judge_again(sites_of(looked_at, nodes));
     }
-    outcome_ = certified;
+    return outcome_.audited->certified;
   }
 
-  // Makes the outcome's mesh and its audit. Returns the nodes that its sites are.
+  // Makes the outcome's mesh. Returns the nodes that its sites are.
   std::vector<vertex_index> take(const working_mesh& m) {
     std::vector<vertex_index> renumbered;
     outcome_.result = m.triangulation(renumbered);
     assign_regions(outcome_.result, domain_);
-    judge();
     std::vector<vertex_index> node_of(outcome_.result.sites.size());
     for (vertex_index v = 0; v < renumbered.size(); ++v)
       if (renumbered[v] != none) node_of[renumbered[v]] = v;
     return node_of;
   }
 
-  void judge() {
+  // Returns the sites that the nodes are, ascending, each once.
+  static std::vector<vertex_index> sites_of(std::vector<vertex_index> nodes,
+                                            const std::vector<vertex_index>& node_of) {
+    std::sort(nodes.begin(), nodes.end());
+    std::vector<vertex_index> sites;
+    for (vertex_index s = 0; s < node_of.size(); ++s)
+      if (std::binary_search(nodes.begin(), nodes.end(), node_of[s])) sites.push_back(s);
+    return sites;
+  }
+
+  audit_options question() const {
     audit_options asked;
     asked.angle_bound = options_.angle_bound;
     asked.find_exempt_corners = true;
     asked.original = &domain_;
-    asked.findings_kept = outcome_.result.sites.size();
-    asked.check_stars = !stop_reason();
-    outcome_.audited = std::make_shared<audit_report>(audit(outcome_.result, asked));
+    // All are told, for what is found is what is mended, and no audit is cut short.
+    asked.findings_kept = std::numeric_limits<std::size_t>::max();
+    asked.stop = options_.stop;
+    return asked;
+  }
+
+  void judge() {
+    outcome_.audited = std::make_shared<audit_report>(audit(outcome_.result, question()));
+  }
+
+  // Audits the mesh of which only these sites' tensors were changed since.
+  void judge_again(const std::vector<vertex_index>& changed) {
+    const audit_report& before = *outcome_.audited;
+    if (!before.stars_checked) return judge();
+    outcome_.audited =
+        std::make_shared<audit_report>(audit_again(outcome_.result, question(), before, changed));
   }
 
   // Returns the nodes that the audit's findings are about, a list for each: of stars, and of
@@ -328,7 +375,7 @@ bool metric_delivery::prepare() {
   auto sampled = sample_field(image_.shape(), *start_, image_.field(), any_length, options_.stop);
   if (!sampled) return false;
   background_ = std::move(sampled->nodes);
-  variation_ = sampled->variation;
+  longest_ = sampled->longest;
   return true;
 }
 
@@ -339,7 +386,8 @@ bool metric_delivery::is_first_choice() const {
 
 bool metric_delivery::varies_fast() {
   constexpr double most_that_is_met = 0.6;
-  return options_.limit_size && prepare() && variation_ > most_that_is_met;
+  return options_.limit_size && field_.background() == nullptr && prepare() &&
+         sampled_variation(*background_) > most_that_is_met;
 }
 
 // Returns how often the number of sites is to be halved: until there is room for them, or, without
@@ -353,27 +401,38 @@ std::optional<int> metric_delivery::halvings(double vertices, std::size_t few) c
   return std::max(0, static_cast<int>(std::ceil(elementary::log2(vertices / most))));
 }
 
-std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
-  if (!prepare()) return std::nullopt;
-  const double vertices = vertices_of_unit * nodal_field(*background_).complexity();
-  const auto halved = halvings(vertices, few);
-  if (!halved) return std::nullopt;
-  const coarser_field coarser(image_.field(), *halved);
+// Returns the metric wanted, in the field divided by 2^halved: a formula with samples as dense as
+// the sites will be, unless the ones that there are will do.
+std::optional<nodal_field> metric_delivery::wanted_in(const metric_field& coarser, int halved,
+                                                      const nodal_field& sampled) const {
+  constexpr double as_sites = 1;
+  const bool is_formula = field_.background() == nullptr;
+  if (halved == 0 && (!is_formula || longest_ <= as_sites)) return sampled;
+  if (is_formula) {
+    auto fine = sample_field(image_.shape(), *start_, coarser, as_sites, options_.stop);
+    if (!fine) return std::nullopt;
+    return nodal_field(fine->nodes);
+  }
   mesh background = *background_;
-  const double factor = elementary::exp2(-*halved);
+  const double factor = elementary::exp2(-halved);
   for (site& s : background.sites)
     s.metric = {s.metric.m11 * factor, s.metric.m12 * factor, s.metric.m22 * factor};
-  if (field_.background() == nullptr) {
-    auto fine = sample_field(image_.shape(), *start_, coarser, 1, options_.stop);
-    if (!fine) return std::nullopt;
-    background = std::move(fine->nodes);
-  }
-  nodal_field wanted(background);
+  return nodal_field(background);
+}
+
+std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
+  if (!prepare()) return std::nullopt;
+  const nodal_field sampled(*background_);
+  const auto halved = halvings(vertices_of_unit * sampled.complexity(), few);
+  if (!halved) return std::nullopt;
+  const coarser_field coarser(image_.field(), *halved);
+  auto wanted = wanted_in(coarser, *halved, sampled);
+  if (!wanted) return std::nullopt;
   const double count = *halved == 0 && options_.vertices ? static_cast<double>(*options_.vertices)
-                                                         : vertices_of_unit * wanted.complexity();
+                                                         : vertices_of_unit * wanted->complexity();
   if (!(count < static_cast<double>(options_.max_sites))) return std::nullopt;
   auto made = adaptation(image_.shape(), coarser, options_, *start_,
-                         {std::move(wanted), field_.background() != nullptr,
+                         {std::move(*wanted), field_.background() != nullptr,
                           static_cast<std::size_t>(count)})
                   .run();
   if (!made) return std::nullopt;

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
@@ -40,13 +41,15 @@ class metric_delivery {
  private:
   bool prepare();
   std::optional<int> halvings(double vertices, std::size_t few) const;
+  std::optional<adapting::nodal_field> wanted_in(const metric_field& coarser, int halved,
+                                                 const adapting::nodal_field& sampled) const;
   std::optional<mesh_outcome> in_given_units(mesh_outcome made, int halved);
 
   const metric_field& field_;
   const mesh_options& options_;
   unit_image image_;
   std::optional<mesh> start_, background_;  // in the frame
-  double variation_ = 0;
+  double longest_ = 0;                      // edge of the background of a formula, in its metric
   bool prepared_ = false;
 };
 

@@ -70,18 +70,19 @@ std::optional<mesh> coarse_mesh(const domain& d, const metric_field& field,
   return coarse_mesh_in(*mean, d, options);
 }
 
-std::optional<sampled_field> sample_field(const domain& d, const mesh& start,
-                                          const metric_field& field, double longest,
-                                          const cancellation& stop) {
+std::optional<adapting::sampled_background> sample_field(const domain& d, const mesh& start,
+                                                         const metric_field& field, double longest,
+                                                         const cancellation& stop) {
   auto built = adapting::working_mesh::build(d, start);
   if (!built) return std::nullopt;
   adapting::sampling_limits limits;
   limits.longest = longest;
   limits.stop = stop;
-  auto nodes = adapting::sample_background(std::move(built).value(), field, limits);
-  if (!nodes) return std::nullopt;
-  sampled_field sampled{std::move(*nodes), 0};
-  const adapting::nodal_field graph(sampled.nodes);
+  return adapting::sample_background(std::move(built).value(), field, limits);
+}
+
+double sampled_variation(const mesh& nodes) {
+  const adapting::nodal_field graph(nodes);
   std::vector<double> found;
   for (const adapting::graph_edge& e : graph.edges())
     found.push_back(adapting::log_variation({graph.places()[e.a], graph.tensors()[e.a]},
@@ -90,8 +91,7 @@ std::optional<sampled_field> sample_field(const domain& d, const mesh& start,
   const auto place =
       found.begin() + static_cast<std::ptrdiff_t>(found.size() - 1 - found.size() / one_in);
   std::nth_element(found.begin(), place, found.end());
-  sampled.variation = *place;
-  return sampled;
+  return *place;
 }
 
 }  // namespace asterism::internal

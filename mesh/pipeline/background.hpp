@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "asterism/mesh/adapt/sampled_background.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
@@ -19,18 +20,14 @@ namespace asterism::internal {
 std::optional<mesh> coarse_mesh(const domain& d, const metric_field& field,
                                 const mesh_options& options);
 
-// Metric of a formula, sampled at the nodes of a mesh.
-struct sampled_field {
-  mesh nodes;
-  // Logarithm of the distortion over an edge, for each unit of the edge's length, that one edge in
-  // fifty exceeds: how fast the metric varies, as far as the samples tell.
-  double variation = 0;
-};
-
 // Samples the field on a mesh that begins with `start`, with edges that are at most `longest` long
 // in it. Returns nothing where the field fails.
-std::optional<sampled_field> sample_field(const domain& d, const mesh& start,
-                                          const metric_field& field, double longest,
-                                          const cancellation& stop);
+std::optional<adapting::sampled_background> sample_field(const domain& d, const mesh& start,
+                                                         const metric_field& field, double longest,
+                                                         const cancellation& stop);
+
+// Returns the logarithm of the distortion over an edge, for each unit of the edge's length, that
+// one edge in fifty exceeds: how fast the metric varies, as far as its samples tell.
+double sampled_variation(const mesh& nodes);
 
 }  // namespace asterism::internal

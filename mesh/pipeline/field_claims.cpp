@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
-#include "asterism/mesh/io/file_ending.hpp"
-#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
@@ -59,7 +58,7 @@ std::optional<std::string> difference_from(const metric_field& field, const mesh
 
 // Returns the metric of a mesh, where its file is still there.
 result<std::unique_ptr<metric_field>> background_of(const certificate& claim, double size) {
-  auto background = read_medit(claim.metric);
+  auto background = read_mesh(claim.metric);
   if (!background) return background.failure();
   const auto adopted = adopt_mesh(std::move(background).value());
   if (!adopted) return adopted.failure();
@@ -84,9 +83,8 @@ result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) 
   const auto size = size_of(claim, "size");
   if (!size) return error{"the size is no number"};
   const bounding_box box = claim.original->box();
-  auto field = has_ending(claim.metric, ".mesh")
-                   ? background_of(claim, size.value())
-                   : make_metric_field(claim.metric, box, size.value());
+  auto field = is_mesh_file(claim.metric) ? background_of(claim, size.value())
+                                          : make_metric_field(claim.metric, box, size.value());
   const std::string gradation = option_of(claim, "gradation");
   if (!field) return field;
   if (gradation == "none") return if_the_same(claim, std::move(field).value());
@@ -128,7 +126,7 @@ field_check check_field(const mesh& subject, const certificate& claim) {
   if (!field) {
     check.why_not = field.failure().message;
     // A file may be gone, or another by now.
-    if (is_adapted || has_ending(claim.metric, ".mesh")) return check;
+    if (is_adapted || is_mesh_file(claim.metric)) return check;
     check.contradictions.push_back("\"asked.metric\" cannot be made again: " + check.why_not);
     return check;
   }

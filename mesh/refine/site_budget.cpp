@@ -23,13 +23,21 @@ constexpr double part_for_filling = 0.8;
 constexpr int most_attempts = 2000;
 // Number of vertices from which sites are first spread as the segments will need them, and number
 // of vertices to one site inside beyond which that is not done. Where a domain is narrow everywhere
-// vertices see few others, and refinement finds fewer sites.
+// vertices see few others, and refinement finds fewer sites. Without a size only ends of segments
+// count: isolated vertices are spread already.
 constexpr std::size_t many_vertices = 120, fewest_for_one_inside = 5;
 
 // Returns how many more times the number of sites is to be halved.
 int halvings_for(double needed, std::size_t most_sites) {
   const double room = part_for_filling * static_cast<double>(most_sites);
   return std::max(1, static_cast<int>(std::ceil(elementary::log2(needed / room))));
+}
+
+// Counts the vertices that are ends of segments.
+std::size_t count_segment_ends(const domain& d) {
+  std::vector<char> is_end(d.vertices.size(), 0);
+  for (const segment& one : d.segments) is_end[one.a] = is_end[one.b] = 1;
+  return static_cast<std::size_t>(std::count(is_end.begin(), is_end.end(), char{1}));
 }
 
 fill_options fill_options_for(const mesh_options& options) {
@@ -117,7 +125,9 @@ result<budgeted_filling> fill_by_halving(const meshing_context& job) {
 
 result<budgeted_filling> fill_within_budget(const meshing_context& job) {
   const bool limit_size = job.options.limit_size;
-  const bool is_large = job.shape.vertices.size() >= many_vertices;
+  const std::size_t counted =
+      limit_size ? job.shape.vertices.size() : count_segment_ends(job.shape);
+  const bool is_large = counted >= many_vertices;
   if (job.options.strategy != refinement_strategy::fill || !(limit_size || is_large))
     return nothing_proposed(job.shape);
   if (is_large) {

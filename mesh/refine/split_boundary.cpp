@@ -9,6 +9,7 @@
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/refine/encroachment_filter.hpp"
 #include "asterism/mesh/stars/split_place.hpp"
 #include "asterism/mesh/stars/visibility.hpp"
 
@@ -30,36 +31,6 @@ double rounding_of_distance(const metric_tensor& m, const point& a, const point&
 // Returns the power of two nearest to half the length, as a ratio: within a factor sqrt(2) of it.
 double shell_radius(double length) {
   return elementary::exp2(std::round(elementary::log2(length / 2)));
-}
-
-// Returns an upper bound on |d|_M^2, in doubles. With eps = 2^-52 and sum = m11 dx^2 + m22 dy^2 the
-// absolute monomials add up to at most 2 sum (2 |m12 dx dy| <= sum), each carries at most 8 rounded
-// factors: the error is below 32 eps sum, which no condition number of M enlarges.
-double squared_length_above(const metric_tensor& m, const point& d) {
-  return inner_product(m, d, d) + 0x1p-46 * (m.m11 * d.x * d.x + m.m22 * d.y * d.y);
-}
-
-// True if w certainly does not encroach on the subsegment a b; cheap. Nowhere on a b are both f_a
-// and f_b above r^2, their value at the bisector point, and r grows with either length; if f_w is
-// above it all along a b, w does not encroach. With S the magnitude, a bound on the monomials of
-// f_w on the segment is 2 S, so that evaluating f_w at t is off by less than 40 eps S. t itself is
-// off by at most 64 eps S / |d|_w^2, and by at most 1 as it is clamped, which raises f_w above its
-// least value by less than 192 eps S whichever is smaller: 256 eps = 2^-44 covers both. The few
-// roundings of r are relative. Near underflow these bounds do not hold, and nothing is decided.
-bool surely_does_not_encroach(const site& a, const site& b, const site& w) {
-  const point d{b.position.x - a.position.x, b.position.y - a.position.y};
-  const point e{w.position.x - a.position.x, w.position.y - a.position.y};
-  const double from_a = std::sqrt(squared_length_above(a.metric, d));
-  const double from_b = std::sqrt(squared_length_above(b.metric, d));
-  const double r = from_a * from_b / (from_a + from_b);
-  const double t =
-      std::clamp(inner_product(w.metric, d, e) / inner_product(w.metric, d, d), 0.0, 1.0);
-  const point u{e.x - t * d.x, e.y - t * d.y};
-  const double reach_x = std::abs(e.x) + std::abs(d.x), reach_y = std::abs(e.y) + std::abs(d.y);
-  const double magnitude = w.metric.m11 * reach_x * reach_x + w.metric.m22 * reach_y * reach_y;
-  constexpr double near_underflow = 0x1p-900;
-  if (!(r * r > near_underflow)) return false;
-  return inner_product(w.metric, u, u) - 0x1p-44 * magnitude > (1 + 0x1p-47) * r * r;
 }
 
 }  // namespace
@@ -167,7 +138,8 @@ bool split_boundary::is_encroached(const star_predicates& kernel, std::size_t su
   const site &a = sites()[p.a], &b = sites()[p.b];
   if (kernel.orientation(a.position, b.position, s.position) != sign::positive) return false;
   if (self && is_excused(p, *self)) return false;
-  return !surely_does_not_encroach(a, b, s) && kernel.encroaches(a, b, s);
+  const uncertain_bool quickly = encroaches_quickly(a, b, s);
+  return quickly.certain() ? quickly.value() : kernel.encroaches(a, b, s);
 }
 
 std::vector<std::size_t> split_boundary::encroached_by(const star_predicates& kernel,

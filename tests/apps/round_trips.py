@@ -135,6 +135,32 @@ Physical Curve("floor", 7) = {1}; Physical Curve("rest", 8) = {2,3,4}; Physical 
         meshio.write(self.folder / "m.meshb", read)
         self.check_triangles("m.meshb")
 
+    def test_metric_of_a_binary_or_gmsh_mesh(self):
+        self.run_command("certify", "t.mesh", "-o", "b.meshb", "-o", "g.msh")
+        made = []
+        for name in ("t.mesh", "b.meshb", "g.msh"):
+            job = ["mesh", "square", "--metric", name, "--size", "1", "-o", "again.mesh"]
+            done = self.run_command(*job)
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+            verified = self.run_command("verify", "again.mesh")
+            self.assertEqual(verified.returncode, done.returncode, verified.stdout + verified.stderr)
+            made.append((self.folder / "again.mesh").read_bytes())
+            refused = self.run_command(*job[:-1], name)
+            self.assertEqual(refused.returncode, 2, "the metric's own file is not written over")
+        self.assertEqual(len(set(made)), 1)
+
+    def test_written_as_it_is_without_a_metric_file(self):
+        """certify -o of a mesh whose metric is in it, or found beside it, by no name."""
+        self.run_command("certify", "t.mesh", "-o", "t.msh", "-o", "t.meshb")
+        for name in ("t.msh", "t.meshb"):
+            done = self.run_command("certify", name, "-o", "w.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(self.run_command("verify", "w.mesh").returncode, 0)
+            self.assertEqual((self.folder / "w.sol").read_bytes(), (self.folder / "t.sol").read_bytes())
+        for output in ("t.meshb", "t.solb.mesh"):
+            done = self.run_command("certify", "t.meshb", "-o", output)
+            self.assertEqual(done.returncode, 2 if output == "t.meshb" else 0, done.stderr)
+
     def check_triangles(self, name):
         """Triangles and regions are there; what else a program keeps is its affair."""
         done = self.run_command("certify", name, *FORMULA, "-o", "again.msh")

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <vector>
 
+extern "C" int LLVMFuzzerInitialize(int*, char***);
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace {
@@ -26,6 +27,7 @@ std::vector<std::filesystem::path> files_of(int count, char** folders) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+  (void)LLVMFuzzerInitialize(&argc, &argv);
   const auto files = files_of(argc - 1, argv + 1);
   for (const auto& file : files) {
     std::ifstream in(file, std::ios::binary);

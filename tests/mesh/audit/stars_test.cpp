@@ -286,6 +286,23 @@ TEST_CASE("a metric that varies gently keeps the stars, and nobody but neighbour
   CHECK(report.star_pairs == 0);
 }
 
+TEST_CASE(
+    "in one metric neighbours suffice, and the auditor by itself finds the same of all pairs") {
+  std::size_t pairs = 0;
+  for (const double unevenness : {0.0, 0.1, 0.3}) {
+    const patch p = make_patch(10, unevenness);
+    audit_options alone;
+    alone.own_filter_alone = true;
+    const audit_report by_neighbours = audit(p.m, {}), by_all = audit(p.m, alone);
+    CAPTURE(unevenness, kinds(by_neighbours), kinds(by_all));
+    CHECK(by_neighbours.certified == by_all.certified);
+    CHECK(by_neighbours.found == by_all.found);
+    CHECK((!by_neighbours.certified || by_neighbours.star_pairs == 0));
+    pairs += by_all.star_pairs;
+  }
+  CHECK(pairs > 0);
+}
+
 TEST_CASE("a metric that varies more keeps the stars, and few edge tests are needed") {
   patch p = make_patch(10);
   vary(p, 3);

@@ -290,6 +290,33 @@ static void test_meshes(void) {
   asterism_mesh_free(NULL);
 }
 
+/* A metric that jumps, which no stars agree in: beside the jump another one is delivered. */
+static void test_metric_tolerance(void) {
+  asterism_domain square;
+  asterism_metric metric;
+  asterism_mesh_options options;
+  asterism_mesh *any = NULL, *near_it = NULL;
+  char message[200];
+  make_square(&square);
+  asterism_metric_init(&metric);
+  asterism_mesh_options_init(&options);
+  expect(options.metric_tolerance < 0, "any distance, by default");
+  metric.specification = "expr:(x>0.5)?400:4;0;4";
+  options.limit_size = 1;
+  expect(asterism_mesh_create(&square, &metric, &options, &any, message, sizeof message) ==
+                 ASTERISM_OK &&
+             asterism_mesh_is_certified(any) &&
+             strstr(asterism_mesh_certificate(any), "\"greatest\"") != NULL,
+         "another metric is delivered, and said");
+  options.metric_tolerance = 0.01;
+  expect(asterism_mesh_create(&square, &metric, &options, &near_it, message, sizeof message) ==
+                 ASTERISM_OK &&
+             !asterism_mesh_is_complete(near_it) && !asterism_mesh_is_certified(near_it),
+         "not within the tolerance");
+  asterism_mesh_free(any);
+  asterism_mesh_free(near_it);
+}
+
 static void expect_refused(const asterism_domain* domain, const asterism_metric* metric,
                            const asterism_mesh_options* options, const char* word) {
   char message[200], cut[5];
@@ -315,6 +342,9 @@ static void test_refused_meshes(void) {
   asterism_metric_init(&metric);
   asterism_mesh_options_init(&options);
   expect_refused(&square, &metric, &options, "metric must be one of");
+  options.metric_tolerance = HUGE_VAL;
+  expect_refused(&square, &metric, &options, "metric_tolerance");
+  options.metric_tolerance = -1;
   metric.specification = "swirl:12";
   other = metric;
   other.function = failing;
@@ -342,6 +372,7 @@ int main(void) {
   test_stars();
   test_refused_sites();
   test_meshes();
+  test_metric_tolerance();
   test_refused_meshes();
   if (failures == 0) puts("stars and meshes come and are refused as documented");
   return failures == 0 ? 0 : 1;

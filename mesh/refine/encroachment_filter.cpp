@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/refine/encroachment_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "asterism/mesh/numerics/constructions.hpp"
+
+namespace asterism::internal {
+namespace {
+
+// Returns an upper bound on |d|_M^2, in doubles. With eps = 2^-52 and sum = m11 dx^2 + m22 dy^2 the
+// absolute monomials add up to at most 2 sum (2 |m12 dx dy| <= sum), each carries at most 8 rounded
+// factors: the error is below 32 eps sum, which no condition number of M enlarges.
+double squared_length_above(const metric_tensor& m, const point& d) {
+  return inner_product(m, d, d) + 0x1p-46 * (m.m11 * d.x * d.x + m.m22 * d.y * d.y);
+}
+
+// Returns a lower bound on |d|_M^2, by the same error; may be negative.
+double squared_length_below(const metric_tensor& m, const point& d) {
+  return inner_product(m, d, d) - 0x1p-46 * (m.m11 * d.x * d.x + m.m22 * d.y * d.y);
+}
+
+// Squared lengths below it may have lost more to underflow than the bounds allow.
+constexpr double near_underflow = 0x1p-900;
+
+// The squared distances of the points a + t (b - a) of a subsegment, as a, b and w measure them.
+class subsegment_distances {
+ public:
+  subsegment_distances(const site& a, const site& b, const site& w)
+      : a_(a.metric),
+        b_(b.metric),
+        w_(w.metric),
+        d_{b.position.x - a.position.x, b.position.y - a.position.y},
+        e_{w.position.x - a.position.x, w.position.y - a.position.y} {
+    const double reach_x = std::abs(e_.x) + std::abs(d_.x),
+                 reach_y = std::abs(e_.y) + std::abs(d_.y);
+    magnitude_ = w_.m11 * reach_x * reach_x + w_.m22 * reach_y * reach_y;
+  }
+
+  // Returns what bounds the error of f_w anywhere on a b, with room for that of t.
+  double error() const { return 0x1p-44 * magnitude_; }
+
+  // True if w certainly does not encroach. Nowhere on a b are both f_a and f_b above r^2, their
+  // value at the bisector point, and r grows with either length; if f_w is above it all along a b,
+  // w does not encroach. With S the magnitude, a bound on the monomials of f_w on the segment is
+  // 2 S, so that evaluating f_w at t is off by less than 40 eps S. t itself is off by at most 64
+  // eps S / |d|_w^2, and by at most 1 as it is clamped, which raises f_w above its least value by
+  // less than 192 eps S whichever is smaller: 256 eps = 2^-44 covers both. The few roundings of r
+  // are relative. Near underflow these bounds do not hold, and nothing is decided.
+  bool surely_stay_clear() const {
+    const double from_a = std::sqrt(squared_length_above(a_, d_));
+    const double from_b = std::sqrt(squared_length_above(b_, d_));
+    const double r = from_a * from_b / (from_a + from_b);
+    if (!(r * r > near_underflow)) return false;
+    return squared_from_w(nearest_to_w()) - error() > (1 + 0x1p-47) * r * r;
+  }
+
+  // True if w certainly encroaches: if at some t it is nearer than a and b. t is exact, as it is
+  // chosen. f_a(t) is t^2 |d|_a^2, whose error squared_length_above tells, and f_b(t) likewise with
+  // 1 - t, rounded once; f_w is off by less than 40 eps S as above.
+  bool surely_encroached() const {
+    const double squared_a = squared_length_below(a_, d_), squared_b = squared_length_below(b_, d_);
+    const double from_a = std::sqrt(squared_a), from_b = std::sqrt(squared_b);
+    for (const double t : {from_b / (from_a + from_b), nearest_to_w()}) {
+      if (!(t > 0 && t < 1)) continue;
+      const double nearer = std::min(t * t * squared_a, (1 - t) * (1 - t) * squared_b);
+      if (!(nearer > near_underflow)) continue;
+      if (squared_from_w(t) + error() < (1 - 0x1p-47) * nearer) return true;
+    }
+    return false;
+  }
+
+ private:
+  double nearest_to_w() const {
+    return std::clamp(inner_product(w_, d_, e_) / inner_product(w_, d_, d_), 0.0, 1.0);
+  }
+  double squared_from_w(double t) const {
+    const point u{e_.x - t * d_.x, e_.y - t * d_.y};
+    return inner_product(w_, u, u);
+  }
+
+  const metric_tensor &a_, &b_, &w_;
+  point d_, e_;
+  double magnitude_ = 0;
+};
+
+}  // namespace
+
+// Where all three have one metric, w encroaches if it is in the disk that has a b for its diameter:
+// if (w - a)^T M (w - b) < 0, with an error of less than 40 eps S as above.
+uncertain_bool encroaches_quickly(const site& a, const site& b, const site& w) {
+  const subsegment_distances along(a, b, w);
+  if (identical(a.metric, w.metric) && identical(b.metric, w.metric)) {
+    const point from_a{w.position.x - a.position.x, w.position.y - a.position.y},
+        from_b{w.position.x - b.position.x, w.position.y - b.position.y};
+    const double product = inner_product(w.metric, from_a, from_b);
+    if (std::abs(product) > along.error() && along.error() > near_underflow)
+      return uncertain_bool(product < 0);
+  }
+  if (along.surely_stay_clear()) return uncertain_bool(false);
+  if (along.surely_encroached()) return uncertain_bool(true);
+  return uncertain_bool();
+}
+
+}  // namespace asterism::internal
