@@ -90,14 +90,14 @@ void check_straight(audit_context& context, const std::vector<vertex_index>& alo
   const double reach = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   const double ulp = unit_in_last_place(reach);
   const std::string whole =
-      "the segment from " + vertex_text(context, start) + " to " + vertex_text(context, end);
+      "segment from " + vertex_text(context, start) + " to " + vertex_text(context, end);
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     const vector2<rational> forward =
         difference<rational>(context.at(along[i + 1]), context.at(along[i]));
     if (dot(forward, along_segment) <= 0)
       context.found(finding_kind::segment_not_covered,
                     "from " + vertex_text(context, along[i]) + " to " +
-                        vertex_text(context, along[i + 1]) + " the boundary runs against " + whole);
+                        vertex_text(context, along[i + 1]) + " the boundary runs against its " + whole);
     if (i + 2 == along.size()) continue;
     const rational offset = cross(along_segment, difference<rational>(context.at(along[i + 1]), a));
     const double distance = root_rounded_up(offset * offset / dot(along_segment, along_segment));
@@ -110,7 +110,7 @@ void check_straight(audit_context& context, const std::vector<vertex_index>& alo
       context.found(finding_kind::boundary_deviation,
                     vertex_text(context, along[i + 1]) + " is up to " + number_text(distance) +
                         ", " + number_text(distance / ulp) +
-                        " units in the last place, away from " + whole);
+                        " units in the last place, away from the " + whole);
   }
 }
 

@@ -25,12 +25,12 @@ curved_splits::curved_splits(const domain& d) {
 
 std::optional<point> curved_splits::place(const boundary_edge& subsegment, const point& q) const {
   if (subsegment.segment >= chord_of_segment_.size()) return std::nullopt;
-  const auto& chord = chord_of_segment_[subsegment.segment];
-  if (!chord) return std::nullopt;
+  const auto& on = chord_of_segment_[subsegment.segment];
+  if (!on) return std::nullopt;
   for (const vertex_index v : {subsegment.a, subsegment.b})
     if (v < off_curve_.size() && off_curve_[v] != 0) return std::nullopt;
-  const curve_path& path = paths_[chord->curve];
-  const auto t = path.nearest(q, chord->t0, chord->t1);
+  const curve_path& path = paths_[on->curve];
+  const auto t = path.nearest(q, on->t0, on->t1);
   if (!t) return std::nullopt;
   return path.at(*t);
 }
