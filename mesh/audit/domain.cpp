@@ -97,7 +97,8 @@ void check_straight(audit_context& context, const std::vector<vertex_index>& alo
     if (dot(forward, along_segment) <= 0)
       context.found(finding_kind::segment_not_covered,
                     "from " + vertex_text(context, along[i]) + " to " +
-                        vertex_text(context, along[i + 1]) + " the boundary runs against its " + whole);
+                        vertex_text(context, along[i + 1]) + " the boundary runs against its " +
+                        whole);
     if (i + 2 == along.size()) continue;
     const rational offset = cross(along_segment, difference<rational>(context.at(along[i + 1]), a));
     const double distance = root_rounded_up(offset * offset / dot(along_segment, along_segment));
