@@ -33,11 +33,11 @@ class Curves(command.CommandTest):
         self.write("d.poly", text)
         done = self.run_command("mesh", "d.poly", *options, "-o", "d.mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
-        return self.checked()
+        return self.checked(["--regions"] if "--regions" in options else [])
 
-    def checked(self):
+    def checked(self, named):
         """The certificate, after `verify` has repeated it from itself and from the file."""
-        for more in ([], ["--domain", "d.poly"]):
+        for more in ([], ["--domain", "d.poly", *named]):
             done = self.run_command("verify", "d.mesh", *more)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return json.loads((self.folder / "d.certificate.json").read_text())
@@ -150,12 +150,12 @@ class Curves(command.CommandTest):
 
     def test_curves_that_mean_nothing_are_refused(self):
         ends = [(1, 0), (0, 1), (0, 0)]
-        self.refused(poly([(0, 0)], [], ["circle 1 0 0"]), "d.poly:6:", "radius of 0")
-        self.refused(poly([(1, 0)], [], ["circle 1 nan 0"]), "d.poly:6:", "'nan' is not finite")
-        self.refused(poly([(1, 0)], [], ["circle 2 0 0"]), "d.poly:6:", "vertex '2' does not exist")
-        self.refused(poly([(1, 0)], [], ["ellipse 1 0 0"]), "d.poly:6:", "no kind of curve")
+        self.refused(poly([(0, 0)], [], ["circle 1 0 0"]), "d.poly:7:", "radius of 0")
+        self.refused(poly([(1, 0)], [], ["circle 1 nan 0"]), "d.poly:7:", "'nan' is not finite")
+        self.refused(poly([(1, 0)], [], ["circle 2 0 0"]), "d.poly:7:", "vertex '2' does not exist")
+        self.refused(poly([(1, 0)], [], ["ellipse 1 0 0"]), "d.poly:7:", "no kind of curve")
         self.refused(poly([(1e200, 0)], [], ["circle 1 -1e200 0"]), "beyond the range of doubles")
-        self.refused(poly([(1, 0), (0, 1.1), (0, 0)], TRIANGLE, ["arc 1 0 0 ccw"]), "d.poly:11:",
+        self.refused(poly([(1, 0), (0, 1.1), (0, 0)], TRIANGLE, ["arc 1 0 0 ccw"]), "d.poly:12:",
                      "does not end on its circle", "1.1")
         self.refused(poly(ends, TRIANGLE, ["arc 1 0 0 left"]), "'left' is no direction")
         self.refused(poly(ends, TRIANGLE, ["arc 1 0 0 ccw", "bezier 1 1 1 1 1"]),
