@@ -27,6 +27,7 @@ inline constexpr tier_weights weights_of(predicate which) {
     case predicate::insertion_test:
       return {0.1, 2, 0.5};
     case predicate::encroaches:
+      return {0.006, 0.3, 0.5};
     case predicate::voronoi_vertex_count:
     case predicate::arc_intersection_count:
       return {0.1, 0.3, 0.5};

@@ -139,7 +139,9 @@ bool split_boundary::is_encroached(const star_predicates& kernel, std::size_t su
   if (kernel.orientation(a.position, b.position, s.position) != sign::positive) return false;
   if (self && is_excused(p, *self)) return false;
   const uncertain_bool quickly = encroaches_quickly(a, b, s);
-  return quickly.certain() ? quickly.value() : kernel.encroaches(a, b, s);
+  if (!quickly.certain()) return kernel.encroaches(a, b, s);
+  ++kernel.counters().at(predicate::encroaches, tier::semi_static);
+  return quickly.value();
 }
 
 std::vector<std::size_t> split_boundary::encroached_by(const star_predicates& kernel,

@@ -20,6 +20,7 @@ std::vector<point> arc_candidates(const refine_state& state, const triangle& t) 
 
 bool refine_by_arcs(refine_state& state, const triangle& t, double tolerance,
                     std::size_t& rejected) {
+  state.count_triangle_tried();
   for (const point& q : arc_candidates(state, t)) {
     if (place_site(state, q, tolerance) == placement_outcome::inserted) return true;
     ++rejected;
@@ -29,6 +30,7 @@ bool refine_by_arcs(refine_state& state, const triangle& t, double tolerance,
 
 std::optional<site> find_place(refine_state& state, const triangle& t, double tolerance,
                                std::size_t& rejected) {
+  state.count_triangle_tried();
   for (const point& q : arc_candidates(state, t)) {
     if (state.strictly_inside(q)) {
       const auto s = state.site_at(q);

@@ -39,7 +39,7 @@ class number_table {
   // Returns the number of rows, 1 where a single row stands for all.
   std::size_t rows() const { return rows_; }
   // A single row stands for as many as there are.
-  asterism_rows every() const { return {first_, single_ ? 0 : stride_}; }
+  asterism_rows every() const { return {first_, rows_ == 1 ? 0 : stride_}; }
   const double* row(std::size_t k) const { return first_ + k * stride_; }
 
  private:

@@ -17,11 +17,12 @@ struct argument {
   py::ssize_t width;
 };
 
+// A table of one row stands for all rows as a row alone does, as numpy broadcasts.
 std::size_t common_rows(const std::vector<number_table>& tables) {
   std::size_t rows = 1;
   bool found = false;
   for (const number_table& t : tables) {
-    if (t.is_single()) continue;
+    if (t.rows() == 1) continue;
     if (found && t.rows() != rows)
       throw input_error("arguments of " + std::to_string(rows) + " and " +
                         std::to_string(t.rows()) + " rows");

@@ -53,6 +53,13 @@ def test_every_layout_of_an_array_gives_the_same_answers(layout):
     assert (asterism.compare_distance(v, w, np.array(x[:, :2])) == points).all()
 
 
+def test_a_table_of_one_row_stands_for_all():
+    p, q, r = np.zeros((3, 2)), [(1, 0)], [(0, 1), (0, -1), (2, 0)]
+    assert asterism.orientation(p, q, r).tolist() == [1, -1, 0]
+    assert asterism.orientation([(0, 0)], q, [(0, 1)]).tolist() == [1]
+    assert asterism.orientation(np.zeros((0, 2)), q, np.zeros((0, 2))).shape == (0,)
+
+
 def test_a_batch_is_its_rows():
     v, w, x, y = (sites(50) for _ in range(4))
     for ask, arguments in [(asterism.edge_test, (v, w, x, y)), (asterism.insertion_test, (v, w, x, y)),

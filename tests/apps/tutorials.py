@@ -1,37 +1,34 @@
 # SPDX-License-Identifier: MIT
-"""The commands of the tutorials work as they stand: files in fences that are named after them are written,
-shell commands in fences are run in one folder, in order."""
-import os
-import pathlib
+"""The commands of the tutorials work as they stand, what they quote is in the files quoted, and they make the
+pictures that the pages show (scripts/make-tutorial-pictures keeps these)."""
 import re
-import subprocess
 import unittest
 
 import command
-
-FOLDER = pathlib.Path(__file__).resolve().parents[2] / "docs/tutorial"
+import tutorial_steps
 
 
 class Tutorials(command.CommandTest):
     def follow(self, name):
-        text = (FOLDER / name).read_text(encoding="utf-8")
-        path = os.pathsep.join([str(pathlib.Path(command.PROGRAM).resolve().parent), os.environ["PATH"]])
-        blocks = re.findall(r"^```(\S+)\n(.*?)^```$", text, re.M | re.S)
-        self.assertGreater(sum(kind == "sh" for kind, _ in blocks), 2)
-        for kind, body in blocks:
-            if kind != "sh":
-                self.write(kind, body)
-                continue
-            # A line at a time would lose loops; -e ends at the first command that fails and is not asked for it.
-            script = re.sub(r"^(.*); (test \$\? -eq \d)$", r"set +e; \1; \2 || exit 99; set -e", body, flags=re.M)
-            done = subprocess.run(["bash", "-ec", script], cwd=self.folder, capture_output=True, text=True,
-                                  timeout=600, check=False, env={**os.environ, "PATH": path})
-            self.assertEqual(done.returncode, 0, f"{body}\n{done.stdout}{done.stderr}")
+        kinds = [kind for kind, _, _ in tutorial_steps.FENCE.findall(tutorial_steps.text_of(name))]
+        self.assertGreater(kinds.count("sh"), 2)
+        for picture in tutorial_steps.follow(name, self.folder, command.PROGRAM):
+            self.assertTrue((tutorial_steps.TUTORIALS / "figures" / picture).is_file(), picture)
 
     def test_engineer(self):
         self.follow("engineer.md")
         said = (self.folder / "channel.certificate.json").read_text()
         self.assertRegex(said, '"repair-done": "within .*1 crossings made vertices')
+
+    def test_messages_are_those_of_the_program(self):
+        table = re.search(r"^\| the message says .*?\n\n", tutorial_steps.text_of("engineer.md"), re.M | re.S)[0]
+        sources = "".join(path.read_text(encoding="utf-8") for folder in ("apps", "mesh")
+                          for path in (tutorial_steps.TOP / folder).rglob("*.cpp"))
+        said = re.sub(r'"\s*\n\s*"', "", sources)
+        for row in table.strip().splitlines()[2:]:
+            for message in re.findall(r"`([^`]*)`", row.split("|")[1]):
+                for part in re.split(r"\bN\b", message):
+                    self.assertIn(part.strip(), said, message)
 
     def test_predicate_tester(self):
         self.follow("predicate_tester.md")

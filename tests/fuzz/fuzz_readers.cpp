@@ -144,7 +144,7 @@ bool read_a_solution(const path& file) {
   static const mesh four = small_mesh();
   const auto read = read_solution(file, four);
   if (!is_read(read)) return false;
-  for (const char* name : {"again.sol", "again.solb"}) {
+  for (const char* name : {"values.sol", "values.solb"}) {
     if (!write_solution(files().of(name), read.value()))
       give_up(std::string("what was read cannot be written to ") + name);
     const auto again = read_solution(files().of(name), four);
@@ -169,26 +169,26 @@ bool read_a_certificate(const path& file) {
 }
 
 struct reader {
-  const char* name;  // the file's
+  const char* name;  // the file's; no two share a stem, for the metric of a mesh lies beside it
   bool (*read)(const path&);
   unsigned long long taken = 0, refused = 0;
 };
 
-std::array<reader, 15> readers{{{"x.poly", read_a_domain},
-                                {"x.geojson", read_a_domain},
-                                {"x.wkt", read_a_domain},
-                                {"x.mesh", read_a_mesh},
-                                {"x.meshb", read_a_mesh},
-                                {"x.msh", read_a_mesh},
-                                {"m.sol", read_a_metric},
-                                {"m.solb", read_a_metric},
-                                {"m.mtr", read_a_metric},
-                                {"x.sol", read_a_solution},
-                                {"x.solb", read_a_solution},
-                                {"x.bb", read_a_solution},
-                                {"x.BB", read_a_solution},
-                                {"x.vtu", read_a_solution},
-                                {"x.certificate.json", read_a_certificate}}};
+std::array<reader, 15> readers{{{"a.poly", read_a_domain},
+                                {"b.geojson", read_a_domain},
+                                {"c.wkt", read_a_domain},
+                                {"d.mesh", read_a_mesh},
+                                {"e.meshb", read_a_mesh},
+                                {"f.msh", read_a_mesh},
+                                {"g.sol", read_a_metric},
+                                {"h.solb", read_a_metric},
+                                {"i.mtr", read_a_metric},
+                                {"j.sol", read_a_solution},
+                                {"k.solb", read_a_solution},
+                                {"l.bb", read_a_solution},
+                                {"m.BB", read_a_solution},
+                                {"n.vtu", read_a_solution},
+                                {"o.certificate.json", read_a_certificate}}};
 
 void write_counts() {
   const char* const name = std::getenv("ASTERISM_FUZZ_COUNTS");
