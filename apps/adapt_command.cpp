@@ -104,6 +104,9 @@ std::optional<error> take_domain(adapt_job& job) {
   if (job.domain.empty()) return std::nullopt;
   const auto loaded = load_domain(job.domain);
   if (!loaded) return loaded.failure();
+  if (!loaded.value().curves.empty())
+    return error{"--domain " + job.domain +
+                 ": it has curves; their chords are those of the mesh, so leave the option away"};
   auto checked = check_domain(loaded.value());
   if (!checked) return checked.failure();
   job.options.exact = std::move(checked).value();

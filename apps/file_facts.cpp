@@ -10,6 +10,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/repair_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
@@ -51,8 +52,10 @@ file_facts facts_of(const domain& d) {
   std::map<int, std::size_t> markers;
   for (const segment& s : d.segments) ++markers[s.marker];
   facts.emplace_back("markers", text_of(markers));
+  if (!d.curves.empty()) facts.emplace_back("curves", std::to_string(d.curves.size()));
   domain_repairs repairs;
-  const auto checked = check_domain(d, &repairs);
+  const auto divided = divide_curves(d);
+  const auto checked = divided ? check_domain(divided.value(), &repairs) : divided;
   if (!checked) {
     facts.emplace_back("can be meshed", "no: " + checked.failure().message);
     facts.emplace_back("with --repair-domain", repair_domain(d).ok() ? "yes" : "no");

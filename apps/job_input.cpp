@@ -3,12 +3,14 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "asterism/apps/summary.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/repair_domain.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -60,13 +62,29 @@ error with_remedy(const error& refusal, const domain& d) {
   return {refusal.message + "; --repair-domain mends it: " + text_of(repairs), refusal.code};
 }
 
-result<domain> load_and_check(const mesh_job& job, domain_repairs& repairs) {
-  auto loaded = load_domain(job.domain);
-  if (!loaded) return loaded.failure();
-  if (job.number_regions) loaded.value().number_all_regions = true;
-  auto checked = job.repair ? repair_domain(loaded.value(), job.repair_distance, &repairs)
-                            : check_domain(loaded.value(), &repairs);
-  if (!checked && !job.repair) return with_remedy(checked.failure(), loaded.value());
+// Returns the domain put in order, its curves divided, also for the field where one is given.
+result<domain> checked_domain(const mesh_job& job, const domain& loaded, const metric_field* field,
+                              domain_repairs& repairs) {
+  if (job.repair) return repair_domain(loaded, job.repair_distance, &repairs);
+  curve_division chords;
+  chords.chord_tolerance = job.chord_tolerance;
+  chords.field = field;
+  chords.most_chords = job.refinement.max_sites;
+  const auto divided = divide_curves(loaded, chords);
+  if (!divided) return divided.failure();
+  auto checked = check_domain(divided.value(), &repairs);
+  if (!checked) return with_remedy(checked.failure(), loaded);
+  return checked;
+}
+
+result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repairs& repairs) {
+  auto read = load_domain(job.domain);
+  if (!read) return read.failure();
+  loaded = std::move(read).value();
+  if (job.number_regions) loaded.number_all_regions = true;
+  if (job.chord_tolerance && loaded.curves.empty())
+    return error{"--chord-tolerance: " + job.domain + " has no curves"};
+  auto checked = checked_domain(job, loaded, nullptr, repairs);
   if (checked && !job.quiet)
     for (const std::string& message : repairs.messages)
       std::cerr << "asterism: note: " << message << '\n';
@@ -85,17 +103,8 @@ result<domain> domain_of_mesh(const mesh_job& job) {
   return std::move(adopted.value().shape);
 }
 
-}  // namespace
-
-bool is_mesh(const mesh_job& job) { return is_mesh_file(job.domain); }
-
-result<prepared_input> prepare(const mesh_job& job) {
-  domain_repairs repairs;
-  const auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job, repairs);
-  if (!checked) return checked.failure();
-  auto populated = add_random_points(checked.value(), job.random_points, job.refinement.seed);
-  if (!populated) return populated.failure();
-  const std::size_t given = populated.value().vertices.size();
+// Refuses a limit that the vertices of the domain alone exceed.
+std::optional<error> check_counts(const mesh_job& job, std::size_t given) {
   if (given > job.refinement.max_sites)
     return error{"--max-sites " + std::to_string(job.refinement.max_sites) + ": the domain has " +
                  std::to_string(given) + " vertices already"};
@@ -105,6 +114,35 @@ result<prepared_input> prepare(const mesh_job& job) {
   if (job.refinement.vertices && *job.refinement.vertices > job.refinement.max_sites)
     return error{"--vertices " + std::to_string(*job.refinement.vertices) +
                  ": more than --max-sites " + std::to_string(job.refinement.max_sites)};
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool is_mesh(const mesh_job& job) { return is_mesh_file(job.domain); }
+
+result<prepared_input> prepare(const mesh_job& job) {
+  domain_repairs repairs;
+  domain loaded;
+  auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job, loaded, repairs);
+  if (!checked) return checked.failure();
+  // The metric before the points: where curves are divided for it, the domain changes once more.
+  const bool has_curves = job.refinement.limit_size && !checked.value().curves.empty();
+  std::optional<prepared_input> curved;
+  if (has_curves) {
+    auto prepared = with_metric(job, checked.value());
+    if (!prepared) return prepared.failure();
+    curved = std::move(prepared).value();
+    checked = checked_domain(job, loaded, curved->field.get(), repairs);
+    if (!checked) return checked.failure();
+  }
+  auto populated = add_random_points(checked.value(), job.random_points, job.refinement.seed);
+  if (!populated) return populated.failure();
+  if (auto refused = check_counts(job, populated.value().vertices.size())) return *refused;
+  if (curved) {
+    curved->shape = std::move(populated).value();
+    return *std::move(curved);
+  }
   auto prepared = with_metric(job, std::move(populated).value());
   if (prepared) prepared.value().repairs = std::move(repairs);
   return prepared;

@@ -27,6 +27,7 @@ void add_audit(json& object, const audit_report& audit) {
   object["exempt_corners"] = audit.exempt_corners.size();
   object["low_triangles"] = audit.low_triangles.size();
   object["largest_boundary_deviation"] = audit.largest_deviation;
+  if (audit.curves.curves > 0) object["distance_from_curves"] = audit.curves.largest_distance;
   object["voronoi"] = voronoi_verdict_names[static_cast<std::size_t>(audit.voronoi)];
   json findings = json::object();
   for (std::size_t kind = 0; kind < finding_kind_count; ++kind)

@@ -72,6 +72,10 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
       "How near is joined (default: the least that suffices, from 1e-12 to 2.4e-4 of the width)")
       ->type_name("D")
       ->needs(repair);
+  add_real(
+      app, "--chord-tolerance", positive_reals, [&job](double x) { job.chord_tolerance = x; },
+      "Greatest distance of a curve from its chords (default: a fiftieth of each chord)")
+      ->type_name("D");
   app.add_flag("--regions", job.number_regions,
                "Number every region that has no region point, from 1");
   add_count(

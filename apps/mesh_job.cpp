@@ -104,6 +104,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
       {"improve-done", outcome.improved ? text_of(*outcome.improved, outcome.sites) : "none"},
       {"certify", job.refinement.prove_voronoi ? "voronoi" : "stars"},
       {"max-sites", std::to_string(asked.max_sites)},
+      {"chord-tolerance", job.chord_tolerance ? number_text(*job.chord_tolerance) : "none"},
       {"regions", job.number_regions ? "numbered" : "as given"},
       {"repair-distance",
        input.repairs.distance > 0 ? number_text(input.repairs.distance) : "none"},
@@ -113,7 +114,6 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
       {"metric-fingerprint", input.field->background() != nullptr
                                  ? std::to_string(mesh_fingerprint(*input.field->background()))
                                  : "none"},
-      {"fit-done", outcome.fitted ? text_of(*outcome.fitted, outcome.too_large) : "none"},
       {"metric-tolerance", asked.metric_tolerance ? number_text(*asked.metric_tolerance) : "none"},
       {"relax", asked.relax ? "where needed" : "no"},
       {"seed", std::to_string(asked.seed)}};
@@ -192,8 +192,6 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
   if (job.tells() && outcome.delivered)
     std::cout << "delivered: " << text_of(*outcome.delivered) << '\n';
-  if (job.tells() && outcome.fitted)
-    std::cout << "fitted: " << text_of(*outcome.fitted, outcome.too_large) << '\n';
   if (job.tells() && outcome.relaxed && reached)
     std::cout << "relaxed: " << made.claim.reason << '\n';
   if (job.tells()) write_summary(std::cout, made, unit_edges);

@@ -22,6 +22,7 @@ struct mesh_job {
   std::optional<double> gradation;        // beta; empty: the metric is taken as it is
   bool repair = false;                    // what the domain's file has wrong
   std::optional<double> repair_distance;  // empty: as little as suffices
+  std::optional<double> chord_tolerance;  // empty: a part of each chord
   bool number_regions = false;            // those the domain does not number, too
   std::size_t random_points = 0;
   mesh_options refinement;  // its seed is the random points' too

@@ -66,15 +66,6 @@ std::string text_of(const improvement_report& done, std::size_t sites) {
          number_text(done.mean_quality_after) + (done.stopped ? "; stopped" : "");
 }
 
-std::string text_of(const fitting_report& done, std::size_t too_large) {
-  return "from aspects to the power of " + number_text(done.power) + ", " +
-         std::to_string(done.low_before) + " triangles below the bound before, " +
-         std::to_string(done.rounds) + " rounds, " + std::to_string(done.moves) + " moves, " +
-         std::to_string(done.flips) + " flips, " + std::to_string(done.collapses) + " merged, " +
-         std::to_string(done.insertions) + " split, " + std::to_string(too_large) +
-         " larger than the size asks for";
-}
-
 std::string text_of(const delivered_report& done) {
   return fmt::format(
       "{:.1f} % of the sites have lengths changed by more than 10 %, median {:.1f} %, 90 % below "
@@ -100,7 +91,7 @@ void write_summary(std::ostream& out, const certified_mesh& made,
   if (report.voronoi != voronoi_verdict::not_asked)
     out << ", dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)];
-  out << deviation_text(report);
+  out << deviation_text(report) << curves_text(report);
   const char* relaxed = outcome.relaxed ? " in a relaxed metric" : "";
   if (made.certified())
     out << ": " << in_colour("certified", ink::green, 1) << relaxed << '\n';

@@ -28,8 +28,6 @@ std::string text_of(const domain_repairs& done);
 std::string text_of(const gradation_report& done);
 // Tells what the passes over the finished mesh did, in one line; `sites` are there now.
 std::string text_of(const improvement_report& done, std::size_t sites);
-// Tells what optimisation did, in one line; `too_large` triangles are larger than asked for.
-std::string text_of(const fitting_report& done, std::size_t too_large);
 
 // Tells how far the metric of the mesh is from the one wanted, in one line.
 std::string text_of(const delivered_report& done);

@@ -45,6 +45,14 @@ std::string deviation_text(const audit_report& report) {
                      report.largest_deviation, report.largest_deviation_ulps);
 }
 
+std::string curves_text(const audit_report& report) {
+  const curve_report& curves = report.curves;
+  if (curves.curves == 0) return "";
+  return fmt::format("; within {:.3g} of its {} curves, {} vertices on them{}",
+                     curves.largest_distance, curves.curves, curves.vertices,
+                     curves.off_curve > 0 ? fmt::format(", {} on chords", curves.off_curve) : "");
+}
+
 std::string cut_short_text(const audit_report& report) {
   if (!report.stars_cut_short) return "";
   return "not all stars were looked at, as a tenth of the sites or more was refused already";

@@ -23,6 +23,8 @@ std::string angles_text(const audit_report& report);
 
 // Returns "; points of split segments off them by up to 3.3e-16 (1.5 ulps)"; nothing up to an ulp.
 std::string deviation_text(const audit_report& report);
+// Says how near the boundary is to the curves of the domain; nothing if it has none.
+std::string curves_text(const audit_report& report);
 
 // Returns "not all stars were looked at, as ...", where the audit ended with the first certain
 // reasons.

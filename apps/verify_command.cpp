@@ -22,6 +22,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
 #include "asterism/mesh/domain/repair_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
@@ -85,6 +86,14 @@ result<domain> repaired_as_claimed(const domain& d, const std::optional<certific
   return check_domain(d);
 }
 
+// Divides the curves of the domain as the certificate says they were.
+result<domain> divided_as_claimed(const domain& d, const std::optional<certificate>& claim) {
+  if (!claim || !claim->original || d.curves.empty()) return divide_curves(d);
+  std::vector<std::vector<double>> parameters;
+  for (const domain_curve& c : claim->original->curves) parameters.push_back(c.parameters);
+  return divide_curves_at(d, parameters);
+}
+
 // Reads the domain that was named; empty when none was. Vertices given to the mesh beyond the
 // domain's own, as random points are, belong to it when they lie inside.
 result<std::optional<domain>> find_domain(const verify_options& options, const mesh& subject,
@@ -93,7 +102,9 @@ result<std::optional<domain>> find_domain(const verify_options& options, const m
   auto loaded = load_domain(options.domain);
   if (!loaded) return loaded.failure();
   if (options.number_regions) loaded.value().number_all_regions = true;
-  auto checked = repaired_as_claimed(loaded.value(), claim);
+  const auto divided = divided_as_claimed(loaded.value(), claim);
+  if (!divided) return divided.failure();
+  auto checked = repaired_as_claimed(divided.value(), claim);
   if (!checked) return checked.failure();
   const domain bare = checked.value();
   for (std::size_t v = bare.vertices.size();
@@ -146,7 +157,7 @@ std::string scope_text(const verify_options& options, const audit_options& asked
                        const std::string& metric) {
   std::string text = "; " + bound_text(verdict.audit, asked, claim) + "; " +
                      domain_text(options, claim) + "; metric: " + metric;
-  text += deviation_text(verdict.audit);
+  text += deviation_text(verdict.audit) + curves_text(verdict.audit);
   if (!verdict.audit.stars_checked) text += "; stars not checked";
   if (verdict.audit.stars_cut_short) text += "; " + cut_short_text(verdict.audit);
   if (claim) {
@@ -156,9 +167,6 @@ std::string scope_text(const verify_options& options, const audit_options& asked
       text += "; size asked for " + size->second + ", not checked";
       if (delivered != claim->options.end() && delivered->second != size->second)
         text += ", delivered " + delivered->second;
-      const auto fitted = claim->options.find("fit-done");
-      if (fitted != claim->options.end() && fitted->second != "none")
-        text += ", fitted: triangles may be larger";
     }
   }
   if (verdict.theorem) text += "; the theorem on nets " + theorem_text(*verdict.theorem);

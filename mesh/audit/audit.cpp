@@ -37,6 +37,7 @@ const std::array<std::string_view, finding_kind_count> finding_kind_names = {
     "marker_changed",
     "side_changed",
     "boundary_deviation",
+    "curve_deviation",
     "wrong_region",
     "angle_below_bound",
     "collateral_angle_below_bound",

@@ -71,6 +71,7 @@ enum class finding_kind : std::size_t {
   marker_changed,       // a subsegment has another marker than its segment
   side_changed,         // a subsegment is internal and its segment is not, or the reverse
   boundary_deviation,   // a split point too far from its segment for rounding
+  curve_deviation,      // a curve that the boundary does not follow, or off which a vertex is
   wrong_region,         // a triangle does not have the number of its region
   angle_below_bound,    //
   collateral_angle_below_bound,  // in a triangle at a sharp corner or across a narrow wedge, and
@@ -87,7 +88,7 @@ enum class finding_kind : std::size_t {
   voronoi_boundary_encroached,  // a third site nearer to a point of a boundary edge
 };
 // Number of kinds.
-inline constexpr std::size_t finding_kind_count = 37;
+inline constexpr std::size_t finding_kind_count = 38;
 // The kinds as certificates spell them, in the order of `finding_kind`.
 ASTERISM_EXPORT extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
 
@@ -144,6 +145,17 @@ struct audited_angle {
                perspective = 0;  // indices from 0; the last two are vertices
 };
 
+// How the boundary of a mesh follows the curves of its domain.
+struct curve_report {
+  std::size_t curves = 0;
+  // Vertices on them but for rounding, each once a curve, and those of split chords, on the chord
+  // but for rounding.
+  std::size_t vertices = 0, off_curve = 0;
+  // Upper bound, in units of the domain, of the distance from any point of a curve to the boundary
+  // and of any point of the boundary along it to the curve.
+  double largest_distance = 0;
+};
+
 // Findings and measurements of an audit.
 struct audit_report {
   bool certified = false;  // points 0 to 4, as far as asked for
@@ -175,6 +187,7 @@ struct audit_report {
   // Upper bound of the distance of a split point from its segment, in units of the domain, and in
   // units in the last place of the largest coordinate of the segment's ends.
   double largest_deviation = 0, largest_deviation_ulps = 0;
+  curve_report curves;
 
   // Decisions of the auditor's own arithmetic, and those of them that needed rationals; the
   // kernel's are in `counters`.

@@ -72,6 +72,7 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.collateral_triangles = report.collateral_triangles;
   c.low_triangles = report.low_triangles;
   c.largest_deviation = report.largest_deviation;
+  c.curves = report.curves;
   c.domain_checked = report.domain_checked;
   c.angles_checked = report.angles_checked;
   c.stars_checked = report.stars_checked;

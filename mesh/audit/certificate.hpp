@@ -57,6 +57,7 @@ struct certificate {
   // Triangles with an angle of the kind below the bound.
   std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
   double largest_deviation = 0;
+  curve_report curves;  // in the file if the domain has curves
   bool domain_checked = false, angles_checked = false, stars_checked = false;
   bool certified = false;
   voronoi_verdict voronoi = voronoi_verdict::not_asked;

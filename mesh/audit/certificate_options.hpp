@@ -10,10 +10,10 @@ namespace asterism::internal {
 
 inline constexpr std::array<std::string_view, 26> mesh_option_names = {"angle-bound",
                                                                        "certify",
+                                                                       "chord-tolerance",
                                                                        "complexity",
                                                                        "complexity-delivered",
                                                                        "domain",
-                                                                       "fit-done",
                                                                        "gradation",
                                                                        "gradation-done",
                                                                        "improve",

@@ -15,6 +15,7 @@ using namespace internal;
 namespace {
 
 std::string text_of(bool yes) { return yes ? "true" : "false"; }
+std::string text_of(std::size_t count) { return std::to_string(count); }
 std::string text_of(double x) { return internal::number_text(x); }
 std::string text_of(const std::vector<vertex_index>& numbers) {
   return "a list of " + std::to_string(numbers.size());
@@ -83,6 +84,11 @@ void compare_audit(contradictions& all, const certificate& claim, const certific
   all.compare("audit.collateral_triangles", claim.collateral_triangles, found.collateral_triangles);
   all.compare("audit.low_triangles", claim.low_triangles, found.low_triangles);
   all.compare("audit.largest_boundary_deviation", claim.largest_deviation, found.largest_deviation);
+  all.compare("audit.curves.curves", claim.curves.curves, found.curves.curves);
+  all.compare("audit.curves.vertices", claim.curves.vertices, found.curves.vertices);
+  all.compare("audit.curves.vertices_off", claim.curves.off_curve, found.curves.off_curve);
+  all.compare("audit.curves.largest_distance", claim.curves.largest_distance,
+              found.curves.largest_distance);
   if (claim.voronoi != voronoi_verdict::not_asked)
     all.compare("audit.voronoi", claim.voronoi, found.voronoi);
   // A mesh that was not finished may not have had its stars looked at, nor what they tell.

@@ -5,13 +5,13 @@
 //
 // A split point is a rounded point, so the subsegments need not lie on the segment exactly: the
 // largest distance is reported, and refused when rounding cannot explain it.
-#include <mpfr.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/curves.hpp"
+#include "asterism/mesh/audit/roots.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -67,23 +67,6 @@ std::vector<chain> chains_of(const audit_context& context, vertex_index given) {
   return chains;
 }
 
-// Returns an upper bound of sqrt(square), as a double; infinity where that overflows.
-double root_rounded_up(const rational& square) {
-  mpfr_t value;
-  mpfr_init2(value, 53);
-  mpfr_set_q(value, square.backend().data(), MPFR_RNDU);
-  mpfr_sqrt(value, value, MPFR_RNDU);
-  const double result = mpfr_get_d(value, MPFR_RNDU);
-  mpfr_clear(value);
-  return result;
-}
-
-// Returns the distance of two doubles next to each other, of this size.
-double unit_in_last_place(double size) {
-  constexpr int least = -1074;
-  return size > 0 ? std::ldexp(1.0, std::max(std::ilogb(size) - 52, least)) : 0x1p-1074;
-}
-
 // True if rounding can explain that a split point is so far from its segment. Each coordinate of a
 // point that is computed on the line of two others and rounded once or twice is off by less than
 // one and a half units in the last place, whatever the segment's length: two units for both. Where
@@ -97,34 +80,47 @@ bool is_explained(double distance, double ulp, const vector2<rational>& along) {
   return distance <= at_most * ulp && rational(distance) * rational(distance) <= part;
 }
 
-void check_split_points(audit_context& context, const chain& c) {
-  const point& a = context.at(c.start);
-  const point& b = context.at(c.end);
-  const vector2<rational> along = difference<rational>(b, a);
+// Checks that a part of the boundary, from one vertex on a segment or curve to the next, is
+// straight but for rounding.
+void check_straight(audit_context& context, const std::vector<vertex_index>& along) {
+  const vertex_index start = along.front(), end = along.back();
+  const point& a = context.at(start);
+  const point& b = context.at(end);
+  const vector2<rational> along_segment = difference<rational>(b, a);
   const double reach = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   const double ulp = unit_in_last_place(reach);
-  for (const vertex_index subsegment : c.subsegments) {
-    const boundary_edge& e = context.subject.boundary[subsegment];
-    const vector2<rational> forward = difference<rational>(context.at(e.b), context.at(e.a));
-    if (dot(forward, along) <= 0)
+  const std::string whole =
+      "segment from " + vertex_text(context, start) + " to " + vertex_text(context, end);
+  for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+    const vector2<rational> forward =
+        difference<rational>(context.at(along[i + 1]), context.at(along[i]));
+    if (dot(forward, along_segment) <= 0)
       context.found(finding_kind::segment_not_covered,
-                    subsegment_text(context, subsegment) + " runs against its segment from " +
-                        vertex_text(context, c.start) + " to " + vertex_text(context, c.end));
-    if (e.b == c.end) continue;
-    const rational offset = cross(along, difference<rational>(context.at(e.b), a));
-    const double distance = root_rounded_up(offset * offset / dot(along, along));
+                    "from " + vertex_text(context, along[i]) + " to " +
+                        vertex_text(context, along[i + 1]) + " the boundary runs against its " +
+                        whole);
+    if (i + 2 == along.size()) continue;
+    const rational offset = cross(along_segment, difference<rational>(context.at(along[i + 1]), a));
+    const double distance = root_rounded_up(offset * offset / dot(along_segment, along_segment));
     context.report.decisions += 1;
     context.report.exact_decisions += 1;
     context.report.largest_deviation = std::max(context.report.largest_deviation, distance);
     context.report.largest_deviation_ulps =
         std::max(context.report.largest_deviation_ulps, distance / ulp);
-    if (!is_explained(distance, ulp, along))
+    if (!is_explained(distance, ulp, along_segment))
       context.found(finding_kind::boundary_deviation,
-                    vertex_text(context, e.b) + " is up to " + number_text(distance) + ", " +
-                        number_text(distance / ulp) +
-                        " units in the last place, away from the segment from " +
-                        vertex_text(context, c.start) + " to " + vertex_text(context, c.end));
+                    vertex_text(context, along[i + 1]) + " is up to " + number_text(distance) +
+                        ", " + number_text(distance / ulp) +
+                        " units in the last place, away from the " + whole);
   }
+}
+
+// Returns the vertices along a chain, both ends included.
+std::vector<vertex_index> vertices_along(const audit_context& context, const chain& c) {
+  std::vector<vertex_index> along{c.start};
+  for (const vertex_index subsegment : c.subsegments)
+    along.push_back(context.subject.boundary[subsegment].b);
+  return along;
 }
 
 void check_subsegment(audit_context& context, vertex_index subsegment, const segment& s) {
@@ -153,6 +149,7 @@ void match_chains(audit_context& context, std::vector<chain> chains) {
     return std::array{l.start, l.end} < std::array{r.start, r.end};
   });
   std::vector<char> taken(chains.size(), 0);
+  curve_audit curves(context);
   for (vertex_index s = 0; s < segments.size(); ++s) {
     const std::array ends{segments[s].a, segments[s].b};
     const auto c =
@@ -166,12 +163,15 @@ void match_chains(audit_context& context, std::vector<chain> chains) {
       continue;
     }
     taken[place] = 1;
-    check_split_points(context, *c);
+    const std::vector<vertex_index> along = vertices_along(context, *c);
+    const auto straight = [&](const auto& part) { check_straight(context, part); };
+    if (!curves.judge(along, straight)) straight(along);
     for (const vertex_index subsegment : c->subsegments) {
       check_subsegment(context, subsegment, segments[s]);
       context.segment_of[subsegment] = s;
     }
   }
+  curves.finish();
   for (std::size_t i = 0; i < chains.size(); ++i)
     if (!taken[i])
       context.found(finding_kind::segment_not_covered,

@@ -14,6 +14,7 @@
 #include "asterism/core/export.h"
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
+#include "asterism/mesh/data/domain_curve.hpp"
 
 namespace asterism {
 
@@ -43,7 +44,9 @@ struct domain_origin {
   std::string file;         // with the segments and holes
   std::string vertex_file;  // the same one, or Triangle's separate .node file
   int first_number = 1;     // of vertices and segments: 0 or 1
-  std::vector<std::size_t> vertex_lines, segment_lines, hole_lines, region_lines = {};
+  std::vector<std::size_t> vertex_lines, segment_lines, hole_lines,
+      region_lines = {}, curve_lines = {},
+      curve_numbers = {};  // of the lines that the curves are of: a line may make several
 };
 
 // A domain. After `check_domain` (mesh/domain/check_domain.hpp) accepted it:
@@ -62,6 +65,8 @@ struct domain {
   std::vector<region_point> regions;
   bool number_all_regions = false;
   domain_origin origin;
+  // Curved parts of the boundary. Vertices in a row on one are joined by a segment.
+  std::vector<domain_curve> curves = {};
 
   // Returns the smallest box around all vertices; a box of the origin alone when there are none.
   ASTERISM_EXPORT bounding_box box() const;

@@ -37,8 +37,7 @@ enum class ending {
   stopped,      // by mesh_options::stop
   crowded,      // the metric varies too fast for sites to be spread: the given vertices alone
   relaxed,      // for a whole run: the mesh is of a relaxed metric
-  intolerable,  // for a whole run: stars agree in a metric farther away than is allowed
-  fitted        // for a whole run: the mesh of a relaxed metric was fitted to the one given
+  intolerable   // for a whole run: stars agree in a metric farther away than is allowed
 };
 
 // Place at which the metric varies faster than sites so near to each other can resolve.
@@ -64,7 +63,7 @@ struct crowded_site {
 
 // How one refinement ended, with the numbers that explain it.
 struct refinement_ending {
-  ending how = ending::complete;  // neither `relaxed` nor `fitted`
+  ending how = ending::complete;  // never `relaxed`
   refinement_strategy strategy = refinement_strategy::fill;
   std::size_t max_sites = 0;      // the limit in force
   std::size_t sites = 0;          // sites in the end
@@ -96,17 +95,6 @@ struct improvement_report {
   bool stopped = false;  // by options.stop; the mesh is the last one that was accepted
 };
 
-// How a mesh of a softened metric was fitted to the metric given (optimize/optimize_mesh.hpp),
-// because that turns so much over an edge that refinement did not make stars agree. After fitting
-// they do. The mesh has the density wanted and triangles of other shapes: outcome.too_large counts
-// those whose sites are farther from their Voronoi vertex than the size asks for.
-struct fitting_report {
-  std::string why;             // how refinement ended before, one sentence
-  double power = 1;            // the aspects of the metric whose mesh was fitted, to this
-  std::size_t low_before = 0;  // triangles of that below the bound in the metric given
-  std::size_t rounds = 0, moves = 0, flips = 0, collapses = 0, insertions = 0;
-};
-
 // Metric in which stars agree, though it is farther from the one wanted than
 // mesh_options::metric_tolerance allows.
 struct intolerable_distance {
@@ -118,7 +106,6 @@ struct intolerable_distance {
 struct relaxation_details {
   double angle_bound = 0;           // degrees: the bound that the report's triangles are below
   bool metric_is_constant = false;  // the metric given is, wherever it was looked at
-  std::optional<std::string> fitting_stopped;  // what mesh_options::stop said during fitting
 };
 
 // Mesh that a run made, how the run ended, and what it took.
@@ -141,7 +128,6 @@ struct mesh_outcome {
   // in the metric given as well.
   std::optional<relaxation_report> relaxed;
   std::optional<relaxation_details> relaxed_details;  // together with `relaxed`
-  std::optional<fitting_report> fitted;               // then it is not relaxed
   // How the refinement in a relaxed metric ended that was stopped; the mesh is then of the metric
   // given, and `ended` is how refinement had ended there.
   std::optional<refinement_ending> stopped_relaxing;
@@ -156,7 +142,6 @@ struct mesh_outcome {
 
   // Returns how the run as a whole ended, whatever became of the refinement that made its mesh.
   ending how() const {
-    if (fitted) return ending::fitted;
     if (relaxed) return ending::relaxed;
     if (stopped) return ending::stopped;
     if (intolerable) return ending::intolerable;

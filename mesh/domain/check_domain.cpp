@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/domain/check_domain.hpp"
 
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "asterism/mesh/domain/curve_chains.hpp"
 #include "asterism/mesh/domain/domain_values.hpp"
 #include "asterism/mesh/domain/face_map.hpp"
 #include "asterism/mesh/domain/message_names.hpp"
@@ -76,11 +78,13 @@ std::vector<region_point> without_limits(const domain& d, domain_repairs& repair
 }
 
 domain assemble(const domain& d, const std::vector<bool>& kept,
-                const std::vector<segment>& segments) {
+                const std::vector<segment>& segments, std::vector<vertex_index>& renumbered) {
+  // A vertex that is not kept gets the number of none.
+  constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
   domain accepted;
   accepted.name = d.name;
   accepted.number_all_regions = d.number_all_regions;
-  std::vector<vertex_index> renumbered(d.vertices.size(), 0);
+  renumbered.assign(d.vertices.size(), none);
   for (std::size_t v = 0; v < kept.size(); ++v) {
     if (!kept[v]) continue;
     renumbered[v] = static_cast<vertex_index>(accepted.vertices.size());
@@ -102,6 +106,7 @@ domain assemble(const domain& d, const std::vector<bool>& kept,
 
 result<domain> check(const domain& input, domain_repairs& report) {
   if (auto failed = check_domain_values(input)) return std::move(*failed);
+  if (auto failed = check_curve_chains(input)) return std::move(*failed);
   const auto graph = build_plane_graph(input, report);
   if (!graph.ok()) return graph.failure();
   const face_map faces(input.vertices, graph.value().edges);
@@ -119,8 +124,12 @@ result<domain> check(const domain& input, domain_repairs& report) {
         domain_names(input).at_start() + "the domain is empty: " +
         (input.holes.empty() ? "its segments enclose nothing" : "the holes leave nothing of it")};
   const auto kept = kept_vertices(input, graph.value(), faces, removed, segments, report);
-  domain accepted = assemble(input, kept, segments);
+  std::vector<vertex_index> renumbered;
+  domain accepted = assemble(input, kept, segments, renumbered);
   accepted.regions = without_limits(input, report);
+  auto curves = kept_curves(input, graph.value().first_alike, renumbered, accepted);
+  if (!curves) return curves.failure();
+  accepted.curves = std::move(curves).value();
   return accepted;
 }
 

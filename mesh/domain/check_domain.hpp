@@ -26,6 +26,8 @@
 //    spike does, ends nothing.)
 //  - a hole or region point on a segment or outside, a region point in a hole, two region points
 //    with different numbers in one face;
+//  - a curve without chords (domain/divide_curves.hpp), or with a chord that is cut by a vertex on
+//    it, covered by another segment, or dropped alone;
 //  - a domain of which nothing is left.
 //
 // Hole points whose hole has become one with the outside are dropped silently.

@@ -41,6 +41,11 @@ std::string domain_names::region(std::size_t r) const {
                      coordinates(d_.regions[r].at));
 }
 
+std::string domain_names::curve(std::size_t c) const {
+  const auto& numbers = d_.origin.curve_numbers;
+  return fmt::format("curve {}", c < numbers.size() ? numbers[c] : c + 1);
+}
+
 std::string domain_names::at_vertex(std::size_t v) const {
   return place(d_.name, d_.origin.vertex_file, d_.origin.vertex_lines, v);
 }
@@ -55,6 +60,10 @@ std::string domain_names::at_hole(std::size_t h) const {
 
 std::string domain_names::at_region(std::size_t r) const {
   return place(d_.name, d_.origin.file, d_.origin.region_lines, r);
+}
+
+std::string domain_names::at_curve(std::size_t c) const {
+  return place(d_.name, d_.origin.file, d_.origin.curve_lines, c);
 }
 
 std::string domain_names::at_start() const { return place(d_.name, d_.origin.file, {}, 0); }

@@ -16,17 +16,19 @@ class domain_names {
   explicit domain_names(const domain& d) : d_(d) {}
 
   // Returns names such as "vertex 5 (0.25, 1)", "segment 3 (vertices 5-6)", "hole 1 (0.5, 0)",
-  // "region 2 (3, 3)". Require indices in range.
+  // "region 2 (3, 3)", "curve 4". Require indices in range.
   std::string vertex(std::size_t v) const;
   std::string segment(std::size_t s) const;
   std::string hole(std::size_t h) const;
   std::string region(std::size_t r) const;
+  std::string curve(std::size_t c) const;
 
   // Returns "file:line: ", or "name: " where no line is known: what a message starts with.
   std::string at_vertex(std::size_t v) const;
   std::string at_segment(std::size_t s) const;
   std::string at_hole(std::size_t h) const;
   std::string at_region(std::size_t r) const;
+  std::string at_curve(std::size_t c) const;
   std::string at_start() const;
 
   // Returns " on line 12", or nothing.

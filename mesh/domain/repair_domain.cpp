@@ -213,6 +213,11 @@ result<domain> repair_domain(const domain& input, std::optional<double> distance
   domain_repairs unasked;
   domain_repairs& report = repairs != nullptr ? *repairs : unasked;
   if (auto failed = check_domain_values(input)) return failed->as(error_code::invalid_domain);
+  if (!input.curves.empty())
+    return error{domain_names(input).at_curve(0) +
+                     "a domain with curves is not repaired (--repair-domain): what moves would "
+                     "leave its curve",
+                 error_code::invalid_domain};
   const bounding_box box = input.box();
   const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   const double least = least_distance(input);

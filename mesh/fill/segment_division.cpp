@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
+#include "asterism/mesh/numerics/arc_length.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 
 namespace asterism::internal {
@@ -17,75 +16,18 @@ point at_fraction(const point& a, const point& b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
-// The length from the start of a segment as a function of the fraction of the way, sampled where
-// it bends: intervals are halved until the three measurements in each agree.
-class arc_length {
- public:
-  static result<arc_length> measure(const metric_field& field, const point& a, const point& b,
-                                    double fine) {
-    arc_length measured(field, a, b, fine);
-    const auto first = measured.speed(0), last = measured.speed(1);
-    measured.fractions_.push_back(0);
-    measured.lengths_.push_back(0);
-    measured.add(0, first, 1, last, 0);
-    if (measured.failure_) return *measured.failure_;
-    return measured;
-  }
-
-  double total() const { return lengths_.back(); }
-  double length_at(double t) const { return interpolate(fractions_, lengths_, t); }
-  double fraction_at(double length) const { return interpolate(lengths_, fractions_, length); }
-
- private:
-  // Sixteen intervals at least, so that a segment cannot hide a bend from three samples; at most
-  // 2^18, by which an interval of even the steepest metric that is meshed is far below `fine`.
-  static constexpr int least_depth = 4, most_depth = 18;
-  // Agreement of the speeds at the ends and in the middle: Simpson's rule is then off by less than
-  // a thousandth (docs/results/constants.md has others).
-  static constexpr double agreement = 0.05;
-
-  arc_length(const metric_field& field, const point& a, const point& b, double fine)
-      : field_(&field), a_(a), b_(b), fine_(fine) {}
-
-  double speed(double t) {
-    if (failure_) return 0;
-    const auto metric = field_->at(at_fraction(a_, b_, t));
-    if (!metric) {
-      failure_ = metric.failure();
-      return 0;
-    }
-    const point d{b_.x - a_.x, b_.y - a_.y};
-    return std::sqrt(squared_length(metric.value(), d));
-  }
-
-  void add(double t0, double v0, double t1, double v1, int depth) {
-    const double t = (t0 + t1) / 2, v = speed(t);
-    if (failure_) return;
-    const double length = (t1 - t0) * (v0 + 4 * v + v1) / 6;
-    const bool even = std::max({v0, v, v1}) <= (1 + agreement) * std::min({v0, v, v1});
-    if (depth < least_depth || (depth < most_depth && !even && length > fine_)) {
-      add(t0, v0, t, v, depth + 1);
-      add(t, v, t1, v1, depth + 1);
-      return;
-    }
-    fractions_.push_back(t1);
-    lengths_.push_back(lengths_.back() + length);
-  }
-
-  static double interpolate(const std::vector<double>& from, const std::vector<double>& to,
-                            double x) {
-    const auto above = std::upper_bound(from.begin() + 1, from.end() - 1, x);
-    const auto i = static_cast<std::size_t>(above - from.begin());
-    const double part = (x - from[i - 1]) / (from[i] - from[i - 1]);
-    return to[i - 1] + std::clamp(part, 0.0, 1.0) * (to[i] - to[i - 1]);
-  }
-
-  const metric_field* field_;
-  point a_, b_;
-  double fine_;
-  std::vector<double> fractions_, lengths_;
-  std::optional<error> failure_;
-};
+// Measures the length along the segment from a to b.
+result<arc_length> length_along(const metric_field& field, const point& a, const point& b,
+                                double fine) {
+  const point d{b.x - a.x, b.y - a.y};
+  return arc_length::measure(
+      [&](double t) -> result<double> {
+        const auto metric = field.at(at_fraction(a, b, t));
+        if (!metric) return metric.failure();
+        return std::sqrt(squared_length(metric.value(), d));
+      },
+      fine);
+}
 
 // Returns, for each vertex, the metric length wanted of the first subsegments at it, the same on
 // all its segments.
@@ -132,7 +74,7 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
   division made;
   lengths.pop_back();
   for (const double length : lengths) {
-    const point q = at_fraction(a, b, measured.fraction_at(length));
+    const point q = at_fraction(a, b, measured.parameter_at(length));
     if (q == b || (!made.points.empty() && q == made.points.back())) continue;
     made.points.push_back(q);
     made.lengths.push_back(length);
@@ -152,7 +94,7 @@ result<segment_divisions> divide_segments(const domain& d, const metric_field& f
   std::vector<arc_length> measured;
   segment_divisions made;
   for (const segment& s : d.segments) {
-    auto one = arc_length::measure(field, d.vertices[s.a], d.vertices[s.b], finest_part * longest);
+    auto one = length_along(field, d.vertices[s.a], d.vertices[s.b], finest_part * longest);
     if (!one) return one.failure();
     made.subsegments += one.value().total() / longest;
     measured.push_back(std::move(one).value());

@@ -21,6 +21,9 @@ inline constexpr double no_angle_to_judge = 180;
 inline constexpr std::array<std::string_view, 4> relaxation_kind_names = {
     "softened", "graded", "constant", "without demands"};
 
+// Names in the order of curve_kind.
+inline constexpr std::array<std::string_view, 2> curve_kind_names = {"arc", "cubic"};
+
 // Returns every field of the certificate. The reader holds what it was given against what is
 // written of it, so that no field passes unread.
 certificate_json json_of(const certificate& c);

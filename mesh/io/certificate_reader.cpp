@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <limits>
@@ -45,6 +46,11 @@ T read(const json& object, const std::string& key) {
 // Reads an angle. Older certificates hold the number itself where there is none to judge.
 double worst_angle_of(const json& object, const std::string& key) {
   return member(object, key).is_null() ? no_angle_to_judge : read<double>(object, key);
+}
+
+double bound_of(const json& object, const std::string& key) {
+  return member(object, key).is_null() ? std::numeric_limits<double>::infinity()
+                                       : read<double>(object, key);
 }
 
 std::size_t count_of(const json& object, const std::string& key) {
@@ -97,6 +103,29 @@ segment segment_of(const json& s) {
   return made;
 }
 
+domain_curve curve_of(const json& object, std::size_t vertices) {
+  domain_curve c;
+  const auto kind = read<std::string>(object, "kind");
+  const auto place = std::find(curve_kind_names.begin(), curve_kind_names.end(), kind);
+  if (place == curve_kind_names.end())
+    throw malformed("kind", "\"kind\" holds \"" + kind + "\", which is no kind of curve");
+  c.kind = static_cast<curve_kind>(place - curve_kind_names.begin());
+  if (c.kind == curve_kind::arc) {
+    const auto centre = read<std::array<double, 2>>(object, "centre");
+    c.centre = {centre[0], centre[1]};
+    c.clockwise = read<bool>(object, "clockwise");
+  } else {
+    const std::vector<point> control = points_of(object, "control");
+    if (control.size() != 2) throw malformed("control", "\"control\" is not two points");
+    c.control = {control[0], control[1]};
+  }
+  c.vertices = indices_of(object, "vertices");
+  for (const vertex_index v : c.vertices)
+    if (v >= vertices) throw malformed("curves", "a curve names a vertex the domain does not have");
+  c.parameters = read<std::vector<double>>(object, "parameters");
+  return c;
+}
+
 domain domain_of(const json& object) {
   domain d;
   d.vertices = points_of(object, "vertices");
@@ -107,6 +136,9 @@ domain domain_of(const json& object) {
                       "segment " + s.dump() + " names a vertex the domain does not have");
     d.segments.push_back(read_segment);
   }
+  if (!object.contains("curves")) return d;
+  for (const json& c : array_of(object, "curves"))
+    d.curves.push_back(curve_of(c, d.vertices.size()));
   return d;
 }
 
@@ -188,11 +220,6 @@ std::optional<delivered_report> delivered_of(const json& outcome) {
   return r;
 }
 
-double bound_of(const json& object, const std::string& key) {
-  return member(object, key).is_null() ? std::numeric_limits<double>::infinity()
-                                       : read<double>(object, key);
-}
-
 std::optional<theorem_hypotheses> theorem_of(const json& object) {
   if (object.is_null()) return std::nullopt;
   theorem_hypotheses h;
@@ -227,6 +254,10 @@ void read_audit(const json& object, certificate& c) {
   c.found = read<std::map<std::string, std::size_t>>(object, "findings");
   c.witnesses = read<std::vector<std::string>>(object, "witnesses");
   c.audit_counters = counters_of(object, "decided");
+  if (!object.contains("curves")) return;
+  const json& curves = member(object, "curves");
+  c.curves = {count_of(curves, "curves"), count_of(curves, "vertices"),
+              count_of(curves, "vertices_off"), bound_of(curves, "largest_distance")};
 }
 
 certificate certificate_of(const json& root) {

@@ -45,10 +45,27 @@ json segment_json(const segment& s) {
   return written;
 }
 
+json curve_json(const domain_curve& c) {
+  json written = {{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}};
+  if (c.kind == curve_kind::arc) {
+    written["centre"] = {c.centre.x, c.centre.y};
+    written["clockwise"] = c.clockwise;
+  } else {
+    written["control"] = points_json({c.control[0], c.control[1]});
+  }
+  written["vertices"] = from_one(c.vertices);
+  written["parameters"] = c.parameters;
+  return written;
+}
+
+// Writes curves only where there are some.
 json domain_json(const domain& d) {
-  json segments = json::array();
+  json segments = json::array(), curves = json::array();
   for (const segment& s : d.segments) segments.push_back(segment_json(s));
-  return {{"vertices", points_json(d.vertices)}, {"segments", std::move(segments)}};
+  for (const domain_curve& c : d.curves) curves.push_back(curve_json(c));
+  json written = {{"vertices", points_json(d.vertices)}, {"segments", std::move(segments)}};
+  if (!curves.empty()) written["curves"] = std::move(curves);
+  return written;
 }
 
 std::string hexadecimal(std::uint64_t value) {
@@ -111,26 +128,36 @@ json delivered_json(const certificate& c) {
           {"low_triangles_as_wanted", from_one(r.low_wanted)}};
 }
 
+json curves_json(const curve_report& curves) {
+  return {{"curves", curves.curves},
+          {"vertices", curves.vertices},
+          {"vertices_off", curves.off_curve},
+          {"largest_distance",
+           std::isfinite(curves.largest_distance) ? json(curves.largest_distance) : json(nullptr)}};
+}
+
 json audit_json(const certificate& c) {
   json found = json::object();
   for (const auto& [kind, count] : c.found) found[kind] = count;
-  return {{"certified", c.certified},
-          {"domain_checked", c.domain_checked},
-          {"angles_checked", c.angles_checked},
-          {"stars_checked", c.stars_checked},
-          {"voronoi", voronoi_verdict_names[static_cast<std::size_t>(c.voronoi)]},
-          {"worst_angle", worst_angle_json(c.worst_angle)},
-          {"worst_collateral_angle", worst_angle_json(c.worst_collateral)},
-          {"worst_exempt_angle", worst_angle_json(c.worst_exempt)},
-          {"exempt_corners", from_one(c.exempt_corners)},
-          {"exempt_triangles", from_one(c.exempt_triangles)},
-          {"collateral_triangles", from_one(c.collateral_triangles)},
-          {"low_triangles", from_one(c.low_triangles)},
-          {"largest_boundary_deviation",
-           std::isfinite(c.largest_deviation) ? json(c.largest_deviation) : json(nullptr)},
-          {"findings", std::move(found)},
-          {"witnesses", c.witnesses},
-          {"decided", counters_json(c.audit_counters)}};
+  json written = {{"certified", c.certified},
+                  {"domain_checked", c.domain_checked},
+                  {"angles_checked", c.angles_checked},
+                  {"stars_checked", c.stars_checked},
+                  {"voronoi", voronoi_verdict_names[static_cast<std::size_t>(c.voronoi)]},
+                  {"worst_angle", worst_angle_json(c.worst_angle)},
+                  {"worst_collateral_angle", worst_angle_json(c.worst_collateral)},
+                  {"worst_exempt_angle", worst_angle_json(c.worst_exempt)},
+                  {"exempt_corners", from_one(c.exempt_corners)},
+                  {"exempt_triangles", from_one(c.exempt_triangles)},
+                  {"collateral_triangles", from_one(c.collateral_triangles)},
+                  {"low_triangles", from_one(c.low_triangles)},
+                  {"largest_boundary_deviation",
+                   std::isfinite(c.largest_deviation) ? json(c.largest_deviation) : json(nullptr)},
+                  {"findings", std::move(found)},
+                  {"witnesses", c.witnesses},
+                  {"decided", counters_json(c.audit_counters)}};
+  if (c.original && !c.original->curves.empty()) written["curves"] = curves_json(c.curves);
+  return written;
 }
 
 // Null for what is not bounded.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/io/poly_curves.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism::internal {
@@ -315,6 +316,7 @@ failure read_poly_text(const std::filesystem::path& path, text_scanner& source, 
   if (auto failed = reader.read_segments()) return failed;
   if (auto failed = reader.read_holes()) return failed;
   if (auto failed = reader.read_regions()) return failed;
+  if (auto failed = read_poly_curves(source, d)) return failed;
   return reader.expect_end();
 }
 

@@ -11,6 +11,7 @@
 //   <number> <x> <y>                               one line a hole
 //   <regions>                                      optional
 //   <number> <x> <y> <attribute> [area]            one line a region; the attribute a whole number
+//   curves <curves>                                optional (io/poly_curves.hpp)
 //
 // Numbers start at 0 or at 1 and go up by one. Counts left out at the end of a header line are 0.
 // With 0 vertices the vertices are in NAME.node beside NAME.poly. Attributes and the markers of

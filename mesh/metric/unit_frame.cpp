@@ -65,6 +65,10 @@ domain unit_frame::inward(domain d) const {
   for (point& q : d.vertices) q = inward(q);
   for (point& q : d.holes) q = inward(q);
   for (region_point& r : d.regions) r.at = inward(r.at);
+  for (domain_curve& c : d.curves) {
+    c.centre = inward(c.centre);
+    for (point& q : c.control) q = inward(q);
+  }
   return d;
 }
 

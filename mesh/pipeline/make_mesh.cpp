@@ -78,8 +78,13 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
     delivered = delivery.make(std::min(few, options.max_sites / 2));
     if (delivered && !excess_of(*delivered, options)) return *std::move(delivered);
   }
-  if (wants_relaxation(outcome.value(), options) && !options.metric_tolerance)
-    outcome = refine_relaxed({stars_on, d, field, options, progress}, std::move(outcome).value());
+  if (wants_relaxation(outcome.value(), options) && !options.metric_tolerance) {
+    // What is without demands keeps to straight chords.
+    domain straight = d;
+    straight.curves.clear();
+    outcome = refine_relaxed({stars_on, straight, field, options, progress},
+                             std::move(outcome).value());
+  }
   if (!outcome) return outcome;
   if (delivered && !outcome.value().complete && !outcome.value().stopped)
     outcome = mesh_beyond_tolerance(std::move(outcome).value(), *std::move(delivered), options);

@@ -143,24 +143,12 @@ std::string relaxed_text(const mesh_outcome& outcome) {
   const relaxation_report& report = *outcome.relaxed;
   const relaxation_details& details = *outcome.relaxed_details;
   if (details.metric_is_constant) return text_without_relaxation(outcome);
-  const std::string stopped = details.fitting_stopped
-                                  ? "; fitting it to that was stopped: " + *details.fitting_stopped
-                                  : "";
   return fmt::format(
       "stars cannot agree in the metric given ({}); they agree in {}, which differs from it at {} "
       "of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as the "
-      "metric given measures them {}{}",
+      "metric given measures them {}",
       report.why, metric_text(report), report.changed, report.given.size(), report.most_longer,
-      report.most_shorter, ending_text(outcome.ended), low_text(report, details.angle_bound),
-      stopped);
-}
-
-std::string fitted_text(const mesh_outcome& outcome) {
-  return fmt::format(
-      "all stars agree and every triangle meets the bound, since the mesh of the metric with "
-      "aspects to the power of {} was fitted to the one given; {} triangles are larger than the "
-      "size asks for (before: {})",
-      outcome.fitted->power, outcome.too_large, outcome.fitted->why);
+      report.most_shorter, ending_text(outcome.ended), low_text(report, details.angle_bound));
 }
 
 // Names the distance to the last digit where it is what may be tolerated: rounded, it might not do.
@@ -188,7 +176,6 @@ std::string ending_text(const refinement_ending& e) {
 
 std::string ending_text(const mesh_outcome& outcome) {
   if (outcome.intolerable) return intolerable_text(outcome);
-  if (outcome.fitted) return fitted_text(outcome);
   if (outcome.relaxed && outcome.relaxed_details) return relaxed_text(outcome);
   std::string ended = ending_text(outcome.ended);
   if (outcome.complete && outcome.delivered && outcome.delivered->changed > 0)

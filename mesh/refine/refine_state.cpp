@@ -34,16 +34,23 @@ void refine_state::construct_stars() {
   has_stars_ = true;
 }
 
-// Divides the segments at the proposed points. A point that rounding puts on the wrong side of
-// something is left out.
+// Divides the segments at the proposed points, or beside them on the curve of a chord. A point that
+// is put on the wrong side of something is left out.
 void refine_state::divide(const domain& d, const filled_domain& filling) {
   for (std::size_t s = 0; s < d.segments.size(); ++s) {
     std::size_t subsegment = segments_.find_subsegment(d.segments[s].a, d.segments[s].b);
     for (const site& m : filling.divisions[s]) {
       if (is_full()) return;
       const std::size_t first_new = edges().subsegments().size();
-      if (!segments_.can_split_at(edges().subsegments()[subsegment], m, 0)) continue;
-      segments_.put_on_subsegment(subsegment, m);
+      const boundary_edge& whole = edges().subsegments()[subsegment];
+      const auto beside = segments_.place_on_curve(whole, m.position);
+      const auto curved = beside ? site_at(*beside) : std::nullopt;
+      if (curved && segments_.can_split_at(whole, *curved, 0, true))
+        segments_.put_on_subsegment(subsegment, *curved, true);
+      else if (segments_.can_split_at(whole, m, 0))
+        segments_.put_on_subsegment(subsegment, m);
+      else
+        continue;
       subsegment = first_new;
     }
   }
@@ -103,10 +110,17 @@ bool refine_state::split(std::size_t subsegment, double shortest) {
 
 bool refine_state::split_at(std::size_t subsegment, const point& q, double shortest) {
   if (is_full()) return false;
+  const auto beside = segments_.place_on_curve(edges().subsegments()[subsegment], q);
+  return (beside && split_exactly_at(subsegment, *beside, shortest, true)) ||
+         split_exactly_at(subsegment, q, shortest, false);
+}
+
+bool refine_state::split_exactly_at(std::size_t subsegment, const point& q, double shortest,
+                                    bool on_curve) {
   const boundary_edge whole = edges().subsegments()[subsegment];
   const auto m = site_at(q);
-  if (!m || !segments_.can_split_at(whole, *m, shortest)) return false;
-  segments_.put_on_subsegment(subsegment, *m);
+  if (!m || !segments_.can_split_at(whole, *m, shortest, on_curve)) return false;
+  segments_.put_on_subsegment(subsegment, *m, on_curve);
   const auto added = static_cast<vertex_index>(sites().size() - 1);
   if (has_stars_) stars_.split_subsegment(oracle(), whole.a, added, whole.b);
   segments_.note_encroached_by(added);

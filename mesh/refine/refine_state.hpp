@@ -74,8 +74,9 @@ class refine_state {
   // anything is asked of the stars, add_stars() makes those left out.
   void add_interior_later(const site& s);
   void add_stars();
-  // Splits one subsegment at its split point. Returns false, with nothing changed, when the mesh is
-  // full or the subsegment cannot be split there (split_boundary::can_split_at).
+  // Splits one subsegment at its split point, or at the point beside that on the curve that the
+  // subsegment is a chord of, if it can be split there. Returns false, with nothing changed, when
+  // the mesh is full or the subsegment cannot be split there (split_boundary::can_split_at).
   bool split(std::size_t subsegment, double shortest);
   // Splits the subsegment that q lies on, if there is one, at its split point, not at q. Returns
   // false where split() does, and where there is none.
@@ -95,6 +96,7 @@ class refine_state {
   void divide(const domain& d, const filled_domain& filling);
   void add_proposed(const std::vector<site>& proposed);
   bool split_at(std::size_t subsegment, const point& q, double shortest);
+  bool split_exactly_at(std::size_t subsegment, const point& q, double shortest, bool on_curve);
   bool strictly_inside_near(const star_predicates& kernel, const point& q) const;
 
   const star_predicates* kernel_;

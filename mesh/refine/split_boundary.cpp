@@ -42,6 +42,7 @@ result<split_boundary> split_boundary::build(const domain& d, const star_predica
   if (!edges) return edges.failure();
   made.edges_ = std::move(edges).value();
   sites.index(made.edges_);
+  made.curves_ = curved_splits(d);
   made.find_corners();
   made.wedges_ = narrow_wedges(made.edges_);
   for (const domain_corner& c : made.corners_) {
@@ -190,25 +191,35 @@ point split_boundary::split_point(const boundary_edge& subsegment) const {
   return point_at_distance(corner, other.position, shell_radius(length));
 }
 
-bool split_boundary::can_split_at(const boundary_edge& subsegment, const site& m,
-                                  double shortest) const {
+std::optional<point> split_boundary::place_on_curve(const boundary_edge& subsegment,
+                                                    const point& q) const {
+  auto place = curves_.place(subsegment, q);
+  if (!place || has_sharp_end(subsegment, subsegment.a) || has_sharp_end(subsegment, subsegment.b))
+    return std::nullopt;
+  return wedges_.split_point(sites(), subsegment) ? std::nullopt : place;
+}
+
+bool split_boundary::can_split_at(const boundary_edge& subsegment, const site& m, double shortest,
+                                  bool on_curve) const {
   const site &a = sites()[subsegment.a], &b = sites()[subsegment.b];
   for (const site* end : {&a, &b}) {
     const double least =
         std::min(squared_distance(*end, m.position), squared_distance(m, end->position));
     if (!(least > shortest * shortest)) return false;
   }
-  return leaves_others_in_place(*kernel_, sites(), edges_, near(), subsegment, m.position);
+  return leaves_others_in_place(*kernel_, sites(), edges_, near(), subsegment, m.position,
+                                on_curve);
 }
 
 // Adds the new site between the two updates of the index, which has to know before and after.
-void split_boundary::put_on_subsegment(std::size_t subsegment, const site& m) {
+void split_boundary::put_on_subsegment(std::size_t subsegment, const site& m, bool on_curve) {
   const auto twin = edges_.twin(subsegment);
   std::size_t new_subsegment = edges_.subsegments().size();
   neighbourhood& near = sites_->near();
   near.before_split(sites_->all(), edges_, subsegment);
   const vertex_index added = sites_->add(m);
   wedges_.note_split(added, edges_.subsegments()[subsegment].segment);
+  curves_.note_split(added, on_curve);
   edges_.split(subsegment, added);
   near.after_split(sites_->all(), edges_, subsegment, twin, new_subsegment);
   ++splits_;

@@ -23,6 +23,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/refine/curved_splits.hpp"
 #include "asterism/mesh/refine/narrow_wedges.hpp"
 #include "asterism/mesh/refine/site_set.hpp"
 #include "asterism/mesh/stars/boundary.hpp"
@@ -72,13 +73,17 @@ class split_boundary {
   // Returns where the subsegment is to be split: at its bisector point, a shell, or a round
   // distance from the corner of a narrow wedge.
   point split_point(const boundary_edge& subsegment) const;
+  // Returns the point of its curve beside q, a point of the subsegment, if that is a chord of one.
+  // None at sharp corners and in narrow wedges, whose two sides are split alike.
+  std::optional<point> place_on_curve(const boundary_edge& subsegment, const point& q) const;
   // True if m may split the subsegment: no part would be shorter than `shortest` (metric length, as
-  // any of its ends measures), doubles have a place between its ends, and rounding would put no
-  // site or other subsegment on the wrong side.
-  bool can_split_at(const boundary_edge& subsegment, const site& m, double shortest) const;
+  // any of its ends measures), doubles have a place between its ends, and no site or other
+  // subsegment would come to the wrong side. `on_curve`: m is from place_on_curve().
+  bool can_split_at(const boundary_edge& subsegment, const site& m, double shortest,
+                    bool on_curve = false) const;
   // Adds the site, and splits the subsegment, and its twin if it has one, at it. Requires
   // can_split_at().
-  void put_on_subsegment(std::size_t subsegment, const site& m);
+  void put_on_subsegment(std::size_t subsegment, const site& m, bool on_curve = false);
 
  private:
   split_boundary(const star_predicates& kernel, site_set& sites)
@@ -99,6 +104,7 @@ class split_boundary {
   boundary edges_;
   std::vector<domain_corner> corners_;
   narrow_wedges wedges_;
+  curved_splits curves_;
   std::vector<std::size_t> suspects_;  // subsegments that may be encroached
   std::size_t splits_ = 0;
 };

@@ -21,9 +21,10 @@ bool is_in(const bounding_box& box, const point& q) {
 
 bool leaves_others_in_place(const star_predicates& kernel, const std::vector<site>& sites,
                             const boundary& edges, const neighbourhood& near,
-                            const boundary_edge& subsegment, const point& m) {
+                            const boundary_edge& subsegment, const point& m, bool on_curve) {
   const point &a = sites[subsegment.a].position, &b = sites[subsegment.b].position;
-  const bounding_box box = box_of(a, b);
+  bounding_box box = box_of(a, b);
+  if (on_curve) box.include(m);
   if (!is_in(box, m) || m == a || m == b) return false;
   const sign turn = kernel.orientation(a, b, m);
   if (turn == sign::zero) return true;  // on the segment, which is already part of the boundary

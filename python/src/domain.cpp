@@ -8,6 +8,7 @@
 
 #include "arguments.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "bindings.hpp"
 
@@ -44,7 +45,7 @@ std::vector<segment> segments_of(const index_array& pairs,
 
 domain checked(domain d) {
   const py::gil_scoped_release unlocked;
-  return value_or_raise(check_domain(d));
+  return value_or_raise(check_domain(value_or_raise(divide_curves(d))));
 }
 
 domain from_arrays(const py::object& points, const index_array& segments,

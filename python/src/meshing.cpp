@@ -258,7 +258,6 @@ py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_argu
       {"repair-distance", "none"},
       {"repair-done", "none"},
       {"repair-places", "none"},
-      {"fit-done", outcome.fitted ? "done" : "none"},
       {"metric-tolerance",
        a.options.metric_tolerance ? text_of(*a.options.metric_tolerance) : "none"},
       {"relax", a.options.relax ? "where needed" : "no"},

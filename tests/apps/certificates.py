@@ -59,10 +59,15 @@ class Certificates(command.CommandTest):
                 "incomplete": ["square", "--size", "0.01", "--max-sites", "300"],
                 "relaxed": ["square", "--metric", "swirl:60", "--random-points", "5", "--max-seconds", "20"],
                 "delivered": ["square", "--metric", "polar-1", "--size", "3"],
+                "curved": ["disc.poly", "--size", "0.5"],
+                "cubic": ["lens.poly", "--size", "0.5"],
                 "repaired": ["cross.poly", "--repair-domain", "--regions"],
                 "voronoi": ["square", "--certify", "voronoi", "--size", "0.7"]}
         self.write("wedge.poly", (pathlib.Path(__file__).with_name("wedge.poly")).read_text())
         self.write("cross.poly", "4 2 0 0\n1 0 0\n2 4 0\n3 0 3\n4 4 3.5\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n")
+        self.write("disc.poly", "1 2\n1 1 0\n0\n0\n0\ncurves 1\n1 circle 1 0 0\n")
+        self.write("lens.poly", "2 2\n1 0 0\n2 1 0\n2\n1 1 2\n2 2 1\n0\n0\ncurves 2\n"
+                   "1 bezier 1 0.3 -0.5 0.7 -0.5\n2 bezier 2 0.7 0.5 0.3 0.5\n")
         for name, arguments in runs.items():
             with self.subTest(name):
                 done = self.run_command("mesh", *arguments, "-o", f"{name}.mesh")

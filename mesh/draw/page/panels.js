@@ -78,6 +78,7 @@ function askedRows(facts, claim, mesh) {
   rows.push(metricRow(claim));
   if (measured.unit_edges !== undefined) rows.push(["Edges of length 0.71 to 1.41", "", `${short(100 * measured.unit_edges)} %`]);
   rows.push(["Boundary off its segments", "", audit.largest_boundary_deviation === null ? "not known" : audit.largest_boundary_deviation === 0 ? "nowhere" : `at most ${full(audit.largest_boundary_deviation)}`]);
+  if (audit.curves) rows.push(["Boundary off the curves", "", audit.curves.largest_distance === null ? "not known" : `at most ${full(audit.curves.largest_distance)}; ${audit.curves.vertices} vertices on them, ${audit.curves.vertices_off} on chords`]);
   if (audit.voronoi !== "not asked") rows.push(["Dual of the Voronoi diagram", "yes", audit.voronoi]);
   rows.push(["Findings against it", "none", Object.entries(audit.findings).map(([kind, n]) => `${n} ${kind}`).join(", ") || "none"]);
   return rows.map((cells) => cells.slice(0, 3));

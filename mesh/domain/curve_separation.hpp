@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// Divides curves until there is nothing between them and their chords.
+#pragma once
+
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/domain/curve_path.hpp"
+
+namespace asterism::internal {
+
+// Halves pieces of the curves, which start divided at `parameters`, until the hull of each has no
+// point in common with that of another piece, with a straight segment or with a vertex on none,
+// common ends left out. Returns the parameters then. Fails, naming both, where pieces of
+// `finest_part` of their curve still meet something.
+result<std::vector<std::vector<double>>> separate_curves(
+    const domain& d, const std::vector<curve_path>& paths,
+    std::vector<std::vector<double>> parameters, double finest_part);
+
+}  // namespace asterism::internal

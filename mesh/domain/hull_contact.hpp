@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Tells by exact signs whether two convex polygons of few points have a point in common.
+#pragma once
+
+#include <vector>
+
+#include "asterism/core/site.hpp"
+
+namespace asterism::internal {
+
+// Returns the corners of the convex hull, counter-clockwise; one or two points where it is no more.
+std::vector<point> convex_hull(std::vector<point> points);
+
+// True if the hulls, as convex_hull returns them, are not shown to be apart: by a line along an
+// edge of one of them, with one on each side, and nothing in common but at most a corner of both.
+// Of two convex polygons with at least one edge between them that are apart, such a line exists.
+bool hulls_meet(const std::vector<point>& a, const std::vector<point>& b);
+
+}  // namespace asterism::internal

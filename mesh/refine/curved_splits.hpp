@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds where to split the chords of curves: on the curve, beside the point of the chord.
+//
+// A chord that was split on its own line once stays split so: between a point on the curve and one
+// on the chord there is no piece of the curve to follow.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/domain/curve_path.hpp"
+
+namespace asterism::internal {
+
+class curved_splits {
+ public:
+  curved_splits() = default;
+  // Takes the curves of `d`, which check_domain has accepted.
+  explicit curved_splits(const domain& d);
+
+  // Returns the point of the curve nearest to q, about, of a subsegment that is a chord of one;
+  // none if it is no chord, or an end of it or the point is not on the curve between its chord's
+  // ends.
+  std::optional<point> place(const boundary_edge& subsegment, const point& q) const;
+  // Notes that site v splits a subsegment, on its curve or on its line.
+  void note_split(vertex_index v, bool on_curve);
+
+ private:
+  struct chord {
+    std::size_t curve = 0;
+    double t0 = 0, t1 = 1;
+  };
+
+  std::vector<curve_path> paths_;
+  std::vector<std::optional<chord>> chord_of_segment_;  // empty without curves
+  std::vector<char> off_curve_;                         // by site, as far as it goes
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: MIT
+"""Curves of a domain file through the real command: what is meshed, how far it is from the curves by the
+certificate, and which curves are refused."""
+import json
+import math
+import pathlib
+import unittest
+
+import command
+
+HERE = pathlib.Path(__file__).resolve().parent
+EXAMPLE = HERE.parents[1] / "examples/fillets.poly"
+
+
+def poly(vertices, segments, curves, holes=()):
+    """A .poly file; numbers from 1. Curves are the words after their numbers."""
+    rows = [(vertices, " 2"), (segments, " 1"), (holes, ""), ((), "")]
+    text = "".join(f"{len(items)}{more}\n" + "".join(f"{i} {' '.join(map(str, item))}\n"
+                                                    for i, item in enumerate(items, 1))
+                   for items, more in rows)
+    return text + f"curves {len(curves)}\n" + "".join(f"{i} {c}\n" for i, c in enumerate(curves, 1))
+
+
+def disc(x=0, y=0, r=1):
+    return poly([(x + r, y)], [], [f"circle 1 {x} {y} 7"])
+
+
+TRIANGLE = [(1, 2, 1), (2, 3, 2), (3, 1, 3)]
+
+
+class Curves(command.CommandTest):
+    def mesh(self, text, *options):
+        self.write("d.poly", text)
+        done = self.run_command("mesh", "d.poly", *options, "-o", "d.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.checked(["--regions"] if "--regions" in options else [])
+
+    def checked(self, named):
+        """The certificate, after `verify` has repeated it from itself and from the file."""
+        for more in ([], ["--domain", "d.poly", *named]):
+            done = self.run_command("verify", "d.mesh", *more)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return json.loads((self.folder / "d.certificate.json").read_text())
+
+    def refused(self, text, *words, options=()):
+        self.write("d.poly", text)
+        done = self.run_command("mesh", "d.poly", *options, "-o", "d.mesh")
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertEqual(self.files(), ["d.poly"])
+
+    def vertices_of_mesh(self):
+        lines = (self.folder / "d.mesh").read_text().split("\n")
+        start, count = command.section(lines, "Vertices")
+        return [tuple(map(float, line.split()[:2])) for line in lines[start:start + count]]
+
+    def test_a_disc_of_one_circle(self):
+        made = self.mesh(disc(), "--size", "0.2")
+        told = made["audit"]["curves"]
+        chords = len(made["domain"]["curves"][0]["vertices"]) - 1
+        self.assertEqual((told["curves"], told["vertices_off"]), (1, 0))
+        # A chord of an n-th of a circle is 1 - cos(pi / n) from it.
+        height = 1 - math.cos(math.pi / chords)
+        self.assertGreaterEqual(told["largest_distance"], height * (1 - 1e-9))
+        self.assertLess(told["largest_distance"], height * 1.01)
+        on = sum(abs(math.hypot(x, y) - 1) < 1e-15 for x, y in self.vertices_of_mesh())
+        self.assertEqual(on, told["vertices"])
+
+    def test_a_chord_tolerance_is_kept(self):
+        told = self.mesh(disc(), "--chord-tolerance", "1e-4")["audit"]["curves"]
+        self.assertLessEqual(told["largest_distance"], 1e-4)
+
+    def test_an_annulus_has_its_hole(self):
+        made = self.mesh(poly([(2, 0), (1, 0)], [], ["circle 1 0 0 1", "circle 2 0 0 2"],
+                              [(0, 0)]), "--size", "0.3")
+        self.assertEqual(made["audit"]["curves"]["curves"], 2)
+        self.assertTrue(all(0.999 < math.hypot(x, y) < 2.001 for x, y in self.vertices_of_mesh()))
+
+    def test_a_thin_annulus_whose_chords_would_cross(self):
+        self.mesh(poly([(1, 0), (0.999, 0)], [], ["circle 1 0 0 1", "circle 2 0 0 2"], [(0, 0)]))
+
+    def test_points_near_a_circle_stay_on_their_side(self):
+        # All are between the circle and the chords that it would have without them.
+        near = [(0.9999 * math.cos(a), 0.9999 * math.sin(a)) for a in (0.3, 1.1, 2.9)]
+        made = self.mesh(poly([(1, 0), *near], [], ["circle 1 0 0 1"]))
+        self.assertEqual(made["mesh"]["given"] - len(made["domain"]["curves"][0]["vertices"]) + 1, 3)
+
+    def test_the_plate_of_the_manual(self):
+        told = self.mesh(EXAMPLE.read_text(), "--size", "0.15")["audit"]["curves"]
+        self.assertEqual(told["curves"], 5)
+        self.assertLess(told["largest_distance"], 0.0022)
+
+    def test_an_airfoil_of_a_spline(self):
+        text = (HERE / "spline_airfoil.poly").read_text()
+        made = self.mesh(text, "--size", "0.2", "--chord-tolerance", "1e-4")
+        self.assertEqual(made["audit"]["curves"]["curves"], 16)
+        self.assertLessEqual(made["audit"]["curves"]["largest_distance"], 1.001e-4)
+
+    def test_chords_are_split_on_the_curve(self):
+        # Without a size the four chords of an eighth are split for the angles near the hole.
+        ring = [(1.05, 0), (1.05, 0.02), (1.03, 0.02), (1.03, 0)]
+        sides = [(2, 3, 1), (3, 4, 1), (4, 5, 1), (5, 2, 1)]
+        text = poly([(1.1, 0), *ring], sides, ["circle 1 0 0 7"], [(1.04, 0.01)])
+        for more in ([], ["--refine", "voronoi"], ["--size", "0.3", "--metric", "swirl:2"]):
+            with self.subTest(more):
+                made = self.mesh(text, "--chord-tolerance", "0.2", *more)
+                told, chain = made["audit"]["curves"], made["domain"]["curves"][0]["vertices"]
+                self.assertGreater(told["vertices"], len(chain) - 1)
+                on = sum(abs(math.hypot(x, y) - 1.1) < 1e-15 for x, y in self.vertices_of_mesh())
+                self.assertEqual(on, told["vertices"])
+
+    def test_a_cubic_is_the_bezier_curve_of_its_control_points(self):
+        made = self.mesh(poly([(0, 0), (1, 0), (0.5, -1)], TRIANGLE, ["bezier 1 0.2 0.7 0.8 0.7"]),
+                         "--size", "0.2")
+        domain = made["domain"]
+        curve = domain["curves"][0]
+        for v, t in zip(curve["vertices"], curve["parameters"]):
+            x, y = domain["vertices"][v - 1]
+            s = 1 - t
+            self.assertAlmostEqual(x, 3 * s * s * t * 0.2 + 3 * s * t * t * 0.8 + t ** 3, delta=1e-14)
+            self.assertAlmostEqual(y, 3 * s * t * 0.7, delta=1e-14)
+
+    def test_a_curve_inside_divides_the_domain(self):
+        square = [(-2, -2), (2, -2), (2, 2), (-2, 2)]
+        sides = [(1, 2, 1), (2, 3, 1), (3, 4, 1), (4, 1, 1)]
+        made = self.mesh(poly([*square, (1, 0)], sides, ["circle 5 0 0 4"]), "--size", "0.5", "--regions")
+        inside = [s for s in made["domain"]["segments"] if len(s) == 6]
+        self.assertGreater(len(inside), 8)
+        self.assertTrue(all(s[2] == 4 and s[3] == 1 for s in inside))
+
+    def test_sizes_far_from_one(self):
+        for x, r in ((0, 1e-9), (0, 1e12), (1e9, 1)):
+            with self.subTest((x, r)):
+                self.mesh(disc(x, 0, r))
+
+    def test_a_distance_that_is_claimed_too_small_is_refused(self):
+        made = self.mesh(disc(), "--size", "0.3")
+        made["audit"]["curves"]["largest_distance"] /= 2
+        self.write("d.certificate.json", json.dumps(made))
+        done = self.run_command("verify", "d.mesh")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("audit.curves.largest_distance", done.stdout)
+
+    def test_another_radius_in_the_file_is_refused(self):
+        self.mesh(disc(), "--size", "0.3")
+        self.write("d.poly", disc().replace("circle 1 0 0", "circle 1 1e-6 0"))
+        done = self.run_command("verify", "d.mesh", "--domain", "d.poly")
+        self.assertEqual(done.returncode, 1)
+
+    def test_curves_that_mean_nothing_are_refused(self):
+        ends = [(1, 0), (0, 1), (0, 0)]
+        self.refused(poly([(0, 0)], [], ["circle 1 0 0"]), "d.poly:7:", "radius of 0")
+        self.refused(poly([(1, 0)], [], ["circle 1 nan 0"]), "d.poly:7:", "'nan' is not finite")
+        self.refused(poly([(1, 0)], [], ["circle 2 0 0"]), "d.poly:7:", "vertex '2' does not exist")
+        self.refused(poly([(1, 0)], [], ["ellipse 1 0 0"]), "d.poly:7:", "no kind of curve")
+        self.refused(poly([(1e200, 0)], [], ["circle 1 -1e200 0"]), "beyond the range of doubles")
+        self.refused(poly([(1, 0), (0, 1.1), (0, 0)], TRIANGLE, ["arc 1 0 0 ccw"]), "d.poly:12:",
+                     "does not end on its circle", "1.1")
+        self.refused(poly(ends, TRIANGLE, ["arc 1 0 0 left"]), "'left' is no direction")
+        self.refused(poly(ends, TRIANGLE, ["arc 1 0 0 ccw", "bezier 1 1 1 1 1"]),
+                     "which another curve is on")
+        self.refused(poly([*ends[:2], (0, 1)], TRIANGLE, ["spline 1 2 3"]), "segment '2' has no length")
+        self.refused(poly([*ends, (3, 3)], [*TRIANGLE, (3, 4, 1)], ["spline 1 4"]),
+                     "does not start where the one before it ends")
+        self.refused(disc(), "million chords", options=["--chord-tolerance", "1e-30"])
+        self.refused(disc(), "is not repaired", options=["--repair-domain"])
+
+    def test_curves_that_meet_something_are_refused(self):
+        self.refused(poly([(1, 0), (0, 1), (0, 0), (0.6, 0.8)], TRIANGLE, ["arc 1 0 0 ccw"]),
+                     "passes through vertex 4 (0.6, 0.8)")
+        self.refused(poly([(1, 0), (1.5, 0)], [], ["circle 1 0 0", "circle 2 1 0"]),
+                     "curve 1 crosses or touches curve 2 near (0.")
+        self.refused(poly([(1, 0), (-1, 0)], [], ["circle 1 0 0", "circle 2 0 0"]), "crosses or touches")
+        self.refused(poly([(1, 0), (0.2, 0)], [], ["circle 1 0 0", "circle 2 0.6 0"]),
+                     "crosses or touches")
+        self.refused(poly([(0, 0), (1, 0)], [(1, 2, 1)], ["bezier 1 5 5 -4 5"]), "itself")
+        # A wedge that crosses the circle twice within one chord, and no chord.
+        wedge = [(1, 0), (0.9995, 0.01), (1.2, 0), (1.2, 0.02), (0.9995, 0.02)]
+        ring = [(2, 3, 1), (3, 4, 1), (4, 5, 1), (5, 2, 1)]
+        self.refused(poly(wedge, ring, ["circle 1 0 0"]), "crosses or touches segment")
+
+
+if __name__ == "__main__":
+    unittest.main()
