@@ -205,7 +205,7 @@ class relaxation {
     if (step_.kind == relaxation_kind::without_demands) tried_->complete = false;
     tried_->complete = tried_->complete && report.low_triangles.empty();
     tried_->relaxed = std::move(report);
-    tried_->relaxed_details = {options_.angle_bound, is_same_everywhere_, {}};
+    tried_->relaxed_details = {options_.angle_bound, is_same_everywhere_};
     return *std::move(tried_);
   }
 
