@@ -110,7 +110,7 @@ TEST_CASE("a cubic is held against its control points") {
   mesh m;
   for (const point& p : d.vertices) m.sites.push_back({p, {1, 0, 1}});
   m.given = 4;
-  m.triangles = {{0, 2, 3}, {3, 2, 1}};
+  m.triangles = {{0, 2, 1}, {0, 1, 3}};  // Delaunay
   for (vertex_index s = 0; s < d.segments.size(); ++s)
     m.boundary.push_back({d.segments[s].a, d.segments[s].b, s, 0, false});
   audit_options options;
