@@ -38,12 +38,20 @@ mesh_outcome mesh_beyond_tolerance(mesh_outcome as_given, mesh_outcome delivered
   return std::move(shown);
 }
 
+bool has_one_metric(const mesh& m) {
+  return std::all_of(m.sites.begin(), m.sites.end(), [&m](const site& s) {
+    return identical(s.metric, m.sites.front().metric);
+  });
+}
+
 // True if stars disagree or angles are low, which another metric may mend; false where only the
-// limit on sites made edges longer.
+// limit on sites made edges longer, or angles are low in one metric for all or beside sharp corners
+// alone: then the domain or its size is in the way.
 bool wants_delivery(const mesh_outcome& made, const mesh_options& options) {
   if (wants_relaxation(made, options)) return true;
   return !made.complete && !made.stopped && made.ended.how != ending::complete &&
-         made.ended.how != ending::site_limit;
+         made.ended.how != ending::site_limit && made.ended.how != ending::collateral &&
+         !has_one_metric(made.result);
 }
 
 result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
