@@ -236,6 +236,7 @@ py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_argu
       a.size ? text_of(*a.size * outcome.ended.length_factor) : std::string("none");
   // The names are those of the command, which verify() looks for.
   made.claim.options = {
+      {"chord-tolerance", "none"},
       {"domain", "given"},
       {"angle-bound", text_of(a.options.angle_bound)},
       {"size", size},
