@@ -14,7 +14,7 @@
 #include "asterism/core/site.hpp"
 
 namespace asterism {
-
+// Kinds of curves.
 enum class curve_kind { arc, cubic };
 
 // A curve from its first vertex to its last. An arc whose first vertex is its last is a whole

@@ -28,16 +28,16 @@ struct exempt_corner {
 
 // How a run ended. pipeline/outcome_text.hpp says it in a sentence.
 enum class ending {
-  complete,     // all stars agree, and every triangle meets the demands
-  site_limit,   // mesh_options::max_sites was reached with demands left
-  collateral,   // nothing is left but low angles beside sharp corners, which could not be mended
-  stuck,        // bad triangles are left, and no site can be inserted for any of them
-  too_steep,    // given up: at some triangles the metric varies faster than sites can resolve
-  overworked,   // given up: the most work that is done for so many sites was done
-  stopped,      // by mesh_options::stop
-  crowded,      // the metric varies too fast for sites to be spread: the given vertices alone
-  relaxed,      // for a whole run: the mesh is of a relaxed metric
-  intolerable   // for a whole run: stars agree in a metric farther away than is allowed
+  complete,    // all stars agree, and every triangle meets the demands
+  site_limit,  // mesh_options::max_sites was reached with demands left
+  collateral,  // nothing is left but low angles beside sharp corners, which could not be mended
+  stuck,       // bad triangles are left, and no site can be inserted for any of them
+  too_steep,   // given up: at some triangles the metric varies faster than sites can resolve
+  overworked,  // given up: the most work that is done for so many sites was done
+  stopped,     // by mesh_options::stop
+  crowded,     // the metric varies too fast for sites to be spread: the given vertices alone
+  relaxed,     // for a whole run: the mesh is of a relaxed metric
+  intolerable  // for a whole run: stars agree in a metric farther away than is allowed
 };
 
 // Place at which the metric varies faster than sites so near to each other can resolve.

@@ -39,9 +39,8 @@ mesh_outcome mesh_beyond_tolerance(mesh_outcome as_given, mesh_outcome delivered
 }
 
 bool has_one_metric(const mesh& m) {
-  return std::all_of(m.sites.begin(), m.sites.end(), [&m](const site& s) {
-    return identical(s.metric, m.sites.front().metric);
-  });
+  return std::all_of(m.sites.begin(), m.sites.end(),
+                     [&m](const site& s) { return identical(s.metric, m.sites.front().metric); });
 }
 
 // True if stars disagree or angles are low, which another metric may mend; false where only the
@@ -90,8 +89,8 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
     // What is without demands keeps to straight chords.
     domain straight = d;
     straight.curves.clear();
-    outcome = refine_relaxed({stars_on, straight, field, options, progress},
-                             std::move(outcome).value());
+    outcome =
+        refine_relaxed({stars_on, straight, field, options, progress}, std::move(outcome).value());
   }
   if (!outcome) return outcome;
   if (delivered && !outcome.value().complete && !outcome.value().stopped)
