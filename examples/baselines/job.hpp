@@ -57,7 +57,7 @@ struct metric_mesh {
   void measure_again(index v) { tensor[v] = field->at(net.points()[v]); }
 };
 
-// What the command line names.
+// Holds what the command line names.
 struct job {
   asterism::domain domain;
   std::unique_ptr<metric> field;

@@ -41,7 +41,7 @@
 
 namespace asterism {
 
-// What chords are wanted.
+// Tells which chords are wanted.
 struct curve_division {
   // Greatest distance of a curve from its chord; default: a fiftieth of the chord's length.
   std::optional<double> chord_tolerance = {};

@@ -14,7 +14,7 @@ std::vector<point> convex_hull(std::vector<point> points);
 
 // True if the hulls, as convex_hull returns them, are not shown to be apart: by a line along an
 // edge of one of them, with one on each side, and nothing in common but at most a corner of both.
-// Of two convex polygons with at least one edge between them that are apart, such a line exists.
+// Such a line exists for two convex polygons, with at least one edge between them, that are apart.
 bool hulls_meet(const std::vector<point>& a, const std::vector<point>& b);
 
 }  // namespace asterism::internal

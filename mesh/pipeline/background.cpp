@@ -40,7 +40,7 @@ std::optional<mesh> coarse_mesh_in(const metric_tensor& m, const domain& d,
   tier_counters decided;
   const star_predicates_on<filtered_kernel> stars_on(decided);
   const constant_field everywhere(m);
-  // What changes the mesh later keeps to straight chords.
+  // Leaves curves out: later changes of the mesh keep to straight chords.
   domain straight = d;
   straight.curves.clear();
   auto made = mesh_domain({stars_on, straight, everywhere, coarse, {}, work_share});

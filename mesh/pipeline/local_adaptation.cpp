@@ -65,7 +65,7 @@ class adaptation {
       if (!attempt(start_, ladder[step])) return std::nullopt;
       made += std::max(count_, outcome_.result.sites.size());
       if (outcome_.audited->certified || stop_reason() || is_overworked()) break;
-      // Where mending is in vain a little more strictness does not help.
+      // Skips to the strictest where mending is in vain: a little more does not help.
       if (std::exchange(is_hopeless_, false)) step = std::max(step, ladder.size() - 2);
     }
     if (!outcome_.audited->certified && !stop_reason()) adapt_in_one_metric();

@@ -86,7 +86,7 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
     if (delivered && !excess_of(*delivered, options)) return *std::move(delivered);
   }
   if (wants_relaxation(outcome.value(), options) && !options.metric_tolerance) {
-    // What is without demands keeps to straight chords.
+    // Leaves curves out: without demands, chords stay straight.
     domain straight = d;
     straight.curves.clear();
     outcome =
