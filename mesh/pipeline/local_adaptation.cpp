@@ -41,7 +41,7 @@ constexpr std::array<strictness, 4> ladder = {{{4, 2}, {3, 1.7}, {1.8, 1.4}, {1.
 constexpr int refits = 1;
 // Most audits of one mesh, each after what the one before had found was mended.
 constexpr int most_audits = 12;
-// The same of a mesh whose tensors alone are changed, where audits after the first cost little.
+// Most audits of a mesh whose tensors alone are changed: those after the first cost little.
 constexpr int most_audits_again = 40;
 constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
 class adaptation {

@@ -87,7 +87,7 @@ class subsegment_distances {
 
 }  // namespace
 
-// Where all three have one metric, w encroaches if it is in the disk that has a b for its diameter:
+// In one metric for all three, w encroaches if it is in the disk that has a b for its diameter:
 // if (w - a)^T M (w - b) < 0, with an error of less than 40 eps S as above.
 uncertain_bool encroaches_quickly(const site& a, const site& b, const site& w) {
   const subsegment_distances along(a, b, w);
