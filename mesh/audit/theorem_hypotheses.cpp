@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
@@ -24,7 +25,7 @@ using audit_detail::site_tree;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double useless_distortion = 1.272;  // beyond it no arc is sure to be wedged
-constexpr std::size_t chunk = 1024;
+constexpr std::size_t chunk = 1024, looked_for_together = 8;
 
 // Measures of one chunk of the sites or subsegments; `failure` is the first thing that went wrong.
 struct measured_part {
@@ -42,7 +43,7 @@ double covering_radius(const mesh& m) {
         for (std::size_t i = begin; i < end; ++i) {
           const triangle& t = m.triangles[i];
           const std::array<site, 3> corners = {m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]};
-          if (!(theorem::circumradius_above(corners) < radius))
+          if (!(theorem::quick_covering_radius_above(corners) < radius))
             radius = greatest_bound(radius, theorem::covering_radius_above(corners));
         }
         out.push_back(radius);
@@ -69,26 +70,43 @@ double radius_that_matters(const mesh& m, double covering_radius) {
   return std::min(covering_radius, 0.5 * shortest);
 }
 
-// Measures the pairs of v with sites of greater number.
-void measure_near_pairs(const mesh& m, const site_tree& tree, vertex_index v, double radius,
+// Measures the pair of v and w.
+void measure_near_pair(const mesh& m, vertex_index v, vertex_index w, double radius,
+                       measured_part& part) {
+  const site &centre = m.sites[v], &other = m.sites[w];
+  if (theorem::certainly_apart(centre, other, radius)) return;
+  const theorem::pair_measures pair = theorem::measure_pair(centre, other);
+  if (pair.larger_distance_below < part.spacing) {
+    part.spacing = pair.larger_distance_below;
+    part.nearest = {v, w};
+  }
+  part.distortion = greatest_bound(part.distortion, pair.distortion_above);
+  part.variation = greatest_bound(part.variation, pair.variation_above);
+  if (!(pair.distortion_above < useless_distortion))
+    part.failure = "the metrics of " + vertex_name(v) + " and " + vertex_name(w) +
+                   ", whose disks of the covering radius meet, differ by a factor of " +
+                   format_number(pair.distortion_above);
+}
+
+// Measures the pairs of some sites, near each other, with sites of greater number. What is near all
+// of them is looked for once.
+void measure_near_pairs(const mesh& m, const site_tree& tree,
+                        std::span<const vertex_index> together, double radius,
                         measured_part& part) {
-  const site& centre = m.sites[v];
-  tree.visit_near(centre, radius, [&](vertex_index w) {
-    if (w <= v || !part.failure.empty()) return;
-    const site& other = m.sites[w];
-    if (theorem::certainly_apart(centre, other, radius)) return;
-    const theorem::pair_measures pair = theorem::measure_pair(centre, other);
-    if (pair.larger_distance_below < part.spacing) {
-      part.spacing = pair.larger_distance_below;
-      part.nearest = {v, w};
-    }
-    part.distortion = greatest_bound(part.distortion, pair.distortion_above);
-    part.variation = greatest_bound(part.variation, pair.variation_above);
-    if (!(pair.distortion_above < useless_distortion))
-      part.failure = "the metrics of " + vertex_name(v) + " and " + vertex_name(w) +
-                     ", whose disks of the covering radius meet, differ by a factor of " +
-                     format_number(pair.distortion_above);
-  });
+  std::vector<site_tree::reaching> centres;
+  for (const vertex_index v : together) centres.push_back({m.sites[v], radius});
+  std::vector<std::size_t> leaves;
+  const bool gathered = tree.gather(centres, leaves);
+  for (const vertex_index v : together) {
+    const auto measure = [&](vertex_index w) {
+      if (w > v && part.failure.empty()) measure_near_pair(m, v, w, radius, part);
+    };
+    if (!part.failure.empty()) return;
+    if (gathered)
+      tree.visit_near(leaves, m.sites[v], radius, measure);
+    else
+      tree.visit_near(m.sites[v], radius, measure);
+  }
 }
 
 void check_subsegment(const mesh& m, const site_tree& tree, const boundary_edge& subsegment,
@@ -106,13 +124,14 @@ void check_subsegment(const mesh& m, const site_tree& tree, const boundary_edge&
   });
 }
 
-// Measures `count` items by chunks and puts them together in order.
+// Measures `count` items, so many at a time, and puts them together in order.
 template <class Measure>
-measured_part measure_all(std::size_t count, const Measure& measure) {
+measured_part measure_all(std::size_t count, std::size_t at_a_time, const Measure& measure) {
   const auto parts = collect_chunks<measured_part>(
       count, chunk, [&](std::size_t begin, std::size_t end, std::vector<measured_part>& out) {
         measured_part part;
-        for (std::size_t i = begin; i < end && part.failure.empty(); ++i) measure(i, part);
+        for (std::size_t i = begin; i < end && part.failure.empty(); i += at_a_time)
+          measure(i, std::min(end, i + at_a_time), part);
         out.push_back(std::move(part));
       });
   measured_part all;
@@ -156,15 +175,18 @@ theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_
   }
   const site_tree tree(subject.sites);
   const measured_part subsegments =
-      measure_all(subject.boundary.size(), [&](std::size_t i, measured_part& part) {
+      measure_all(subject.boundary.size(), 1, [&](std::size_t i, std::size_t, measured_part& part) {
         check_subsegment(subject, tree, subject.boundary[i], part);
       });
   h.longest_subsegment = subsegments.longest_subsegment;
-  const std::vector<vertex_index>& order = tree.order();
+  const std::span<const vertex_index> order(tree.order());
   const double radius = radius_that_matters(subject, h.covering_radius);
-  const measured_part near = measure_all(order.size(), [&](std::size_t i, measured_part& part) {
-    measure_near_pairs(subject, tree, order[i], radius, part);
-  });
+  const measured_part near =
+      measure_all(order.size(), looked_for_together,
+                  [&](std::size_t first, std::size_t last, measured_part& part) {
+                    measure_near_pairs(subject, tree, order.subspan(first, last - first), radius,
+                                       part);
+                  });
   h.spacing = near.spacing;
   h.distortion = near.distortion;
   h.variation = near.variation;

@@ -79,6 +79,47 @@ double root_above(double a) {
   return r < infinity ? r : infinity;
 }
 
+// --- Plain doubles, where a bound that is not as near will do.
+
+point plain_between(const site& from, const site& to) {
+  return {to.position.x - from.position.x, to.position.y - from.position.y};
+}
+
+// Returns the centre of the circle that the sum of the three metrics sees through the corners, as
+// a place of the triangle; beyond an edge the middle of that edge. Never outside, and not trusted
+// for anything else. Both vectors are from the first corner.
+place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const point& to_c) {
+  constexpr double all_but = 1 - 0x1p-40;
+  metric_tensor m{0, 0, 0};
+  for (const site& s : t)
+    m = {m.m11 + s.metric.m11, m.m12 + s.metric.m12, m.m22 + s.metric.m22};
+  const auto product = [&m](const point& u, const point& v) {
+    return (m.m11 * u.x + m.m12 * u.y) * v.x + (m.m12 * u.x + m.m22 * u.y) * v.y;
+  };
+  const double bb = product(to_b, to_b), bc = product(to_b, to_c), cc = product(to_c, to_c);
+  const double half_inverse = 0.5 / (bb * cc - bc * bc);
+  const place p{cc * (bb - bc) * half_inverse, bb * (cc - bc) * half_inverse};
+  if (!(std::abs(p.second) < infinity && std::abs(p.third) < infinity)) return {1.0 / 3, 1.0 / 3};
+  if (p.second < 0) return {0, 0.5};
+  if (p.third < 0) return {0.5, 0};
+  if (p.second + p.third > all_but) return {0.5 * all_but, 0.5 * all_but};
+  return p;
+}
+
+// Returns |q - p|_m from above, of places that are known as vectors from a corner of their triangle
+// with at most three roundings. No monomial of the form passes more than twelve roundings, and
+// `size` bounds the sum of their magnitudes: 2^-48 of it covers them in any rounding mode. What
+// underflows is less than that in the range asked for.
+double plain_distance_above(const metric_tensor& m, const point& p, const point& q) {
+  const point d{q.x - p.x, q.y - p.y};
+  const double wide = std::abs(p.x) + std::abs(q.x), high = std::abs(p.y) + std::abs(q.y);
+  const double square = (m.m11 * d.x + 2 * m.m12 * d.y) * d.x + m.m22 * d.y * d.y;
+  const double size =
+      (m.m11 * wide + 2 * std::abs(m.m12) * high) * wide + m.m22 * high * high;
+  const bool in_range = size > 0x1p-800 && size < 0x1p800 && wide + high > 0x1p-400;
+  return in_range ? std::sqrt(square + 0x1p-48 * size) * (1 + 0x1p-50) : infinity;
+}
+
 }  // namespace
 
 double distance_above(const site& p, const site& q) {
@@ -103,18 +144,23 @@ double covering_radius_above(const std::array<site, 3>& t) {
   return radius;
 }
 
-// The product of the sides over four times the area. Each point of a triangle is within that of the
-// nearest corner, which is the centre's nearest site in the part that it is in.
-double circumradius_above(const std::array<site, 3>& t) {
-  const metric_tensor& metric = t[0].metric;
-  if (!identical(metric, t[1].metric) || !identical(metric, t[2].metric)) return infinity;
-  const tensor<bounded> m = tensor_of_doubles(metric);
-  const offset a = between(t[0].position, t[1].position), b = between(t[0].position, t[2].position),
-               c = between(t[1].position, t[2].position);
-  const bounded area = cross(a, b);
-  const bounded sides = square_norm(m, a) * square_norm(m, b) * square_norm(m, c);
-  const double radius = root(sides / (bounded(4) * m.determinant() * area * area)).upper();
-  return radius >= 0 ? radius : infinity;
+double quick_covering_radius_above(const std::array<site, 3>& t) {
+  const point to_b = plain_between(t[0], t[1]), to_c = plain_between(t[0], t[2]);
+  const place x = plain_middle_place(t, to_b, to_c);
+  const point to_x{x.second * to_b.x + x.third * to_c.x, x.second * to_b.y + x.third * to_c.y};
+  const std::array<point, 3> corners = {point{0, 0}, to_b, to_c};
+  double radius = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    const point &p = corners[i], &q = corners[next];
+    radius = greatest_bound(radius, plain_distance_above(t[i].metric, p, to_x));
+    const double from_p = plain_distance_above(t[i].metric, p, q),
+                 from_q = plain_distance_above(t[next].metric, q, p);
+    const double share = from_q / (from_p + from_q);
+    if (!(share > 0 && share < 1)) return infinity;
+    radius = greatest_bound(radius, greatest_bound(share * from_p, (1 - share) * from_q));
+  }
+  return radius < infinity ? radius * (1 + 0x1p-50) : infinity;
 }
 
 // A line across u separates the disks if |u.d| > R (|u| as p's inverse metric measures + as q's).
