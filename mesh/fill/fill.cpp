@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/fill/placed_sites.hpp"
@@ -134,11 +137,48 @@ class filling {
     filled.needed = needed_;
     filled.work_units = work_.units();
     if (crowded_) filled.crowded = stars_.most_crowded();
-    filled.divisions = segments_.dividing_sites();
-    for (auto w = static_cast<vertex_index>(domain_.vertices.size()); w < sites_.size(); ++w)
-      if (!sites_.is_on_segment(w)) filled.interior.push_back(sites_[w]);
-    sort_along_curve(filled.interior, box_);
+    const std::vector<vertex_index> order = in_order_of_outcome(filled);
+    if (filled.complete) filled.stars = stars_in_order(order, filled.interior.size());
     return filled;
+  }
+
+  // Sets the sites of the outcome. Returns them by their numbers here: the vertices, those that
+  // divide segments, and the interior along a curve.
+  std::vector<vertex_index> in_order_of_outcome(filled_domain& filled) const {
+    std::vector<vertex_index> order(domain_.vertices.size()), inside;
+    std::iota(order.begin(), order.end(), vertex_index{0});
+    for (const std::vector<vertex_index>& division : segments_.dividing_sites()) {
+      std::vector<site>& points = filled.divisions.emplace_back();
+      for (const vertex_index w : division) points.push_back(sites_[w]);
+      order.insert(order.end(), division.begin(), division.end());
+    }
+    std::vector<site> unordered;
+    for (auto w = static_cast<vertex_index>(domain_.vertices.size()); w < sites_.size(); ++w) {
+      if (sites_.is_on_segment(w)) continue;
+      inside.push_back(w);
+      unordered.push_back(sites_[w]);
+    }
+    for (const std::uint32_t i : order_along_curve(unordered, box_)) {
+      filled.interior.push_back(unordered[i]);
+      order.push_back(inside[i]);
+    }
+    return order;
+  }
+
+  // Returns the neighbours of the last sites of that order, so many of them, in its numbers. Those
+  // of a star that disagrees with another are wrong in one of the two, and left out.
+  neighbour_lists stars_in_order(const std::vector<vertex_index>& order, std::size_t last) const {
+    constexpr std::size_t about = 6;  // neighbours of a site, on average
+    std::vector<vertex_index> number(sites_.size());
+    for (vertex_index i = 0; i < order.size(); ++i) number[order[i]] = i;
+    neighbour_lists lists;
+    lists.reserve(last, about * last);
+    for (std::size_t i = order.size() - last; i < order.size(); ++i) {
+      if (stars_.agrees_with_neighbours(order[i]))
+        for (const plain_gap& gap : stars_[order[i]]) lists.add(number[gap.neighbour]);
+      lists.end_list();
+    }
+    return lists;
   }
 
   const domain& domain_;

@@ -22,6 +22,7 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/neighbour_lists.hpp"
 #include "asterism/mesh/data/outcome.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
@@ -43,6 +44,11 @@ struct filled_domain {
   std::vector<std::vector<site>> divisions;
   // Sites inside the domain, in the order of a space-filling curve.
   std::vector<site> interior;
+  // The neighbours of each interior site among all sites, counter-clockwise, as the fill saw them:
+  // a first guess at its star. Numbered are the vertices first, then the points of the divisions,
+  // then the interior. A list is empty where the fill's stars disagree, and all are where it did not
+  // come to its end.
+  neighbour_lists stars;
   std::size_t rounds = 0;
   bool complete = false;  // false: max_sites was reached, it is crowded, or stopped
   bool stopped = false;   // by options.stop

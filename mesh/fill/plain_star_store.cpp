@@ -15,6 +15,14 @@ namespace {
 
 constexpr std::size_t chunk = 256;
 
+// True if x follows y in the star.
+bool has_gap(const plain_star& star, vertex_index y, vertex_index x) {
+  for (std::size_t i = 0; i < star.size(); ++i)
+    if (star[i].neighbour == y)
+      return star[i + 1 < star.size() ? i + 1 : 0].neighbour == x;
+  return false;
+}
+
 }  // namespace
 
 bool plain_star_store::renew(double distance) {
@@ -45,6 +53,15 @@ bool plain_star_store::renew(double distance) {
 void plain_star_store::mark_all_changed() {
   changed_.resize(stars_.size());
   std::iota(changed_.begin(), changed_.end(), vertex_index{0});
+}
+
+bool plain_star_store::agrees_with_neighbours(vertex_index v) const {
+  const plain_star& star = stars_[v];
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const vertex_index y = star[i].neighbour, x = star[i + 1 < star.size() ? i + 1 : 0].neighbour;
+    if (!has_gap(stars_[y], x, v) || !has_gap(stars_[x], v, y)) return false;
+  }
+  return true;
 }
 
 // Makes the stars of the sites from `first` to before `last`; returns which stars of older sites
@@ -84,7 +101,7 @@ void plain_star_store::renew_disturbed(const std::vector<disturbed>& pairs) {
       for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
       for (std::size_t j = starts[i]; j < starts[i + 1]; ++j) candidates.push_back(pairs[j].by);
       looked_at += candidates.size();
-      stars_[v] = build_plain_star(sites_->all(), v, candidates);
+      stars_[v] = build_plain_star(sites_->all(), v, candidates, stars_[v]);
     }
     work_->count_candidates(looked_at);
   });

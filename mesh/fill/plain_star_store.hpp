@@ -33,6 +33,8 @@ class plain_star_store {
   bool renew(double distance);
 
   const plain_star& operator[](vertex_index v) const { return stars_[v]; }
+  // True if each triangle of v's star is in the stars of its other two corners.
+  bool agrees_with_neighbours(vertex_index v) const;
   // Returns the stars that the last renewal made anew, or all after mark_all_changed(): those that
   // may leave room where they left none before.
   const std::vector<vertex_index>& changed() const { return changed_; }

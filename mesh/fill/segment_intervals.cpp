@@ -82,11 +82,11 @@ double segment_intervals::longest_segment() const {
   return longest;
 }
 
-std::vector<std::vector<site>> segment_intervals::dividing_sites() const {
-  std::vector<std::vector<site>> found(divisions_.size());
+std::vector<std::vector<vertex_index>> segment_intervals::dividing_sites() const {
+  std::vector<std::vector<vertex_index>> found(divisions_.size());
   for (std::size_t s = 0; s < divisions_.size(); ++s)
     for (const vertex_index m : at_division_[s])
-      if (m != no_site) found[s].push_back((*sites_)[m]);
+      if (m != no_site) found[s].push_back(m);
   return found;
 }
 

@@ -35,7 +35,7 @@ class segment_intervals {
   // Returns the metric length of the longest segment; 0 when there is none.
   double longest_segment() const;
   // Returns the sites that divide each segment, in its direction, ends left out.
-  std::vector<std::vector<site>> dividing_sites() const;
+  std::vector<std::vector<vertex_index>> dividing_sites() const;
 
  private:
   // An interval of a segment's division that is one subsegment so far.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -19,6 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct candidate {
   double turn;  // grows with the angle, from -2 to 2
   vertex_index who;
+  std::uint32_t number;  // among the candidates
   displacement<double> d, z;
 };
 
@@ -41,14 +43,15 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_
   if (is_thin(s.metric)) s = round.emplace(s.position, s.metric).inward(s);
   double nearest = infinity;
   std::size_t first = 0;
-  for (const vertex_index w : from) {
+  for (std::uint32_t number = 0; number < from.size(); ++number) {
+    const vertex_index w = from[number];
     if (w == v) continue;
     const site other = round ? round->inward(sites[w]) : sites[w];
     const auto d = between(s.position, other.position);
     const auto dual = apply(other.metric, d), own = apply(s.metric, d);
     const double inverse = 1 / dot(dual, d);
     const double own_inverse = std::sqrt(inverse / dot(own, d));
-    all.push_back({turn_of(d), w, d, inverse * dual + own_inverse * own});
+    all.push_back({turn_of(d), w, number, d, inverse * dual + own_inverse * own});
   }
   std::sort(all.begin(), all.end(), [](const candidate& a, const candidate& b) {
     return a.turn != b.turn ? a.turn < b.turn : a.who < b.who;
@@ -66,6 +69,10 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_
   // The nearest is on the hull: start there.
   std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
   return all;
+}
+
+std::size_t following(const plain_star& star, std::size_t i) {
+  return i + 1 < star.size() ? i + 1 : 0;
 }
 
 // Computes vertex and radius of the gap of s between y and x.
@@ -93,7 +100,8 @@ void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, v
 }
 
 plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
-                            const std::vector<vertex_index>& candidates) {
+                            const std::vector<vertex_index>& candidates,
+                            const plain_star& before) {
   const std::vector<candidate>& all = order_candidates(sites, v, candidates);
   thread_local std::vector<const candidate*> hull;
   hull.clear();
@@ -106,8 +114,13 @@ plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
     hull.pop_back();
   plain_star star(hull.size());
   for (std::size_t i = 0; i < hull.size(); ++i) star[i].neighbour = hull[i]->who;
-  for (std::size_t i = 0; i < star.size(); ++i)
-    close_gap(sites, v, star[i], star[i + 1 < star.size() ? i + 1 : 0].neighbour);
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const std::size_t next = following(star, i), then = hull[i]->number;
+    if (then < before.size() && hull[next]->number == following(before, then))
+      star[i] = before[then];
+    else
+      close_gap(sites, v, star[i], star[next].neighbour);
+  }
   return star;
 }
 

@@ -2,12 +2,18 @@
 #include "asterism/mesh/refine/refine_state.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "asterism/mesh/stars/visibility.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
+namespace {
+
+constexpr std::size_t about_neighbours = 6;  // of a site, on average
+
+}  // namespace
 
 result<refine_state> refine_state::start(const domain& d, const metric_field& field,
                                          const star_predicates& kernel, std::size_t most_sites,
@@ -22,25 +28,30 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
   state.stars_.cancel_by(cancelled);
   state.cancelled_ = cancelled;
   state.work_share_ = work_share;
-  state.divide(d, filling);
-  state.add_proposed(filling.interior);
+  numbered_sites taken(d.vertices.size());
+  std::iota(taken.begin(), taken.end(), vertex_index{0});
+  state.divide(d, filling, taken);
+  state.add_proposed(filling.interior, taken);
+  state.guess_stars(filling.stars, taken);
   state.segments_.suspect_all();
   return state;
 }
 
 void refine_state::construct_stars() {
   stars_.bound_work(given_, work_share_);
-  stars_.construct_all(oracle());
+  stars_.construct_all(oracle(), guesses_);
+  guesses_ = {};
   has_stars_ = true;
 }
 
 // Divides the segments at the proposed points, or beside them on the curve of a chord. A point that
 // is put on the wrong side of something is left out.
-void refine_state::divide(const domain& d, const filled_domain& filling) {
+void refine_state::divide(const domain& d, const filled_domain& filling, numbered_sites& taken) {
   for (std::size_t s = 0; s < d.segments.size(); ++s) {
     std::size_t subsegment = segments_.find_subsegment(d.segments[s].a, d.segments[s].b);
     for (const site& m : filling.divisions[s]) {
-      if (is_full()) return;
+      taken.push_back(left_out);
+      if (is_full()) continue;
       const std::size_t first_new = edges().subsegments().size();
       const boundary_edge& whole = edges().subsegments()[subsegment];
       const auto beside = segments_.place_on_curve(whole, m.position);
@@ -51,12 +62,13 @@ void refine_state::divide(const domain& d, const filled_domain& filling) {
         segments_.put_on_subsegment(subsegment, m);
       else
         continue;
+      taken.back() = static_cast<vertex_index>(sites().size() - 1);
       subsegment = first_new;
     }
   }
 }
 
-void refine_state::add_proposed(const std::vector<site>& proposed) {
+void refine_state::add_proposed(const std::vector<site>& proposed, numbered_sites& taken) {
   constexpr std::size_t chunk = 256;
   const std::vector<char> fits = collect_chunks<char>(
       proposed.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<char>& out) {
@@ -66,8 +78,28 @@ void refine_state::add_proposed(const std::vector<site>& proposed) {
           out.push_back(strictly_inside_near(*kernel, proposed[i].position) &&
                         segments_.encroached_by(*kernel, proposed[i]).empty());
       });
-  for (std::size_t i = 0; i < proposed.size() && !is_full(); ++i)
-    if (fits[i] != 0) sites_->add(proposed[i]);
+  for (std::size_t i = 0; i < proposed.size(); ++i)
+    taken.push_back(fits[i] != 0 && !is_full() ? sites_->add(proposed[i]) : left_out);
+}
+
+// Renumbers what the fill saw around its interior sites. A star with a neighbour that was left out
+// gets no guess.
+void refine_state::guess_stars(const neighbour_lists& stars, const numbered_sites& taken) {
+  if (stars.size() == 0) return;
+  const std::size_t first = taken.size() - stars.size();
+  guesses_.reserve(sites().size(), about_neighbours * sites().size());
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    if (taken[first + i] == left_out) continue;
+    while (guesses_.size() < taken[first + i]) guesses_.end_list();
+    for (const vertex_index u : stars[i]) {
+      if (taken[u] == left_out) {
+        guesses_.clear_list();
+        break;
+      }
+      guesses_.add(taken[u]);
+    }
+    guesses_.end_list();
+  }
 }
 
 bool refine_state::is_overworked() const {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/neighbour_lists.hpp"
 #include "asterism/mesh/fill/fill.hpp"
 #include "asterism/mesh/refine/site_set.hpp"
 #include "asterism/mesh/refine/split_boundary.hpp"
@@ -93,8 +95,13 @@ class refine_state {
                split_boundary segments)
       : kernel_(&kernel), given_(given), sites_(std::move(sites)), segments_(std::move(segments)) {}
 
-  void divide(const domain& d, const filled_domain& filling);
-  void add_proposed(const std::vector<site>& proposed);
+  // Sites by the numbers of filled_domain::stars; `left_out` where one was not taken.
+  using numbered_sites = std::vector<vertex_index>;
+  static constexpr vertex_index left_out = std::numeric_limits<vertex_index>::max();
+
+  void divide(const domain& d, const filled_domain& filling, numbered_sites& taken);
+  void add_proposed(const std::vector<site>& proposed, numbered_sites& taken);
+  void guess_stars(const neighbour_lists& stars, const numbered_sites& taken);
   bool split_at(std::size_t subsegment, const point& q, double shortest);
   bool split_exactly_at(std::size_t subsegment, const point& q, double shortest, bool on_curve);
   bool strictly_inside_near(const star_predicates& kernel, const point& q) const;
@@ -106,6 +113,7 @@ class refine_state {
   std::unique_ptr<site_set> sites_;  // here, so that the boundary finds it when the state is moved
   split_boundary segments_;
   star_set stars_;
+  neighbour_lists guesses_;  // by site; until the stars are made
   std::unique_ptr<edge_test_memory> memory_ = std::make_unique<edge_test_memory>();
   cancellation cancelled_;
   bool has_stars_ = false;

@@ -65,28 +65,49 @@ constructed_star settle(const site_oracle& oracle, vertex_index v, star begun,
 
 // --- The star from what is near.
 
+// Returns the star of an interior site with these neighbours, counter-clockwise, if exact tests
+// find nothing wrong with it: it goes round, and each neighbour is seen and stands.
+std::optional<star> standing_star(const site_oracle& oracle, vertex_index v,
+                                  std::vector<vertex_index> ring) {
+  if (ring.size() < 3) return std::nullopt;
+  star s;
+  s.sectors.push_back({std::move(ring), true});
+  const sector& part = s.sectors[0];
+  // Checks for half turns alone: doubles tell directions apart well enough for the ring to go round
+  // once, and nothing else could be wrong with it.
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (!holds_triangle(oracle, v, part, i)) return std::nullopt;
+  for (const vertex_index w : part.neighbours)
+    if (!oracle.visible(v, w)) return std::nullopt;
+  if (prune(oracle, v, s)) return std::nullopt;
+  return s;
+}
+
+// Returns the star with these neighbours if exact tests confirm it at once against all sites.
+std::optional<constructed_star> final_star(const site_oracle& oracle, vertex_index v,
+                                           std::span<const vertex_index> ring) {
+  if (!oracle.edges().corners(v).empty()) return std::nullopt;
+  auto s = standing_star(oracle, v, {ring.begin(), ring.end()});
+  const auto reach = s ? final_reach(oracle, v, *s) : std::nullopt;
+  if (!reach) return std::nullopt;
+  return constructed_star{*std::move(s), true, false, reach};
+}
+
 // Returns the star guessed in plain doubles if exact tests confirm it: at once against all sites
 // there are, or else against the given ones.
 std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, vertex_index v,
                                                 const plain_star& guess,
                                                 const std::vector<vertex_index>& order) {
-  if (guess.size() < 3) return std::nullopt;
-  star s;
-  s.sectors.push_back({{}, true});
-  sector& ring = s.sectors[0];
-  for (const plain_gap& gap : guess) ring.neighbours.push_back(gap.neighbour);
-  // Checks for half turns alone: doubles tell directions apart well enough for the ring to go round
-  // once, and nothing else could be wrong with it.
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    if (!holds_triangle(oracle, v, s.sectors[0], i)) return std::nullopt;
-  for (const vertex_index w : ring.neighbours)
-    if (!oracle.visible(v, w)) return std::nullopt;
-  if (prune(oracle, v, s)) return std::nullopt;
-  if (const auto reach = final_reach(oracle, v, s))
-    return constructed_star{std::move(s), true, false, reach};
+  std::vector<vertex_index> ring;
+  for (const plain_gap& gap : guess) ring.push_back(gap.neighbour);
+  auto s = standing_star(oracle, v, std::move(ring));
+  if (!s) return std::nullopt;
+  if (const auto reach = final_reach(oracle, v, *s))
+    return constructed_star{*std::move(s), true, false, reach};
   for (const vertex_index w : order)
-    if (oracle.is_over() || (!s.contains(w) && would_accept(oracle, v, s, w))) return std::nullopt;
-  return constructed_star{std::move(s), true, false, {}};
+    if (oracle.is_over() || (!s->contains(w) && would_accept(oracle, v, *s, w)))
+      return std::nullopt;
+  return constructed_star{*std::move(s), true, false, {}};
 }
 
 // Extent of a star as site_index::visit_reach wants it, but in doubles. A gap whose vertex is not
@@ -244,9 +265,11 @@ double farthest_vertex(const site_oracle& oracle, vertex_index v, const star& s)
   return extent_of(oracle, v, s).radius;
 }
 
-constructed_star construct_star(const site_oracle& oracle, vertex_index v, star_search search) {
+constructed_star construct_star(const site_oracle& oracle, vertex_index v, star_search search,
+                                std::span<const vertex_index> guess) {
   if (oracle.near() == nullptr)
     return settle(oracle, v, empty_star(oracle.edges(), v), all_sites(oracle, v));
+  if (auto known = final_star(oracle, v, guess)) return std::move(*known);
   local_star made = construct_near(oracle, v);
   if (search == star_search::near) return std::move(made.built);
   return construct_thoroughly(oracle, v, std::move(made));

@@ -87,7 +87,7 @@ star_set::star_set(std::vector<star> stars, const std::vector<vertex_index>& uns
   for (const vertex_index v : unsettled) condition_[v] = condition::unsettled;
 }
 
-void star_set::construct_all(const site_oracle& oracle) {
+void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& guesses) {
   stars_.assign(oracle.size(), {});
   condition_.assign(oracle.size(), condition::stale);
   final_.assign(oracle.size(), {});
@@ -97,7 +97,9 @@ void star_set::construct_all(const site_oracle& oracle) {
   }
   std::vector<vertex_index> all(oracle.size());
   std::iota(all.begin(), all.end(), vertex_index{0});
+  guesses_ = &guesses;
   construct(oracle, all, star_search::near);
+  guesses_ = nullptr;
 }
 
 void star_set::touch(vertex_index v) {
@@ -204,7 +206,9 @@ std::optional<constructed_star> star_set::remake(const site_oracle& oracle, vert
                                                  star_search search, const site_index* latest) {
   if (latest != nullptr && condition_[v] == condition::settled && confirm(oracle, v, *latest))
     return std::nullopt;
-  constructed_star built = construct_star(oracle, v, search);
+  constructed_star built =
+      construct_star(oracle, v, search,
+                     guesses_ == nullptr ? std::span<const vertex_index>() : (*guesses_)[v]);
   if (is_news(v, built)) return built;
   condition_[v] = condition::settled;
   note_final(v, oracle.size(), built.final_reach);

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/data/neighbour_lists.hpp"
 #include "asterism/mesh/stars/star.hpp"
 #include "asterism/mesh/stars/star_construction.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
@@ -52,8 +53,9 @@ class star_set {
   // True if construction met its bound: the star violates (a) or (b) and is a defect of the mesh.
   bool is_unsettled(vertex_index v) const { return condition_[v] == condition::unsettled; }
 
-  // Replaces everything by one star per site of the oracle, each constructed by itself.
-  void construct_all(const site_oracle& oracle);
+  // Replaces everything by one star per site of the oracle, each constructed by itself. `guesses`
+  // has the neighbours that some of them are likely to have, counter-clockwise.
+  void construct_all(const site_oracle& oracle, const neighbour_lists& guesses = {});
   // Adds the oracle's last site: offers it to the other stars and constructs its own. If it splits
   // a boundary subsegment, call split_subsegment instead.
   void add_last(const site_oracle& oracle);
@@ -111,6 +113,7 @@ class star_set {
   std::optional<std::size_t> given_;
   double work_share_ = 1;
   std::vector<vertex_index> touched_;
+  const neighbour_lists* guesses_ = nullptr;  // while all stars are made
   std::vector<star> stars_;
   std::vector<condition> condition_;
   std::vector<finality> final_;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// Keeps a list of vertices for each of many vertices, one after the other in one array.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "asterism/mesh/data/domain.hpp"
+
+namespace asterism::internal {
+
+class neighbour_lists {
+ public:
+  std::size_t size() const { return ends_.size(); }
+  // Returns list i; empty beyond the last.
+  std::span<const vertex_index> operator[](std::size_t i) const {
+    if (i >= ends_.size()) return {};
+    const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
+    return std::span(all_).subspan(begin, ends_[i] - begin);
+  }
+
+  void reserve(std::size_t lists, std::size_t vertices) {
+    ends_.reserve(lists);
+    all_.reserve(vertices);
+  }
+  // Adds a vertex to the list that end_list() will end.
+  void add(vertex_index v) { all_.push_back(v); }
+  void end_list() { ends_.push_back(all_.size()); }
+  // Takes back what was added to the list since the last end.
+  void clear_list() { all_.resize(ends_.empty() ? 0 : ends_.back()); }
+
+ private:
+  std::vector<std::size_t> ends_;
+  std::vector<vertex_index> all_;
+};
+
+}  // namespace asterism::internal
