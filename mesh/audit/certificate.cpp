@@ -88,7 +88,8 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
       c.witnesses.push_back(std::string(finding_kind_names[kind]) + ": " + f.witness);
   }
   c.audit_counters = report.counters;
-  if (report.certified && options.angle_bound)
+  // A bound of 0 asks for no angle.
+  if (report.certified && options.angle_bound.value_or(0) > 0)
     c.theorem = measure_theorem_hypotheses(subject, *options.angle_bound);
   if (options.original != nullptr) c.original = *options.original;
   return c;

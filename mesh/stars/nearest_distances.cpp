@@ -72,14 +72,14 @@ double shortest_distance(const std::vector<site>& sites, vertex_index count, con
   const auto end = sites.begin() + static_cast<std::ptrdiff_t>(count);
   double least = std::min(most * most, least_along_curve({sites.begin(), end}, near.box()));
   for (vertex_index v = 0; v < count; ++v) {
-    // Searches twice as far as needed, so that an unseen subsegment certainly is farther, whatever
-    // the roundings.
-    const double radius = std::sqrt(least);
-    near.sites().visit_reach(sites, sites[v], radius, [&](vertex_index w) {
+    // Searches twice as far as needed, so that what is not seen is certainly farther, whatever the
+    // roundings.
+    const bounding_box around = box_around(sites[v], 2 * std::sqrt(least));
+    near.sites().visit_box(sites, around.low, around.high, [&](vertex_index w) {
       if (w != v) least = std::min(least, squared_distance(sites[v], sites[w].position));
       return true;
     });
-    near.subsegments().visit(box_around(sites[v], 2 * radius), [&](std::uint32_t i) {
+    near.subsegments().visit(around, [&](std::uint32_t i) {
       const boundary_edge& p = edges.subsegments()[i];
       if (p.a != v && p.b != v)
         least = std::min(
