@@ -2,8 +2,9 @@
 #include "asterism/mesh/domain/built_in_domains.hpp"
 
 #include <cmath>
-#include <set>
+#include <functional>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "asterism/core/random.hpp"
@@ -81,8 +82,11 @@ result<domain> airfoil(const airfoil_options& options) {
 
 result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed) {
   constexpr std::size_t draws_per_point = 1000;
-  const auto less = [](const point& a, const point& b) { return lexicographically_less(a, b); };
-  std::set<point, decltype(less)> taken(d.vertices.begin(), d.vertices.end(), less);
+  const auto hash = [](const point& q) {
+    constexpr std::size_t odd = 0x9e3779b97f4a7c15U;
+    return odd * std::hash<double>()(q.x) + std::hash<double>()(q.y);
+  };
+  std::unordered_set<point, decltype(hash)> taken(d.vertices.begin(), d.vertices.end());
   const bounding_box box = shrunk(d.box());
   splitmix64 random(seed);
   for (std::size_t added = 0; added < count; ++added) {

@@ -124,18 +124,22 @@ triangle_sites in_round_coordinates(triangle_sites t) {
 }
 
 // Compares cotangents, and takes the arctangent of what is within a few roundings of the greatest.
+// Three equal metrics are asked once.
 double smallest_angle(const triangle_sites& given) {
   const triangle_sites t = in_round_coordinates(given);
+  const bool is_one =
+      identical(t[0].metric, t[1].metric) && identical(t[0].metric, t[2].metric);
+  const std::size_t metrics = is_one ? 1 : 3, count = 3 * metrics;
   std::array<double, 3> roots{};
-  for (std::size_t i = 0; i < 3; ++i) roots[i] = root_of_determinant(t[i].metric);
+  for (std::size_t i = 0; i < metrics; ++i) roots[i] = root_of_determinant(t[i].metric);
   std::array<angle_sides, 9> angles;
   std::array<double, 9> cotangents{};
   double greatest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
     const point a = difference(t[(i + 1) % 3].position, t[i].position);
     const point b = difference(t[(i + 2) % 3].position, t[i].position);
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t k = 3 * i + j;
+    for (std::size_t j = 0; j < metrics; ++j) {
+      const std::size_t k = metrics * i + j;
       angles[k] = sides_of_angle(roots[j], t[j].metric, a, b);
       cotangents[k] = angles[k].along / angles[k].across;
       if (angles[k].across > 0) greatest = std::max(greatest, cotangents[k]);
@@ -143,7 +147,7 @@ double smallest_angle(const triangle_sites& given) {
   }
   const double nearly = greatest - 0x1p-40 * (1 + std::abs(greatest));
   double smallest = 180;
-  for (std::size_t k = 0; k < angles.size(); ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     const bool is_greater = angles[k].across > 0 && cotangents[k] < nearly;
     if (!is_greater) smallest = std::min(smallest, angles[k].degrees());
   }

@@ -69,6 +69,22 @@ triangle canonical(const triangle& t) {
   return turned;
 }
 
+std::vector<triangle> triangles_of_consistent(const star_set& stars) {
+  constexpr std::size_t for_each = 2;  // about so many triangles to a site
+  std::vector<triangle> all;
+  all.reserve(for_each * stars.size());
+  for (vertex_index v = 0; v < stars.size(); ++v) {
+    const auto first = static_cast<std::ptrdiff_t>(all.size());
+    for (const sector& s : stars[v].sectors)
+      for (std::size_t gap = 0; gap < s.gaps(); ++gap) {
+        const vertex_index y = s.neighbours[gap], x = s.neighbours[s.after(gap)];
+        if (v < y && v < x) all.push_back({v, y, x});
+      }
+    std::sort(all.begin() + first, all.end());
+  }
+  return all;
+}
+
 consistency_report check_consistency(const site_oracle& oracle, const star_set& stars) {
   return checker(oracle, stars).run();
 }

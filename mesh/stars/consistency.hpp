@@ -46,6 +46,9 @@ struct consistency_report {
 // Compares all stars. Exact; takes time linear in the total size of the stars.
 consistency_report check_consistency(const site_oracle& oracle, const star_set& stars);
 
+// Returns the agreeing triangles of stars that are known to be consistent, without a comparison.
+std::vector<triangle> triangles_of_consistent(const star_set& stars);
+
 // Returns the triangle turned so that its smallest index comes first; its orientation is kept.
 triangle canonical(const triangle& t);
 
