@@ -181,12 +181,11 @@ theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_
   h.longest_subsegment = subsegments.longest_subsegment;
   const std::span<const vertex_index> order(tree.order());
   const double radius = radius_that_matters(subject, h.covering_radius);
-  const measured_part near =
-      measure_all(order.size(), looked_for_together,
-                  [&](std::size_t first, std::size_t last, measured_part& part) {
-                    measure_near_pairs(subject, tree, order.subspan(first, last - first), radius,
-                                       part);
-                  });
+  const measured_part near = measure_all(
+      order.size(), looked_for_together,
+      [&](std::size_t first, std::size_t last, measured_part& part) {
+        measure_near_pairs(subject, tree, order.subspan(first, last - first), radius, part);
+      });
   h.spacing = near.spacing;
   h.distortion = near.distortion;
   h.variation = near.variation;

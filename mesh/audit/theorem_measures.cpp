@@ -91,8 +91,7 @@ point plain_between(const site& from, const site& to) {
 place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const point& to_c) {
   constexpr double all_but = 1 - 0x1p-40;
   metric_tensor m{0, 0, 0};
-  for (const site& s : t)
-    m = {m.m11 + s.metric.m11, m.m12 + s.metric.m12, m.m22 + s.metric.m22};
+  for (const site& s : t) m = {m.m11 + s.metric.m11, m.m12 + s.metric.m12, m.m22 + s.metric.m22};
   const auto product = [&m](const point& u, const point& v) {
     return (m.m11 * u.x + m.m12 * u.y) * v.x + (m.m12 * u.x + m.m22 * u.y) * v.y;
   };
@@ -114,8 +113,7 @@ double plain_distance_above(const metric_tensor& m, const point& p, const point&
   const point d{q.x - p.x, q.y - p.y};
   const double wide = std::abs(p.x) + std::abs(q.x), high = std::abs(p.y) + std::abs(q.y);
   const double square = (m.m11 * d.x + 2 * m.m12 * d.y) * d.x + m.m22 * d.y * d.y;
-  const double size =
-      (m.m11 * wide + 2 * std::abs(m.m12) * high) * wide + m.m22 * high * high;
+  const double size = (m.m11 * wide + 2 * std::abs(m.m12) * high) * wide + m.m22 * high * high;
   const bool in_range = size > 0x1p-800 && size < 0x1p800 && wide + high > 0x1p-400;
   return in_range ? std::sqrt(square + 0x1p-48 * size) * (1 + 0x1p-50) : infinity;
 }

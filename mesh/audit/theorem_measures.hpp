@@ -18,8 +18,8 @@ double distance_above(const site& p, const site& q);
 // that measures; infinite when none was found. Any order of corners.
 double covering_radius_above(const std::array<site, 3>& corners);
 
-// Returns a radius of the same kind, seldom much larger, that takes a twentieth of the work; infinite
-// when none was found.
+// Returns a radius of the same kind, seldom much larger, that takes a twentieth of the work;
+// infinite when none was found.
 double quick_covering_radius_above(const std::array<site, 3>& corners);
 
 // True if the disks of this radius around p and q, each in its own metric, have certainly no point

@@ -46,8 +46,8 @@ struct filled_domain {
   std::vector<site> interior;
   // The neighbours of each interior site among all sites, counter-clockwise, as the fill saw them:
   // a first guess at its star. Numbered are the vertices first, then the points of the divisions,
-  // then the interior. A list is empty where the fill's stars disagree, and all are where it did not
-  // come to its end.
+  // then the interior. A list is empty where the fill's stars disagree, and all are where it did
+  // not come to its end.
   neighbour_lists stars;
   std::size_t rounds = 0;
   bool complete = false;  // false: max_sites was reached, it is crowded, or stopped

@@ -18,8 +18,7 @@ constexpr std::size_t chunk = 256;
 // True if x follows y in the star.
 bool has_gap(const plain_star& star, vertex_index y, vertex_index x) {
   for (std::size_t i = 0; i < star.size(); ++i)
-    if (star[i].neighbour == y)
-      return star[i + 1 < star.size() ? i + 1 : 0].neighbour == x;
+    if (star[i].neighbour == y) return star[i + 1 < star.size() ? i + 1 : 0].neighbour == x;
   return false;
 }
 

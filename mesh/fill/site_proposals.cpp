@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/fill/scattered_places.hpp"
@@ -155,12 +157,14 @@ void site_proposals::place(std::vector<site_proposal> proposals, double distance
   const auto band = [squared = distance * distance](const site_proposal& p) {
     return static_cast<int>(bands_in_doubled_square * elementary::log2(p.squared_radius / squared));
   };
-  std::stable_sort(
-      proposals.begin(), proposals.end(),
-      [&](const site_proposal& a, const site_proposal& b) { return band(a) > band(b); });
+  std::vector<std::pair<int, std::uint32_t>> order;  // the band, negative, and the number
+  order.reserve(proposals.size());
+  for (std::uint32_t i = 0; i < proposals.size(); ++i) order.emplace_back(-band(proposals[i]), i);
+  std::sort(order.begin(), order.end());
   site_index chosen(parts_.box);
   std::uint64_t looked_at = 0;
-  for (const site_proposal& p : proposals) {
+  for (const auto& [negative, i] : order) {
+    const site_proposal& p = proposals[i];
     if (!has_room(chosen, p.where, distance, looked_at)) continue;
     if (!parts_.sites.admits_another()) break;
     chosen.insert(parts_.sites.all(), parts_.sites.place(p.where, false));

@@ -100,8 +100,7 @@ void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, v
 }
 
 plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
-                            const std::vector<vertex_index>& candidates,
-                            const plain_star& before) {
+                            const std::vector<vertex_index>& candidates, const plain_star& before) {
   const std::vector<candidate>& all = order_candidates(sites, v, candidates);
   thread_local std::vector<const candidate*> hull;
   hull.clear();

@@ -34,9 +34,9 @@ struct plain_gap {
 
 using plain_star = boost::container::small_vector<plain_gap, 8>;
 
-// Returns the star of v among the candidates; v itself and repetitions are passed over. `before` may
-// be an earlier star of v whose neighbours are the first candidates, in its order: gaps that are in
-// both are taken from there.
+// Returns the star of v among the candidates; v itself and repetitions are passed over. `before`
+// may be an earlier star of v whose neighbours are the first candidates, in its order: gaps that
+// are in both are taken from there.
 plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
                             const std::vector<vertex_index>& candidates,
                             const plain_star& before = {});

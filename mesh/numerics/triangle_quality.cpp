@@ -127,8 +127,7 @@ triangle_sites in_round_coordinates(triangle_sites t) {
 // Three equal metrics are asked once.
 double smallest_angle(const triangle_sites& given) {
   const triangle_sites t = in_round_coordinates(given);
-  const bool is_one =
-      identical(t[0].metric, t[1].metric) && identical(t[0].metric, t[2].metric);
+  const bool is_one = identical(t[0].metric, t[1].metric) && identical(t[0].metric, t[2].metric);
   const std::size_t metrics = is_one ? 1 : 3, count = 3 * metrics;
   std::array<double, 3> roots{};
   for (std::size_t i = 0; i < metrics; ++i) roots[i] = root_of_determinant(t[i].metric);

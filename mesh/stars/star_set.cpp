@@ -206,9 +206,8 @@ std::optional<constructed_star> star_set::remake(const site_oracle& oracle, vert
                                                  star_search search, const site_index* latest) {
   if (latest != nullptr && condition_[v] == condition::settled && confirm(oracle, v, *latest))
     return std::nullopt;
-  constructed_star built =
-      construct_star(oracle, v, search,
-                     guesses_ == nullptr ? std::span<const vertex_index>() : (*guesses_)[v]);
+  constructed_star built = construct_star(
+      oracle, v, search, guesses_ == nullptr ? std::span<const vertex_index>() : (*guesses_)[v]);
   if (is_news(v, built)) return built;
   condition_[v] = condition::settled;
   note_final(v, oracle.size(), built.final_reach);
