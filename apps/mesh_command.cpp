@@ -115,6 +115,11 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
       app, "--tol", positive_reals, [&options](double x) { options.tolerance = x; },
       "Least metric distance between sites (default: chosen, and reported)")
       ->type_name("T");
+}
+
+// Adds the limits on a run, and what its course depends on besides.
+void add_run_options(CLI::App& app, mesh_job& job) {
+  mesh_options& options = job.refinement;
   add_count(
       app, "--max-sites", 3, 100000000,
       [&options](std::uint64_t n) { options.max_sites = static_cast<std::size_t>(n); },
@@ -172,6 +177,7 @@ void add_mesh_command(CLI::App& program, command& chosen) {
   const auto job = std::make_shared<mesh_job>();
   add_domain_options(*app, *job);
   add_refinement_options(*app, *job);
+  add_run_options(*app, *job);
   add_output_options(*app, *job);
   app->footer(examples);
   app->callback([job, &chosen] {

@@ -3,8 +3,8 @@
 // Audits a mesh whose stars were all looked at before, and of which some tensors were changed
 // since. Internal to the library.
 //
-// Whether the star of v accepts w between x and y depends on these four sites, and on the
-// subsegments between v and w, alone. So only those questions are asked again of which a site was
+// The answer to "does the star of v accept w between x and y" depends on these four sites, and on
+// the subsegments between v and w, alone. So only those questions are asked again of which a site was
 // changed; the answers to the others are the ones there were.
 #pragma once
 

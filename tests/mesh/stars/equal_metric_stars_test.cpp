@@ -14,6 +14,7 @@
 #include "asterism/mesh/stars/star_finality.hpp"
 #include "fixtures/audit_meshes.hpp"
 #include "fixtures/domain_kinds.hpp"
+#include "fixtures/star_fixture.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -22,25 +23,6 @@ using asterism::vertex_index;
 using asterism::test::splitmix64;
 
 namespace {
-
-struct setting {
-  setting(const domain& d, const metric_tensor& metric) {
-    for (const point& q : d.vertices) sites.push_back({q, metric});
-    edges = boundary::build(d, kernel).value();
-    near = neighbourhood(sites, edges);
-  }
-  setting(const setting&) = delete;
-  setting& operator=(const setting&) = delete;
-
-  site_oracle oracle() const { return {sites, edges, kernel, nullptr, &near}; }
-  site_oracle of_all() const { return {sites, edges, kernel}; }
-
-  tier_counters decided;
-  star_predicates_on<filtered_kernel> kernel{decided};
-  std::vector<site> sites;
-  boundary edges;
-  neighbourhood near;
-};
 
 void scatter(domain& d, int count, double half, std::uint64_t seed) {
   splitmix64 random(seed);
@@ -121,7 +103,7 @@ TEST_CASE("stars made all at once in one metric are those made one by one from a
   for (const arrangement& a : arrangements())
     for (const metric_tensor& metric : metrics) {
       INFO(a.name << ", metric " << metric.m11 << " " << metric.m12 << " " << metric.m22);
-      const setting now(accepted(a.shape), metric);
+      const indexed_setting now(accepted(a.shape), constant_field(metric));
       const auto made = stars_of_equal_metrics(now.oracle(), {});
       REQUIRE(made);
       REQUIRE(made->size() == now.sites.size());
@@ -146,7 +128,7 @@ TEST_CASE("stars made all at once in one metric are those made one by one from a
 TEST_CASE("stars are not made all at once where metrics differ, or sites coincide") {
   domain d = square();
   scatter(d, 10, 0.9, 7);
-  setting now(accepted(d), {1, 0, 1});
+  indexed_setting now(accepted(d), identity_field());
   REQUIRE(stars_of_equal_metrics(now.oracle(), {}));
   now.sites[9].metric.m11 = 1 + 0x1p-52;
   CHECK_FALSE(stars_of_equal_metrics(now.oracle(), {}));

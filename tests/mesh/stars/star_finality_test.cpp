@@ -65,25 +65,6 @@ std::vector<arrangement> arrangements() {
           {"far", filled_square(count, 9, 1, {1e8, -1e8}, false), swirl_field(0)}};
 }
 
-struct setting {
-  setting(const domain& d, const metric_field& field) {
-    for (const point& q : d.vertices) sites.push_back({q, field.at(q).value()});
-    edges = boundary::build(d, kernel).value();
-    near = neighbourhood(sites, edges);
-  }
-  setting(const setting&) = delete;
-  setting& operator=(const setting&) = delete;
-
-  site_oracle oracle() const { return {sites, edges, kernel, nullptr, &near}; }
-  site_oracle of_all() const { return {sites, edges, kernel}; }
-
-  tier_counters decided;
-  star_predicates_on<filtered_kernel> kernel{decided};
-  std::vector<site> sites;
-  boundary edges;
-  neighbourhood near;
-};
-
 bool accepts_none(const site_oracle& oracle, vertex_index v, const star& s) {
   for (vertex_index w = 0; w < oracle.size(); ++w)
     if (w != v && !s.contains(w) && would_accept(oracle, v, s, w)) return false;
@@ -103,7 +84,7 @@ TEST_CASE("a star is final exactly when no site of all would be accepted") {
   std::size_t yes = 0, no = 0;
   for (const arrangement& a : arrangements()) {
     INFO(a.name);
-    const setting now(a.shape, a.field);
+    const indexed_setting now(a.shape, a.field);
     const site_oracle oracle = now.oracle(), of_all = now.of_all();
     for (vertex_index v = 0; v < oracle.size(); ++v) {
       const star whole = construct_star(of_all, v).content;
@@ -127,7 +108,7 @@ TEST_CASE("a reach that was found keeps out what comes later from farther away")
   std::size_t kept_out = 0;
   for (const arrangement& a : arrangements()) {
     INFO(a.name);
-    setting now(a.shape, a.field);
+    indexed_setting now(a.shape, a.field);
     const vertex_index before = now.oracle().size();
     std::vector<star> stars;
     std::vector<std::optional<double>> reaches;
@@ -167,7 +148,7 @@ TEST_CASE("stars confirmed as sites come one by one are those of all sites at on
   for (const arrangement& a : arrangements()) {
     if (a.name == "wild" || a.name == "wilder") continue;  // costs seconds, shows no more
     INFO(a.name);
-    setting now(a.shape, a.field);
+    indexed_setting now(a.shape, a.field);
     star_set stars;
     stars.construct_all(now.oracle());
     splitmix64 random(22);
