@@ -4,8 +4,8 @@
 // since. Internal to the library.
 //
 // The answer to "does the star of v accept w between x and y" depends on these four sites, and on
-// the subsegments between v and w, alone. So only those questions are asked again of which a site was
-// changed; the answers to the others are the ones there were.
+// the subsegments between v and w, alone. So only those questions are asked again of which a site
+// was changed; the answers to the others are the ones there were.
 #pragma once
 
 #include <vector>

@@ -198,3 +198,44 @@ TEST_CASE("a site is certainly farther than the nearer end only if it is at ever
   }
   CHECK(certain > 2000);
 }
+
+TEST_CASE("both radii of a triangle cover it, and the quick one is seldom much larger") {
+  splitmix64 random(31);
+  int much_larger = 0;
+  constexpr int triangles = 2000;
+  for (int i = 0; i < triangles; ++i) {
+    std::array<site, 3> t;
+    const double scale = std::ldexp(1, static_cast<int>(random.real(-60, 60)));
+    const point at{random.real(-1, 1) * scale * 1e3, random.real(-1, 1) * scale * 1e3};
+    for (site& s : t) {
+      const double a = random.real(0.5, 4), c = random.real(0.5, 4);
+      const double b = random.real(-0.9, 0.9) * std::sqrt(a * c);
+      s = {{at.x + random.real(-1, 1) * scale, at.y + random.real(-1, 1) * scale}, {a, b, c}};
+    }
+    const double radius = theorem::covering_radius_above(t),
+                 quick = theorem::quick_covering_radius_above(t);
+    INFO("triangle " << i << ", radii " << radius << " and " << quick);
+    REQUIRE(quick > 0);
+    if (quick > 1.5 * radius) ++much_larger;
+    for (int k = 0; k < 30; ++k) {
+      double u = random.real(), v = random.real();
+      if (u + v > 1) u = 1 - u, v = 1 - v;
+      const auto between = [&](double a, double b, double c) {
+        return a + u * (b - a) + v * (c - a);
+      };
+      const point q{between(t[0].position.x, t[1].position.x, t[2].position.x),
+                    between(t[0].position.y, t[1].position.y, t[2].position.y)};
+      real nearest = std::numeric_limits<real>::infinity();
+      for (const site& s : t) nearest = std::min(nearest, distance(s, q));
+      REQUIRE(nearest <= radius * (1 + 1e-12L));
+      REQUIRE(nearest <= quick * (1 + 1e-12L));
+    }
+  }
+  CHECK(much_larger < triangles / 20);
+}
+
+TEST_CASE("a quick radius is not found where lengths leave the range of doubles") {
+  const double far = 1e200;
+  CHECK(std::isinf(theorem::quick_covering_radius_above(
+      {site{{0, 0}, {far, 0, far}}, {{far, 0}, {far, 0, far}}, {{0, far}, {far, 0, far}}})));
+}

@@ -171,3 +171,34 @@ TEST_CASE("stars confirmed as sites come one by one are those of all sites at on
     }
   }
 }
+
+TEST_CASE("a right guess is the star at once, and a wrong one changes nothing") {
+  std::size_t taken = 0, refused = 0;
+  for (const arrangement& a : arrangements()) {
+    if (a.name == "wild" || a.name == "wilder") continue;  // stars there may have several forms
+    INFO(a.name);
+    const indexed_setting now(a.shape, a.field);
+    const site_oracle oracle = now.oracle();
+    for (vertex_index v = 0; v < oracle.size(); ++v) {
+      if (!oracle.edges().corners(v).empty()) continue;
+      const constructed_star without = construct_star(oracle, v);
+      if (!without.settled || without.content.sectors[0].size() < 4) continue;
+      const std::vector<vertex_index>& ring = without.content.sectors[0].neighbours;
+      std::vector<vertex_index> shorter(ring.begin() + 1, ring.end()),
+          backwards = ring, twice = ring, with_itself = ring;
+      std::reverse(backwards.begin(), backwards.end());
+      twice.insert(twice.begin(), twice.front());
+      with_itself.push_back(v);
+      for (const auto& guess : {ring, shorter, backwards, twice, with_itself, {ring[0], ring[1]}}) {
+        INFO("star of site " << v << ", guess of " << guess.size());
+        const constructed_star made = construct_star(oracle, v, star_search::thorough, guess);
+        CHECK(ring_of(made.content) == ring_of(without.content));
+        CHECK(made.settled);
+      }
+      const constructed_star near = construct_star(oracle, v, star_search::near, ring);
+      ++(near.final_reach ? taken : refused);
+    }
+  }
+  CHECK(taken > 100);
+  CHECK(refused < taken);
+}
