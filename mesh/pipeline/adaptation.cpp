@@ -5,9 +5,11 @@
 #include <limits>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/nodal_field.hpp"
+#include "asterism/mesh/domain/point_in_domain.hpp"
 #include "asterism/mesh/pipeline/background.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
 #include "asterism/mesh/pipeline/local_adaptation.hpp"
@@ -64,6 +66,30 @@ bool metric_delivery::varies_fast() {
   constexpr double most_that_is_met = 0.6;
   return options_.limit_size && field_.background() == nullptr && prepare() &&
          sampled_variation(*background_) > most_that_is_met;
+}
+
+bool metric_delivery::wants_few_sites() const {
+  constexpr int in_a_row = 24;
+  constexpr double few = 3000;
+  constexpr std::size_t most_vertices = 200;  // each place is held against all segments
+  const domain& d = image_.shape();
+  if (d.vertices.size() > most_vertices) return false;
+  const bounding_box box = d.box();
+  const point cell{(box.high.x - box.low.x) / in_a_row, (box.high.y - box.low.y) / in_a_row};
+  std::vector<point> places;
+  for (int i = 0; i < in_a_row; ++i)
+    for (int k = 0; k < in_a_row; ++k) {
+      const point q{box.low.x + (i + 0.5) * cell.x, box.low.y + (k + 0.5) * cell.y};
+      if (contains(d, q)) places.push_back(q);
+    }
+  image_.field().expect([&places] { return places; });
+  double roots = 0;
+  for (const point& q : places) {
+    const auto there = image_.field().at(q);
+    if (!there) return false;
+    roots += adapting::root_of_determinant(there.value());
+  }
+  return vertices_of_unit * roots * cell.x * cell.y < few;
 }
 
 // Returns how often the number of sites is to be halved: until there is room for them, or, without

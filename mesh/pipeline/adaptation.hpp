@@ -31,8 +31,11 @@ class metric_delivery {
   // True if this is the way to begin with: with a size, where the metric comes on a mesh.
   bool is_first_choice() const;
   // True if the metric is a formula with a size that varies by so much over an edge that meshes
-  // seldom meet it as it is.
+  // seldom meet it as it is. Samples the metric, which takes as much as a thousand triangles.
   bool varies_fast();
+  // True if the metric wants few sites, as far as scattered questions tell: to find out how fast it
+  // varies would take longer than to try.
+  bool wants_few_sites() const;
 
   // Makes everything of the outcome but the counters. Without a size there will be about `few`
   // sites. Returns none where this way did not lead to a certified mesh and was not stopped.

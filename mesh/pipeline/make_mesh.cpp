@@ -68,15 +68,22 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
   // much where there are other ways.
   constexpr double little = 0.1, less = 0.5;
   const bool is_strict = options.metric_tolerance == 0.0;
+  const bool may_give_up = !is_strict && is_second;
+  const bool tries_little = may_give_up && delivery.wants_few_sites();
   double work_share = may_adapt(options) ? less : 1;
-  if (!is_strict && is_second && delivery.varies_fast()) work_share = little;
+  if (tries_little || (may_give_up && delivery.varies_fast())) work_share = little;
   mesh_options as_wanted = options;
   as_wanted.relax = options.relax && !is_strict;
   tier_counters decided;
   const star_predicates_on<filtered_kernel> stars_on(decided);
   const unit_image image(d, field, options);
-  auto outcome =
-      mesh_domain({stars_on, image.shape(), image.field(), as_wanted, progress, work_share});
+  const auto mesh_as_wanted = [&](double share) {
+    return mesh_domain({stars_on, image.shape(), image.field(), as_wanted, progress, share});
+  };
+  auto outcome = mesh_as_wanted(work_share);
+  if (!outcome) return outcome;
+  if (tries_little && outcome.value().ended.how == ending::overworked && !delivery.varies_fast())
+    outcome = mesh_as_wanted(less);
   if (!outcome) return outcome;
   image.outward(outcome.value());
   if (is_second && wants_delivery(outcome.value(), options)) {
