@@ -77,14 +77,10 @@ class refinement_loop {
   }
 
  private:
-  // Splits subsegments that are too long, and makes the stars. Where metrics are all the same,
-  // stars follow from the sites whatever the order in which these came. So they are made when
-  // encroached subsegments were split: a split changes as many stars as the old subsegment is long.
+  // Splits subsegments that are too long or encroached, and makes the stars last: a split changes
+  // as many stars as the old subsegment is long.
   void prepare() {
-    const bool stars_last = have_one_metric(state_.sites());
-    if (!stars_last) state_.construct_stars();
     if (options_.limit_size) state_.shorten_subsegments(longest_subsegment);
-    if (!stars_last) return;
     state_.clear_encroachments(tolerance_.floor);
     state_.construct_stars();
   }
