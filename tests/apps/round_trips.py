@@ -228,6 +228,19 @@ Physical Curve("floor", 7) = {1}; Physical Curve("rest", 8) = {2,3,4}; Physical 
             made = ops.unary_union([geometry.Polygon(read.points[row]) for row in read.cells_dict["triangle"]])
             self.assertLess(made.symmetric_difference(shape).area, 1e-12)
 
+    def test_triangles_own_files(self):
+        """.node, .ele and .edge, as Triangle's pages describe them: the mesh with its regions and markers."""
+        self.run_command("certify", "t.mesh", "-o", "t.node")
+        tables = {kind: [line.split() for line in (self.folder / f"t.{kind}").read_text().splitlines() if not line.startswith("#")]
+                  for kind in ("node", "ele", "edge")}
+        for kind, head in (("node", ["2", "3", "1"]), ("ele", ["3", "1"]), ("edge", ["1"])):
+            self.assertEqual(tables[kind][0], [str(len(tables[kind]) - 1), *head], kind)
+            self.assertEqual([row[0] for row in tables[kind][1:]], [str(k) for k in range(1, len(tables[kind]))])
+        place = {row[0]: tuple(round(float(x), 10) + 0.0 for x in row[1:3]) for row in tables["node"][1:]}
+        found = {name: sorted((sorted(place[v] for v in row[1:-1]), int(row[-1])) for row in tables[kind][1:])
+                 for name, kind in (("Triangles", "ele"), ("Edges", "edge"))}
+        self.assertEqual(found, self.expected)
+
     def test_meshio_and_su2(self):
         read = meshio.read(self.folder / "t.su2")
         self.assertEqual(len(read.cells_dict["triangle"]), len(self.expected["Triangles"]))
