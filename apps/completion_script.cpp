@@ -43,8 +43,8 @@ std::string bash_case(const command_entry& command) {
     if (option.positional) continue;
     options.insert(options.end(), option.names.begin(), option.names.end());
     if (option.value.empty()) continue;
-    values += fmt::format("        {}) mapfile -t COMPREPLY < <({}); return ;;\n", joined(option.names, "|"),
-                          bash_words(option));
+    values += fmt::format("        {}) mapfile -t COMPREPLY < <({}); return ;;\n",
+                          joined(option.names, "|"), bash_words(option));
   }
   return fmt::format(
       "    {})\n      case \"$before\" in\n{}      esac\n      options='{}'\n"
@@ -90,7 +90,9 @@ std::string quoted(const std::string& text, const std::string& special) {
 std::string zsh_action(const option_entry& option) {
   if (!option.choices.empty()) return fmt::format("({})", joined(option.choices, " "));
   if (is_no_file(option) && !option.positional)
-    return option.names_of_values.empty() ? " " : fmt::format("({})", joined(option.names_of_values, " "));
+    return option.names_of_values.empty()
+               ? " "
+               : fmt::format("({})", joined(option.names_of_values, " "));
   if (option.names_of_values.empty()) return "_files";
   return fmt::format("{{compadd {}; _files}}", joined(option.names_of_values, " "));
 }
@@ -141,7 +143,8 @@ std::string zsh_script(const std::vector<command_entry>& tree) {
          "  esac\n"
          "}\n"
          "# Completes if called for that, of a folder of $fpath; if sourced, says what it is for.\n"
-         "if [[ $funcstack[1] == _asterism ]]; then _asterism \"$@\"; else compdef _asterism asterism; fi\n";
+         "if [[ $funcstack[1] == _asterism ]]; then _asterism \"$@\"; else compdef _asterism "
+         "asterism; fi\n";
 }
 
 std::string fish_option(const std::string& command, const option_entry& option) {
@@ -155,7 +158,8 @@ std::string fish_option(const std::string& command, const option_entry& option) 
   for (const std::string& name : option.names)
     line += name.rfind("--", 0) == 0 ? fmt::format(" -l {}", name.substr(2))
                                      : fmt::format(" -s {}", name.substr(1));
-  if (!option.value.empty()) line += option.choices.empty() && !is_no_file(option) ? " -r -F" : " -x";
+  if (!option.value.empty())
+    line += option.choices.empty() && !is_no_file(option) ? " -r -F" : " -x";
   const auto& known = option.choices.empty() ? option.names_of_values : option.choices;
   if (!known.empty()) line += " -a " + quoted(joined(known, " "), "\\");
   return line + " -d " + quoted(option.text, "\\") + "\n";

@@ -63,8 +63,9 @@ error with_remedy(const error& refusal, const domain& d) {
 }
 
 error without_repair(const error& refusal) {
-  return {refusal.message + "; --repair-domain mends no domain with curves, because what moves would "
-                            "leave its curve: this one is for whoever made the file",
+  return {refusal.message +
+              "; --repair-domain mends no domain with curves, because what moves would "
+              "leave its curve: this one is for whoever made the file",
           refusal.code};
 }
 
