@@ -175,6 +175,25 @@ class Help(command.CommandTest):
         self.assertRegex(self.run_command("info", "m.mesh").stdout, r"metric +none: m\.sol")
         self.assertEqual(self.run_command("info", "nothing.poly").returncode, 2)
 
+    def test_info_of_a_vtu_a_mtr_and_of_what_is_written_alone(self):
+        self.run_command(*command.JOB, "-o", "m.mesh", "-o", "m.su2")
+        count = json.loads(self.run_command("info", "m.mesh", "--json").stdout)["vertices"]
+        self.write("m.mtr", f"{count} 1\n" + "0.5\n" * count)
+        self.assertRegex(self.run_command("info", "m.mtr").stdout, r"kind +metric")
+        self.write("m.vtu", '<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="%d"><PointData>'
+                   '<DataArray type="Float64" Name="heat" format="ascii">%s</DataArray></PointData></Piece>'
+                   '</UnstructuredGrid></VTKFile>' % (count, " 7.5" * count))
+        self.assertRegex(self.run_command("info", "m.vtu").stdout, "field heat +scalar, numbers from 7.5 to 7.5")
+        self.assertIn("written here, not read", self.run_command("info", "m.su2").stderr)
+
+    def test_a_drawing_is_a_picture(self):
+        self.run_command(*command.JOB, "-o", "m.mesh")
+        for name in ("x.su2", "x.node", "x.msh", "x.vtu", "x.mesh"):
+            done = self.run_command("draw", "m.mesh", "-o", name)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("not a picture", done.stderr)
+        self.assertFalse([name for name in self.files() if name.startswith("x.")])
+
     def test_what_did_not_end_well_names_what_to_try(self):
         for arguments, hint in [
                 (["square", "--size", "0.01", "--max-sites", "500"], r"try --max-sites \d+00, or a larger --size"),
