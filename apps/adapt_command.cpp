@@ -27,6 +27,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
@@ -49,7 +50,7 @@ struct adapt_job {
   transfer_method how = transfer_method::interpolate;
   std::vector<fs::path> outputs;
   fs::path values, certificate;
-  std::optional<double> max_seconds;
+  std::optional<double> chord_tolerance, max_seconds;
   std::size_t threads = 0;
   bool quiet = false, json = false;
 };
@@ -104,10 +105,13 @@ std::optional<error> take_domain(adapt_job& job) {
   if (job.domain.empty()) return std::nullopt;
   const auto loaded = load_domain(job.domain);
   if (!loaded) return loaded.failure();
-  if (!loaded.value().curves.empty())
-    return error{"--domain " + job.domain +
-                 ": it has curves; their chords are those of the mesh, so leave the option away"};
-  auto checked = check_domain(loaded.value());
+  if (job.chord_tolerance && loaded.value().curves.empty())
+    return error{"--chord-tolerance: " + job.domain + " has no curves"};
+  curve_division chords;
+  chords.chord_tolerance = job.chord_tolerance;
+  const auto divided = divide_curves(loaded.value(), chords);
+  if (!divided) return divided.failure();
+  auto checked = check_domain(divided.value());
   if (!checked) return checked.failure();
   job.options.exact = std::move(checked).value();
   return std::nullopt;
@@ -293,6 +297,11 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
   auto* const exact =
       app.add_option("--domain", job.domain, "What to mesh (default: what the mesh covers)")
           ->type_name("DOMAIN");
+  add_real(
+      app, "--chord-tolerance", positive_reals, [&job](double x) { job.chord_tolerance = x; },
+      "Greatest distance of a curve of DOMAIN from its chords (default: a fiftieth of each chord)")
+      ->needs(exact)
+      ->type_name("D");
   add_real(
       app, "--corner-angle", corner_angles, [&job](double x) { job.options.corner_angle = x; },
       "Vertices where the boundary turns by more stay (default 30)")

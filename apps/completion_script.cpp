@@ -18,13 +18,21 @@ std::string commands_of(const std::vector<command_entry>& tree) {
   return joined(names, " ");
 }
 
-// Files are completed where a value, or nothing in particular, is wanted, but for closed lists.
+// True if the value is a number, or a name that only the reader knows: no file has it.
+bool is_no_file(const option_entry& option) {
+  const std::string& v = option.value;
+  return v.size() == 1 || v == "BETA" || v == "DEG" || v == "MB" || v == "SECONDS" || v == "NAME";
+}
+
+// Commands that write possible words, a line each. Files are completed where a value, or nothing in
+// particular, is wanted, but for closed lists and numbers.
 std::string bash_words(const option_entry& option) {
-  if (!option.choices.empty())
-    return "compgen -W '" + joined(option.choices, " ") + "' -- \"$word\"";
-  if (option.names_of_values.empty()) return "compgen -f -- \"$word\"";
-  return "compgen -W '" + joined(option.names_of_values, " ") +
-         "' -- \"$word\"; compgen -f -- \"$word\"";
+  std::string known;
+  const auto& names = option.choices.empty() ? option.names_of_values : option.choices;
+  if (!names.empty()) known = "compgen -W '" + joined(names, " ") + "' -- \"$word\"";
+  if (!option.choices.empty() || (is_no_file(option) && !option.positional))
+    return known.empty() ? ":" : known;
+  return (known.empty() ? "" : known + "; ") + "compgen -f -- \"$word\"";
 }
 
 std::string bash_case(const command_entry& command) {
@@ -35,12 +43,12 @@ std::string bash_case(const command_entry& command) {
     if (option.positional) continue;
     options.insert(options.end(), option.names.begin(), option.names.end());
     if (option.value.empty()) continue;
-    values += fmt::format("        {}) COMPREPLY=($({})); return ;;\n", joined(option.names, "|"),
-                          bash_words(option));
+    values += fmt::format("        {}) mapfile -t COMPREPLY < <({}); return ;;\n",
+                          joined(option.names, "|"), bash_words(option));
   }
   return fmt::format(
       "    {})\n      case \"$before\" in\n{}      esac\n      options='{}'\n"
-      "      case \"$word\" in -*) ;; *) COMPREPLY=($({})); return ;; esac ;;\n",
+      "      case \"$word\" in -*) ;; *) mapfile -t COMPREPLY < <({}); return ;; esac ;;\n",
       command.name, values.empty() ? "        *) ;;\n" : values, joined(options, " "), positional);
 }
 
@@ -81,6 +89,10 @@ std::string quoted(const std::string& text, const std::string& special) {
 
 std::string zsh_action(const option_entry& option) {
   if (!option.choices.empty()) return fmt::format("({})", joined(option.choices, " "));
+  if (is_no_file(option) && !option.positional)
+    return option.names_of_values.empty()
+               ? " "
+               : fmt::format("({})", joined(option.names_of_values, " "));
   if (option.names_of_values.empty()) return "_files";
   return fmt::format("{{compadd {}; _files}}", joined(option.names_of_values, " "));
 }
@@ -92,7 +104,9 @@ std::string zsh_argument(const option_entry& option) {
                        quoted((option.repeats ? "*:" : ":") + option.names[0] + ":" + action, ""));
   std::string lines;
   for (const std::string& name : option.names) {
-    std::string spec = fmt::format("*{}[", name);
+    // "=": the value follows in the next word or, after that sign, in the same one.
+    const bool joins = !option.value.empty() && name.rfind("--", 0) == 0;
+    std::string spec = fmt::format("*{}{}[", name, joins ? "=" : "");
     for (const char c : option.text)
       spec += (c == '[' || c == ']' || c == '\\') ? std::string("\\") + c : std::string(1, c);
     spec += "]";
@@ -128,7 +142,9 @@ std::string zsh_script(const std::vector<command_entry>& tree) {
          cases +
          "  esac\n"
          "}\n"
-         "_asterism \"$@\"\n";
+         "# Completes if called for that, of a folder of $fpath; if sourced, says what it is for.\n"
+         "if [[ $funcstack[1] == _asterism ]]; then _asterism \"$@\"; else compdef _asterism "
+         "asterism; fi\n";
 }
 
 std::string fish_option(const std::string& command, const option_entry& option) {
@@ -142,7 +158,8 @@ std::string fish_option(const std::string& command, const option_entry& option) 
   for (const std::string& name : option.names)
     line += name.rfind("--", 0) == 0 ? fmt::format(" -l {}", name.substr(2))
                                      : fmt::format(" -s {}", name.substr(1));
-  if (!option.value.empty()) line += option.choices.empty() ? " -r -F" : " -x";
+  if (!option.value.empty())
+    line += option.choices.empty() && !is_no_file(option) ? " -r -F" : " -x";
   const auto& known = option.choices.empty() ? option.names_of_values : option.choices;
   if (!known.empty()) line += " -a " + quoted(joined(known, " "), "\\");
   return line + " -d " + quoted(option.text, "\\") + "\n";

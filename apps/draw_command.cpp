@@ -54,12 +54,19 @@ result<report_facts> facts_of_page(const draw_options& options) {
   return facts;
 }
 
+bool is_picture(mesh_format format) {
+  return format == mesh_format::svg || format == mesh_format::png || format == mesh_format::pdf ||
+         format == mesh_format::html;
+}
+
 int run_draw(const draw_options& options) {
   const auto format = check_output(options.picture);
   if (!format) return complain(format.failure(), refused);
-  if (format.value() == mesh_format::medit || format.value() == mesh_format::vtu)
-    return complain({options.picture.string() + ": not a picture; use .svg, .png, .pdf or .html"},
-                    refused);
+  if (!is_picture(format.value()))
+    return complain(
+        {options.picture.string() + ": not a picture; use .svg, .png, .pdf or .html, or certify -o "
+                                    "for a mesh in another format"},
+        refused);
   write_options how{.picture = options.style};
   const bool is_page = format.value() == mesh_format::html;
   if (is_page) {

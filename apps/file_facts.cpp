@@ -200,13 +200,17 @@ result<file_facts> facts_of_file(const fs::path& path) {
   const std::string name = path.string();
   if (is_mesh_file(name)) return facts_of_mesh(path);
   if (has_ending(name, ".certificate.json")) return facts_of_certificate(path);
-  for (const char* const ending : {".sol", ".solb", ".bb"})
+  for (const char* const ending : {".sol", ".solb", ".bb", ".mtr", ".vtu"})
     if (has_ending(name, ending)) return facts_of_solution(path);
+  for (const char* const ending :
+       {".su2", ".node", ".ele", ".edge", ".svg", ".png", ".pdf", ".html"})
+    if (has_ending(name, ending))
+      return error{name + ": files of this kind are written here, not read"};
   if (!is_domain(name))
     return error{name +
                  ": not a file that is known here by its name: domains (.poly, .geojson, .json, "
-                 ".wkt), meshes (.mesh, .meshb, .msh), solutions (.sol, .solb, .bb), certificates "
-                 "(.certificate.json)"};
+                 ".wkt), meshes (.mesh, .meshb, .msh), solutions (.sol, .solb, .bb, .vtu), metrics "
+                 "(.sol, .solb, .mtr), certificates (.certificate.json)"};
   const auto loaded = load_domain(name);
   if (loaded) return facts_of(loaded.value());
   // A certificate may have any name; a domain's message is the one to tell otherwise.

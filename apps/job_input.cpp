@@ -62,19 +62,27 @@ error with_remedy(const error& refusal, const domain& d) {
   return {refusal.message + "; --repair-domain mends it: " + text_of(repairs), refusal.code};
 }
 
-// Returns the domain put in order, its curves divided, also for the field where one is given.
+error without_repair(const error& refusal) {
+  return {refusal.message +
+              "; --repair-domain mends no domain with curves, because what moves would "
+              "leave its curve: this one is for whoever made the file",
+          refusal.code};
+}
+
+// Returns the domain put in order, its curves divided, also for the field where one is given. A
+// domain with curves that asks to be repaired has to do without.
 result<domain> checked_domain(const mesh_job& job, const domain& loaded, const metric_field* field,
                               domain_repairs& repairs) {
-  if (job.repair) return repair_domain(loaded, job.repair_distance, &repairs);
+  const bool has_curves = !loaded.curves.empty();
+  if (job.repair && !has_curves) return repair_domain(loaded, job.repair_distance, &repairs);
   curve_division chords;
   chords.chord_tolerance = job.chord_tolerance;
   chords.field = field;
   chords.most_chords = job.refinement.max_sites;
   const auto divided = divide_curves(loaded, chords);
-  if (!divided) return divided.failure();
-  auto checked = check_domain(divided.value(), &repairs);
-  if (!checked) return with_remedy(checked.failure(), loaded);
-  return checked;
+  auto checked = divided ? check_domain(divided.value(), &repairs) : divided;
+  if (checked || (!divided && !job.repair)) return checked;
+  return job.repair ? without_repair(checked.failure()) : with_remedy(checked.failure(), loaded);
 }
 
 result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repairs& repairs) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "asterism/mesh/data/bounding_box.hpp"
 
@@ -65,11 +66,10 @@ void look_along(const std::vector<placed_ring>& rings, std::size_t which, double
   }
 }
 
-// Lines halfway between the heights of corners that follow each other: sixteen, or all.
-std::optional<point> point_inside(const std::vector<placed_ring>& rings, std::size_t which) {
+// Looks along lines halfway between the heights, sorted, that follow each other: sixteen, or all.
+place look_between(const std::vector<placed_ring>& rings, std::size_t which,
+                   std::vector<double> heights) {
   constexpr std::size_t most = 16;
-  std::vector<double> heights;
-  for (const point& p : *rings[which].corners) heights.push_back(p.y);
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   place best;
@@ -78,6 +78,22 @@ std::optional<point> point_inside(const std::vector<placed_ring>& rings, std::si
     const std::size_t i = gaps <= most ? k : k * gaps / most;
     const double height = heights[i + 1] - heights[i];
     look_along(rings, which, heights[i] + height / 2, height, best);
+  }
+  return best;
+}
+
+// Between the ring's own corners first. A line there may meet corners of others, as halfway up a
+// square with a square hole; none does between the corners of all.
+std::optional<point> point_inside(const std::vector<placed_ring>& rings, std::size_t which) {
+  std::vector<double> heights;
+  for (const point& p : *rings[which].corners) heights.push_back(p.y);
+  place best = look_between(rings, which, heights);
+  if (best.room == 0) {
+    const bounding_box& own = rings[which].box;
+    for (const placed_ring& r : rings)
+      for (const point& p : *r.corners)
+        if (own.low.y < p.y && p.y < own.high.y) heights.push_back(p.y);
+    best = look_between(rings, which, std::move(heights));
   }
   if (best.room > 0) return best.at;
   return std::nullopt;

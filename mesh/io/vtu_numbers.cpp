@@ -2,6 +2,7 @@
 #include "asterism/mesh/io/vtu_numbers.hpp"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -86,27 +87,106 @@ std::string decode_base64(std::string_view text, std::size_t most_bytes) {
   return bytes;
 }
 
+namespace {
+
+struct block_sizes {
+  std::size_t header = 0;  // bytes of all of the header
+  std::vector<std::size_t> whole, compressed;
+};
+
+// Returns the bytes that the text begins with, `most` of them or all there are.
+std::string first_bytes(std::string_view text, std::size_t most, bool raw) {
+  if (raw) return std::string(text.substr(0, most));
+  std::string bytes = decode_base64(text, most);
+  bytes.resize(std::min(bytes.size(), most));
+  return bytes;
+}
+
+// Reads a header of blocks which together have `total` bytes, and no more than the text may hold.
+result<block_sizes> read_block_sizes(std::string_view text, std::size_t total,
+                                     const vtu_encoding& how, bool raw) {
+  const std::size_t word = how.wide_header ? 8 : 4;
+  const std::string three = first_bytes(text, 3 * word, raw);
+  if (three.size() < 3 * word) return error{"there is no header of compressed blocks before them"};
+  const std::uint64_t count = word_at(three, 0, word, how.big_endian);
+  const std::uint64_t block = word_at(three, word, word, how.big_endian);
+  const std::uint64_t last = word_at(three, 2 * word, word, how.big_endian);
+  const std::uint64_t wanted = block == 0 ? 0 : (total + block - 1) / block;
+  if (count != wanted || (count > 0 && last != total % block))
+    return error{
+        fmt::format("{} compressed blocks of {} bytes, the last of {}, do not have {} bytes", count,
+                    block, last, total)};
+  if (count > text.size()) return error{"the header of compressed blocks ends here"};
+  block_sizes sizes;
+  sizes.header = (3 + count) * word;
+  const std::string header = first_bytes(text, sizes.header, raw);
+  if (header.size() < sizes.header) return error{"the header of compressed blocks ends here"};
+  for (std::size_t i = 0; i < count; ++i) {
+    sizes.whole.push_back(i + 1 < count || last == 0 ? block : last);
+    sizes.compressed.push_back(word_at(header, (3 + i) * word, word, how.big_endian));
+    if (sizes.compressed.back() > text.size())
+      return error{fmt::format("compressed block {} is longer than the file", i + 1)};
+  }
+  return sizes;
+}
+
+// Returns the `total` bytes that compressed blocks stand for.
+result<std::string> inflated(std::string_view text, std::size_t total, const vtu_encoding& how,
+                             bool raw) {
+  const auto sizes = read_block_sizes(text, total, how, raw);
+  if (!sizes) return sizes.failure();
+  std::size_t end = sizes.value().header;
+  for (const std::size_t size : sizes.value().compressed) end += size;
+  const std::string bytes = first_bytes(text, end, raw);
+  if (bytes.size() < end)
+    return error{fmt::format("{} compressed bytes wanted, and there are {}", end, bytes.size())};
+  std::string whole(total, '\0');
+  std::size_t from = sizes.value().header, to = 0;
+  for (std::size_t i = 0; i < sizes.value().whole.size(); ++i) {
+    const std::size_t wanted = sizes.value().whole[i], given = sizes.value().compressed[i];
+    uLongf made = static_cast<uLongf>(wanted);
+    const int state =
+        uncompress(reinterpret_cast<Bytef*>(whole.data() + to), &made,
+                   reinterpret_cast<const Bytef*>(bytes.data() + from), static_cast<uLong>(given));
+    if (state != Z_OK || made != wanted)
+      return error{fmt::format("compressed block {} is damaged", i + 1)};
+    from += given;
+    to += wanted;
+  }
+  return whole;
+}
+
+// Returns the `total` bytes of an array that is not compressed.
+result<std::string> plain_bytes(std::string_view text, std::string_view type, std::size_t count,
+                                std::size_t total, const vtu_encoding& how, bool raw) {
+  const std::size_t header = how.wide_header ? 8 : 4;
+  const std::string bytes = first_bytes(text, header + total, raw);
+  if (bytes.size() < header) return error{"there is no count of bytes before them"};
+  const std::uint64_t said = word_at(bytes, 0, header, how.big_endian);
+  if (said != total)
+    return error{
+        fmt::format("{} bytes, and {} numbers of type {} take {}", said, count, type, total)};
+  if (bytes.size() < header + total)
+    return error{fmt::format("{} bytes wanted, and there are {}", total, bytes.size() - header)};
+  return bytes.substr(header);
+}
+
+}  // namespace
+
 result<std::vector<double>> vtu_binary_numbers(std::string_view text, std::string_view type,
                                                std::size_t count, const vtu_encoding& how,
                                                bool raw) {
   const auto size = vtu_bytes_of(type);
   if (!size) return error{quoted_token(type) + " is no known type of number"};
-  const std::size_t header = how.wide_header ? 8 : 4;
-  const std::string decoded = raw ? "" : decode_base64(text, header + count * *size + 3);
-  const std::string_view bytes = raw ? text : std::string_view(decoded);
-  if (bytes.size() < header) return error{"there is no count of bytes before them"};
-  const std::uint64_t said = word_at(bytes, 0, header, how.big_endian);
-  if (said != count * *size)
-    return error{fmt::format("{} bytes, and {} numbers of type {} take {}", said, count, type,
-                             count * *size)};
-  if (bytes.size() < header + count * *size)
-    return error{
-        fmt::format("{} bytes wanted, and there are {}", count * *size, bytes.size() - header)};
+  const std::size_t total = count * *size;
+  const auto bytes =
+      how.zlib ? inflated(text, total, how, raw) : plain_bytes(text, type, count, total, how, raw);
+  if (!bytes) return bytes.failure();
   std::vector<double> numbers;
   numbers.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
     numbers.push_back(
-        number_of(word_at(bytes, header + i * *size, *size, how.big_endian), type, *size));
+        number_of(word_at(bytes.value(), i * *size, *size, how.big_endian), type, *size));
   return numbers;
 }
 

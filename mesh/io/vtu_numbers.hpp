@@ -18,6 +18,7 @@ namespace asterism::internal {
 struct vtu_encoding {
   bool big_endian = false;
   bool wide_header = false;  // counts of bytes have 64 bits, else 32
+  bool zlib = false;         // the bytes are in blocks, each compressed
 };
 
 // Returns the bytes of one type of number; none for a type that is not known.
@@ -28,8 +29,10 @@ std::optional<std::size_t> vtu_bytes_of(std::string_view type);
 std::string decode_base64(std::string_view text, std::size_t most_bytes);
 
 // Returns `count` numbers of a type from text that begins with them, in base64 or, if `raw`, as
-// bytes: a header with the number of bytes, then the
-// bytes. An error is half a sentence. Values may be any doubles, not finite ones too.
+// bytes: a header with the number of bytes, then the bytes. Compressed ones have another header:
+// the number of blocks, the bytes of a block, those of the last one if it is shorter, else 0, and
+// for each block how many bytes it has when it is compressed. An error is half a sentence. Values
+// may be any doubles, not finite ones too.
 result<std::vector<double>> vtu_binary_numbers(std::string_view text, std::string_view type,
                                                std::size_t count, const vtu_encoding& how,
                                                bool raw = false);

@@ -51,6 +51,7 @@ class vtu_reader {
   std::string file_;
   const mesh& mesh_;
   vtu_encoding how_;
+  std::string compressor_;
   std::string_view section_;
   std::size_t pieces_ = 0;
   std::vector<data_array> arrays_, points_;
@@ -71,8 +72,8 @@ failure vtu_reader::read_encoding(const xml_tag& tag) {
   if (tag["type"] != "UnstructuredGrid")
     return tags_.failure(tag.line,
                          "type \"UnstructuredGrid\" wanted, not " + quoted_token(tag["type"]));
-  if (!tag["compressor"].empty())
-    return tags_.failure(tag.line, "compressed data cannot be read: write the file without");
+  compressor_ = std::string(tag["compressor"]);
+  how_.zlib = compressor_ == "vtkZLibDataCompressor";
   how_.big_endian = tag["byte_order"] == "BigEndian";
   how_.wide_header = tag["header_type"] == "UInt64";
   return {};
@@ -181,6 +182,9 @@ result<std::string_view> vtu_reader::appended_at(const data_array& a) const {
 result<std::vector<double>> vtu_reader::numbers(const data_array& a, std::size_t count) const {
   const std::string_view format = a.tag["format"];
   if (format == "ascii" || format.empty()) return text_numbers(a, count);
+  if (!compressor_.empty() && !how_.zlib)
+    return tags_.failure(a.tag.line, "data compressed by " + quoted_token(compressor_) +
+                                         " cannot be read: write the file with zlib, or without");
   std::string_view text = a.content;
   if (format == "appended") {
     const auto there = appended_at(a);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Well-known text (OGC 06-103r4, section 7): POLYGON and MULTIPOLYGON, one or several a file, with
-// or without "SRID=4326;" before and Z, M or ZM after the name.
+// Well-known text (OGC 06-103r4, section 7): POLYGON, MULTIPOLYGON and a GEOMETRYCOLLECTION of
+// these, one or several a file, with or without "SRID=4326;" before and Z, M or ZM after the name.
 #include <optional>
 #include <string>
 #include <utility>
@@ -54,7 +54,9 @@ class wkt_reader {
         token_.line, std::string(what) + " wanted, not " +
                          (token_.empty() ? "the end of the file" : quoted_token(token_.text)));
   }
-  failure read_geometry();
+  failure read_geometry(bool inner);
+  failure read_polygons();
+  failure read_collection();
   failure read_polygon();
   failure read_ring(ring& corners);
   failure read_point(point& p);
@@ -66,31 +68,45 @@ class wkt_reader {
 failure wkt_reader::read() {
   if (token_.empty()) return source_.failure(token_.line, "there is no polygon");
   while (!token_.empty())
-    if (auto failed = read_geometry()) return failed;
+    if (auto failed = read_geometry(false)) return failed;
   return {};
 }
 
-failure wkt_reader::read_geometry() {
-  if (lower(token_.text).starts_with("srid=")) {
+// `inner`: within a collection, which holds no other one.
+failure wkt_reader::read_geometry(bool inner) {
+  if (!inner && lower(token_.text).starts_with("srid=")) {
     advance();
     if (!take(";")) return wanted("';' after SRID");
   }
   const std::string kind = lower(token_.text);
-  if (kind != "polygon" && kind != "multipolygon") return wanted("POLYGON or MULTIPOLYGON");
+  const bool collection = !inner && kind == "geometrycollection";
+  if (kind != "polygon" && kind != "multipolygon" && !collection)
+    return wanted("POLYGON or MULTIPOLYGON");
   advance();
   const std::string more = lower(token_.text);
   if (more == "z" || more == "m" || more == "zm") advance();
-  if (kind == "polygon") {
-    if (auto failed = read_polygon()) return failed;
-  } else {
-    if (!take("(")) return wanted("'('");
-    do {
-      if (auto failed = read_polygon()) return failed;
-    } while (take(","));
-    if (!take(")")) return wanted("')'");
-  }
-  take(";");
+  if (auto failed = collection          ? read_collection()
+                    : kind == "polygon" ? read_polygon()
+                                        : read_polygons())
+    return failed;
+  if (!inner) take(";");
   return {};
+}
+
+failure wkt_reader::read_polygons() {
+  if (!take("(")) return wanted("'('");
+  do {
+    if (auto failed = read_polygon()) return failed;
+  } while (take(","));
+  return take(")") ? failure() : wanted("')'");
+}
+
+failure wkt_reader::read_collection() {
+  if (!take("(")) return wanted("'('");
+  do {
+    if (auto failed = read_geometry(true)) return failed;
+  } while (take(","));
+  return take(")") ? failure() : wanted("')'");
 }
 
 failure wkt_reader::read_polygon() {

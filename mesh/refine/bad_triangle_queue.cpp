@@ -112,8 +112,9 @@ std::vector<triangle> bad_triangle_queue::exempt() const {
   return all;
 }
 
-void bad_triangle_queue::demand_collateral() {
+void bad_triangle_queue::demand_collateral(const std::set<vertex_index>& but_beside) {
   demands_collateral_ = true;
+  spared_ = but_beside;
   first_ = true;  // all is judged anew
 }
 
@@ -124,16 +125,28 @@ std::set<vertex_index> bad_triangle_queue::collateral_sites() const {
   return all;
 }
 
-// True if the triangle's corners are all on two segments, not both of the rim, that meet in a
-// corner below half the bound.
-bool bad_triangle_queue::crosses_wedge(const refine_state& state, const triangle& t) const {
+std::set<vertex_index> bad_triangle_queue::corners_beside_low(const refine_state& state) const {
+  std::set<vertex_index> all;
+  for (const bad_triangle& b : bad_) {
+    if (b.why != badness::low_angle) continue;
+    for (const domain_corner* c : corners_in(state.oracle(), b.where, corners_below_))
+      if (c != nullptr) all.insert(c->vertex);
+    if (const domain_wedge* w = crossed_wedge(state, b.where)) all.insert(w->corner.vertex);
+  }
+  return all;
+}
+
+// Returns the wedge below half the bound on whose two segments, not both of the rim, the
+// triangle's corners all are, or null.
+const domain_wedge* bad_triangle_queue::crossed_wedge(const refine_state& state,
+                                                      const triangle& t) const {
   const auto accepts = [&](const domain_wedge& w) {
     return w.internal && is_narrower(state.sites(), w, w.corner.vertex, angle_.degrees() / 2) &&
            std::all_of(t.begin(), t.end(), [&](vertex_index v) {
              return is_narrower(state.sites(), w, v, angle_.degrees());
            });
   };
-  return state.segments().wedges().across(t, accepts) != nullptr;
+  return state.segments().wedges().across(t, accepts);
 }
 
 // Judges a triangle with a low angle; true if it is bad because of that.
@@ -146,7 +159,13 @@ bool bad_triangle_queue::judge_low(const refine_state& state, const site_oracle&
   const angle_set exempt = exempt_angles(state, t, in, angle_.degrees());
   if (at_corner && angle_.is_low(sites, all_but(exempt))) into.exempt.push_back(t);
   if (angle_.is_low(sites, exempt)) {
-    if (demands_collateral_ || !(at_corner || crosses_wedge(state, t))) {
+    const domain_wedge* const wedge = at_corner ? nullptr : crossed_wedge(state, t);
+    const auto spares = [&](const domain_corner* c) {
+      return c != nullptr && spared_.contains(c->vertex);
+    };
+    const bool spared = std::any_of(in.begin(), in.end(), spares) ||
+                        (wedge != nullptr && spared_.contains(wedge->corner.vertex));
+    if (demands_collateral_ ? !spared : !(at_corner || wedge != nullptr)) {
       into.bad.push_back(low);
       return true;
     }

@@ -58,11 +58,13 @@ class bad_triangle_queue {
   // Returns triangles at exempt corners with low angles elsewhere than at the corner. They are
   // worth trying, not demanded.
   const std::set<bad_triangle>& improvable() const { return improvable_; }
-  // Counts collateral triangles; 0 once they are demanded to be mended, and are bad.
+  // Counts collateral triangles; of those demanded to be mended, which are bad then, none.
   std::size_t collateral() const { return collateral_; }
   std::set<vertex_index> collateral_sites() const;
-  // Makes collateral triangles bad from the next update on.
-  void demand_collateral();
+  // Makes collateral triangles bad from the next update on, but for those beside the corners named.
+  void demand_collateral(const std::set<vertex_index>& but_beside);
+  // Returns the vertices of the corners that bad triangles with low angles are beside.
+  std::set<vertex_index> corners_beside_low(const refine_state& state) const;
   std::size_t count(badness why) const { return counts_[static_cast<std::size_t>(why)]; }
   // Returns the triangles with an exempt angle below the bound in lexicographic order.
   std::vector<triangle> exempt() const;
@@ -84,7 +86,7 @@ class bad_triangle_queue {
   };
 
   record examine(const refine_state& state, const star_predicates& kernel, vertex_index v) const;
-  bool crosses_wedge(const refine_state& state, const triangle& t) const;
+  const domain_wedge* crossed_wedge(const refine_state& state, const triangle& t) const;
   bool judge_low(const refine_state& state, const site_oracle& oracle, const triangle& t,
                  record& into) const;
   void judge(const refine_state& state, const site_oracle& oracle, const triangle& t,
@@ -105,6 +107,7 @@ class bad_triangle_queue {
   std::size_t counts_[3] = {0, 0, 0};
   std::size_t collateral_ = 0;
   bool demands_collateral_ = false;
+  std::set<vertex_index> spared_;  // corners beside which it does not
   bool first_ = true;
 };
 

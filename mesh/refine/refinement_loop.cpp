@@ -52,8 +52,11 @@ std::set<vertex_index> sites_of(const std::set<bad_triangle>& bad) {
 
 class refinement_loop {
  public:
-  refinement_loop(refine_state state, const meshing_context& job)
+  // Low angles beside the corners of `spared` are left as they are.
+  refinement_loop(refine_state state, const meshing_context& job,
+                  const std::set<vertex_index>& spared)
       : options_(job.options),
+        spared_(spared),
         progress_(job.progress),
         given_(static_cast<vertex_index>(job.shape.vertices.size())),
         state_(std::move(state)),
@@ -72,9 +75,14 @@ class refinement_loop {
     std::optional<ending> ended;
     while (!ended) ended = step();
     if (state_.field_failure()) return *state_.field_failure();
-    if (before_collateral_ && *ended != ending::complete) return without_collateral(*ended);
+    const bool mended = *ended == ending::complete || *ended == ending::collateral;
+    if (before_collateral_ && !mended) return without_collateral(*ended);
     return outcome(*ended);
   }
+
+  // Returns the corners beside which low angles could not be mended; with those spared the others
+  // may be.
+  const std::set<vertex_index>& hopeless() const { return hopeless_; }
 
  private:
   // Splits subsegments that are too long or encroached, and makes the stars last: a split changes
@@ -121,6 +129,7 @@ class refinement_loop {
   std::optional<ending> polish() {
     if (arcs_.insert_at_exempt_corners() || stars_.rebuild_all() || stars_.repair()) return go_on;
     if (queue_.collateral() == 0) return ending::complete;
+    if (before_collateral_) return ending::collateral;  // beside corners that are spared
     mend_collateral();
     return go_on;
   }
@@ -132,12 +141,13 @@ class refinement_loop {
     constexpr std::size_t more = 500, more_for_each = 20;
     before_collateral_ = outcome(ending::collateral);
     state_.limit_sites(state_.sites().size() + more + more_for_each * queue_.collateral());
-    queue_.demand_collateral();
+    queue_.demand_collateral(spared_);
     arcs_.mend_collateral();
   }
 
   // Returns the mesh kept; collateral could not be mended.
   mesh_outcome without_collateral(ending how) {
+    hopeless_ = queue_.corners_beside_low(state_);
     mesh_outcome o = std::move(*before_collateral_);
     o.stopped = how == ending::stopped;
     if (o.stopped) {
@@ -249,6 +259,8 @@ class refinement_loop {
   }
 
   const mesh_options& options_;
+  const std::set<vertex_index>& spared_;
+  std::set<vertex_index> hopeless_;
   progress_listener progress_;
   vertex_index given_;
   refine_state state_;
@@ -267,11 +279,30 @@ class refinement_loop {
 
 }  // namespace
 
+// Low angles beside sharp corners are mended all together or not at all: one corner where it goes
+// on for ever takes all sites allowed. So where some are hopeless it is begun anew without these; a
+// round finds at least one more.
 result<mesh_outcome> refine(const meshing_context& job, const filled_domain& proposed) {
-  auto state = refine_state::start(job.shape, job.field, job.kernel, job.options.max_sites,
-                                   proposed, job.options.stop, job.work_share);
-  if (!state) return state.failure();
-  return refinement_loop(std::move(state).value(), job).run();
+  constexpr int rounds = 3;
+  std::set<vertex_index> spared;
+  std::optional<mesh_outcome> best;
+  for (int round = 0; round < rounds; ++round) {
+    auto state = refine_state::start(job.shape, job.field, job.kernel, job.options.max_sites,
+                                     proposed, job.options.stop, job.work_share);
+    if (!state) return state.failure();
+    refinement_loop loop(std::move(state).value(), job, spared);
+    auto made = loop.run();
+    if (!made) return made;
+    const bool stopped = made.value().stopped;
+    if (!best || made.value().complete ||
+        (!stopped && made.value().ended.how == ending::collateral &&
+         made.value().ended.bad_triangles < best->ended.bad_triangles))
+      best = std::move(made).value();
+    const std::size_t before = spared.size();
+    spared.insert(loop.hopeless().begin(), loop.hopeless().end());
+    if (stopped || spared.size() == before) break;
+  }
+  return *std::move(best);
 }
 
 }  // namespace asterism::internal

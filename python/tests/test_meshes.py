@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Domains, meshes, certificates: what comes back, what is refused, what interrupts."""
 import gc
+import json
 import os
 import signal
 import threading
@@ -22,6 +23,14 @@ def made():
 def areas(mesh):
     a, b, c = (mesh.points[mesh.triangles[:, k]] for k in range(3))
     return 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+
+
+def test_the_curves_of_a_domain_file_are_kept():
+    domain = asterism.Domain(os.path.join(os.path.dirname(__file__), "../../examples/fillets.poly"))
+    made = asterism.mesh(domain, size=0.2)
+    assert made.certified, made.reason
+    told = json.loads(made.certificate.text)["audit"]["curves"]
+    assert told["curves"] == 5 and 0 < told["largest_distance"] < 0.01
 
 
 def test_a_mesh_is_certified_and_covers_its_domain(made):

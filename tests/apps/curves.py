@@ -148,6 +148,31 @@ class Curves(command.CommandTest):
         done = self.run_command("verify", "d.mesh", "--domain", "d.poly")
         self.assertEqual(done.returncode, 1)
 
+    def test_what_needs_no_repair_is_meshed_with_that_option_too(self):
+        self.mesh(EXAMPLE.read_text(), "--size", "0.2")
+        plain = (self.folder / "d.mesh").read_bytes()
+        self.mesh(EXAMPLE.read_text(), "--size", "0.2", "--repair-domain")
+        self.assertEqual(plain, (self.folder / "d.mesh").read_bytes())
+
+    def test_a_fault_beside_curves_is_not_repaired_and_the_message_says_why(self):
+        gap = EXAMPLE.read_text().replace("\n1 1 2 1\n", "\n1 1 3 1\n")
+        why = ("--repair-domain mends no domain with curves", "the boundary is not closed", "d.poly:")
+        self.refused(gap, *why, options=["--repair-domain"])
+        crossing = poly([(1, 0), (1.5, 0)], [], ["circle 1 0 0", "circle 2 1 0"])
+        self.refused(crossing, why[0], "crosses or touches curve 2", options=["--repair-domain"])
+
+    def test_an_adapted_mesh_keeps_to_the_curves_of_its_domain_file(self):
+        self.mesh(disc(), "--size", "0.3")
+        values = [math.tanh(9 * (x - 0.3 * y)) for x, y in self.vertices_of_mesh()]
+        self.write("u.bb", f"2 1 {len(values)} 2\n" + "".join(f"{u!r}\n" for u in values))
+        done = self.run_command("adapt", "d.mesh", "--solution", "u.bb", "--vertices", "400", "--domain", "d.poly",
+                                "--chord-tolerance", "1e-3", "-o", "next.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.run_command("verify", "next.mesh", "--domain", "d.poly", "--json")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        told = json.loads(done.stdout)
+        self.assertLess(told["distance_from_curves"], 1.1e-3)
+
     def test_curves_that_mean_nothing_are_refused(self):
         ends = [(1, 0), (0, 1), (0, 0)]
         self.refused(poly([(0, 0)], [], ["circle 1 0 0"]), "d.poly:7:", "radius of 0")
@@ -164,7 +189,6 @@ class Curves(command.CommandTest):
         self.refused(poly([*ends, (3, 3)], [*TRIANGLE, (3, 4, 1)], ["spline 1 4"]),
                      "does not start where the one before it ends")
         self.refused(disc(), "million chords", options=["--chord-tolerance", "1e-30"])
-        self.refused(disc(), "is not repaired", options=["--repair-domain"])
 
     def test_curves_that_meet_something_are_refused(self):
         self.refused(poly([(1, 0), (0, 1), (0, 0), (0.6, 0.8)], TRIANGLE, ["arc 1 0 0 ccw"]),

@@ -69,6 +69,25 @@ class FaultyOutlines(command.CommandTest):
         self.assertIn("sharpest corner beside them is vertex 5 at (0, 0), 0.763898 degrees", done.stderr)
         self.assertIn("try --angle-bound 10, or a domain without corners that sharp", done.stderr)
 
+    def test_one_hopeless_corner_does_not_keep_others_from_being_mended(self):
+        # As above, and a corner of three degrees elsewhere: all low angles were left as they were.
+        text = poly([(0, 0), (10, 0), (10, 10), (0, 10), (2, 3), (5, 3), (5, 3.0419), (5, 7), (8, 7), (7.9959, 7.157)],
+                    [(1, 2), (2, 3), (3, 4), (4, 1), (5, 6), (5, 7), (8, 9), (8, 10)])
+        self.write("d.poly", text)
+        done = self.run_command("mesh", "d.poly", "-o", "d.mesh")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("sharpest corner beside them is vertex 5 at (2, 3)", done.stderr)
+        lines = (self.folder / "d.mesh").read_text().split("\n")
+        start, count = command.section(lines, "Vertices")
+        height = [float(line.split()[1]) for line in lines[start:start + count]]
+        start, count = command.section(lines, "Triangles")
+        corners = [[int(v) - 1 for v in line.split()[:3]] for line in lines[start:start + count]]
+        left = json.loads((self.folder / "d.certificate.json").read_text())["audit"]["collateral_triangles"]
+        self.assertTrue(left)
+        for t in left:
+            self.assertLess(max(height[v] for v in corners[t - 1]), 5, "beside the corner of three degrees")
+        self.assertEqual(self.run_command("verify", "d.mesh").returncode, 1)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -5,6 +5,7 @@ import json
 import os
 import pty
 import re
+import select
 import shutil
 import subprocess
 import unittest
@@ -30,7 +31,7 @@ class Help(command.CommandTest):
         for name in COMMANDS:
             for option in self.options_of(name):
                 self.assertRegex(scripts["bash"], rf"(?s)\n    {name}\).*?options='[^']*{option}[ ']")
-                self.assertRegex(scripts["zsh"], rf"(?s)\n    {name}\)\n.*?\*{option}\[")
+                self.assertRegex(scripts["zsh"], rf"(?s)\n    {name}\)\n.*?\*{option}=?\[")
                 self.assertRegex(scripts["fish"], rf"seen_subcommand_from {name}'.* -l {option[2:]} ")
         self.assertEqual(self.run_command("completion", "tcsh").returncode, 2)
         for shell in ("zsh", "fish"):
@@ -44,7 +45,7 @@ class Help(command.CommandTest):
                 "_asterism; printf '%s\\n' \"${COMPREPLY[@]}\"")
         done = subprocess.run(["bash", "-c", call], cwd=self.folder, capture_output=True, text=True, check=True)
         self.assertEqual(done.stderr, "")
-        return done.stdout.split()
+        return done.stdout.splitlines() if done.stdout.strip() else []
 
     def test_bash_completes_commands_options_choices_and_files(self):
         self.write("lake.poly", "")
@@ -57,6 +58,68 @@ class Help(command.CommandTest):
         self.assertEqual(self.complete("asterism", "completion", ""), ["bash", "zsh", "fish"])
         self.assertEqual(self.complete("asterism", "man", "tr"), ["transfer"])
         self.assertEqual(self.complete("asterism", "mesh", "x", "-o", "la"), ["lake.poly"])
+        self.assertEqual(self.complete("asterism", "mesh", "square", "--size", ""), [], "no file is a size")
+        self.write("my lake.poly", "")
+        self.assertEqual(self.complete("asterism", "mesh", "my"), ["my lake.poly"], "one file, not two words")
+
+    def ask_fish(self, line):
+        self.write("script", self.run_command("completion", "fish").stdout)
+        done = subprocess.run(["fish", "--no-config", "-c", f"source script; complete -C '{line}'"], cwd=self.folder,
+                              capture_output=True, text=True, check=True,
+                              env={**os.environ, "HOME": str(self.folder)})
+        return {one.split("\t")[0] for one in done.stdout.splitlines()}
+
+    def ask_zsh(self, line, setting="fpath=(functions $fpath); autoload -Uz compinit; compinit -u -D"):
+        """What zsh makes of the line after two tabs: it lists what there is, then takes the first."""
+        (self.folder / "functions").mkdir(exist_ok=True)
+        self.write("functions/_asterism", self.run_command("completion", "zsh").stdout)
+        process, terminal = pty.fork()
+        if process == 0:
+            os.chdir(self.folder)
+            os.environ.update(TERM="dumb", COLUMNS="200", LINES="60")
+            os.execvp("zsh", ["zsh", "-f", "-i"])
+        os.write(terminal, setting.encode() + b"; LISTMAX=0; unset zle_bracketed_paste; "
+                           b"PS1='> '; asterism-wait() { zle -I; print -r -- \"done:$BUFFER:\"; }; zle -N asterism-wait; "
+                           b"bindkey '^X' asterism-wait; print rea''dy\n")
+        said = self.read_until(terminal, "ready\r\n")
+        os.write(terminal, line.encode() + b"\t\t\x18")
+        said = self.read_until(terminal, "done:", ":\r\n")
+        os.close(terminal)
+        os.waitpid(process, 0)
+        shown, buffer = said.rsplit("done:", 1)
+        return set(re.split(r"\s+", shown)) | {buffer.split(":")[0]}
+
+    def read_until(self, terminal, *wanted):
+        said = ""
+        for word in wanted:
+            at = len(said) if word == wanted[0] else said.rindex(wanted[0])
+            while word not in said[at:]:
+                self.assertTrue(select.select([terminal], [], [], 30)[0], f"nothing more after {said!r}")
+                said += os.read(terminal, 65536).decode(errors="replace")
+        return said
+
+    def check_shell(self, ask):
+        for name in ("lake.poly", "x.mesh"):
+            self.write(name, "")
+        self.assertGreaterEqual(ask("asterism me"), {"mesh", "metric"})
+        self.assertGreaterEqual(ask("asterism mesh --re"), {"--refine", "--regions", "--repair-domain", "--repair-distance"})
+        self.assertGreaterEqual(ask("asterism mesh --refine "), {"darts", "fill", "voronoi"})
+        self.assertGreaterEqual(ask("asterism completion "), {"bash", "zsh", "fish"})
+        self.assertGreaterEqual(ask("asterism mesh --metric s"), {"shock", "sink", "swirl"})
+        self.assertTrue(any("lake.poly" in one for one in ask("asterism mesh l")))
+        self.assertTrue(any("x.mesh" in one for one in ask("asterism verify x")))
+        self.assertFalse(any("x.mesh" in one for one in ask("asterism mesh square --size ")), "no file is a size")
+        self.assertTrue(any(one.endswith("--refine=voronoi") or one == "voronoi" for one in ask("asterism mesh --refine=")))
+
+    @unittest.skipUnless(shutil.which("fish"), "fish is not installed")
+    def test_fish_completes_commands_options_choices_and_files(self):
+        self.check_shell(self.ask_fish)
+
+    @unittest.skipUnless(shutil.which("zsh"), "zsh is not installed")
+    def test_zsh_completes_commands_options_choices_and_files(self):
+        self.check_shell(self.ask_zsh)
+        sourced = self.ask_zsh("asterism mesh --refine ", "autoload -Uz compinit; compinit -u -D; source functions/_asterism")
+        self.assertGreaterEqual(sourced, {"darts", "fill", "voronoi"})
 
     def test_manual_pages_have_every_option_and_are_set_without_a_warning(self):
         for name in [None, *COMMANDS]:
@@ -111,6 +174,25 @@ class Help(command.CommandTest):
         (self.folder / "m.sol").unlink()
         self.assertRegex(self.run_command("info", "m.mesh").stdout, r"metric +none: m\.sol")
         self.assertEqual(self.run_command("info", "nothing.poly").returncode, 2)
+
+    def test_info_of_a_vtu_a_mtr_and_of_what_is_written_alone(self):
+        self.run_command(*command.JOB, "-o", "m.mesh", "-o", "m.su2")
+        count = json.loads(self.run_command("info", "m.mesh", "--json").stdout)["vertices"]
+        self.write("m.mtr", f"{count} 1\n" + "0.5\n" * count)
+        self.assertRegex(self.run_command("info", "m.mtr").stdout, r"kind +metric")
+        self.write("m.vtu", '<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="%d"><PointData>'
+                   '<DataArray type="Float64" Name="heat" format="ascii">%s</DataArray></PointData></Piece>'
+                   '</UnstructuredGrid></VTKFile>' % (count, " 7.5" * count))
+        self.assertRegex(self.run_command("info", "m.vtu").stdout, "field heat +scalar, numbers from 7.5 to 7.5")
+        self.assertIn("written here, not read", self.run_command("info", "m.su2").stderr)
+
+    def test_a_drawing_is_a_picture(self):
+        self.run_command(*command.JOB, "-o", "m.mesh")
+        for name in ("x.su2", "x.node", "x.msh", "x.vtu", "x.mesh"):
+            done = self.run_command("draw", "m.mesh", "-o", name)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("not a picture", done.stderr)
+        self.assertFalse([name for name in self.files() if name.startswith("x.")])
 
     def test_what_did_not_end_well_names_what_to_try(self):
         for arguments, hint in [

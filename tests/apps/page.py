@@ -110,6 +110,49 @@ class PageTest(CommandTest):
         browser.repaint(self.driver)
         self.assertGreater(self.ask("asterism.stage.ellipses"), 0)
 
+    def settled(self):
+        for _ in range(200):
+            if not self.driver.execute_async_script(
+                    "setTimeout(() => arguments[0](asterism.stage.pictures.busy), 50)") and self.ask(
+                    "asterism.stage.pictures.shows(asterism.stage.camera)"):
+                return
+        self.fail("the picture is not there after ten seconds")
+
+    def test_a_slow_picture_is_moved_and_then_drawn_as_it_is(self):
+        """As of a million triangles: the exact picture comes in slices, and is the one drawn at once."""
+        self.make()
+        self.open("a.html")
+        self.ask("asterism.stage.pictures.quick = () => false")
+        for change in ("camera.zoom(3)", "camera.move(90, 40)", "camera.zoom(0.2)"):
+            self.ask(f"asterism.stage.{change}, asterism.stage.move()")
+            self.assertGreater(len(browser.colours_of_canvas(self.driver)), 3, change)
+            self.settled()
+            found = browser.colours_of_canvas(self.driver)
+            browser.repaint(self.driver)
+            self.assertEqual(found, browser.colours_of_canvas(self.driver), change)
+        browser.choose(self.driver, "mode", 1)
+        self.settled()
+        found = browser.colours_of_canvas(self.driver)
+        browser.repaint(self.driver)
+        self.assertEqual(found, browser.colours_of_canvas(self.driver))
+
+    def test_without_webgl_a_plain_canvas_draws(self):
+        self.make()
+        without = ("const kind = HTMLCanvasElement.prototype, get = kind.getContext;"
+                   "kind.getContext = function (what, ...more) { return what === '2d' ? get.call(this, what, ...more) : null; };")
+        added = self.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": without})
+        try:
+            self.open("a.html")
+            for _ in range(2):
+                seen = self.ask("new Set(document.getElementById('canvas').getContext('2d')"
+                                ".getImageData(200, 100, 300, 200).data).size")
+                self.assertGreater(seen, 10)
+                self.ask("asterism.stage.pictures.quick = () => false")
+                self.ask("asterism.stage.camera.zoom(2), asterism.stage.move()")
+                self.settled()
+        finally:
+            self.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
+
     def test_everything_has_a_name_for_those_who_do_not_see_it(self):
         self.make()
         self.open("a.html")

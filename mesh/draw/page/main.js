@@ -11,76 +11,6 @@ function readMesh(facts, arrays) {
   return mesh;
 }
 
-function makeView(canvas, mesh, places) {
-  const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
-  return gl ? makeCardView(gl, mesh, places) : makePlainView(canvas.getContext("2d"), mesh, places);
-}
-
-function colourOf(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(name);
-}
-
-const longestFrame = 1 / 40;  // seconds
-
-// The picture, redrawn once a frame at most and only when something changed.
-function makeStage(mesh, claim) {
-  const canvas = element("canvas"), overlay = element("overlay"), context = overlay.getContext("2d");
-  const places = makeChunks(mesh), view = makeView(canvas, mesh, places), camera = makeCamera(mesh, element("stage"));
-  const stage = { camera, places, view, chosen: null, ellipses: 0, waiting: false, seconds: 0 };
-  let painted = null, settled = 0;
-  const corners = (claim?.audit.exempt_corners ?? []).map((n) => n - 1).filter((v) => v < mesh.vertices);
-  const paintMesh = () => view.paint(camera, {
-    edges: element("edges").checked, edge: numbersOfColour(colourOf("--edge")),
-    paper: numbersOfColour(colourOf("--card")), ink: numbersOfColour(colourOf("--ink")),
-  });
-  const paintMarks = () => {
-    context.setTransform(camera.ratio, 0, 0, camera.ratio, 0, 0);
-    context.clearRect(0, 0, camera.width, camera.height);
-    stage.ellipses = element("ellipses").checked ? drawEllipses(context, camera, mesh, places) : 0;
-    drawCorners(context, camera, mesh, corners, markPlace);
-    drawCorners(context, camera, mesh, mesh.repairs.map(({ vertex }) => vertex), markPlace);
-    if (stage.chosen?.triangle !== undefined) drawChosen(context, camera, mesh, stage.chosen.triangle);
-    if (stage.chosen?.vertex !== undefined) drawCorners(context, camera, mesh, [stage.chosen.vertex], markInk);
-  };
-  // A whole picture, and how long it takes.
-  stage.paint = () => {
-    const before = performance.now();
-    paintMesh();
-    view.finish();
-    stage.seconds = (performance.now() - before) / 1000;
-    painted = { x: camera.x, y: camera.y, scale: camera.scale };
-    canvas.style.transform = "";
-    paintMarks();
-  };
-  // While the view moves: where a picture takes longer than a frame, the last one is moved and
-  // stretched instead, and a new one made as soon as the view rests.
-  stage.move = () => {
-    if (stage.seconds < longestFrame) return stage.paint();
-    const corner = camera.toPage(painted.x - camera.width / 2 / painted.scale, painted.y + camera.height / 2 / painted.scale);
-    canvas.style.transform = `translate(${corner.x}px,${corner.y}px) scale(${camera.scale / painted.scale})`;
-    paintMarks();
-    clearTimeout(settled);
-    settled = setTimeout(stage.paint, 150);
-    return undefined;
-  };
-  const soon = (act) => () => {
-    if (stage.waiting) return;
-    stage.waiting = true;
-    requestAnimationFrame(() => { stage.waiting = false; act(); });
-  };
-  stage.changed = soon(stage.paint);
-  stage.moved = soon(stage.move);
-  stage.resize = () => {
-    camera.measure();
-    for (const one of [canvas, overlay]) {
-      one.width = Math.round(camera.width * camera.ratio);
-      one.height = Math.round(camera.height * camera.ratio);
-    }
-    stage.changed();
-  };
-  return stage;
-}
-
 function addPointer(stage, canvas, chooseAt) {
   let held = null, moved = 0;
   canvas.addEventListener("pointerdown", (event) => {
@@ -156,12 +86,12 @@ function makeActions(stage, mesh, told) {
       const there = item !== null && (item.triangle < mesh.count || item.vertex < mesh.vertices);
       stage.chosen = there ? item : null;
       showChosen(facts, claim, mesh, bound, stage.chosen);
-      stage.changed();
+      stage.marked();
     },
     go(item) {
       actions.choose(item);
       if (stage.chosen !== null) stage.camera.show(boxOfItem(mesh, item));
-      stage.changed();
+      stage.moved();
     },
     chooseAt(x, y) {
       const point = stage.camera.toMesh(x, y), t = triangleAt(mesh, stage.places, point.x, point.y);
@@ -192,11 +122,12 @@ function addModes(stage, mesh, bound) {
 
 function addControls(stage, mesh, actions) {
   const { camera } = stage;
-  const on = (id, act) => element(id).addEventListener("click", () => { act(); stage.changed(); });
+  const on = (id, act, then = stage.moved) => element(id).addEventListener("click", () => { act(); then(); });
   on("nearer", () => camera.zoom(1.5));
   on("farther", () => camera.zoom(1 / 1.5));
   on("whole", () => camera.fit());
-  for (const id of ["edges", "ellipses"]) element(id).addEventListener("change", stage.changed);
+  element("edges").addEventListener("change", stage.changed);
+  element("ellipses").addEventListener("change", stage.marked);
   element("find").addEventListener("submit", () => {
     const t = Number(element("number").value) - 1;
     if (t >= 0 && t < mesh.count) actions.go({ triangle: t });
@@ -204,7 +135,7 @@ function addControls(stage, mesh, actions) {
   on("theme", () => {
     const root = document.documentElement, dark = matchMedia("(prefers-color-scheme: dark)").matches;
     root.dataset.theme = (root.dataset.theme ?? (dark ? "dark" : "light")) === "dark" ? "light" : "dark";
-  });
+  }, stage.changed);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", stage.changed);
   new ResizeObserver(stage.resize).observe(element("stage"));
   addEventListener("hashchange", () => { const item = itemOfAddress(mesh); if (item) actions.go(item); });

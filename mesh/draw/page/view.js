@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws the mesh by WebGL 2, or slowly by a plain canvas where there is none.
+// Draws the mesh by WebGL 2.
 
 const fillVertex = `#version 300 es
 precision highp float; precision highp int;
@@ -44,6 +44,21 @@ void main() {
   vec2 off = vec2(-along.y, along.x) * (float(gl_VertexID & 1) - 0.5) * width * pixel;
   gl_Position = vec4((gl_VertexID < 2 ? a : b) + off, 0.0, 1.0);
 }`;
+// A kept picture: four corners, and what lies between them in the texture.
+const copyVertex = `#version 300 es
+precision highp float;
+uniform vec4 place;
+out vec2 within;
+void main() {
+  within = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  gl_Position = vec4(mix(place.xy, place.zw, within), 0.0, 1.0);
+}`;
+const copyFragment = `#version 300 es
+precision highp float;
+uniform sampler2D palette;
+in vec2 within;
+out vec4 result;
+void main() { result = vec4(texture(palette, within).rgb, 1.0); }`;
 const lineFragment = `#version 300 es
 precision highp float;
 uniform vec4 edge;
@@ -61,7 +76,7 @@ function makeProgram(gl, vertex, fragment) {
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
   const at = (name) => gl.getUniformLocation(program, name);
-  return { program, at: Object.fromEntries(["centre", "scale", "pixel", "width", "edge", "palette"].map((n) => [n, at(n)])) };
+  return { program, at: Object.fromEntries(["centre", "scale", "pixel", "width", "edge", "palette", "place"].map((n) => [n, at(n)])) };
 }
 
 function fill(gl, data) {
@@ -100,10 +115,37 @@ const numbersOfColour = (text) => {
   return [0, 2, 4].map((i) => parseInt(digits.slice(i, i + 2), 16) / 255);
 };
 
-// The two backends have: paint(camera, look), setMode(mode), and finish(), which waits for the picture.
+function makeCardPicture(gl, width, height) {
+  const texture = gl.createTexture(), frame = gl.createFramebuffer();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
+  for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+  return { texture, frame, width, height, free() { gl.deleteTexture(texture); gl.deleteFramebuffer(frame); } };
+}
+
+// Shows a kept picture of another view where that view's part of the mesh is now.
+function copyPicture(gl, copier, picture, camera) {
+  const { from } = picture, zoom = camera.scale / from.scale;
+  const x = 2 * (from.x - camera.x) * camera.scale / camera.width, w = zoom * from.width / camera.width;
+  const y = 2 * (from.y - camera.y) * camera.scale / camera.height, h = zoom * from.height / camera.height;
+  gl.useProgram(copier.program);
+  gl.bindTexture(gl.TEXTURE_2D, picture.texture);
+  const filter = zoom === 1 ? gl.NEAREST : gl.LINEAR;
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+  gl.uniform4f(copier.at.place, x - w, y - h, x + w, y + h);
+  gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+}
+
+// The two backends have: setMode(mode); makePicture(), a kept picture of the canvas's size, which fits tells of one; begin, add and
+// end, which draw a picture's paper, some chunks and the boundary; show, which puts kept pictures on the
+// canvas, the last on top; finish, which waits for what was asked.
 function makeCardView(gl, mesh, places) {
-  const { order, chunks } = places;
+  const { order } = places;
   const triangles = makeProgram(gl, fillVertex, fillFragment), lines = makeProgram(gl, lineVertex, lineFragment);
+  const copier = makeProgram(gl, copyVertex, copyFragment);
   const filled = makeFillArray(gl, mesh, order), edges = makeLineArray(gl, mesh);
   const palette = gl.createTexture();
   const use = (program, camera, ink) => {
@@ -125,55 +167,37 @@ function makeCardView(gl, mesh, places) {
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     },
-    paint(camera, look) {
-      const { canvas } = gl, sight = camera.sight();
-      gl.viewport(0, 0, canvas.width, canvas.height);
+    fits: ({ width, height }) => width === gl.canvas.width && height === gl.canvas.height,
+    makePicture: () => makeCardPicture(gl, gl.canvas.width, gl.canvas.height),
+    begin(picture, look) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, picture.frame);
+      gl.viewport(0, 0, picture.width, picture.height);
       gl.clearColor(...look.paper, 1);
       gl.clear(gl.COLOR_BUFFER_BIT);
+    },
+    add(picture, camera, look, some) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, picture.frame);
       gl.bindVertexArray(filled.array);
       gl.bindTexture(gl.TEXTURE_2D, palette);
       use(triangles, camera, [...look.edge, look.edges ? 0.75 : 0]);
-      for (const { from, to, box } of chunks)
-        if (meet(box, sight)) gl.drawArrays(gl.TRIANGLES, 3 * from, 3 * (to - from));
+      for (const { from, to } of some) gl.drawArrays(gl.TRIANGLES, 3 * from, 3 * (to - from));
+    },
+    end(picture, camera, look) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, picture.frame);
       gl.bindVertexArray(edges);
       use(lines, camera, [...look.ink, 1]);
-      gl.uniform2f(lines.at.pixel, 2 / canvas.width, 2 / canvas.height);
+      gl.uniform2f(lines.at.pixel, 2 / picture.width, 2 / picture.height);
       gl.uniform1f(lines.at.width, 2 * camera.ratio);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, mesh.boundary.length / 2);
     },
-    finish: () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)),
-  };
-}
-
-// Without a graphics card's interface: the same picture of what is in sight, at most a part of it.
-function makePlainView(context, mesh, places) {
-  const most = 100000;
-  let shown = null;
-  return {
-    setMode(mode) { shown = mode; },
-    paint(camera, look) {
-      const { canvas } = context, { positions: p, triangles } = mesh, sight = camera.sight();
-      context.fillStyle = css(look.paper.map((x) => 255 * x));
-      context.fillRect(0, 0, canvas.width, canvas.height);
-      context.strokeStyle = css(look.edge.map((x) => 255 * x));
-      context.lineWidth = 0.5 * camera.ratio;
-      let painted = 0;
-      for (const { from, to, box } of places.chunks) {
-        if (!meet(box, sight)) continue;
-        for (let k = from; k < to && painted < most; ++k, ++painted) {
-          const t = places.order[k];
-          context.beginPath();
-          for (let i = 0; i < 3; ++i) {
-            const v = triangles[3 * t + i], at = camera.toPage(p[2 * v], p[2 * v + 1]);
-            context.lineTo(at.x * camera.ratio, at.y * camera.ratio);
-          }
-          context.closePath();
-          context.fillStyle = css(shown.colour(shown.of(t)));
-          context.fill();
-          if (look.edges) context.stroke();
-        }
-      }
+    show(pictures, camera, look) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      gl.viewport(0, 0, gl.canvas.width, gl.canvas.height);
+      gl.clearColor(...look.paper, 1);
+      gl.clear(gl.COLOR_BUFFER_BIT);
+      gl.bindVertexArray(null);
+      for (const picture of pictures) copyPicture(gl, copier, picture, camera);
     },
-    finish() {},
+    finish: () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)),
   };
 }

@@ -74,6 +74,42 @@ TEST_CASE("well-known text gives the same domain as GeoJSON") {
   CHECK(one.value().holes[0].x == other.value().holes[0].x);
 }
 
+TEST_CASE("a region has a point although the line halfway up meets corners of a hole") {
+  // A square of height 4 with a hole whose corners are at 1 and 2: no line but the one at 2 was
+  // tried.
+  const temporary_directory here("halfway");
+  const auto read =
+      read_geojson(here.write("a.geojson", R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": null, "geometry": {"type": "Polygon", "coordinates":
+      [[[0,0],[4,0],[4,4],[0,4],[0,0]], [[1,1],[2,1],[2,2],[1,2],[1,1]]]}},
+    {"type": "Feature", "properties": null, "geometry": null}]})"));
+  INFO((read.ok() ? "" : read.failure().message));
+  REQUIRE(read.ok());
+  REQUIRE(read.value().regions.size() == 1);
+  const auto checked = check_domain(read.value());
+  INFO((checked.ok() ? "" : checked.failure().message));
+  CHECK(checked.ok());
+}
+
+TEST_CASE("a collection of polygons in well-known text is read, and one of anything else is not") {
+  const temporary_directory here("wkt-collection");
+  const auto read =
+      read_wkt(here.write("a.wkt",
+                          "SRID=1;GEOMETRYCOLLECTION Z (POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1)),"
+                          "MULTIPOLYGON (((3 0, 4 0, 3 1, 3 0)), ((5 0, 6 0, 5 1, 5 0))))"));
+  INFO((read.ok() ? "" : read.failure().message));
+  REQUIRE(read.ok());
+  CHECK(read.value().segments.size() == 9);
+  using Catch::Contains;
+  CHECK_THAT(read_wkt(here.write("b.wkt", "GEOMETRYCOLLECTION(POINT(3 3))")).failure().message,
+             Contains("not 'POINT'"));
+  CHECK_FALSE(read_wkt(here.write("c.wkt",
+                                  "GEOMETRYCOLLECTION(GEOMETRYCOLLECTION("
+                                  "POLYGON((0 0,1 0,0 1,0 0))))"))
+                  .ok());
+  CHECK_FALSE(read_wkt(here.write("d.wkt", "GEOMETRYCOLLECTION(POLYGON((0 0,1 0,0 1,0 0))")).ok());
+}
+
 TEST_CASE("polygons that are none are refused with the place") {
   const temporary_directory here("polygons-refused");
   const auto json = [&](const std::string& text) {
