@@ -46,7 +46,7 @@ void add_source_options(CLI::App& app, metric_request& request) {
 void add_target_options(CLI::App& app, solution_metric_options& wishes) {
   app.add_option_function<std::string>(
          "--hessian", [&wishes](const std::string& name) { wishes.hessian = methods.at(name); },
-         "lsq (default): fitted quadratics; green: weak form; l2: averages of averages")
+         "green (default): weak form; lsq: fitted quadratics; l2: averages of averages")
       ->check(CLI::IsMember(methods))
       ->type_name("HOW");
   app.add_option_function<std::string>(
@@ -105,7 +105,7 @@ void add_bound_options(CLI::App& app, metric_request& request) {
       ->type_name("A");
   app.add_option_function<std::string>(
          "--gradation", [&request](const std::string& text) { take_gradation(text, request); },
-         "Greatest factor between the sizes of neighbours, about, or none (default: 3 for a "
+         "Greatest factor between the sizes of neighbours, about, or none (default: 6 for a "
          "solution, none for a metric)")
       ->type_name("B");
   app.add_option_function<std::string>(
