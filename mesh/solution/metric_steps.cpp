@@ -21,6 +21,7 @@ std::vector<std::string> metric_steps(const solution_metric_options& options, st
                                 options.isotropic ? " isotropic" : ""));
     if (fields > 1) steps.push_back(fmt::format("fields {}", fields));
   }
+  if (fields == 0 && options.isotropic) steps.emplace_back("isotropic");
   if (fields > 0 || options.vertices || options.complexity) steps.emplace_back("factor");
   if (others > 0) steps.push_back(fmt::format("intersect {}", others));
   if (options.step) steps.push_back(fmt::format("step {}", number_text(*options.step)));

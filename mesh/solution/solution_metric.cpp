@@ -13,6 +13,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
+#include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/graph_gradation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
@@ -260,6 +261,16 @@ result<solution_metric> metric_maker::run() {
   return solution_metric{std::move(made_), std::move(report_)};
 }
 
+// Returns tensors with the greater eigenvalue in all directions.
+tensors rounded(const tensors& given) {
+  tensors made(given.size());
+  for_each_node(given.size(), [&](std::size_t v) {
+    const double strong = eigen_of(given[v]).first;
+    made[v] = {strong, 0, strong};
+  });
+  return made;
+}
+
 failure check_mesh(const mesh& m) {
   if (m.sites.empty() || m.triangles.empty()) return error{"the mesh has no triangle"};
   return {};
@@ -327,7 +338,7 @@ result<solution_metric> shape_metric(const mesh& m, const tensors& given,
   if (given.size() != m.sites.size())
     return error{fmt::format("{} tensors for {} vertices", given.size(), m.sites.size())};
   metric_maker maker(m, options, intersected);
-  maker.set_given(given);
+  maker.set_given(options.isotropic ? rounded(given) : given);
   return maker.run();
 }
 

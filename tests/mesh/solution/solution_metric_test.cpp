@@ -300,3 +300,17 @@ TEST_CASE("the report lists the steps in the order they were done") {
               "hmin 0.25", "hmax 8", "aspect 1e+06", "gradation 1.5 mixed"});
   CHECK(shape_metric(m, other, {}).value().report.steps == steps{"aspect 1e+06"});
 }
+
+TEST_CASE("a metric that is given is made isotropic too, where that is asked for") {
+  const mesh m = tests::sample_mesh(4);
+  solution_metric_options options;
+  options.isotropic = true;
+  const auto metric = shape_metric(m, std::vector<metric_tensor>(m.sites.size(), {5, 2, 2}), options);
+  REQUIRE(metric.ok());
+  for (const metric_tensor& t : metric.value().tensors) {
+    CHECK(t.m11 == Approx(6));
+    CHECK(t.m12 == 0);
+    CHECK(t.m22 == t.m11);
+  }
+  CHECK(metric.value().report.steps == std::vector<std::string>{"isotropic", "aspect 1e+06"});
+}
