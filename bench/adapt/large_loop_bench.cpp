@@ -72,7 +72,8 @@ void measure(const std::string& what, std::size_t vertices, int threads, const W
             << std::endl;
 }
 
-// Returns a grid of n by n cells on [-1,1]^2, its inner vertices shaken by up to a quarter of a cell.
+// Returns a grid of n by n cells on [-1,1]^2, its inner vertices shaken by up to a quarter of a
+// cell.
 mesh shaken_grid(vertex_index n, std::uint64_t seed) {
   mesh m;
   const double h = 2.0 / n;

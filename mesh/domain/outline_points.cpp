@@ -64,8 +64,8 @@ class ring_walk {
   }
 
  private:
-  // Returns which part of a turn from b's direction to a leads to q: 0 less than half of it, 1 half,
-  // 2 more, 3 all.
+  // Returns which part of a turn from b's direction to a leads to q: 0 less than half of it, 1
+  // half, 2 more, 3 all.
   int part_of_turn(const point& b, const point& a, const point& q) const {
     const sign side = kernel_.orientation(b, a, q);
     if (side == sign::positive) return 0;

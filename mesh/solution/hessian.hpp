@@ -2,7 +2,8 @@
 //
 // Recovers the second derivatives of a field from its values at the vertices of a mesh.
 //
-//   l2_projection  the gradients of the triangles at a vertex, averaged by area; then the same of the
+//   l2_projection  the gradients of the triangles at a vertex, averaged by area; then the same of
+//   the
 //                  gradient's components (Clement's operator, twice; refine's default). Linear
 //                  fields have none to rounding, and so have quadratic ones theirs at vertices
 //                  inside a patch that is its own image under a half turn, as in a grid.

@@ -17,6 +17,8 @@ std::vector<metric_tensor> mean_moduli(const mesh& m, const mesh_links& links,
     moduli[v] = with_eigenvalues(e, std::abs(e.first), std::abs(e.second));
   });
   for_each_node(means.size(), [&](std::size_t v) {
+    means[v] = moduli[v];
+    if (links.on_boundary(static_cast<vertex_index>(v))) return;
     double whole = 0;
     metric_tensor sum{0, 0, 0};
     for (const incidence& at : links.around(static_cast<vertex_index>(v))) {
@@ -27,8 +29,7 @@ std::vector<metric_tensor> mean_moduli(const mesh& m, const mesh_links& links,
              sum.m22 + area * (a.m22 + b.m22 + c.m22)};
       whole += 3 * area;
     }
-    means[v] = whole > 0 ? metric_tensor{sum.m11 / whole, sum.m12 / whole, sum.m22 / whole}
-                         : moduli[v];
+    if (whole > 0) means[v] = {sum.m11 / whole, sum.m12 / whole, sum.m22 / whole};
   });
   return means;
 }

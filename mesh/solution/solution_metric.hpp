@@ -30,8 +30,8 @@
 
 namespace asterism {
 
-// Growth of sizes that loops do best with (docs/results/adaptation.md has 1.5 to 12, and none). What
-// grows faster is not delivered anyway, as stars do not agree about it; from 3 down, gradation
+// Growth of sizes that loops do best with (docs/results/adaptation.md has 1.5 to 12, and none).
+// What grows faster is not delivered anyway, as stars do not agree about it; from 3 down, gradation
 // takes the vertices that fronts need.
 inline constexpr double loop_gradation = 6;
 
@@ -86,8 +86,9 @@ ASTERISM_EXPORT result<solution_metric> make_solution_metric(
     const std::vector<std::vector<metric_tensor>>& intersected = {});
 
 // Puts bounds and gradation on a metric that is given, and scales it where a target is asked for;
-// the metric takes the place of steps 1 to 3, with options.isotropic made as strong in all directions
-// as in its strongest, and stays as it is where nothing is asked of it. With options.error it fails.
+// the metric takes the place of steps 1 to 3, with options.isotropic made as strong in all
+// directions as in its strongest, and stays as it is where nothing is asked of it. With
+// options.error it fails.
 ASTERISM_EXPORT result<solution_metric> shape_metric(
     const mesh& m, const std::vector<metric_tensor>& given, const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});

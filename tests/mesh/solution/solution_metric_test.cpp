@@ -266,6 +266,20 @@ TEST_CASE("a front asks for small triangles on the line where its second derivat
   CHECK(on_the_line > greatest / 25);  // lengths within a factor of five
 }
 
+TEST_CASE("a layer at the boundary is not averaged away") {
+  const mesh m = tests::sample_mesh(6);
+  const mesh_links links(m);
+  std::vector<metric_tensor> hessian(m.sites.size(), {1, 0, 1});
+  for (vertex_index v = 0; v < hessian.size(); ++v)
+    if (links.on_boundary(v)) hessian[v] = {100, 0, 1};
+  const auto means = mean_moduli(m, links, hessian);
+  for (vertex_index v = 0; v < hessian.size(); ++v)
+    if (links.on_boundary(v)) {
+      CHECK(means[v].m11 == Approx(100));
+      CHECK(means[v].m22 == Approx(1));
+    }
+}
+
 TEST_CASE("moduli of derivatives are averaged, so that halves of a wave do not cancel") {
   const mesh m = tests::sample_mesh(6);
   const mesh_links links(m);
@@ -295,9 +309,9 @@ TEST_CASE("the report lists the steps in the order they were done") {
   const auto metric = make_solution_metric(m, {field(m, "u", front), field(m, "w", layer)}, options,
                                            {other, other});
   REQUIRE(metric.ok());
-  CHECK(metric.value().report.steps ==
-        steps{"hessian lsq", "optimum inf isotropic", "fields 2", "factor", "intersect 2", "step 2",
-              "hmin 0.25", "hmax 8", "aspect 1e+06", "gradation 1.5 mixed"});
+  CHECK(metric.value().report.steps == steps{"hessian lsq", "optimum inf isotropic", "fields 2",
+                                             "factor", "intersect 2", "step 2", "hmin 0.25",
+                                             "hmax 8", "aspect 1e+06", "gradation 1.5 mixed"});
   CHECK(shape_metric(m, other, {}).value().report.steps == steps{"aspect 1e+06"});
 }
 
@@ -305,7 +319,8 @@ TEST_CASE("a metric that is given is made isotropic too, where that is asked for
   const mesh m = tests::sample_mesh(4);
   solution_metric_options options;
   options.isotropic = true;
-  const auto metric = shape_metric(m, std::vector<metric_tensor>(m.sites.size(), {5, 2, 2}), options);
+  const auto metric =
+      shape_metric(m, std::vector<metric_tensor>(m.sites.size(), {5, 2, 2}), options);
   REQUIRE(metric.ok());
   for (const metric_tensor& t : metric.value().tensors) {
     CHECK(t.m11 == Approx(6));
