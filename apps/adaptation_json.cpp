@@ -23,6 +23,7 @@ json names_of(const written_paths& files) {
 json of_metric(const solution_metric_report& r) {
   return {{"reached", r.reached},
           {"reason", r.reason},
+          {"steps", r.steps},
           {"fields", r.fields},
           {"flat_fields", r.flat_fields},
           {"complexity_asked", r.complexity_asked > 0 ? json(r.complexity_asked) : json()},

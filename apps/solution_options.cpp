@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "asterism/apps/option_values.hpp"
 #include "asterism/core/number_text.hpp"
@@ -43,24 +44,30 @@ void add_source_options(CLI::App& app, metric_request& request) {
       ->type_name("FILE");
 }
 
-void add_target_options(CLI::App& app, solution_metric_options& wishes) {
+void take_norm(const std::string& text, metric_request& request) {
+  request.names_norm = true;
+  request.wishes.norm.reset();
+  if (text == "inf") return;
+  const auto value = parse_number(text);
+  if (!value) throw CLI::ValidationError("--norm", value.failure().message);
+  if (!(value.value() >= norms.low && value.value() <= norms.high))
+    throw CLI::ValidationError("--norm", text + " is out of range: it must be " + norms.text);
+  request.wishes.norm = value.value();
+}
+
+void add_target_options(CLI::App& app, metric_request& request) {
+  solution_metric_options& wishes = request.wishes;
   app.add_option_function<std::string>(
-         "--hessian", [&wishes](const std::string& name) { wishes.hessian = methods.at(name); },
-         "lsq (default): fitted quadratics; green: weak form; l2: averages of averages")
+         "--hessian",
+         [&request](const std::string& name) {
+           request.names_hessian = true;
+           request.wishes.hessian = methods.at(name);
+         },
+         "green (default): weak form; lsq: fitted quadratics; l2: averages of averages")
       ->check(CLI::IsMember(methods))
       ->type_name("HOW");
   app.add_option_function<std::string>(
-         "--norm",
-         [&wishes](const std::string& text) {
-           wishes.norm.reset();
-           if (text == "inf") return;
-           const auto value = parse_number(text);
-           if (!value) throw CLI::ValidationError("--norm", value.failure().message);
-           if (!(value.value() >= norms.low && value.value() <= norms.high))
-             throw CLI::ValidationError("--norm",
-                                        text + " is out of range: it must be " + norms.text);
-           wishes.norm = value.value();
-         },
+         "--norm", [&request](const std::string& text) { take_norm(text, request); },
          "The P of the L^P norm in which the error is to be least (default 2)")
       ->type_name("P");
   add_real(
@@ -105,7 +112,7 @@ void add_bound_options(CLI::App& app, metric_request& request) {
       ->type_name("A");
   app.add_option_function<std::string>(
          "--gradation", [&request](const std::string& text) { take_gradation(text, request); },
-         "Greatest factor between the sizes of neighbours, about, or none (default: 3 for a "
+         "Greatest factor between the sizes of neighbours, about, or none (default: 6 for a "
          "solution, none for a metric)")
       ->type_name("B");
   app.add_option_function<std::string>(
@@ -114,7 +121,7 @@ void add_bound_options(CLI::App& app, metric_request& request) {
          "mixed (default): shapes round off with the distance; metric: they stay")
       ->check(CLI::IsMember({"mixed", "metric"}))
       ->type_name("SPACE");
-  app.add_flag("--isotropic", wishes.isotropic, "One size in all directions");
+  app.add_flag("--isotropic", wishes.isotropic, "One size in all directions, the least of them");
   add_real(
       app, "--step", factors, [&wishes](double x) { wishes.step = x; },
       "Greatest factor by which a size differs from that of the mesh")
@@ -125,7 +132,7 @@ void add_bound_options(CLI::App& app, metric_request& request) {
 
 void add_solution_options(CLI::App& app, metric_request& request) {
   add_source_options(app, request);
-  add_target_options(app, request.wishes);
+  add_target_options(app, request);
   add_bound_options(app, request);
 }
 
@@ -144,8 +151,13 @@ std::optional<error> check_request(const metric_request& request) {
   if (!request.fields.empty() && request.solution.empty())
     return error{"--field is of a --solution, and there is none", error_code::bad_option};
   const solution_metric_options& w = request.wishes;
-  if (w.error && request.solution.empty())
-    return error{"--error is of a --solution, and there is none", error_code::bad_option};
+  const std::pair<bool, const char*> of_solutions[] = {{w.error.has_value(), "--error"},
+                                                       {request.names_hessian, "--hessian"},
+                                                       {request.names_norm, "--norm"}};
+  for (const auto& [is_named, name] : of_solutions)
+    if (is_named && request.solution.empty())
+      return error{std::string(name) + " is of a --solution, and there is none",
+                   error_code::bad_option};
   if (w.vertices.has_value() + w.complexity.has_value() + w.error.has_value() > 1)
     return error{"one of --vertices, --complexity and --error can be wanted, not several",
                  error_code::bad_option};

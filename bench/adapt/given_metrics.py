@@ -33,6 +33,11 @@ def around(x, y, radial, tangential):
             + np.einsum("n,ni,nj->nij", tangential**-2, turned, turned))
 
 
+def around_origin(x, y, radial, tangential):
+    """The same, the origin being among the points: there the direction is that of x."""
+    return around(np.where(np.hypot(x, y) > 0, x, 1), y, radial, tangential)
+
+
 def side(x, y):
     return along_axes(0.1 + 0 * x, 0.01 + 0.09 * y)
 
@@ -45,8 +50,31 @@ def radial_1(x, y):
     return around(x + 0.5, y - 0.5, 0.01 + 0 * x, 0.1 + 0 * x)
 
 
-# Formula, limits of the lengths.
+def across_layer(distance):
+    return 0.001 + 0.198 * distance
+
+
+def linear(x, y):
+    return along_axes(0.1 + 0 * x, across_layer(np.abs(y - 0.5)))
+
+
+def polar_2(x, y):
+    distance = np.abs(np.hypot(x, y) - 0.5)
+    part = np.minimum(10 * distance, 1)
+    return around_origin(x, y, across_layer(distance), 0.1 * part + 0.025 * (1 - part))
+
+
+def circle_1(x, y):
+    x, y = x + 0.5, y - 0.5
+    r = np.hypot(x, y)
+    return around_origin(x, y, 0.0005 + 1.5 * np.abs(1 - r), 0.1 * r + 1.5 * np.abs(1 - r))
+
+
+# Formula, limits of the lengths, options of the command.
 METRICS = {
+    "linear": (linear, 0.40, 1.8),
+    "polar-2": (polar_2, 0.20, 3.0),
+    "circle-1": (circle_1, 0.30, 3.5, "--gradation", "1.5"),
     "side": (side, 0.50, 1.6),
     "masabl": (masabl, 0.40, 1.8),
     "radial-1": (radial_1, 0.25, 1.6),
@@ -83,20 +111,23 @@ def lengths_of(mesh, edges, tensors):
 
 
 def loop(name, options, folder):
-    """Status of the last round, vertices, lengths in the metric of the formula."""
-    formula = METRICS[name][0]
+    """Status of the last round, vertices, lengths in the metric of the formula, or as it was graded."""
+    formula, _, _, *grading = METRICS[name]
     mesh, status = unit_grid(options.start), None
     for _ in range(options.rounds):
         write_with_corners(folder / "old.mesh", mesh)
         tensors = formula(*mesh.points.T)
         meshes.write_sol(folder / "wanted.sol", tensors)
-        done = subprocess.run([options.asterism, "adapt", "old.mesh", "--metric", "wanted.sol",
+        done = subprocess.run([options.asterism, "adapt", "old.mesh", "--metric", "wanted.sol", *grading,
                                "--threads", "1", "--quiet", "-o", "new.mesh"], cwd=folder, check=False)
         status = done.returncode
         mesh = meshes.read(folder / "new.mesh")
     t = mesh.triangles
     edges = np.unique(np.sort(np.concatenate([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]]), axis=1), axis=0)
-    return status, len(mesh.points), lengths_of(mesh, edges, formula(*mesh.points.T))
+    tensors = formula(*mesh.points.T)
+    if grading:  # what it was graded to, on the mesh before
+        tensors = meshes.read_sol(folder / "new.sol")
+    return status, len(mesh.points), lengths_of(mesh, edges, tensors)
 
 
 def main():
@@ -114,7 +145,7 @@ def main():
         folder = pathlib.Path(options.work) / name
         folder.mkdir(parents=True, exist_ok=True)
         status, count, lengths = loop(name, options, folder)
-        _, low, high = METRICS[name]
+        _, low, high, *_ = METRICS[name]
         good = status == 0 and low <= lengths.min() and lengths.max() <= high
         outside += 0 if good else 1
         print(f"| {name} | {status} | {count} | {lengths.min():.2f}, {lengths.max():.2f} "

@@ -85,6 +85,14 @@ def write_sol(path, tensors):
         out.write("End\n")
 
 
+def read_sol(path):
+    """The tensors of a metric in text."""
+    words = path.read_text(encoding="utf-8").split()
+    at = words.index("SolAtVertices") + 1
+    a, b, c = np.array(words[at + 3:at + 3 + 3 * int(words[at])], dtype=float).reshape(-1, 3).T
+    return np.stack([np.stack([a, b], -1), np.stack([b, c], -1)], -2)
+
+
 def node_areas(mesh):
     shares = np.zeros(len(mesh.points))
     for i in range(3):

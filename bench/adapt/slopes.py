@@ -23,13 +23,14 @@ def measured(kind, name, wanted, options):
     kept = folder / "measured.json"
     if kept.exists():
         return json.loads(kept.read_text(encoding="utf-8"))
+    if options.kept_only:
+        return None
     folder.mkdir(parents=True, exist_ok=True)
     rows = solution_loop.loop(kind(options, wanted), name, folder, options)
-    tail = [row for row in rows[-3:] if np.isfinite(row[2])]
-    if len(rows) < options.rounds or not tail:
+    product, vertices, _, seconds = solution_loop.last(rows, options)
+    if not np.isfinite(product):
         return None
-    made = {"vertices": float(np.median([n for _, n, _, _ in tail])),
-            "product": float(np.median([n * e for _, n, e, _ in tail])),
+    made = {"vertices": vertices, "product": product, "seconds": seconds,
             "statuses": [row[0] for row in rows]}
     kept.write_text(json.dumps(made), encoding="utf-8")
     return made
@@ -80,12 +81,13 @@ def main():
     parser.add_argument("--bamg", default="ffbamg")
     parser.add_argument("--work", default="/tmp/bench-slopes")
     parser.add_argument("--functions", nargs="+", default=solution_loop.TEN)
-    parser.add_argument("--vertices", nargs="+", type=int, default=[500, 1000, 2000, 4000, 8000])
+    parser.add_argument("--vertices", nargs="+", type=int, default=[500, 2000, 8000])
     parser.add_argument("--rounds", type=int, default=6)
-    parser.add_argument("--hessian", default="lsq")
+    parser.add_argument("--free-counts", action="store_true", help="of BAMG")
     parser.add_argument("--with-options", default="")
     parser.add_argument("--limit", type=float, default=900)
     parser.add_argument("--resolved", type=int, default=2000, help="least count that slopes are taken from")
+    parser.add_argument("--kept-only", action="store_true", help="measure nothing, show what is there")
     parser.add_argument("--picture")
     options = parser.parse_args()
     options.asterism = os.path.abspath(options.asterism)

@@ -2,7 +2,7 @@
 """Adaptation loops from the solution: values at the vertices in, the next mesh out, beside BAMG's own
 loop from the same values. Prints a table row for each function: error times vertices over BAMG's.
 
-  solution_loop.py --asterism COMMAND [--functions NAME...] [--vertices N...] [--rounds N] [--hessian HOW]
+  solution_loop.py --asterism COMMAND [--functions NAME...] [--vertices N...] [--rounds N]
 """
 import argparse
 import os
@@ -37,21 +37,41 @@ def write_values(folder, mesh, name):
 
 
 class Bamg:
-    """Its own Hessian and metric. It has no count to ask for: the error wanted is corrected from
-    round to round, as the count falls as its inverse."""
+    """Its own Hessian and metric. It has no count to ask for, so the error wanted is searched for in each round
+    until there are as many vertices as wanted, to 2 %; the last try counts, and its time. With --free-counts
+    it is corrected from round to round instead, as the count falls as its inverse."""
     name = "BAMG"
 
     def __init__(self, options, wanted):
         self.options, self.wanted, self.error = options, wanted, 0.01
 
-    def step(self, folder):
+    def once(self, folder):
+        for old in folder.glob("new*"):
+            old.unlink()
         done, seconds = run([self.options.bamg, "-b", "old.mesh", "-Mbb", "u.bb", "-AbsError", "-err",
                              repr(self.error), "-nbv", str(20 * self.wanted + 2000), "-o", "new.mesh",
                              "-v", "1"], folder, self.options.limit)
-        return done.returncode, seconds
+        made = folder / "new.mesh"
+        return done.returncode, seconds, len(meshes.read(made).points) if made.exists() else 0
+
+    def step(self, folder):
+        bounds = {}  # by whether there were too many: error and count
+        for tried in range(14):
+            status, seconds, count = self.once(folder)
+            if self.options.free_counts or count == 0 or abs(count / self.wanted - 1) <= 0.02:
+                break
+            bounds[count > self.wanted] = (np.log(self.error), np.log(count))
+            if len(bounds) == 2:
+                (x, n), (y, m) = bounds[True], bounds[False]
+                part = 0.5 if tried % 4 == 3 else np.clip((n - np.log(self.wanted)) / (n - m), 0.1, 0.9)
+                self.error = float(np.exp(x + part * (y - x)))
+            else:
+                self.error *= min(16, max(1 / 16, count / self.wanted))
+        return status, seconds
 
     def learn(self, vertices):
-        self.error *= min(4, max(0.25, vertices / self.wanted))
+        if self.options.free_counts:
+            self.error *= min(4, max(0.25, vertices / self.wanted))
 
 
 class Asterism:
@@ -62,8 +82,7 @@ class Asterism:
 
     def step(self, folder):
         done, seconds = run([self.options.asterism, "adapt", "old.mesh", "--solution", "u.sol",
-                             "--vertices", str(self.wanted), "--hessian", self.options.hessian,
-                             "--threads", "1", *self.options.with_options.split(), "-o", "new.mesh"],
+                             "--vertices", str(self.wanted), "--threads", "1", *self.options.with_options.split(), "-o", "new.mesh"],
                             folder, self.options.limit)
         if done.returncode != 0:
             print("   ", done.stderr.strip()[-300:])
@@ -96,12 +115,14 @@ def loop(contender, name, folder, options):
 
 
 def last(rows, options):
-    """Median of error times vertices over the last three rounds, vertices, seconds."""
+    """Error times vertices, vertices and error, geometric means over the last three rounds (BAMG's loops
+    often alternate between two errors), and the median of the seconds."""
     tail = rows[-3:] if len(rows) == options.rounds else []
     if not tail:
         return (float("nan"),) * 4
-    return (float(np.median([n * e for _, n, e, _ in tail])), tail[-1][1], tail[-1][2],
-            float(np.median([s for *_, s in tail])))
+    mean = lambda of: float(np.exp(np.mean(np.log(of))))  # noqa: E731
+    return (mean([n * e for _, n, e, _ in tail]), round(mean([n for _, n, _, _ in tail])),
+            mean([e for _, _, e, _ in tail]), float(np.median([s for *_, s in tail])))
 
 
 def main():
@@ -112,7 +133,7 @@ def main():
     parser.add_argument("--functions", nargs="+", default=TEN)
     parser.add_argument("--vertices", nargs="+", type=int, default=[2000])
     parser.add_argument("--rounds", type=int, default=6)
-    parser.add_argument("--hessian", default="lsq")
+    parser.add_argument("--free-counts", action="store_true", help="of BAMG")
     parser.add_argument("--with-options", default="")
     parser.add_argument("--limit", type=float, default=120)
     options = parser.parse_args()

@@ -39,7 +39,7 @@ inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-
                                                                          "repair", "size"};
 
 // A transfer adds names that begin with "transfer-", some for each component.
-inline constexpr std::array<std::string_view, 46> adapt_option_names = {
+inline constexpr std::array<std::string_view, 47> adapt_option_names = {
     "adapt-aspect",
     "adapt-complexity",
     "adapt-error",
@@ -85,6 +85,7 @@ inline constexpr std::array<std::string_view, 46> adapt_option_names = {
     "metric-noise",
     "metric-reached",
     "metric-step-limited",
+    "metric-steps",
     "metric-tolerance"};
 
 }  // namespace asterism::internal

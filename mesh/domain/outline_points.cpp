@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 
 namespace asterism::internal {
@@ -43,23 +44,63 @@ point point_inside(const domain& d, const std::vector<vertex_index>& ring) {
   return {(v.x + a.x + b.x) / 3, (v.y + a.y + b.y) / 3};
 }
 
+// Walks along the boundary with what is outside the mesh on the right. Where rings touch, several
+// segments begin at a vertex; the walk goes on along the first one counter-clockwise from where it
+// came, beyond which is mesh again. So each walk is around one hole, or around what is outside.
+class ring_walk {
+ public:
+  explicit ring_walk(const domain& shape) : shape_(shape), from_(shape.vertices.size()) {
+    for (vertex_index s = 0; s < shape.segments.size(); ++s)
+      if (!shape.segments[s].internal) from_[shape.segments[s].a].push_back(s);
+  }
+
+  // Returns the segment after this one; none where the boundary ends.
+  vertex_index next(vertex_index s) const {
+    const segment& came = shape_.segments[s];
+    vertex_index first = none;
+    for (const vertex_index t : from_[came.b])
+      if (first == none || is_before(came, t, first)) first = t;
+    return first;
+  }
+
+ private:
+  // Returns which part of a turn from b's direction to a leads to q: 0 less than half of it, 1
+  // half, 2 more, 3 all.
+  int part_of_turn(const point& b, const point& a, const point& q) const {
+    const sign side = kernel_.orientation(b, a, q);
+    if (side == sign::positive) return 0;
+    if (side == sign::negative) return 2;
+    return lexicographically_less(b, a) == lexicographically_less(b, q) ? 3 : 1;
+  }
+
+  bool is_before(const segment& came, vertex_index s, vertex_index t) const {
+    const point &a = shape_.vertices[came.a], &b = shape_.vertices[came.b],
+                &p = shape_.vertices[shape_.segments[s].b],
+                &q = shape_.vertices[shape_.segments[t].b];
+    const int to_p = part_of_turn(b, a, p), to_q = part_of_turn(b, a, q);
+    if (to_p != to_q) return to_p < to_q;
+    return kernel_.orientation(b, p, q) == sign::positive;
+  }
+
+  const domain& shape_;
+  std::vector<std::vector<vertex_index>> from_;  // segments that begin at each vertex
+  filtered_kernel kernel_;
+};
+
 }  // namespace
 
 bool add_hole_points(domain& shape) {
-  std::vector<vertex_index> next(shape.vertices.size(), none);
-  for (const segment& s : shape.segments) {
-    if (s.internal) continue;
-    if (next[s.a] != none) return false;
-    next[s.a] = s.b;
-  }
-  std::vector<char> seen(next.size(), 0);
-  for (vertex_index start = 0; start < next.size(); ++start) {
-    if (next[start] == none || seen[start] != 0) continue;
+  const ring_walk walk(shape);
+  std::vector<char> seen(shape.segments.size(), 0);
+  for (vertex_index start = 0; start < seen.size(); ++start) {
+    if (shape.segments[start].internal || seen[start] != 0) continue;
     std::vector<vertex_index> ring;
-    for (vertex_index v = start; v != none && seen[v] == 0; v = next[v]) {
-      seen[v] = 1;
-      ring.push_back(v);
+    vertex_index s = start;
+    for (; s != none && seen[s] == 0; s = walk.next(s)) {
+      seen[s] = 1;
+      ring.push_back(shape.segments[s].a);
     }
+    if (s != start) return false;
     double area = 0;
     for (std::size_t i = 0; i < ring.size(); ++i)
       area += doubled(shape.vertices[ring[0]], shape.vertices[ring[i]],

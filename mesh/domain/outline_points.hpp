@@ -10,7 +10,7 @@
 namespace asterism::internal {
 
 // Adds a point in each hole of a domain whose boundary segments have it on their left. Returns
-// false where rings of segments touch, so that it is not plain which holes there are.
+// false where segments do not close to rings. Rings may touch at vertices.
 bool add_hole_points(domain& shape);
 
 // Adds a point for each part of the mesh between its segments, with its region, where the mesh has

@@ -22,6 +22,7 @@ struct metric_request {
   bool implied = false;                  // the mesh's own metric in place of a solution
   solution_metric_options wishes;
   bool names_gradation = false;  // else the default of the source holds
+  bool names_hessian = false, names_norm = false;
 };
 
 // A request, read and answered.

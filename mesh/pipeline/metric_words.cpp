@@ -19,9 +19,10 @@ constexpr std::array<const char*, 3> methods = {"l2", "green", "lsq"};
 constexpr char separator =
     '\n';  // in no name of a field that a file can have, nor in a file's name
 
-std::string joined(const std::vector<std::string>& all) {
+std::string joined(const std::vector<std::string>& all,
+                   const std::string& between = std::string(1, separator)) {
   std::string text;
-  for (const std::string& one : all) text += (text.empty() ? "" : std::string(1, separator)) + one;
+  for (const std::string& one : all) text += (text.empty() ? "" : between) + one;
   return text;
 }
 
@@ -139,6 +140,7 @@ words words_of(const solution_metric_report& r) {
   words all;
   for (const auto& [name, value] : numbers) all[std::string("metric-") + name] = number_text(value);
   all["metric-fields"] = r.fields.empty() ? "none" : joined(r.fields);
+  all["metric-steps"] = joined(r.steps, "; ");
   all["metric-flat-fields"] = std::to_string(r.flat_fields);
   all["metric-gradation-rounds"] = std::to_string(r.gradation_rounds);
   all["metric-gradation-ended"] = yes_or_no(r.gradation_ended);

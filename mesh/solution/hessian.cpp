@@ -25,6 +25,7 @@ class recovery {
     } else if (method == hessian_method::green) {
       made_.at = weak_second_derivatives(mesh_, links_, triangle_gradients(mesh_, values_));
       forget_boundary();
+      fit_boundary();
     } else {
       made_.at = second_means(mesh_, links_, gradients());
       forget_boundary();
@@ -52,6 +53,18 @@ class recovery {
       const auto fitted = fit_quadratic(mesh_, links_, values_, static_cast<vertex_index>(i));
       known_[i] = fitted ? 1 : 0;
       if (fitted) made_.at[i] = fitted->second;
+    });
+  }
+
+  // A half of a patch says little of derivatives across the boundary; a quadratic says all it can.
+  void fit_boundary() {
+    for_each_node(values_.size(), [&](std::size_t i) {
+      const auto v = static_cast<vertex_index>(i);
+      if (!links_.on_boundary(v)) return;
+      const auto fitted = fit_quadratic(mesh_, links_, values_, v);
+      if (!fitted) return;
+      made_.at[i] = fitted->second;
+      known_[i] = 1;
     });
   }
 

@@ -7,18 +7,19 @@
 //                  gradient's components (Clement's operator, twice; refine's default). Linear
 //                  fields have none to rounding, and so have quadratic ones theirs at vertices
 //                  inside a patch that is its own image under a half turn, as in a grid.
-//   green          the weak form: -sum |T| d_i u d_j phi / (sum |T| / 3), as BAMG has it. Linear
-//   fields
-//                  as above; quadratic ones in a grid whose diagonals are parallel.
+//   green          the weak form: -sum |T| d_i u d_j phi / (sum |T| / 3), that is, the jumps of the
+//                  gradient across the edges at a vertex. Linear fields as above; quadratic ones in
+//                  a grid whose diagonals are parallel. At the boundary as the third. The default.
 //   least_squares  a quadratic fitted to two rings of neighbours, in coordinates in which their
 //                  covariance is the identity: else thin patches are singular. The near ones count
-//                  most. Linear and quadratic fields to rounding, everywhere. The default.
+//                  most. Linear and quadratic fields to rounding, everywhere.
 //
 // The first averages over the widest patch: it does not see waves of a few edges, so that a loop
-// never resolves them. The second and third do (docs/results/adaptation.md).
+// never resolves them. The third does, but flattens a front that is as wide as an edge; the second,
+// which looks at one ring alone, does not (docs/results/adaptation.md).
 //
-// At the boundary the first two take the mean of the neighbours inside, as one-sided patches say
-// nothing of second derivatives; gradients there, which the first needs, come from the third.
+// At the boundary the first takes the mean of the neighbours inside, as one-sided patches say
+// nothing of second derivatives; gradients there, which it needs, come from the third.
 // Second differences that rounding of the values alone may have made are set to zero.
 // Neighbours are those by edges of the mesh, so nothing is read across a gap.
 #pragma once
@@ -48,6 +49,6 @@ struct recovered_hessian {
 // parallel, the same for any number of threads.
 ASTERISM_EXPORT result<recovered_hessian> recover_hessian(
     const mesh& m, const std::vector<double>& values,
-    hessian_method method = hessian_method::least_squares);
+    hessian_method method = hessian_method::green);
 
 }  // namespace asterism

@@ -13,10 +13,13 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
+#include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/graph_gradation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
+#include "asterism/mesh/solution/mean_moduli.hpp"
 #include "asterism/mesh/solution/metric_bounds.hpp"
+#include "asterism/mesh/solution/metric_steps.hpp"
 #include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
 
@@ -67,6 +70,7 @@ class metric_maker {
         areas_(nodal_areas(m, links_)) {}
 
   const std::vector<double>& areas() const { return areas_; }
+  const mesh_links& links() const { return links_; }
   solution_metric_report& report() { return report_; }
   void set_raw(tensors raw) { raw_ = std::move(raw); }
   // The metric keeps its own complexity unless one is asked for.
@@ -228,6 +232,7 @@ void metric_maker::say(double target, double got) {
 
 result<solution_metric> metric_maker::run() {
   if (auto failed = set_implied()) return *failed;
+  report_.steps = metric_steps(options_, absolute_.size(), others_.size());
   for (const tensors& other : others_)
     if (other.size() != mesh_.sites.size())
       return error{fmt::format("{} tensors to intersect with, for {} vertices", other.size(),
@@ -256,6 +261,16 @@ result<solution_metric> metric_maker::run() {
   return solution_metric{std::move(made_), std::move(report_)};
 }
 
+// Returns tensors with the greater eigenvalue in all directions.
+tensors rounded(const tensors& given) {
+  tensors made(given.size());
+  for_each_node(given.size(), [&](std::size_t v) {
+    const double strong = eigen_of(given[v]).first;
+    made[v] = {strong, 0, strong};
+  });
+  return made;
+}
+
 failure check_mesh(const mesh& m) {
   if (m.sites.empty() || m.triangles.empty()) return error{"the mesh has no triangle"};
   return {};
@@ -280,8 +295,10 @@ result<solution_metric> make_solution_metric(const mesh& m, const std::vector<no
   solution_metric_report& report = maker.report();
   std::size_t noise = 0, at_boundary = 0, floored = 0;
   for (const nodal_values* f : sorted) {
-    const auto hessian = recover_hessian(m, f->values, options.hessian);
+    auto hessian = recover_hessian(m, f->values, options.hessian);
     if (!hessian) return hessian.failure().at("field " + f->name);
+    if (options.hessian == hessian_method::green)
+      hessian.value().at = mean_moduli(m, maker.links(), hessian.value().at);
     auto own =
         make_optimal_metric(hessian.value().at, maker.areas(), options.norm, options.isotropic);
     report.fields.push_back(f->name);
@@ -321,7 +338,7 @@ result<solution_metric> shape_metric(const mesh& m, const tensors& given,
   if (given.size() != m.sites.size())
     return error{fmt::format("{} tensors for {} vertices", given.size(), m.sites.size())};
   metric_maker maker(m, options, intersected);
-  maker.set_given(given);
+  maker.set_given(options.isotropic ? rounded(given) : given);
   return maker.run();
 }
 

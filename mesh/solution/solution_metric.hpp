@@ -30,14 +30,14 @@
 
 namespace asterism {
 
-// Growth of sizes that loops do best with (docs/results/adaptation.md has 1.5 to 6, and none). What
-// grows faster is not delivered anyway, as stars do not agree about it; from 2 down, gradation
+// Growth of sizes that loops do best with (docs/results/adaptation.md has 1.5 to 12, and none).
+// What grows faster is not delivered anyway, as stars do not agree about it; from 3 down, gradation
 // takes the vertices that fronts need.
-inline constexpr double loop_gradation = 3;
+inline constexpr double loop_gradation = 6;
 
 // Wishes. At most one of vertices, complexity and error; without, as many vertices as the mesh has.
 struct solution_metric_options {
-  hessian_method hessian = hessian_method::least_squares;
+  hessian_method hessian = hessian_method::green;
   std::optional<double> norm = 2;       // p of L^p, at least 1; none: the maximum norm
   std::optional<double> vertices = {};  // a mesh of unit edges has 2 / sqrt 3 times the complexity
   std::optional<double> complexity = {};  // area in the metric
@@ -53,6 +53,7 @@ struct solution_metric_options {
 
 // Numbers of what was done. Shares are parts of the vertices.
 struct solution_metric_report {
+  std::vector<std::string> steps;   // in the order they were done, a word each and its numbers
   std::vector<std::string> fields;  // in the order of their intersection
   std::size_t flat_fields = 0;      // without second derivatives
   double share_noise = 0;           // of vertices and fields: nothing but rounding
@@ -85,8 +86,9 @@ ASTERISM_EXPORT result<solution_metric> make_solution_metric(
     const std::vector<std::vector<metric_tensor>>& intersected = {});
 
 // Puts bounds and gradation on a metric that is given, and scales it where a target is asked for;
-// the metric takes the place of
-// steps 1 to 3, and stays as it is where nothing is asked of it. With options.error it fails.
+// the metric takes the place of steps 1 to 3, with options.isotropic made as strong in all
+// directions as in its strongest, and stays as it is where nothing is asked of it. With
+// options.error it fails.
 ASTERISM_EXPORT result<solution_metric> shape_metric(
     const mesh& m, const std::vector<metric_tensor>& given, const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});

@@ -34,7 +34,7 @@ def metric(mesh: Mesh, values: Fields, *, norm: float = 2, complexity: Optional[
            hmax: Optional[float] = None, aspect: Optional[float] = None,
            intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None,
            isotropic: bool = False, gradation_keeps_shape: bool = False,
-           hessian: str = "least_squares") -> ReportedArray:
+           hessian: str = "green") -> ReportedArray:
     """The metric (n, 3) at the mesh's points in which the next mesh interpolates `values` best.
 
     values: a number a point (n,); a dict of such fields by name, whose metrics are intersected in
@@ -43,7 +43,7 @@ def metric(mesh: Mesh, values: Fields, *, norm: float = 2, complexity: Optional[
     At most one of complexity (area in the metric), vertices and error; without, as many vertices as
     the mesh has. hmin, hmax: lengths; aspect: how many times as long as wide, at most (1e6).
     gradation: neighbouring lengths grow by this factor at most over a length of one; None: by any. By
-    default 3 for fields, with which loops do best, and None for a metric.
+    default 6 for fields, with which loops do best, and None for a metric.
     intersect: metrics (n, 3) that are to hold besides. step: how many times a length may change from
     what it is in the mesh. hessian: 'l2', 'green' or 'least_squares' (docs/manual/adaptation.md).
     A target that cannot be met is a NotReachedWarning; `report` of the result has the numbers.

@@ -73,6 +73,7 @@ hessian_method method_of(const std::string& name) {
 
 py::dict dict_of(const solution_metric_report& r) {
   py::dict d;
+  d["steps"] = r.steps;
   d["fields"] = r.fields;
   d["complexity_asked"] = r.complexity_asked;
   d["complexity_before_gradation"] = r.complexity_before_gradation;

@@ -41,11 +41,11 @@ def test_a_metric_that_is_given_is_bounded(background):
     assert values.min() >= 25 * (1 - 1e-12) and values.max() <= 100 * (1 + 1e-12)
 
 
-def test_the_gradation_of_a_field_is_three_unless_named_and_of_a_metric_none(background):
-    u = ridge(background.points)
-    by_default, three, none = (asterism.metric(background, u, vertices=400, **words)
-                               for words in ({}, {"gradation": 3}, {"gradation": None}))
-    assert np.array_equal(by_default, three) and not np.array_equal(three, none)
+def test_the_gradation_of_a_field_is_six_unless_named_and_of_a_metric_none(background):
+    u = np.tanh(100 * (background.points[:, 0] - 0.37))
+    by_default, six, none = (asterism.metric(background, u, vertices=400, **words)
+                             for words in ({}, {"gradation": 6}, {"gradation": None}))
+    assert np.array_equal(by_default, six) and not np.array_equal(six, none)
     steep = np.array(background.metric) * np.exp(3 * background.points[:, :1])
     assert np.array_equal(asterism.metric(background, steep), steep)
 

@@ -88,9 +88,9 @@ class MetricTest(AdaptationTest):
             texts.append((self.folder / "m.sol").read_bytes())
         self.assertEqual(*texts)
 
-    def test_gradation_of_a_solution_is_three_unless_named(self):
+    def test_gradation_of_a_solution_is_six_unless_named(self):
         texts = []
-        for words in ((), ("--gradation", "3"), ("--gradation", "none")):
+        for words in ((), ("--gradation", "6"), ("--gradation", "none")):
             done = self.metric("--solution", "u.sol", "--vertices", "900", *words)
             texts.append((self.folder / "m.sol").read_text())
         self.assertEqual(texts[0], texts[1])
@@ -170,6 +170,13 @@ class MetricTest(AdaptationTest):
 
 
 class AdaptTest(AdaptationTest):
+    def test_wishes_of_a_solution_are_refused_without_one(self):
+        self.write("m.sol", solution_text([(1.0, 0.0, 4.0)] * len(self.points), (3,)))
+        for wish in (("--norm", "1"), ("--hessian", "l2"), ("--error", "0.1")):
+            for source in (("--metric", "m.sol"), ("--implied",)):
+                self.refused("metric", "g.mesh", *source, *wish, "-o", "n.mesh",
+                             sentence=wish[0] + " is of a --solution, and there is none")
+
     def adapt(self, mesh, *arguments, status=0):
         done = self.run_command("adapt", mesh, *arguments)
         self.assertEqual(done.returncode, status, done.stderr)

@@ -8,10 +8,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include "asterism/mesh/domain/outline_points.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 
 using namespace asterism;
+using internal::enclosed_area;
 using tests::divided_mesh;
 using tests::sample_mesh;
 
@@ -35,6 +38,33 @@ mesh disc(vertex_index n, double size) {
     m.triangles.push_back({i, (i + 1) % n, n});
     m.boundary.push_back({i, (i + 1) % n, i, 7});
   }
+  return m;
+}
+
+// Cells of a grid, n in a row, those that are marked by a dot in `plan` left out; the boundary with
+// the mesh on its left. `plan` has the lowest row first.
+mesh cells(int n, const std::string& plan) {
+  mesh m;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) m.sites.push_back({{1.0 * i, 1.0 * j}, {1, 0, 1}});
+  const auto is_there = [&](int i, int j) {
+    return i >= 0 && j >= 0 && i < n && j < n && plan[static_cast<std::size_t>(n * j + i)] != '.';
+  };
+  const auto edge = [&](int a, int b) {
+    m.boundary.push_back({static_cast<vertex_index>(a), static_cast<vertex_index>(b), 0, 1});
+  };
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      if (!is_there(i, j)) continue;
+      const int a = (n + 1) * j + i, b = a + 1, c = a + n + 2, d = a + n + 1;
+      const auto at = [](int v) { return static_cast<vertex_index>(v); };
+      m.triangles.push_back({at(a), at(b), at(c)});
+      m.triangles.push_back({at(a), at(c), at(d)});
+      if (!is_there(i, j - 1)) edge(a, b);
+      if (!is_there(i + 1, j)) edge(b, c);
+      if (!is_there(i, j + 1)) edge(c, d);
+      if (!is_there(i - 1, j)) edge(d, a);
+    }
   return m;
 }
 
@@ -124,6 +154,54 @@ TEST_CASE("holes stay holes") {
   CHECK(found.shape.vertices.size() == 8);
   CHECK(found.shape.segments.size() == 8);
   CHECK_FALSE(found.keeps_all);
+}
+
+TEST_CASE("holes that touch in a corner let go of what lies between corners") {
+  // Two holes of 2 by 2 cells each; the vertex they share is a corner of both.
+  const auto found = outline(cells(6,
+                                   "oooooo"
+                                   "o..ooo"
+                                   "o..ooo"
+                                   "ooo..o"
+                                   "ooo..o"
+                                   "oooooo"));
+  CHECK_FALSE(found.keeps_all);
+  CHECK(found.shape.vertices.size() == 4 + 4 + 4 - 1);
+  CHECK(found.shape.segments.size() == 12);
+  CHECK(found.shape.holes.size() == 2);
+}
+
+TEST_CASE("a hole that touches the outer boundary, and parts that touch, let go as well") {
+  const auto dented = outline(cells(6,
+                                    "..oooo"
+                                    "..oooo"
+                                    "oo..oo"
+                                    "oo..oo"
+                                    "oooooo"
+                                    "oooooo"));
+  CHECK_FALSE(dented.keeps_all);
+  CHECK(dented.shape.vertices.size() == 6 + 3);
+  CHECK(dented.shape.holes.size() == 1);
+  const auto parts = outline(cells(4,
+                                   "oo.."
+                                   "oo.."
+                                   "..oo"
+                                   "..oo"));
+  CHECK_FALSE(parts.keeps_all);
+  CHECK(parts.shape.vertices.size() == 7);
+  CHECK(parts.shape.holes.empty());
+}
+
+TEST_CASE("an island that touches the hole around it stays") {
+  const auto found = outline(cells(6,
+                                   "oooooo"
+                                   "o....o"
+                                   "o....o"
+                                   "o..o.o"
+                                   "o...oo"
+                                   "oooooo"));
+  CHECK_FALSE(found.keeps_all);
+  CHECK(enclosed_area(found.shape) == 36 - 14);
 }
 
 TEST_CASE("marks of vertices that do not exist are refused") {

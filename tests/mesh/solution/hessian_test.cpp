@@ -88,7 +88,8 @@ TEST_CASE("averages and the weak form recover a quadratic field on a grid") {
   for (const auto method : {hessian_method::l2_projection, hessian_method::green}) {
     const auto found = recovered(m, values, method);
     CHECK(greatest_error(found, quadratic) < 1e-10);
-    CHECK(found.at_boundary == 40);
+    // The weak form leaves the boundary to quadratics.
+    CHECK(found.at_boundary == (method == hessian_method::green ? 0 : 40));
   }
 }
 

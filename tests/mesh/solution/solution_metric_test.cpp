@@ -13,6 +13,7 @@
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
+#include "asterism/mesh/solution/mean_moduli.hpp"
 #include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
@@ -245,4 +246,86 @@ TEST_CASE("the metric is the same for any number of threads") {
   const auto many = made(m, fields, options);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   CHECK(many.tensors == made(m, fields, options).tensors);
+}
+
+TEST_CASE("a front asks for small triangles on the line where its second derivatives vanish") {
+  // Averages of signed derivatives, or a quadratic over two rings, see next to nothing there when
+  // the front is as wide as an edge, and the loop never resolved it.
+  const mesh m = tests::sample_mesh(20);
+  const auto across = [](const point& q) { return std::tanh(10 * q.x); };
+  solution_metric_options options;
+  options.complexity = 400;
+  const auto metric = made(m, {field(m, "u", across)}, options);
+  double on_the_line = 1e300, greatest = 0;
+  for (std::size_t v = 0; v < m.sites.size(); ++v) {
+    const double strength = metric.tensors[v].m11;
+    greatest = std::max(greatest, strength);
+    if (std::abs(m.sites[v].position.x) < 0.02) on_the_line = std::min(on_the_line, strength);
+  }
+  CHECK(on_the_line < 1e300);
+  CHECK(on_the_line > greatest / 25);  // lengths within a factor of five
+}
+
+TEST_CASE("a layer at the boundary is not averaged away") {
+  const mesh m = tests::sample_mesh(6);
+  const mesh_links links(m);
+  std::vector<metric_tensor> hessian(m.sites.size(), {1, 0, 1});
+  for (vertex_index v = 0; v < hessian.size(); ++v)
+    if (links.on_boundary(v)) hessian[v] = {100, 0, 1};
+  const auto means = mean_moduli(m, links, hessian);
+  for (vertex_index v = 0; v < hessian.size(); ++v)
+    if (links.on_boundary(v)) {
+      CHECK(means[v].m11 == Approx(100));
+      CHECK(means[v].m22 == Approx(1));
+    }
+}
+
+TEST_CASE("moduli of derivatives are averaged, so that halves of a wave do not cancel") {
+  const mesh m = tests::sample_mesh(6);
+  const mesh_links links(m);
+  std::vector<metric_tensor> hessian(m.sites.size(), {3, 0, -2});
+  for (std::size_t v = 0; v < hessian.size(); v += 2) hessian[v] = {-3, 0, 2};
+  for (const metric_tensor& t : mean_moduli(m, links, hessian)) {
+    CHECK(t.m11 == Approx(3));
+    CHECK(std::abs(t.m12) < 1e-12);
+    CHECK(t.m22 == Approx(2));
+  }
+}
+
+TEST_CASE("the report lists the steps in the order they were done") {
+  const mesh m = tests::sample_mesh(8);
+  using steps = std::vector<std::string>;
+  solution_metric_options options;
+  CHECK(made(m, {field(m, "u", front)}, options).report.steps ==
+        steps{"hessian green", "moduli", "optimum 2", "factor", "aspect 1e+06"});
+  options.hessian = hessian_method::least_squares;
+  options.norm = {};
+  options.isotropic = true;
+  options.least_size = 0.25;
+  options.greatest_size = 8;
+  options.step = 2;
+  options.gradation = 1.5;
+  const std::vector<metric_tensor> other(m.sites.size(), {1, 0, 1});
+  const auto metric = make_solution_metric(m, {field(m, "u", front), field(m, "w", layer)}, options,
+                                           {other, other});
+  REQUIRE(metric.ok());
+  CHECK(metric.value().report.steps == steps{"hessian lsq", "optimum inf isotropic", "fields 2",
+                                             "factor", "intersect 2", "step 2", "hmin 0.25",
+                                             "hmax 8", "aspect 1e+06", "gradation 1.5 mixed"});
+  CHECK(shape_metric(m, other, {}).value().report.steps == steps{"aspect 1e+06"});
+}
+
+TEST_CASE("a metric that is given is made isotropic too, where that is asked for") {
+  const mesh m = tests::sample_mesh(4);
+  solution_metric_options options;
+  options.isotropic = true;
+  const auto metric =
+      shape_metric(m, std::vector<metric_tensor>(m.sites.size(), {5, 2, 2}), options);
+  REQUIRE(metric.ok());
+  for (const metric_tensor& t : metric.value().tensors) {
+    CHECK(t.m11 == Approx(6));
+    CHECK(t.m12 == 0);
+    CHECK(t.m22 == t.m11);
+  }
+  CHECK(metric.value().report.steps == std::vector<std::string>{"isotropic", "aspect 1e+06"});
 }

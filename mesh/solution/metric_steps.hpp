@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// Names the steps that make a metric, in the order in which they are done.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "asterism/mesh/solution/solution_metric.hpp"
+
+namespace asterism::internal {
+
+// Returns the names of the steps that these wishes lead to, a word each and what it was done with.
+// `fields` is 0 for a metric that is given, `others` counts the metrics to intersect with.
+std::vector<std::string> metric_steps(const solution_metric_options& options, std::size_t fields,
+                                      std::size_t others);
+
+}  // namespace asterism::internal
