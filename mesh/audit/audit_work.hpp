@@ -54,7 +54,7 @@ class audit_patience {
     constexpr std::size_t asked_between = 16, asked_between_polls = 64;
     constexpr double units_between_polls = 1000;  // ten milliseconds
     if (tally_.unfinished) return true;
-    const std::uint64_t slow = tally_.part.counters.spread_wide;
+    const std::uint64_t slow = tally_.part.counters.limb_products;
     if (++asked_ % asked_between != 0 && slow == slow_) return false;
     slow_ = slow;
     const double units = audit_units(tally_.part, tally_.looked_units);
