@@ -136,7 +136,7 @@ void take_target(const metric_request& request, const requested_metric& wanted,
         static_cast<std::size_t>(std::max(1L, std::lround(wishes.vertices.value_or(own))));
 }
 
-result<adapted> adapt(const adapt_job& job, const run_limits& limits) {
+result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   auto wanted = answer(job.request);
   if (!wanted) return wanted.failure();
   adapted made{std::move(wanted).value(), {}, {}, {}};
@@ -276,11 +276,12 @@ int run_adapt(adapt_job job) {
   set_defaults(job.request);
   if (const auto failed = check_request(job.request)) return complain(*failed, refused);
   if (const auto failed = check_files(job, certificate_path)) return complain(*failed, refused);
+  run_limits limits(job.max_seconds, std::nullopt);
   if (const auto failed = take_domain(job)) return complain(*failed, refused);
-  const run_limits limits(job.max_seconds, std::nullopt);
   auto made = adapt(job, limits);
   if (!made) return complain(made.failure(), refused);
   describe(job, made.value());
+  limits.conclude();
   if (const auto failed = write_all(job, certificate_path, made.value()))
     return complain(*failed, not_reached);
   const auto missed = what_is_missed(made.value());

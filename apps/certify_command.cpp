@@ -224,14 +224,17 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   wanted.stop = [&limits] { return limits.reason(); };
   auto made = [&] {
     progress_line line(true);
-    return make_certified_mesh(adopted.shape, field, wanted,
-                               [&line](const mesh_progress& progress) { line.show(progress); });
+    return make_certified_mesh(adopted.shape, field, wanted, [&](const mesh_progress& progress) {
+      limits.expect(progress.sites);
+      line.show(progress);
+    });
   }();
   if (!made) return complain(made.failure(), refused);
   const mesh_outcome& outcome = made.value().outcome;
   const audit_report& judged = made.value().report;
   certificate& claim = made.value().claim;
   describe(claim, options);
+  limits.conclude();
   report_facts facts;
   facts.title = options.mesh.string() + ", repaired";
   facts.claim_from = "As the run that made this page judged the mesh it had repaired.";
@@ -293,6 +296,7 @@ int run_certify(certify_options options) {
   const bool is_medit = has_ending(options.mesh.string(), ".mesh");
   if (options.solution.empty() && is_medit) options.solution = solution_path(options.mesh);
   if (const auto failure = check_files(options)) return complain(*failure, refused);
+  run_limits limits(options.max_seconds, std::nullopt);
   auto measured = read_measured(options);
   if (!measured) return complain(measured.failure(), refused);
   const adopted_mesh& adopted = measured.value().adopted;
@@ -301,7 +305,7 @@ int run_certify(certify_options options) {
     return complain({"--max-sites " + std::to_string(*options.max_sites) + ": the mesh has " +
                      std::to_string(sites) + " vertices already"},
                     refused);
-  run_limits limits(options.max_seconds, std::nullopt);
+  limits.expect(sites);
   const certify_report report = [&] {
     progress_line line(true);
     line.show({.phase = mesh_phase::auditing, .sites = sites});
@@ -314,11 +318,13 @@ int run_certify(certify_options options) {
   } else {
     write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
   }
+  if (report.certified() || !options.repair) limits.conclude();
   if (report.certified()) return write_as_it_is(options, adopted, report);
   if (!options.repair) {
     if (!options.json) std::cerr << "asterism: try --repair -o REPAIRED.mesh\n";
     return show_what_was_found(options, adopted, report);
   }
+  std::cout << std::flush;  // said even if the repair is ended where it stands
   if (!measured.value().field) measured.value().field = make_sampled_field(adopted.subject);
   return repair(options, adopted, *measured.value().field, report, limits);
 }

@@ -11,6 +11,7 @@
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
+#include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 
 namespace asterism::apps {
@@ -79,8 +80,10 @@ int run_draw(const draw_options& options) {
   const auto drawn =
       read_mesh(options.mesh, {.identity_without_solution = !options.style.ellipses && !is_page});
   if (!drawn) return complain(drawn.failure(), refused);
+  const auto rendered = internal::render_mesh(options.picture, drawn.value(), how);
+  if (!rendered) return complain(rendered.failure(), not_reached);
   const held_signals held;
-  const auto written = write_mesh(options.picture, drawn.value(), how);
+  const auto written = internal::write_files(rendered.value());
   return written ? done : complain(written.failure(), not_reached);
 }
 

@@ -257,18 +257,19 @@ int run_within_limits(const mesh_job& asked) {
   if (const auto failure = check_files(job, certificate_path)) return complain(*failure, refused);
   std::optional<memory_account> account;
   if (job.max_megabytes) account.emplace(*job.max_megabytes * 1e6);
+  // Until all is written: an interrupt during the audit must not lose the mesh, nor one between two
+  // files the second.
+  run_limits limits(job.max_seconds, job.max_megabytes);
   const auto input = prepare(job);
   if (!input) return complain(input.failure(), refused);
   if (input.value().complexity) job.size = input.value().size;
   if (input.value().gradation && job.tells())
     std::cout << "gradation: " << text_of(*input.value().gradation) << '\n';
 
-  // Until all is written: an interrupt during the audit must not lose the mesh, nor one between two
-  // files the second.
-  run_limits limits(job.max_seconds, job.max_megabytes);
   auto made = mesh_within_memory(job, input.value(), limits);
   if (!made) return complain(made.failure(), refused);
   describe(made.value(), job, input.value());
+  limits.conclude();
   if (const auto failure = write_files(job, certificate_path, input.value(), made.value()))
     return complain(*failure, not_reached);
   if (input.value().repairs.distance > 0 && job.tells())

@@ -10,6 +10,7 @@
 #include "asterism/apps/adaptation_json.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/solution_options.hpp"
@@ -67,6 +68,7 @@ int run_metric(metric_job job) {
   const solution_metric_report& report = made.value().report;
   write_options options;
   if (!report.reached) options.note = "The target was not met: " + report.reason;
+  const held_signals held;
   const auto written = write_mesh(job.output, made.value().background, options);
   if (!written) return complain(written.failure(), not_reached);
   if (job.json)

@@ -2,20 +2,31 @@
 //
 // Ends a run early: at an interrupt from the keyboard, or at a limit on time or on memory. The run
 // then writes what is certain.
+//
+// A run is asked to end where it polls, which is often but for what nobody has thought of. So that
+// none goes on for minutes all the same, a thread watches it: a run that is told to end and has not
+// come to write its files within the time that a conclusion takes is ended there, with status 1,
+// and nothing is written.
 #pragma once
+
+#include <pthread.h>
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <ctime>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 
 namespace asterism::apps {
 
 class run_limits {
  public:
   // From now on the first interrupt (SIGINT, SIGTERM) is noted instead of ending the program; a
-  // second one ends it. The clock starts here.
+  // second one ends it. The clock starts here, for the thread that calls this, which is watched.
   run_limits(std::optional<double> seconds, std::optional<double> megabytes);
   ~run_limits();
   run_limits(const run_limits&) = delete;
@@ -27,16 +38,30 @@ class run_limits {
 
   // Tells how many sites there are, for what it will take to conclude the run.
   void expect(std::size_t sites) { sites_.store(sites, std::memory_order_relaxed); }
+  // Ends the watch: files are being written, and what is begun there is brought to its end.
+  void conclude();
   // Makes `reason` say from now on that there is not enough memory.
   void note_want_of_memory() { lacks_memory_ = true; }
 
  private:
+  using clock = std::chrono::steady_clock;
+
   double to_conclude() const;
+  std::optional<std::string> reason_to_hurry() const;
+  double patience() const;
+  double seconds_worked() const;
+  void watch();
 
   std::optional<double> seconds_, megabytes_;
   std::atomic<std::size_t> sites_ = 0;
-  bool lacks_memory_ = false;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::atomic<bool> lacks_memory_ = false;
+  clock::time_point start_ = clock::now();
+  clockid_t worker_clock_{};  // of the watched thread's processor time
+  bool is_clock_known_ = false;
+  std::mutex concluding_mutex_;
+  std::condition_variable concluded_;
+  bool is_concluded_ = false;
+  std::thread watcher_;  // the last, as it reads the others
 };
 
 }  // namespace asterism::apps

@@ -11,6 +11,7 @@
 #include "asterism/apps/adaptation_json.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/transfer_text.hpp"
@@ -64,6 +65,7 @@ int run_transfer(const transfer_job& job) {
   if (!to) return complain(to.failure(), refused);
   const auto done_so = transfer_solution(from.value(), values.value(), to.value(), job.how);
   if (!done_so) return complain(done_so.failure(), refused);
+  const held_signals held;
   const auto written = write_solution(job.output, done_so.value().values);
   if (!written) return complain(written.failure(), not_reached);
   if (job.json)

@@ -197,12 +197,12 @@ verify_report verify_alone(adopted_mesh& adopted, const audit_options& asked) {
 }
 
 int judge(const verify_options& options, mesh subject, const std::optional<certificate>& claim,
-          const std::optional<domain>& original) {
+          const std::optional<domain>& original, run_limits& limits) {
   audit_options asked;
   asked.angle_bound = options.angle_bound;
   asked.check_voronoi = options.prove_voronoi;
   asked.findings_kept = findings_kept(options.all_findings);
-  const run_limits limits(options.max_seconds, std::nullopt);
+  limits.expect(subject.sites.size());
   asked.stop = [&limits] { return limits.reason(); };
   progress_line line(true);
   line.show({.phase = mesh_phase::auditing, .sites = subject.sites.size()});
@@ -220,6 +220,7 @@ int judge(const verify_options& options, mesh subject, const std::optional<certi
       check_measured(subject, *claim, verdict);
     }
   }
+  limits.conclude();
   line.clear();
   const int status = verdict.verified ? done : not_reached;
   const std::string scope = scope_text(options, asked, claim, verdict, metric);
@@ -231,6 +232,7 @@ int judge(const verify_options& options, mesh subject, const std::optional<certi
 }
 
 int run_verify(const verify_options& options) {
+  run_limits limits(options.max_seconds, std::nullopt);
   medit_read_options how;
   how.all_edges = options.all_edges;
   auto subject = read_medit(options.mesh, how);
@@ -239,7 +241,7 @@ int run_verify(const verify_options& options) {
   if (!claim) return complain(claim.failure(), refused);
   const auto original = find_domain(options, subject.value(), claim.value());
   if (!original) return complain(original.failure(), refused);
-  return judge(options, std::move(subject).value(), claim.value(), original.value());
+  return judge(options, std::move(subject).value(), claim.value(), original.value(), limits);
 }
 
 }  // namespace

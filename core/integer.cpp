@@ -10,6 +10,20 @@
 #endif
 
 namespace asterism::internal {
+namespace {
+
+// Cost of a call, in products of limbs.
+constexpr std::uint64_t a_call = 40;
+
+// Counts a product of so many limbs by so many. Beyond some forty limbs it is made of smaller ones,
+// and grows by the 1.6th power of the size.
+void count_product(std::size_t longer, std::size_t shorter) {
+  constexpr std::size_t plain = 40;
+  const std::size_t rows = shorter <= plain ? shorter : plain + (shorter - plain) / 4;
+  limb_products_done += a_call + longer * rows;
+}
+
+}  // namespace
 
 integer::limb* integer::room_on_heap(std::size_t limbs) {
   if (heap_ != nullptr && limbs <= capacity_) return heap_;
@@ -29,6 +43,7 @@ void integer::set_long_product(const integer& a, const integer& b) {
     size_ = 0;
     return;
   }
+  count_product(n, m);
   limb* to = room_for(n + m);
   const limb top = limbs::multiply(to, longer.data(), n, shorter.data(), m);
   size_ = n + m - (top == 0);
@@ -40,6 +55,7 @@ void integer::set_long_sum(const integer& a, unsigned long shift, const integer&
   const auto part = static_cast<unsigned>(shift % limb_bits);
   std::size_t n = a.size_ + whole;
   const std::size_t m = b.size_;
+  limb_products_done += a_call / 2 + n + m;
   limb* to = room_for(std::max(n + 1, m) + 1);
   std::fill(to, to + whole, limb{0});
   if (part == 0 || a.size_ == 0) {
@@ -107,6 +123,7 @@ integer exact_quotient(const integer& a, const integer& b) {
   integer quotient;
   if (a.size_ < b.size_) return quotient;  // 0
   const std::size_t n = a.size_, m = b.size_;
+  limb_products_done += a_call + 2 * (n - m + 1) * m;
   integer rest;
   integer::limb* to = quotient.room_for(n - m + 1);
   limbs::divide(to, rest.room_for(m), a.data(), n, b.data(), m);
@@ -120,6 +137,7 @@ integer greatest_common_divisor_of_odd(const integer& a, const integer& b) {
   // Both are overwritten.
   integer longer = a.bit_length() >= b.bit_length() ? a : b,
           shorter = a.bit_length() >= b.bit_length() ? b : a;
+  limb_products_done += a_call + 8 * longer.size_ * shorter.size_;
   integer divisor;
   integer::limb* to = divisor.room_for(shorter.size_);
   divisor.size_ = limbs::greatest_common_divisor(to, longer.data(), longer.size_, shorter.data(),
@@ -130,6 +148,7 @@ integer greatest_common_divisor_of_odd(const integer& a, const integer& b) {
 integer square_root(const integer& a, bool& exact) {
   integer root, rest;
   const std::size_t n = a.size_;
+  limb_products_done += a_call + 2 * n * n;
   integer::limb* to = root.room_for((n + 1) / 2);
   exact = limbs::square_root(to, rest.room_for(n), a.data(), n);
   root.trim((n + 1) / 2);

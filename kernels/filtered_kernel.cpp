@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/kernels/filtered_kernel.hpp"
 
-#include <concepts>
-
+#include "asterism/core/integer.hpp"
 #include "asterism/kernels/direction_cover.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
-#include "asterism/kernels/number_spread.hpp"
 #include "asterism/kernels/predicate_kernel.hpp"
 #include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/kernels/star_gap.hpp"
@@ -24,14 +22,15 @@ void count(tier_counters* decided, predicate which, tier by) {
 }
 
 // Asks intervals first, exact numbers when undecided; counts who decided.
-template <class Ask, std::same_as<site>... Sites>
-[[gnu::noinline]] auto decide_slowly(tier_counters* decided, predicate which, const Ask& ask,
-                                     const Sites&... sites) {
+template <class Ask>
+[[gnu::noinline]] auto decide_slowly(tier_counters* decided, predicate which, const Ask& ask) {
   const auto answer = ask(interval_kernel{});
   count(decided, which, answer.certain() ? tier::interval : tier::exact);
   if (answer.certain()) return answer.value();
-  if (decided != nullptr) decided->spread_wide += spread_weight<sizeof...(Sites)>({&sites...});
-  return ask(exact_kernel{});
+  const std::uint64_t before = limb_products_done;
+  const auto exact = ask(exact_kernel{});
+  if (decided != nullptr) decided->limb_products += limb_products_done - before;
+  return exact;
 }
 
 // Decides in the same way for predicates that take no longer than a call. Exact integers of a fixed
@@ -122,17 +121,17 @@ sign filtered_kernel::dominates(const site& v, const site& w, const point& p) co
 
 int filtered_kernel::voronoi_vertex_count(const site& u, const site& v, const site& w) const {
   const auto ask = [&](const auto& kernel) { return kernel.voronoi_vertex_count(u, v, w); };
-  return decide_slowly(decided_, predicate::voronoi_vertex_count, ask, u, v, w);
+  return decide_slowly(decided_, predicate::voronoi_vertex_count, ask);
 }
 
 int filtered_kernel::arc_intersection_count(const site& v, const site& w, const site& x) const {
   const auto ask = [&](const auto& kernel) { return kernel.arc_intersection_count(v, w, x); };
-  return decide_slowly(decided_, predicate::arc_intersection_count, ask, v, w, x);
+  return decide_slowly(decided_, predicate::arc_intersection_count, ask);
 }
 
 bool filtered_kernel::encroaches(const site& a, const site& b, const site& w) const {
   const auto ask = [&](const auto& kernel) { return kernel.encroaches(a, b, w); };
-  return decide_slowly(decided_, predicate::encroaches, ask, a, b, w);
+  return decide_slowly(decided_, predicate::encroaches, ask);
 }
 
 bool filtered_kernel::insertion_test(const site& v, const site& w, const site& x,
@@ -143,7 +142,7 @@ bool filtered_kernel::insertion_test(const site& v, const site& w, const site& x
         decided_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
   const auto ask = [&](const auto& kernel) { return kernel.insertion_test(v, w, x, y); };
   const uncertain_bool quick = ask_directions(v, w, x, y);
-  if (!quick.certain()) return decide_slowly(decided_, predicate::insertion_test, ask, v, w, x, y);
+  if (!quick.certain()) return decide_slowly(decided_, predicate::insertion_test, ask);
   count(decided_, predicate::insertion_test, tier::semi_static);
   return quick.value();
 }
@@ -156,7 +155,7 @@ bool filtered_kernel::edge_test(const site& v, const site& w, const site& x, con
   const auto ask = [&](const auto& kernel) { return kernel.edge_test(v, w, x, y); };
   uncertain_bool quick = ask_gaps(v, w, x, y);
   if (!quick.certain()) quick = ask_directions(v, w, x, y);
-  if (!quick.certain()) return decide_slowly(decided_, predicate::edge_test, ask, v, w, x, y);
+  if (!quick.certain()) return decide_slowly(decided_, predicate::edge_test, ask);
   count(decided_, predicate::edge_test, tier::semi_static);
   return quick.value();
 }

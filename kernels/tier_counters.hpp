@@ -51,9 +51,9 @@ inline constexpr std::array<std::string_view, tier_count> tier_names = {"semi-st
 // Counts of decisions, by predicate and tier.
 struct tier_counters {
   std::array<std::array<std::uint64_t, tier_count>, predicate_count> decided{};
-  // Extra weight of exact answers on inputs that differ in their metrics, or span many binades
-  // (number_spread.hpp).
-  std::uint64_t spread_wide = 0;
+  // Work of the exact answers about sites, in products of two 64-bit limbs (core/integer.hpp). One
+  // takes from hundreds to hundreds of millions.
+  std::uint64_t limb_products = 0;
 
   std::uint64_t& at(predicate p, tier t) {
     return decided[static_cast<std::size_t>(p)][static_cast<std::size_t>(t)];
@@ -64,7 +64,7 @@ struct tier_counters {
   tier_counters& operator+=(const tier_counters& other) {
     for (std::size_t p = 0; p < predicate_count; ++p)
       for (std::size_t t = 0; t < tier_count; ++t) decided[p][t] += other.decided[p][t];
-    spread_wide += other.spread_wide;
+    limb_products += other.limb_products;
     return *this;
   }
 };

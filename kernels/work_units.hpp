@@ -6,8 +6,8 @@
 // Measured by the processor time of runs that do little else (x86_64, Release): an orientation
 // takes 10 to 15 nanoseconds with what goes with it, and 50 to 70 in exact integers; an edge test
 // 0.3 to 1 microseconds in doubles, 20 in intervals, exactly a few where all tensors are the same,
-// and 100 to 2000 where they are not (number_spread.hpp adds that). These are bounds of work
-// and no clock: what a run does depends on the numbers alone.
+// and 100 to 100,000 where they are not. The latter are weighed by the limbs that are multiplied.
+// These are bounds of work and no clock: what a run does depends on the numbers alone.
 #pragma once
 
 #include <cstddef>
@@ -36,9 +36,12 @@ inline constexpr tier_weights weights_of(predicate which) {
   }
 }
 
+// Products of two limbs for a unit, with what goes with them.
+inline constexpr double products_for_unit = 12000;
+
 // Returns the work of all answers counted.
 inline double work_units(const tier_counters& counts) {
-  auto units = static_cast<double>(counts.spread_wide);
+  double units = static_cast<double>(counts.limb_products) / products_for_unit;
   for (std::size_t i = 0; i < predicate_count; ++i) {
     const auto which = static_cast<predicate>(i);
     const tier_weights w = weights_of(which);

@@ -31,7 +31,9 @@ agreement::agreement(working_mesh& m, const agreement_options& options)
 void agreement::run() {
   for (std::size_t i = 0; i < options_.most_rounds; ++i) {
     if (options_.stop.is_requested()) return;
-    if (!round()) return;
+    const bool is_mended = !round();
+    m_.charge_work(options_.stop);
+    if (is_mended) return;
     ++report_.rounds;
   }
 }
@@ -65,6 +67,8 @@ void agreement::disagreed_at(const std::vector<vertex_index>& nodes) {
 }
 
 void agreement::check_edge(vertex_index t, std::size_t i) {
+  constexpr std::size_t as_faces = 8;  // of the time that a face in a list takes
+  m_.note_looked_at(as_faces);
   const edge_quad q = tests_.quad_at(t, i);
   const double now = tests_.worst_clearance(q);
   if (now > least_clearance) return;
@@ -113,12 +117,15 @@ double agreement::excess(const node& a, const node& b, const node& c) const {
 bool agreement::merge_away(vertex_index t) {
   constexpr double enough = 0.5;
   const double longest = longest_edge * options_.unit;
+  // A node with more neighbours is a hub of segments or of a fan: it stays, and costs their square.
+  constexpr std::size_t most_neighbours = 64;
   double best = 0;
   vertex_index from = none, into = none;
   face_list at, ring;
   for (const vertex_index v : m_.faces()[t].v) {
     const double now = trouble_around(v, at);
     m_.neighbours(v, ring);
+    if (ring.size() > most_neighbours) continue;
     for (const vertex_index w : ring) {
       if (!m_.can_merge(v, w)) continue;
       if (std::any_of(ring.begin(), ring.end(),

@@ -7,7 +7,7 @@
 
 namespace asterism::internal::adapting {
 
-void grade_mesh(working_mesh& m, double distortion, double unit) {
+void grade_mesh(working_mesh& m, double distortion, double unit, const cancellation& stop) {
   std::vector<point> places;
   std::vector<metric_tensor> tensors;
   for (const node& n : m.nodes()) {
@@ -26,7 +26,7 @@ void grade_mesh(working_mesh& m, double distortion, double unit) {
   limit.distortion = distortion;
   limit.unit = unit;
   limit.shortest = 0.5;
-  grade(places, edges, limit, tensors);
+  grade(places, edges, limit, tensors, stop);
   for (vertex_index v = 0; v < tensors.size(); ++v)
     if (m.at(v).kind != node_kind::gone && !identical(tensors[v], m.at(v).metric))
       m.set_metric(v, tensors[v]);

@@ -10,7 +10,7 @@
 namespace asterism::internal::adapting {
 
 // Grades the tensors of the nodes to this distortion over an edge of length `unit`.
-void grade_mesh(working_mesh& m, double distortion, double unit);
+void grade_mesh(working_mesh& m, double distortion, double unit, const cancellation& stop = {});
 
 // Returns the field that the nodes' tensors are, and sets the nodes' hints to where they are in it.
 nodal_field field_of(working_mesh& m);

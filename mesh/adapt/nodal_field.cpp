@@ -105,6 +105,7 @@ vertex_index nodal_field::search(const point& q, double (&w)[3]) const {
     double deepest = -std::numeric_limits<double>::infinity();
     vertex_index found = none;
     boxes_.visit({{q.x - half, q.y - half}, {q.x + half, q.y + half}}, [&](std::uint32_t t) {
+      ++looked_at_;
       const double depth = least_weight(q, t, w);
       if (depth > deepest || (depth == deepest && t < found)) {
         deepest = depth;

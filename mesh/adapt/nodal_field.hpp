@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "asterism/core/site.hpp"
@@ -27,6 +28,9 @@ class nodal_field {
   // Returns the tensor at the point, interpolated in the triangle it is in, or in one near it. The
   // walk begins at `hint`, which is set to where it ended.
   metric_tensor at(const point& q, vertex_index& hint) const;
+  // Returns how many triangles searches have looked at since the last call: few, but where
+  // triangles are so thin that the box of each overlaps those of thousands. One thread asks.
+  std::size_t take_looked_at() const { return std::exchange(looked_at_, 0); }
 
   // Returns the edges, each once.
   std::vector<graph_edge> edges() const;
@@ -50,6 +54,7 @@ class nodal_field {
   std::vector<cell> cells_;
   box_index boxes_;
   bounding_box box_;
+  mutable std::size_t looked_at_ = 0;
 };
 
 }  // namespace asterism::internal::adapting

@@ -18,6 +18,7 @@
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -53,8 +54,9 @@ double log_variation(const site& a, const site& b);
 bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_part = 0.5);
 
 // Grades the tensors to the limit. Returns the rounds it took; most_rounds + 1 if some edge is
-// still above its limit.
+// still above its limit, as the rounds were over or `stop` ended it, whose account is charged.
 std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge>& edges,
-                  const gradation_limit& limit, std::vector<metric_tensor>& tensors);
+                  const gradation_limit& limit, std::vector<metric_tensor>& tensors,
+                  const cancellation& stop = {});
 
 }  // namespace asterism::internal::adapting

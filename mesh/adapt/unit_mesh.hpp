@@ -58,7 +58,11 @@ class unit_mesher {
   vertex_index locate(const point& q, vertex_index from) const;
   void measure_unit();
   void meet_count();
-  bool is_stopped() const { return options_.stop.is_requested(); }
+  // Called between passes; charges their work.
+  bool is_stopped() {
+    m_.charge_work(options_.stop);
+    return options_.stop.is_requested();
+  }
   void measure(vertex_index v) { m_.set_metric(v, field_(m_.at(v).position, m_.at(v).hint)); }
   double energy(vertex_index t) const;
 

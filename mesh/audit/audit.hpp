@@ -121,7 +121,8 @@ struct audit_options {
   // prepared gaps are asked first, which the mesher asks too, and which are faster.
   bool own_filter_alone = false;
   bool check_voronoi = false;
-  // Polled while stars are checked, which it ends; the stars then count as not checked.
+  // Polled while stars are checked, which it ends; the stars then count as not checked. Its account
+  // is charged with the audit's work.
   cancellation stop = {};
   // Findings kept of each kind; all are counted.
   std::size_t findings_kept = 10;

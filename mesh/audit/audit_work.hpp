@@ -15,11 +15,11 @@
 
 namespace asterism::internal::audit_detail {
 
-// Returns the units of kernels/work_units.hpp that an audit of so many sites may take: five
-// seconds, and a millisecond a site, of which an audit of a mesh that is certified takes a
-// hundredth.
+// Returns the units of kernels/work_units.hpp that an audit of so many sites may take: four
+// seconds, and half a millisecond a site, of which an audit of a mesh that is certified takes a
+// fiftieth.
 inline double most_audit_units(std::size_t sites) {
-  constexpr double at_least = 5e5, for_each = 100, first_ones = 5000, for_more = 20;
+  constexpr double at_least = 4e5, for_each = 50, first_ones = 5000, for_more = 20;
   const auto n = static_cast<double>(sites);
   return at_least + for_each * (n < first_ones ? n : first_ones) +
          for_more * (n < first_ones ? 0 : n - first_ones);
@@ -34,9 +34,12 @@ inline double audit_units(const audit_report& counted, double looked_units) {
          an_exact_pair * static_cast<double>(counted.voronoi_pairs_exact);
 }
 
-// Returns the units of work that are left for an audit; may be negative.
+// Returns the units of work that are left for an audit, and for the run it belongs to; may be
+// negative.
 inline double units_left(const audit_context& context) {
-  return most_audit_units(context.report.sites) - audit_units(context.report, context.looked_units);
+  return std::min(context.share_of_work * most_audit_units(context.report.sites),
+                  context.options.stop.units_left()) -
+         audit_units(context.report, context.looked_units);
 }
 
 // Says when a part of a check is to end early. For one thread.
@@ -54,7 +57,7 @@ class audit_patience {
     constexpr std::size_t asked_between = 16, asked_between_polls = 64;
     constexpr double units_between_polls = 1000;  // ten milliseconds
     if (tally_.unfinished) return true;
-    const std::uint64_t slow = tally_.part.counters.spread_wide;
+    const std::uint64_t slow = tally_.part.counters.limb_products;
     if (++asked_ % asked_between != 0 && slow == slow_) return false;
     slow_ = slow;
     const double units = audit_units(tally_.part, tally_.looked_units);

@@ -88,6 +88,7 @@ struct audit_context {
   // ended early.
   double looked_units = 0;
   bool unfinished = false;
+  double share_of_work = 1;  // of the most that an audit may do
   // Filled by check_fans, only when the edges match.
   std::vector<std::vector<vertex_fan>> fans;
 

@@ -386,10 +386,13 @@ bool neighbours_suffice(const audit_context& context) {
 
 // Looks at neighbours first, then at all sites in reach. Ends where as much is refused as a tenth
 // of the sites, unless every finding is to be kept: such stars see far, and to look at all of them
-// would only say so again. Ends, too, after the most work that is done (audit/audit_work.hpp).
+// would only say so again. Ends, too, after the most work that is done (audit/audit_work.hpp); of
+// that a mesh which is refused already, for its angles or its domain, has a part.
 void check_stars(audit_context& context) {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), part = 10;
   const std::size_t most = context.options.findings_kept == all ? all : context.report.sites / part;
+  constexpr double of_refused = 0.2;
+  if (most != all && context.report.total_found() > 0) context.share_of_work = of_refused;
   context.report.stars_checked = true;
   const star_surroundings around(context);
   if (!check_in_turn(context, around, true, most) || neighbours_suffice(context)) return;

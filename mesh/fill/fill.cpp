@@ -102,8 +102,12 @@ class filling {
 
   bool goes_on(const fill_progress& progress) {
     if (progress) progress(sites_.size(), needed_);
-    stopped_ = options_.stop.is_requested();
-    return !stopped_;
+    const double units = work_.units();
+    options_.stop.expect(sites_.size());
+    options_.stop.charge(units - std::exchange(charged_, units));
+    stopped_ = options_.stop.told().has_value();
+    crowded_ = crowded_ || (!stopped_ && !(options_.stop.units_left() > 0));
+    return !is_over();
   }
 
   // Places sites where the stars leave room. False if there was none, or none could be placed.
@@ -193,6 +197,7 @@ class filling {
   std::size_t rounds_ = 0;
   bool stopped_ = false;  // by options_.stop
   bool crowded_ = false;  // there was too much work for so many sites
+  double charged_ = 0;    // of the work, what the run's account was charged with
   double needed_ = 0;
   std::optional<error> failure_;  // of the field, where a site was proposed
 };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/kernels/work_units.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
@@ -107,6 +108,7 @@ void compare_with_stars(const adopted_mesh& adopted, const cancellation& stop,
   std::vector<vertex_index> all(m.sites.size());
   std::iota(all.begin(), all.end(), vertex_index{0});
   stars.construct(oracle, all, star_search::thorough);
+  stop.charge(work_units(decided));
   if (stars.stars_missing() > 0) return;
   report.compared = true;
   for (vertex_index v = 0; v < stars.size(); ++v) report.unsettled += stars.is_unsettled(v) ? 1 : 0;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
-#include "asterism/kernels/work_units.hpp"
 #include "asterism/mesh/adapt/agreement.hpp"
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/nodal_field.hpp"
@@ -58,32 +57,40 @@ class adaptation {
   std::optional<mesh_outcome> run() {
     if (count_ < 1) return std::nullopt;
     order_places();
+    options_.stop.expect(count_);
+    const cancellation whole = options_.stop;
+    constexpr double for_ladder = 0.8;  // of the work; what is left is for one metric
+    options_.stop = whole.part(for_ladder);
     // A step costs what its nodes do: the stricter ones are tried while all together have no more
     // than one mesh may have.
     std::size_t made = 0;
     for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
-      if (!attempt(start_, ladder[step])) return std::nullopt;
+      if (!attempt(start_, ladder[step])) {
+        if (is_overworked()) break;
+        return std::nullopt;
+      }
       made += std::max(count_, outcome_.result.sites.size());
-      if (outcome_.audited->certified || stop_reason() || is_overworked()) break;
+      if (is_certified() || stop_reason() || is_overworked()) break;
       // Skips to the strictest where mending is in vain: a little more does not help.
       if (std::exchange(is_hopeless_, false)) step = std::max(step, ladder.size() - 2);
     }
-    if (!outcome_.audited->certified && !stop_reason()) adapt_in_one_metric();
-    if (outcome_.audited->certified) meet_count(start_);
-    if (const auto why = stop_reason(); why && !outcome_.audited->certified) return stopped(*why);
-    if (!outcome_.audited->certified) return std::nullopt;
+    options_.stop = whole;
+    if (!is_certified() && !stop_reason()) adapt_in_one_metric();
+    if (is_certified()) meet_count(start_);
+    if (const auto why = stop_reason(); why && !is_certified() && outcome_.audited)
+      return stopped(*why);
+    if (!is_certified()) return std::nullopt;
     return conclude();
   }
 
  private:
-  std::optional<std::string> stop_reason() const { return options_.stop.poll(); }
+  std::optional<std::string> stop_reason() const { return options_.stop.told(); }
 
-  // True if audits have taken the most work that is spent on them: eight seconds, and a millisecond
-  // and a half for each site wanted.
-  bool is_overworked() const {
-    constexpr double at_least = 8e5, for_each = 150;
-    return audit_units_ > at_least + for_each * static_cast<double>(count_);
-  }
+  // True if the last mesh that was audited is certified; false before there is one.
+  bool is_certified() const { return outcome_.audited && outcome_.audited->certified; }
+
+  // True if the most work was done that the run may spend here.
+  bool is_overworked() const { return !(options_.stop.units_left() > 0); }
 
   static double off_count(std::size_t sites, std::size_t wanted) {
     return std::abs(elementary::log(static_cast<double>(sites) / static_cast<double>(wanted)));
@@ -94,12 +101,12 @@ class adaptation {
   void meet_count(const mesh& start) {
     constexpr double tolerable = 0.04;
     const std::size_t wanted = count_, got = outcome_.result.sites.size();
-    if (off_count(got, wanted) <= tolerable || stop_reason()) return;
+    if (off_count(got, wanted) <= tolerable || stop_reason() || is_overworked()) return;
     mesh_outcome before = outcome_;
     const double length_factor = length_factor_;
     count_ = wanted * wanted / got;
     const bool made = attempt(start, ladder[0]);
-    if (made && outcome_.audited->certified &&
+    if (made && is_certified() &&
         off_count(outcome_.result.sites.size(), wanted) < off_count(got, wanted))
       return;
     outcome_ = std::move(before);
@@ -120,9 +127,18 @@ class adaptation {
     gradation_limit limit;
     limit.distortion = distortion;
     limit.longest = 20;
-    grade(made.places(), made.edges(), limit, tensors);
+    grade(made.places(), made.edges(), limit, tensors, options_.stop);
     made.set_tensors(std::move(tensors));
     return made;
+  }
+
+  // Returns the field as a function, the work of which counts as that of the mesh.
+  static metric_at field_by(const nodal_field& field, const working_mesh& m) {
+    return [&field, &m](const point& q, vertex_index& hint) {
+      const metric_tensor there = field.at(q, hint);
+      m.note_looked_at(field.take_looked_at());
+      return there;
+    };
   }
 
   std::optional<metric_tensor> wanted_at(const point& q) const {
@@ -149,7 +165,8 @@ class adaptation {
     return true;
   }
 
-  // Makes the mesh and its audit in outcome_. Returns false where it cannot be made.
+  // Makes the mesh and its audit in outcome_. Returns false where it cannot be made, or not with
+  // the work that is left.
   bool attempt(const mesh& start, const strictness& how) {
     auto built = working_mesh::build(domain_, start);
     if (!built) return false;
@@ -164,23 +181,23 @@ class adaptation {
         std::min(options_.max_sites, times_as_many * count_ + at_least + start_.sites.size());
     making.stop = options_.stop;
     unit_mesher maker(m, making);
-    maker.run([&background](const point& q, vertex_index& hint) { return background.at(q, hint); },
-              seeds_);
+    maker.run(field_by(background, m), seeds_);
     for (int i = 0; i < refits; ++i) {
       if (is_field_itself_)
         take_interpolated(m);
       else if (!take_wanted(m))
         return false;
-      grade_mesh(m, how.mesh, maker.unit());
+      grade_mesh(m, how.mesh, maker.unit(), options_.stop);
       const nodal_field own = field_of(m);
-      maker.refit([&own](const point& q, vertex_index& hint) { return own.at(q, hint); });
+      maker.refit(field_by(own, m));
     }
     length_factor_ = maker.unit();
-    if (!take_wanted(m)) return false;
-    grade_mesh(m, how.mesh, length_factor_);
+    if (is_overworked() || !take_wanted(m)) return false;
+    grade_mesh(m, how.mesh, length_factor_, options_.stop);
     split_left_long(m, maker);
+    if (is_overworked()) return false;
     deliver(m);
-    return true;
+    return outcome_.audited != nullptr;
   }
 
   agreement_options asked_of_agreement() const {
@@ -220,7 +237,7 @@ class adaptation {
       m = alike;
     }
     mend(m, agreeing);
-    if (!outcome_.audited->certified) return;
+    if (!is_certified()) return;
     mesh_outcome certified = outcome_;
     if (!give_back(m)) outcome_ = std::move(certified);
   }
@@ -230,7 +247,7 @@ class adaptation {
     constexpr int patience = 3;
     std::size_t least = all_findings;
     int in_vain = 0;
-    for (int audits = 0; audits < most_audits; ++audits) {
+    for (int audits = 0; audits < most_audits && !is_overworked(); ++audits) {
       const std::vector<vertex_index> nodes = take(m);
       judge(outcome_.result.sites.size());
       if (outcome_.audited->certified || stop_reason() || is_overworked()) return;
@@ -313,8 +330,6 @@ class adaptation {
   }
 
   void take_report(audit_report&& found) {
-    constexpr double a_pair = 0.1;
-    audit_units_ += work_units(found.counters) + a_pair * static_cast<double>(found.star_pairs);
     outcome_.audited = std::make_shared<audit_report>(std::move(found));
   }
 
@@ -396,14 +411,13 @@ class adaptation {
 
   const domain& domain_;
   const metric_field& field_;
-  const mesh_options& options_;
+  mesh_options options_;  // with the work that the step at hand may do
   const mesh& start_;
   const nodal_field& wanted_;
   bool is_field_itself_;
   std::size_t count_;
   std::vector<point> seeds_;
   double length_factor_ = 1;
-  double audit_units_ = 0;    // of work, by all audits
   bool is_hopeless_ = false;  // mending of the last mesh was given up
   mesh_outcome outcome_;
 };

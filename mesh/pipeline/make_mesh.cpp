@@ -11,6 +11,7 @@
 #include "asterism/mesh/pipeline/metric_relaxation.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
+#include "asterism/mesh/stars/work_limit.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -53,10 +54,20 @@ bool wants_delivery(const mesh_outcome& made, const mesh_options& options) {
          !has_one_metric(made.result);
 }
 
+// Returns the options with a part of the work that is left.
+mesh_options with_part_of_work(const mesh_options& options, double share) {
+  mesh_options limited = options;
+  limited.stop = options.stop.part(share);
+  return limited;
+}
+
 result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
                                   const mesh_options& options, const progress_listener& progress) {
   if (auto refused = check_options(d, options)) return *refused;
-  metric_delivery delivery(d, field, options);
+  // Of the work of the run: what is left in the end is for one metric everywhere.
+  constexpr double for_delivery = 0.65, for_metric_wanted = 0.6;
+  mesh_options delivering = with_part_of_work(options, for_delivery);
+  metric_delivery delivery(d, field, delivering);
   const bool is_first = may_adapt(options) && delivery.is_first_choice();
   const bool is_second = may_adapt(options) && !is_first;
   std::optional<mesh_outcome> delivered;
@@ -72,7 +83,7 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
   const bool tries_little = may_give_up && delivery.wants_few_sites();
   double work_share = may_adapt(options) ? less : 1;
   if (tries_little || (may_give_up && delivery.varies_fast())) work_share = little;
-  mesh_options as_wanted = options;
+  mesh_options as_wanted = with_part_of_work(options, for_metric_wanted);
   as_wanted.relax = options.relax && !is_strict;
   tier_counters decided;
   const star_predicates_on<filtered_kernel> stars_on(decided);
@@ -89,6 +100,7 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
   if (is_second && wants_delivery(outcome.value(), options)) {
     constexpr std::size_t fewest = 400, most = 2000;
     const std::size_t few = std::clamp(outcome.value().sites, fewest, most);
+    delivering.stop = options.stop.part(for_delivery);
     delivered = delivery.make(std::min(few, options.max_sites / 2));
     if (delivered && !excess_of(*delivered, options)) return *std::move(delivered);
   }
@@ -111,7 +123,7 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
 // pass for the mesh of the whole run otherwise, which is another one.
 void note_stop(const cancellation& stop, mesh_outcome& made) {
   if (!made.complete) return;
-  const auto why = stop.poll();
+  const auto why = stop.told();
   if (!why) return;
   made.complete = false;
   made.ended.how = ending::stopped;
@@ -122,7 +134,10 @@ void note_stop(const cancellation& stop, mesh_outcome& made) {
 
 result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
                                const mesh_options& options, const progress_listener& progress) {
-  auto outcome = make_or_stop(d, field, options, progress);
+  mesh_options bounded = options;
+  bounded.stop = with_run_work(options.stop);
+  bounded.stop.expect(d.vertices.size());
+  auto outcome = make_or_stop(d, field, bounded, progress);
   if (outcome) note_stop(options.stop, outcome.value());
   return outcome;
 }

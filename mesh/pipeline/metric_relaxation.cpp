@@ -142,7 +142,8 @@ class relaxation {
     const bool is_last_resort =
         step_.kind == relaxation_kind::constant || step_.kind == relaxation_kind::without_demands;
     const double left = units_for_relaxing - spent_units_;
-    return is_last_resort ? std::max(left, units_for_relaxing) : left;
+    return std::min(options_.stop.units_left(),
+                    is_last_resort ? std::max(left, units_for_relaxing) : left);
   }
 
   // Returns the part of the work allowed for so many sites that is left for relaxing.
@@ -169,7 +170,7 @@ class relaxation {
   }
 
   bool is_stopped() {
-    if (!stopped_) stopped_ = options_.stop.poll();
+    if (!stopped_) stopped_ = options_.stop.told();
     return stopped_.has_value();
   }
 

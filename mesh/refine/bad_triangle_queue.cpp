@@ -70,6 +70,16 @@ angle_set exempt_angles(const refine_state& state, const triangle& t, const corn
   return exempt;
 }
 
+// Returns how many neighbours are looked at when the star of v is held against those of its
+// neighbours: the square of a degree where hubs are neighbours.
+std::size_t neighbours_of_neighbours(const star_set& stars, vertex_index v) {
+  std::size_t all = 0;
+  for (const sector& s : stars[v].sectors)
+    for (const vertex_index u : s.neighbours)
+      for (const sector& of_u : stars[u].sectors) all += of_u.size();
+  return all;
+}
+
 angle_set all_but(angle_set angles) {
   for (auto& corner : angles.which)
     for (bool& angle : corner) angle = !angle;
@@ -296,15 +306,18 @@ void bad_triangle_queue::update(refine_state& state) {
     record what;
   };
   std::vector<tier_counters> counts(chunk_count(which.size(), chunk));
+  std::vector<std::size_t> looks(counts.size(), 0);
   std::vector<spoken> all = collect_chunks<spoken>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<spoken>& out) {
         const auto kernel = state.kernel().fork(counts[begin / chunk]);
         for (std::size_t i = begin; i < end; ++i) {
           record found = examine(state, *kernel, which[i]);
+          looks[begin / chunk] += neighbours_of_neighbours(state.stars(), which[i]);
           if (!found.empty()) out.push_back({which[i], std::move(found)});
         }
       });
   for (const tier_counters& c : counts) state.kernel().counters() += c;
+  state.count_neighbours_looked_at(std::accumulate(looks.begin(), looks.end(), std::size_t{0}));
   for (const vertex_index v : which) forget(v);
   for (spoken& s : all) remember(state, s.who, std::move(s.what));
 }

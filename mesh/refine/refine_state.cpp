@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "asterism/mesh/stars/visibility.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
@@ -28,6 +29,7 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
   state.stars_.cancel_by(cancelled);
   state.cancelled_ = cancelled;
   state.work_share_ = work_share;
+  state.charged_ = work_units(kernel.counters());
   numbered_sites taken(d.vertices.size());
   std::iota(taken.begin(), taken.end(), vertex_index{0});
   state.divide(d, filling, taken);
@@ -103,10 +105,16 @@ void refine_state::guess_stars(const neighbour_lists& stars, const numbered_site
 }
 
 bool refine_state::is_overworked() const {
-  constexpr double a_triangle = 0.2;  // units: two microseconds, measured where hardly any succeeds
-  const double done =
-      work_units(kernel_->counters()) + a_triangle * static_cast<double>(triangles_tried_);
-  return done > work_share_ * most_work_units(sites().size(), given_);
+  // Units: two microseconds, measured where hardly any succeeds, three nanoseconds, and thirty.
+  constexpr double a_triangle = 0.2, a_look = 3e-4, a_candidate = 3e-3;
+  const double done = work_units(kernel_->counters()) +
+                      a_triangle * static_cast<double>(triangles_tried_) +
+                      a_look * static_cast<double>(looked_at_) +
+                      a_candidate * static_cast<double>(stars_.candidates_looked_at());
+  cancelled_.expect(sites().size());
+  cancelled_.charge(done - std::exchange(charged_, done));
+  return done > work_share_ * most_work_units(sites().size(), given_) ||
+         !(cancelled_.units_left() > 0);
 }
 
 bool refine_state::strictly_inside(const point& q) const {

@@ -55,8 +55,10 @@ class refine_state {
   // True if the work allowed for so many sites was done (stars/work_limit.hpp). It is counted, not
   // timed, so that every run ends at the same place.
   bool is_overworked() const;
-  // Counts the work of proposing places for one triangle, which the kernel does not see.
+  // Counts the work of proposing places for one triangle, and of looking through stars, which the
+  // kernel does not see.
   void count_triangle_tried() { ++triangles_tried_; }
+  void count_neighbours_looked_at(std::size_t neighbours) { looked_at_ += neighbours; }
 
   const std::optional<error>& field_failure() const { return sites_->field_failure(); }
   std::optional<site> site_at(const point& q) { return sites_->site_at(q); }
@@ -108,7 +110,9 @@ class refine_state {
 
   const star_predicates* kernel_;
   double work_share_ = 1;            // of the work allowed (stars/work_limit.hpp)
+  mutable double charged_ = 0;       // of the work done, what the run's account was charged with
   std::size_t triangles_tried_ = 0;  // for which places were proposed
+  std::size_t looked_at_ = 0;        // neighbours in stars
   std::size_t given_;                // the domain's vertices, which are the first sites
   std::unique_ptr<site_set> sites_;  // here, so that the boundary finds it when the state is moved
   split_boundary segments_;

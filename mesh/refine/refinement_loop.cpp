@@ -118,7 +118,8 @@ class refinement_loop {
 
   std::optional<ending> interruption() {
     if (state_.field_failure()) return ending::stuck;  // run() returns the failure
-    const auto why = options_.stop.poll();
+    const auto why = options_.stop.told();
+    if (!why && !(options_.stop.units_left() > 0)) return ending::overworked;
     if (!why) return go_on;
     stopped_because_ = *why;
     return ending::stopped;

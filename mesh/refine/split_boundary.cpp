@@ -44,6 +44,7 @@ result<split_boundary> split_boundary::build(const domain& d, const star_predica
   sites.index(made.edges_);
   made.curves_ = curved_splits(d);
   made.find_corners();
+  made.note_sharp_corners();
   made.wedges_ = narrow_wedges(made.edges_);
   for (const domain_corner& c : made.corners_) {
     if (!c.is_sharp()) continue;
@@ -95,13 +96,29 @@ double split_boundary::subsegment_length(std::size_t subsegment, vertex_index fr
   return std::sqrt(squared_length(sites()[from].metric, d));
 }
 
+// Notes the sharp corners by the segments beside them, while these are whole. Splits change the
+// neighbour that a segment has at its end, but neither the end nor the side.
+void split_boundary::note_sharp_corners() {
+  const std::vector<boundary_edge>& all = edges_.subsegments();
+  std::size_t segments = 0;
+  for (const boundary_edge& p : all) segments = std::max<std::size_t>(segments, p.segment + 1);
+  sharp_at_.resize(segments);
+  for (const boundary_edge& p : all)
+    for (const vertex_index v : {p.a, p.b}) {
+      const auto& at_v = edges_.corners(v);
+      for (const domain_corner& c : corners_at(v)) {
+        const auto [first, last] = at_v[c.sector];
+        const bool is_beside = p.a == v ? first == p.b : last == p.a;
+        const auto index = static_cast<std::size_t>(&c - corners_.data());
+        if (c.is_sharp() && is_beside) sharp_at_[p.segment].push_back({v, p.a == v, index});
+      }
+    }
+}
+
 const domain_corner* split_boundary::sharp_corner(vertex_index v,
                                                   const boundary_edge& subsegment) const {
-  for (const domain_corner& c : corners_at(v)) {
-    if (!c.is_sharp()) continue;
-    const boundary_corner ends = edges_.corners(v)[c.sector];
-    if (subsegment.a == v ? ends.first == subsegment.b : ends.last == subsegment.a) return &c;
-  }
+  for (const segment_corner& c : sharp_at_[subsegment.segment])
+    if (c.vertex == v && c.leaving == (subsegment.a == v)) return &corners_[c.corner];
   return nullptr;
 }
 

@@ -91,7 +91,15 @@ class split_boundary {
 
   const std::vector<site>& sites() const { return sites_->all(); }
   const neighbourhood& near() const { return std::as_const(*sites_).near(); }
+  // A sharp corner at an end of a segment; its subsegment there leaves the corner or enters it.
+  struct segment_corner {
+    vertex_index vertex;
+    bool leaving;
+    std::size_t corner;  // one of corners_
+  };
+
   void find_corners();
+  void note_sharp_corners();
   bool is_encroached(const star_predicates& kernel, std::size_t subsegment, const site& s,
                      std::optional<vertex_index> self) const;
   bool is_excused(const boundary_edge& subsegment, vertex_index w) const;
@@ -103,6 +111,7 @@ class split_boundary {
   site_set* sites_;
   boundary edges_;
   std::vector<domain_corner> corners_;
+  std::vector<std::vector<segment_corner>> sharp_at_;  // by segment: at most four
   narrow_wedges wedges_;
   curved_splits curves_;
   std::vector<std::size_t> suspects_;  // subsegments that may be encroached

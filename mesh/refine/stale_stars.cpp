@@ -10,8 +10,10 @@ namespace asterism::internal {
 bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   const star_set& stars = state_.stars();
   std::vector<vertex_index> stale, unconfirmed;
+  constexpr std::size_t as_neighbours = 60;  // of the time that a look at one takes
   for (const bad_triangle& b : queue.bad()) {
     if (b.why != badness::disagreeing) break;
+    state_.count_neighbours_looked_at(as_neighbours);
     // At a jump of the metric most sites are in reach of most others.
     if (steep_.is_given_up(b.where) || steep_.gives_up(b)) continue;
     for (const vertex_index v : b.where) {

@@ -109,6 +109,8 @@ void star_set::touch(vertex_index v) {
 }
 
 double star_set::part_of_work_bound(const site_oracle& oracle) const {
+  if (work_units(oracle.kernel().counters()) > most_of_run_)
+    return std::numeric_limits<double>::infinity();
   if (!given_) return 0;
   return asterism::internal::part_of_work_bound(oracle.kernel().counters(), oracle.size(),
                                                 *given_) /
@@ -118,7 +120,9 @@ double star_set::part_of_work_bound(const site_oracle& oracle) const {
 // Returns the units of work that may have been done once all stars are made.
 double star_set::most_units(const site_oracle& oracle) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  return given_ ? most_work * work_share_ * most_work_units(oracle.size(), *given_) : infinity;
+  const double own =
+      given_ ? most_work * work_share_ * most_work_units(oracle.size(), *given_) : infinity;
+  return std::min(own, most_of_run_);
 }
 
 std::size_t star_set::stars_missing() const {
@@ -134,6 +138,7 @@ std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
   constexpr std::size_t first_block = 256, careful_block = 128;
   constexpr double much = 0.25;
   const bool confirm = search == star_search::thorough && oracle.near() != nullptr;
+  most_of_run_ = work_units(oracle.kernel().counters()) + cancelled_.units_left();
   const site_index latest = confirm ? latest_sites(oracle, which) : site_index();
   std::vector<made_star> all;
   std::vector<vertex_index> waiting(which.rbegin(), which.rend());  // the last one is the next
@@ -270,14 +275,19 @@ void star_set::add_last(const site_oracle& oracle) {
   condition_.resize(oracle.size(), condition::stale);
   final_.resize(oracle.size());
   rebuild(oracle, w, star_search::near);
-  for (const vertex_index v : candidate_stars(oracle, w, stars_[w])) {
+  const std::vector<vertex_index> candidates = candidate_stars(oracle, w, stars_[w]);
+  candidates_ += candidates.size();
+  bool is_over = part_of_work_bound(oracle) > most_work;
+  for (const vertex_index v : candidates) {
     if (stars_[v].contains(w)) continue;
-    if (part_of_work_bound(oracle) > most_work) {
+    if (is_over) {
       mark_stale(v);  // nobody asked whether it would accept w
       continue;
     }
     const star before = stars_[v];
-    if (!offer(oracle, v, stars_[v], w)) continue;
+    const bool is_changed = offer(oracle, v, stars_[v], w);
+    is_over = part_of_work_bound(oracle) > most_work;
+    if (!is_changed) continue;
     mark_stale(v);
     touched_.push_back(v);
     for (const sector& part : before.sectors)

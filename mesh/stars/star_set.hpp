@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -73,6 +74,10 @@ class star_set {
   std::vector<vertex_index> construct(const site_oracle& oracle,
                                       const std::vector<vertex_index>& which, star_search search);
 
+  // Returns how many stars sites were looked at for that were added one by one. Where metrics vary
+  // wildly these are all there are, each time.
+  std::size_t candidates_looked_at() const { return candidates_; }
+
   // Returns the stars changed since the last call, with their neighbours before the change.
   // Whatever was known of a triangle at one of these sites is to be looked at again. May hold an
   // index twice.
@@ -110,8 +115,11 @@ class star_set {
   void touch(vertex_index v);  // notes a change of v's star; to be called before it
 
   cancellation cancelled_;
+  // Units of work that may have been done when what is left on the run's account is used up.
+  double most_of_run_ = std::numeric_limits<double>::infinity();
   std::optional<std::size_t> given_;
   double work_share_ = 1;
+  std::size_t candidates_ = 0;
   std::vector<vertex_index> touched_;
   const neighbour_lists* guesses_ = nullptr;  // while all stars are made
   std::vector<star> stars_;

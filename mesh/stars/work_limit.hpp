@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "asterism/kernels/work_units.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
 
@@ -32,6 +34,17 @@ inline double most_work_units(std::size_t sites, std::size_t given) {
 inline double part_of_work_bound(const tier_counters& counts, std::size_t sites,
                                  std::size_t given) {
   return work_units(counts) / most_work_units(sites, given);
+}
+
+// Work that a whole run may take, whatever it tries: ten seconds on one core, and 0.15 milliseconds
+// a site. A million triangles take a fourth of that, an adaptation that meets its metric 9 units a
+// site. The audit of what comes out has its own (audit/audit_work.hpp).
+constexpr double units_for_run = 1e6, run_units_for_site = 15;
+
+// Returns the stop of a run with an account of the work it may do, unless it has one already.
+inline cancellation with_run_work(const cancellation& stop) {
+  const bool has_account = stop.units_left() < std::numeric_limits<double>::infinity();
+  return has_account ? stop : stop.with_work(units_for_run, run_units_for_site);
 }
 
 // Work that all meshes in relaxed metrics together may take besides, where one in the metric given

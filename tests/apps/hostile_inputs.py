@@ -243,7 +243,31 @@ FIELDS = {
     "thin_turned_100": ("--metric", TURNED, "--size", "100"),
     "waves": ("--metric", WAVES, "--size", "1"),
     "step": ("--metric", STEP, "--size", "10"),
+    "swirl_1e8": ("--metric", "swirl:1e8", "--size", "10"),
 }
+
+
+def jobs_on_mesh(name, files):
+    """What is tried on a mesh with a metric."""
+    source = f"{name}.mesh"
+    yield f"certify {name}", files, ("certify", source)
+    yield f"certify --repair {name}", files, ("certify", source, "--repair", "-o", "out.mesh")
+    yield f"verify {name}", files, ("verify", source)
+    yield f"mesh {name}", files, ("mesh", source, "--metric", source, "-o", "out.mesh")
+    yield f"mesh {name} --size 1", files, ("mesh", source, "--metric", source, "--size", "1", "-o", "out.mesh")
+    yield f"adapt {name}", files, ("adapt", source, "--metric", f"{name}.sol", "-o", "out.mesh")
+
+
+def jobs_on_folder(folder):
+    """The same, and two metrics for each domain, of the files of a folder that is not part of the project."""
+    for path in sorted(folder.glob("*.mesh")):
+        metric = path.with_suffix(".sol")
+        if metric.exists():
+            yield from jobs_on_mesh(path.stem, {path.name: path.read_text(), metric.name: metric.read_text()})
+    for path in sorted(folder.glob("*.poly")):
+        for options in ((), SWIRL):
+            yield (f"mesh {path.stem} {' '.join(options)}".strip(), {path.name: path.read_text()},
+                   ("mesh", path.name, *options, "-o", "out.mesh"))
 
 
 def jobs():
@@ -255,12 +279,6 @@ def jobs():
                    ("mesh", f"{name}.poly", *options, "-o", "out.mesh"))
     for name, make in MESHES.items():
         mesh, solution = make()
-        files = {f"{name}.mesh": mesh, f"{name}.sol": solution}
-        source = f"{name}.mesh"
-        yield f"certify {name}", files, ("certify", source)
-        yield f"certify --repair {name}", files, ("certify", source, "--repair", "-o", "out.mesh")
-        yield f"verify {name}", files, ("verify", source)
-        yield f"mesh {name}", files, ("mesh", source, "--metric", source, "-o", "out.mesh")
-        yield f"mesh {name} --size 1", files, ("mesh", source, "--metric", source, "--size", "1", "-o", "out.mesh")
+        yield from jobs_on_mesh(name, {f"{name}.mesh": mesh, f"{name}.sol": solution})
     for name, options in FIELDS.items():
         yield f"mesh square {name}", {}, ("mesh", "square", *options, "-o", "out.mesh")

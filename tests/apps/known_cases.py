@@ -87,6 +87,31 @@ class BoundedWork(command.CommandTest):
                 self.assertEqual(done.returncode, 1, done.stderr)
                 self.assertIn("REFUSED: ", done.stdout)
 
+    def test_thousands_of_segments_at_one_vertex_took_a_minute_to_be_excused(self):
+        self.write("fan.poly", hostile_inputs.fan(1000, 0.36))
+        done = self.bounded("mesh", "fan.poly", "-o", "fan.mesh")
+        self.assertEqual(done.returncode, 1, done.stderr)
+
+    def test_a_comb_wanted_more_sites_for_minutes(self):
+        self.write("comb.poly", hostile_inputs.comb(300))
+        for more in (("--size", "1"), ("--metric", "swirl:12")):
+            done = self.bounded("mesh", "comb.poly", *more, "-o", "comb.mesh")
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+
+    def test_a_metric_of_huge_and_tiny_numbers_took_a_minute_to_be_delivered(self):
+        source = self.prepare("huge_and_tiny")
+        done = self.bounded("adapt", source, "--metric", "huge_and_tiny.sol", "--max-sites", "5000", "-o", "out.mesh")
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+
+    def test_the_work_of_a_run_ends_at_the_same_place_on_any_number_of_threads(self):
+        self.write("hole.poly", hostile_inputs.hole_an_ulp_from_the_side())
+        made = []
+        for threads in ("1", "3"):
+            done = self.bounded("mesh", "hole.poly", "--metric", "swirl:12", "--max-sites", "3000", "--threads", threads,
+                                "-o", "hole.mesh")
+            made.append((done.returncode, done.stderr, (self.folder / "hole.mesh").read_bytes()))
+        self.assertEqual(made[0], made[1])
+
     def test_a_rectangle_1e_8_high_took_minutes(self):
         source = self.prepare("sliver_1e-8")
         done = self.bounded("mesh", source, "--metric", source, "--size", "1", "-o", "out.mesh")
