@@ -26,7 +26,7 @@ def areas(mesh):
 
 
 def test_the_curves_of_a_domain_file_are_kept():
-    domain = asterism.Domain(os.path.join(os.path.dirname(__file__), "../../examples/fillets.poly"))
+    domain = asterism.Domain.read(os.path.join(os.path.dirname(__file__), "../../examples/fillets.poly"))
     made = asterism.mesh(domain, size=0.2)
     assert made.certified, made.reason
     told = json.loads(made.certificate.text)["audit"]["curves"]
