@@ -60,7 +60,7 @@ std::string next_step(const mesh_job& job, const certified_mesh& made) {
                                : "";
     case ending::intolerable:
       return fmt::format("--metric-tolerance {}, a smaller --size, or --gradation",
-                         internal::number_text(outcome.intolerable->found));
+                         internal::number_text(outcome.intolerable->greatest));
     case ending::stuck:
     case ending::too_steep:
     case ending::overworked:

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 
@@ -123,7 +124,8 @@ bool agreement::merge_away(vertex_index t) {
   vertex_index from = none, into = none;
   face_list at, ring;
   for (const vertex_index v : m_.faces()[t].v) {
-    const double now = trouble_around(v, at);
+    m_.around(v, at);
+    const double now = trouble_at(at, infinity);
     m_.neighbours(v, ring);
     if (ring.size() > most_neighbours) continue;
     for (const vertex_index w : ring) {
@@ -180,13 +182,14 @@ void agreement::follow_shape(vertex_index t) {
   }
 }
 
-// Returns how far the angles at v's triangles are below a few degrees above the bound.
-double agreement::trouble_around(vertex_index v, face_list& at) const {
+// Returns how far the angles at these faces are below a few degrees above the bound, or, where that
+// is at least `most`, some number that is.
+double agreement::trouble_at(const face_list& at, double most) const {
   double sum = 0;
-  m_.around(v, at);
   for (const vertex_index t : at) {
     const face& f = m_.faces()[t];
     sum += excess(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]));
+    if (!(sum < most)) break;
   }
   return sum;
 }
@@ -204,7 +207,8 @@ void agreement::move_away(vertex_index v) {
   const node here = m_.at(v);
   if (here.kind != node_kind::free && here.kind != node_kind::sliding) return;
   face_list at;
-  double least = trouble_around(v, at);
+  m_.around(v, at);
+  double least = trouble_at(at, infinity);
   const double most = std::max(longest_edge * options_.unit, longest_around(v));
   node best = here;
   const auto asked = options_.wanted(here.position);
@@ -222,7 +226,7 @@ void agreement::move_away(vertex_index v) {
       m_.move(v, to);
       if (is_wanted)
         if (const auto there = options_.wanted(to)) m_.set_metric(v, *there);
-      const double trouble = trouble_around(v, at);
+      const double trouble = trouble_at(at, least);
       if (!(trouble < least)) continue;
       if (longest_around(v) > most) continue;
       least = trouble;
@@ -238,21 +242,7 @@ void agreement::move_away(vertex_index v) {
 
 // Makes all pairs of these alike, to a part of the greatest distortion they have now.
 void agreement::make_alike_at(const std::vector<vertex_index>& nodes, double part) {
-  double most = 0;
-  for (const vertex_index v : nodes)
-    for (const vertex_index w : nodes)
-      if (v < w) most = std::max(most, log_distortion(m_.at(v).metric, m_.at(w).metric));
-  // Lengths that differ by 1e-9 change a clearance by far less than the margin asked of it.
-  if (!(most > 1e-9)) return;
-  for (const vertex_index v : nodes)
-    for (const vertex_index w : nodes) {
-      if (v >= w) continue;
-      metric_tensor p = m_.at(v).metric, q = m_.at(w).metric;
-      if (!make_alike(p, q, part * most)) continue;
-      m_.set_metric(v, p);
-      m_.set_metric(w, q);
-      ++report_.alike;
-    }
+  adapting::make_alike_at(m_, nodes, part, [this](vertex_index, vertex_index) { ++report_.alike; });
 }
 
 }  // namespace asterism::internal::adapting

@@ -58,7 +58,7 @@ class agreement {
   double excess(const node& a, const node& b, const node& c) const;
   bool merge_away(vertex_index t);
   void follow_shape(vertex_index t);
-  double trouble_around(vertex_index v, face_list& at) const;
+  double trouble_at(const face_list& at, double most) const;
   double longest_around(vertex_index v) const;
   void move_away(vertex_index v);
   void make_alike_at(const std::vector<vertex_index>& nodes, double part);

@@ -45,4 +45,23 @@ nodal_field field_of(working_mesh& m) {
   return made;
 }
 
+void make_alike_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,
+                   const std::function<void(vertex_index, vertex_index)>& changed) {
+  double most = 0;
+  for (const vertex_index v : nodes)
+    for (const vertex_index w : nodes)
+      if (v < w) most = std::max(most, log_distortion(m.at(v).metric, m.at(w).metric));
+  // Lengths that differ by 1e-9 change a clearance by far less than the margin asked of it.
+  if (!(most > 1e-9)) return;
+  for (const vertex_index v : nodes)
+    for (const vertex_index w : nodes) {
+      if (v >= w) continue;
+      metric_tensor p = m.at(v).metric, q = m.at(w).metric;
+      if (!make_alike(p, q, part * most)) continue;
+      m.set_metric(v, p);
+      m.set_metric(w, q);
+      changed(v, w);
+    }
+}
+
 }  // namespace asterism::internal::adapting

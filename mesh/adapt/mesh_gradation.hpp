@@ -4,6 +4,9 @@
 // of them. Internal to mesh/adapt.
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 
@@ -14,5 +17,10 @@ void grade_mesh(working_mesh& m, double distortion, double unit, const cancellat
 
 // Returns the field that the nodes' tensors are, and sets the nodes' hints to where they are in it.
 nodal_field field_of(working_mesh& m);
+
+// Makes all pairs of these nodes' tensors alike, to a part of the greatest distortion they have.
+// Calls changed(v, w) for each pair to which other tensors were given.
+void make_alike_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,
+                   const std::function<void(vertex_index, vertex_index)>& changed);
 
 }  // namespace asterism::internal::adapting

@@ -27,21 +27,17 @@ double logarithmic_mean(double a, double b) {
   return std::abs(ratio - 1) > 1e-3 ? (a - b) / elementary::log(ratio) : (a + b) / 2;
 }
 
-}  // namespace
-
-double log_distortion(const metric_tensor& a, const metric_tensor& b) {
-  const simultaneous_reduction r = reduce(a, b);
-  return std::max(std::abs(elementary::log(r.high)), std::abs(elementary::log(r.low))) / 2;
+// True if the tensors, reduced, are alike to this limit without a doubt, by ln x <= x - 1: for most
+// pairs no logarithm is needed. False says nothing.
+bool are_surely_alike(const simultaneous_reduction& r, double most) {
+  constexpr double roundings = 1 - 1e-9;
+  const double limit = 2 * most * roundings;
+  return r.high - 1 <= limit && r.low - 1 <= limit && 1 - r.high <= limit * r.high &&
+         1 - r.low <= limit * r.low;
 }
 
-double log_variation(const site& a, const site& b) {
-  const point d{b.position.x - a.position.x, b.position.y - a.position.y};
-  return log_distortion(a.metric, b.metric) /
-         logarithmic_mean(length(a.metric, d), length(b.metric, d));
-}
-
-bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_part) {
-  const simultaneous_reduction r = reduce(a, b);
+bool make_alike_by(const simultaneous_reduction& r, double most, double coarser_part,
+                   metric_tensor& a, metric_tensor& b) {
   const double high = elementary::log(r.high), low = elementary::log(r.low);
   if (!(std::max(std::abs(high), std::abs(low)) > 2 * most)) return false;
   // Part of the limit that is aimed at, by whatever is above that: rounds do not creep up to the
@@ -66,6 +62,24 @@ bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_
   return true;
 }
 
+}  // namespace
+
+double log_distortion(const metric_tensor& a, const metric_tensor& b) {
+  const simultaneous_reduction r = reduce(a, b);
+  return std::max(std::abs(elementary::log(r.high)), std::abs(elementary::log(r.low))) / 2;
+}
+
+double log_variation(const site& a, const site& b) {
+  const point d{b.position.x - a.position.x, b.position.y - a.position.y};
+  return log_distortion(a.metric, b.metric) /
+         logarithmic_mean(length(a.metric, d), length(b.metric, d));
+}
+
+bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_part) {
+  const simultaneous_reduction r = reduce(a, b);
+  return !are_surely_alike(r, most) && make_alike_by(r, most, coarser_part, a, b);
+}
+
 std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge>& edges,
                   const gradation_limit& limit, std::vector<metric_tensor>& tensors,
                   const cancellation& stop) {
@@ -83,9 +97,14 @@ std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge
       ++pairs;
       const point d{places[e.b].x - places[e.a].x, places[e.b].y - places[e.a].y};
       const double at_a = length(tensors[e.a], d), at_b = length(tensors[e.b], d);
-      const double mean = logarithmic_mean(at_a, at_b) / limit.unit;
-      const double most = at_unit * std::clamp(mean, limit.shortest, limit.longest);
-      if (!make_alike(tensors[e.a], tensors[e.b], most, coarser_part)) continue;
+      const auto most_at = [&](double mean) {
+        return at_unit * std::clamp(mean / limit.unit, limit.shortest, limit.longest);
+      };
+      // The geometric mean is less than the logarithmic one.
+      const simultaneous_reduction r = reduce(tensors[e.a], tensors[e.b]);
+      if (are_surely_alike(r, most_at(std::sqrt(at_a * at_b)))) continue;
+      const double most = most_at(logarithmic_mean(at_a, at_b));
+      if (!make_alike_by(r, most, coarser_part, tensors[e.a], tensors[e.b])) continue;
       changed_in[e.a] = changed_in[e.b] = round + 1;
       any = true;
     }

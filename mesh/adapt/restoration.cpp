@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 
@@ -154,6 +155,23 @@ void restoration::take_back(const std::vector<vertex_index>& nodes,
     taken.push_back(v);
     list_disagreeing(v, waiting);
   }
+}
+
+void restoration::make_alike(const std::vector<vertex_index>& nodes,
+                             std::vector<vertex_index>& changed) {
+  // Half of the distortion, as for neighbours, put others in the way of 200 stars at once: the
+  // nodes are far from each other, and their tensors very different.
+  constexpr double part = 0.85;
+  std::vector<vertex_index> around;
+  make_alike_at(m_, nodes, part, [&](vertex_index a, vertex_index b) {
+    for (const vertex_index v : {a, b}) {
+      before_[v] = m_.at(v).metric;
+      kept_[v] = 1;
+      changed.push_back(v);
+    }
+  });
+  for (const vertex_index v : nodes) list_disagreeing(v, around);
+  take_back(around, changed);
 }
 
 }  // namespace asterism::internal::adapting

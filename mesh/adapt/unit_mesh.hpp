@@ -43,9 +43,9 @@ class unit_mesher {
   void run(metric_at field, const std::vector<point>& seeds);
   // Changes the mesh there is as another metric wants it.
   void refit(metric_at field);
-  // Splits edges that are much too long in this metric, where the one of the mesh does not object.
-  // Returns how many.
-  std::size_t split_left_long(metric_at wanted);
+  // Splits edges that are much too long in this metric, where the one of the mesh does not object,
+  // the longest first, up to so many nodes. Returns how many.
+  std::size_t split_left_long(metric_at wanted, std::size_t most_nodes);
   // Returns the length of an edge that came out, or was wanted to.
   double unit() const { return unit_; }
 

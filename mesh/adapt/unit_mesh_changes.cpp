@@ -70,12 +70,13 @@ point middle(const node& a, const node& b) {
 
 // Splits the edges that are too long in the metric wanted and not short in the mesh's own. The
 // latter is the one that stars can agree about: what it has coarsened stays so.
-std::size_t unit_mesher::split_left_long(metric_at wanted) {
+std::size_t unit_mesher::split_left_long(metric_at wanted, std::size_t most_nodes) {
   std::size_t done = 0;
   field_ = std::move(wanted);
   constexpr double most = 1.35, own = 1.2;  // units
   const std::vector<long_edge> found = edges_where(m_, [&](double l) { return l > own * unit_; });
   for (const long_edge& e : found) {
+    if (m_.count() >= most_nodes) break;
     const auto [t, edge] = find_edge(m_, e.a, e.b);
     if (t == none) continue;
     node &a = m_.at(e.a), &b = m_.at(e.b);

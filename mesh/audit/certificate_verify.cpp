@@ -157,7 +157,15 @@ bool is_of_mesh(const std::string& metric) {
 // was not complete then.
 void compare_tolerance(contradictions& all, const certificate& claim) {
   const auto option = claim.options.find("metric-tolerance");
-  if (option == claim.options.end() || option->second == "none") return;
+  if (option == claim.options.end()) return;
+  if (option->second == "none") {
+    if (claim.complete && claim.delivered && claim.delivered->median > most_median_distance)
+      all.add(
+          "the certificate says that its mesh was completed, and of half of the sites the metric "
+          "delivered is more than " +
+          text_of(claim.delivered->median) + " from the one wanted");
+    return;
+  }
   const auto tolerated = number_of(option->second);
   if (!tolerated || !(*tolerated >= 0)) {
     all.add("\"asked.options.metric-tolerance\" is no number of at least 0");

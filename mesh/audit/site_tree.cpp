@@ -41,40 +41,46 @@ metric_tensor sum(const metric_tensor& a, const metric_tensor& b) {
   return {a.m11 + b.m11, a.m12 + b.m12, a.m22 + b.m22};
 }
 
+// Returns the trace of b m, which is at least |g|^2 in b over |h|^2 in m for g = m h, from above.
+// Where both are much stretched, fewer digits of it are lost than of the first.
+double trace_above(const metric_tensor& b, const metric_tensor& m) {
+  const double diagonal = b.m11 * m.m11 + b.m22 * m.m22, mixed = 2 * (b.m12 * m.m12);
+  return (diagonal + mixed + step * (diagonal + std::abs(mixed)) + 0x1p-300) * up;
+}
+
 double product_bound(double a, double b) {
   const double product = (bounded(a) * bounded(b)).upper();
   return product < infinity ? product : infinity;
 }
 
-double positive_determinant(const metric_tensor& m) {
+// Returns a lower bound of the determinant; 0 where none is known.
+double determinant_below(const metric_tensor& m) {
   const double below = positive_bound(tensor_of_doubles(m).determinant().lower());
   return below < infinity ? below : 0;
 }
 
 }  // namespace
 
-site_tree::site_tree(const std::vector<site>& sites) : order_(sites.size()) {
+site_tree::site_tree(const std::vector<site>& sites) : sites_(sites), order_(sites.size()) {
   std::iota(order_.begin(), order_.end(), vertex_index{0});
   nodes_.reserve(4 * sites.size() / leaf_size + 1);
-  if (!sites.empty()) build(0, sites.size(), sites);
+  if (!sites.empty()) build(0, sites.size());
   groups_.push_back(sites.size());
-  places_.reserve(sites.size());
-  for (const vertex_index w : order_) places_.push_back(sites[w].position);
 }
 
 // With B = `inverse`: the eigenvalues of M_w^-1 B^-1 are the inverses of those of B M_w, and the
 // greater of these is divided by the determinant of B M_w to invert the smaller.
-void site_tree::bound_leaf(node& n, const std::vector<site>& sites) const {
+void site_tree::bound_leaf(node& n) const {
   n.inverse = {0, 0, 0};
   for (std::size_t i = n.first; i < n.last; ++i)
-    n.inverse = sum(n.inverse, plain_inverse(sites[order_[i]].metric));
-  n.determinant_below = positive_determinant(n.inverse);
-  n.spread_squared = n.determinant_below > 0 ? 0 : infinity;
-  if (n.determinant_below == 0) return;
+    n.inverse = sum(n.inverse, plain_inverse(sites_[order_[i]].metric));
+  n.spread_squared = determinant_below(n.inverse) > 0 ? 0 : infinity;
+  if (n.spread_squared == infinity) return;
   const tensor<bounded> b = tensor_of_doubles(n.inverse);
   for (std::size_t i = n.first; i < n.last; ++i) {
-    const metric_tensor& metric = sites[order_[i]].metric;
-    if (i > n.first && identical(metric, sites[order_[i - 1]].metric)) continue;  // bounded already
+    const metric_tensor& metric = sites_[order_[i]].metric;
+    if (i > n.first && identical(metric, sites_[order_[i - 1]].metric))
+      continue;  // bounded already
     const tensor<bounded> m = tensor_of_doubles(metric);
     const bounded determinant = b.determinant() * m.determinant();
     const double greatest = greatest_eigenvalue(trace_of_product(b, m), determinant);
@@ -88,9 +94,8 @@ void site_tree::bound_leaf(node& n, const std::vector<site>& sites) const {
 // C B^-1.
 void site_tree::bound_parent(node& n, const node& left, const node& right) const {
   n.inverse = sum(left.inverse, right.inverse);
-  n.determinant_below = positive_determinant(n.inverse);
-  n.spread_squared = n.determinant_below > 0 ? 0 : infinity;
-  if (n.determinant_below == 0) return;
+  n.spread_squared = determinant_below(n.inverse) > 0 ? 0 : infinity;
+  if (n.spread_squared == infinity) return;
   const tensor<bounded> b = tensor_of_doubles(n.inverse);
   const bounded inverse = bounded(1) / b.determinant();
   for (const node* child : {&left, &right}) {
@@ -102,7 +107,7 @@ void site_tree::bound_parent(node& n, const node& left, const node& right) const
   }
 }
 
-void site_tree::build(std::size_t first, std::size_t last, const std::vector<site>& sites) {
+void site_tree::build(std::size_t first, std::size_t last) {
   const std::size_t self = nodes_.size();
   nodes_.emplace_back();
   node n;
@@ -111,12 +116,12 @@ void site_tree::build(std::size_t first, std::size_t last, const std::vector<sit
   n.low = {infinity, infinity};
   n.high = {-infinity, -infinity};
   for (std::size_t i = first; i < last; ++i) {
-    const point& q = sites[order_[i]].position;
+    const point& q = sites_[order_[i]].position;
     n.low = {std::min(n.low.x, q.x), std::min(n.low.y, q.y)};
     n.high = {std::max(n.high.x, q.x), std::max(n.high.y, q.y)};
   }
   if (last - first <= leaf_size) {
-    bound_leaf(n, sites);
+    bound_leaf(n);
     groups_.push_back(first);
     nodes_[self] = n;
     return;
@@ -127,24 +132,23 @@ void site_tree::build(std::size_t first, std::size_t last, const std::vector<sit
   const bool wide = n.high.x / 2 - n.low.x / 2 > n.high.y / 2 - n.low.y / 2;
   const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(first), at(middle), at(last), [&](vertex_index a, vertex_index b) {
-    const point &p = sites[a].position, &q = sites[b].position;
+    const point &p = sites_[a].position, &q = sites_[b].position;
     if (wide) return lexicographically_less(p, q);
     return p.y < q.y || (p.y == q.y && p.x < q.x);
   });
-  build(first, middle, sites);
+  build(first, middle);
   n.right = nodes_.size();
-  build(middle, last, sites);
+  build(middle, last);
   bound_parent(n, nodes_[self + 1], nodes_[n.right]);
   nodes_[self] = n;
 }
 
 site_tree::centre site_tree::centre_of(const site& v, double reach) {
-  return {v.position, v.position, v.metric, positive_determinant(v.metric), reach, 1};
+  return {v.position, v.position, v.metric, reach, 1};
 }
 
-// With B the first star's metric and tau^2 the spread, |u|_B <= tau |u|_v and
-// M_w^-1 M_v <= tau^2 M_w^-1 B: what is beyond (1 + tau sigma_B) tau reach as B measures is too far
-// from v, sigma_B that of B in place of M_v.
+// With B the first star's metric and tau^2 the spread, |g|_v <= tau |g|_B: the lemma holds with
+// tau |g|_B in place of |g|_v, or with tau taken out, for the reach times tau and |g|_w / tau.
 std::optional<site_tree::centre> site_tree::centre_of(const std::vector<reaching>& stars) {
   constexpr double most_spread = 4;
   if (stars.empty()) return std::nullopt;
@@ -175,76 +179,83 @@ bool site_tree::gather(const std::vector<reaching>& stars, std::vector<std::size
   return all.has_value();
 }
 
-// Returns the trace of tau^2 inverse M_v, from above: at least its greater eigenvalue.
-double site_tree::trace_above(const node& n, const centre& v) {
-  const metric_tensor &b = n.inverse, &m = v.metric;
-  const double diagonal = b.m11 * m.m11 + b.m22 * m.m22, mixed = 2 * (b.m12 * m.m12);
-  const double magnitude = diagonal + std::abs(mixed);
-  const double trace = (diagonal + mixed + step * magnitude + 0x1p-899) * v.spread_squared * up;
-  return trace < 0x1p501 && n.spread_squared < 0x1p500 ? trace : infinity;
+// g is M h exactly; what is computed of it is off by `step` of the magnitudes. h, a pair of
+// doubles, need not be good.
+site_tree::separation site_tree::separation_along(const point& h, const offset_box& to,
+                                                  const centre& v, const inverse_bound& inverse) {
+  const metric_tensor &m = v.metric, &b = inverse.tensor;
+  const point g{m.m11 * h.x + m.m12 * h.y, m.m12 * h.x + m.m22 * h.y};
+  const point size{m.m11 * std::abs(h.x) + std::abs(m.m12 * h.y),
+                   std::abs(m.m12 * h.x) + m.m22 * std::abs(h.y)};
+  const point extent{std::max(std::abs(to.low.x), std::abs(to.high.x)),
+                     std::max(std::abs(to.low.y), std::abs(to.high.y))};
+  const double least = g.x * (g.x > 0 ? to.low.x : to.high.x) +
+                       g.y * (g.y > 0 ? to.low.y : to.high.y) -
+                       step * (size.x * extent.x + size.y * extent.y);
+  const bool in_range = least > 0x1p-300 && size.x + size.y < 0x1p200 && b.m11 + b.m22 < 0x1p200 &&
+                        std::abs(h.x) + std::abs(h.y) < 0x1p200 && inverse.factor < 0x1p200;
+  if (!in_range) return {};
+  const double own = g.x * h.x + g.y * h.y,
+               own_size = size.x * std::abs(h.x) + size.y * std::abs(h.y);
+  const double other = b.m11 * g.x * g.x + b.m22 * g.y * g.y + 2 * (b.m12 * g.x * g.y),
+               other_size = b.m11 * size.x * size.x + b.m22 * size.y * size.y +
+                            2 * (std::abs(b.m12) * size.x * size.y);
+  const double factor = inverse.factor / v.spread_squared;
+  const double own_squared = (own + step * own_size + 0x1p-300) * up;
+  const double other_squared = (other + step * other_size + 0x1p-300) * factor * up;
+  const double turned = trace_above(b, m) * factor * up * own_squared * up;
+  return {least, own_squared, std::min(other_squared, turned)};
 }
 
-// Bounds sigma: sigma^2 is at most spread_squared times the greater eigenvalue of inverse M_v.
-double site_tree::limit(const node& n, const centre& v) {
-  const double half = 0.5 * trace_above(n, v);
-  if (half == infinity) return infinity;
-  const double own = v.determinant_below * (v.spread_squared * v.spread_squared);
-  const double determinant = n.determinant_below * own * (1 - 0x1p-49);
-  const double rest = half * half * up - determinant;
-  const double greatest = (half + std::sqrt(rest > 0 ? rest : 0) * up) * up;
-  const double sigma = std::sqrt(n.spread_squared * greatest * up) * up;
-  return (1 + (sigma > 1 ? sigma : 1)) * v.reach * up;
+// Takes roots only where (a + b)^2 is not settled by lying between 4 a^2 and 2 a^2 + 2 b^2.
+bool site_tree::separation::is_beyond(double reach) const {
+  if (!(least > 0 && reach < 0x1p200)) return false;
+  constexpr double smallest_reach = 0x1p-200;
+  const double r = std::max(reach, smallest_reach), square = least * least / up;
+  const double other = std::max(own_squared, other_squared);
+  if (!(square > 4 * (r * r) * own_squared)) return false;
+  if (square > 2 * (r * r) * (own_squared + other) * up) return true;
+  return least > r * (std::sqrt(own_squared) + std::sqrt(other)) * up;
 }
 
-// (1 + sigma)^2 <= 2 + 2 sigma^2.
-double site_tree::rough_squared_limit(const node& n, const centre& v) {
-  const double trace = trace_above(n, v);
-  if (trace == infinity) return infinity;
-  const double sigma_squared = n.spread_squared * trace * up;
-  return 2 * (1 + (sigma_squared > 1 ? sigma_squared : 1)) * (v.reach * v.reach * up) * up;
+// Tries the covector that v finds to point to the middle of the box, and, where that is far enough
+// for equal metrics, the one along which both ellipses together are farthest from it: with P and Q
+// the inverses, and c the way to the middle, (P + Q)^-1 c, which is M h for h = (1 + Q M)^-1 c.
+bool site_tree::too_far(const offset_box& to, const centre& v, const inverse_bound& inverse) {
+  const bool may_meet = to.low.x <= 0 && to.low.y <= 0 && to.high.x >= 0 && to.high.y >= 0;
+  if (may_meet || !(inverse.factor < infinity)) return false;
+  const point c{0.5 * to.low.x + 0.5 * to.high.x, 0.5 * to.low.y + 0.5 * to.high.y};
+  const separation plain = separation_along(c, to, v, inverse);
+  if (!(plain.least * plain.least > 4 * (v.reach * v.reach) * plain.own_squared)) return false;
+  if (plain.is_beyond(v.reach)) return true;
+  const metric_tensor &m = v.metric, &b = inverse.tensor;
+  const double factor = inverse.factor / v.spread_squared;
+  const double a11 = 1 + factor * (b.m11 * m.m11 + b.m12 * m.m12),
+               a12 = factor * (b.m11 * m.m12 + b.m12 * m.m22),
+               a21 = factor * (b.m12 * m.m11 + b.m22 * m.m12),
+               a22 = 1 + factor * (b.m12 * m.m12 + b.m22 * m.m22);
+  const double scale = 1 / (a11 + a22);
+  const point h{scale * (a22 * c.x - a12 * c.y), scale * (a11 * c.y - a21 * c.x)};
+  return separation_along(h, to, v, inverse).is_beyond(v.reach);
 }
 
-// With c any vector and g = M_v c, every w has |w|_v >= g.w / |c|_v. c leads to the middle of the
-// box of all w - v; the least g.w is at one of its corners.
-site_tree::approach site_tree::approach_of(const node& n, const centre& v) {
-  const point low{n.low.x - v.high.x, n.low.y - v.high.y};
-  const point high{n.high.x - v.low.x, n.high.y - v.low.y};
-  if (low.x <= 0 && low.y <= 0 && high.x >= 0 && high.y >= 0) return {};  // they meet
-  const metric_tensor& m = v.metric;
-  const point c{0.5 * low.x + 0.5 * high.x, 0.5 * low.y + 0.5 * high.y};
-  const point g{m.m11 * c.x + m.m12 * c.y, m.m12 * c.x + m.m22 * c.y};
-  const double least = g.x * (g.x > 0 ? low.x : high.x) + g.y * (g.y > 0 ? low.y : high.y);
-  const point extent{std::max(std::abs(low.x), std::abs(high.x)),
-                     std::max(std::abs(low.y), std::abs(high.y))};
-  const double mixed = std::abs(m.m12);
-  const double size = (m.m11 * extent.x + mixed * extent.y) * extent.x +
-                      (mixed * extent.x + m.m22 * extent.y) * extent.y;
-  const double least_below = least - step * size;
-  if (!(least_below > 0x1p-300 && size < 0x1p400 && extent.x + extent.y < 0x1p600)) return {};
-  return {least_below * least_below, (c.x * g.x + c.y * g.y + step * size) * up};
-}
-
-bool site_tree::approach::is_beyond(double squared_limit) const {
-  return squared_limit > 0x1p-500 && squared_least > squared_limit * square_above * up;
-}
-
-// Takes no root where a node is nearer than equal metrics would reach, or farther than a rougher
-// bound.
 bool site_tree::too_far(const node& n, const centre& v) {
-  const approach a = approach_of(n, v);
-  if (!a.is_beyond(4 * (v.reach * v.reach) * up)) return false;
-  if (a.is_beyond(rough_squared_limit(n, v))) return true;
-  const double most = limit(n, v);
-  return a.is_beyond(most * most * up);
+  const offset_box to{{n.low.x - v.high.x, n.low.y - v.high.y},
+                      {n.high.x - v.low.x, n.high.y - v.low.y}};
+  return too_far(to, v, {n.inverse, n.spread_squared});
 }
 
-bool site_tree::beyond(const point& q, const centre& v, double most) {
-  const metric_tensor& m = v.metric;
-  const point d{q.x - v.low.x, q.y - v.low.y};
-  const double xx = m.m11 * d.x * d.x, yy = m.m22 * d.y * d.y, xy = 2 * (m.m12 * d.x * d.y);
-  const double square = xx + yy + xy - step * (xx + yy + std::abs(xy)), bound = most * most * up;
-  const bool in_range = std::abs(d.x) + std::abs(d.y) < 0x1p400 && square < 0x1p800;
-  return in_range && most > 0x1p-250 && square > bound;
+// The inverse is the adjugate over the determinant.
+bool site_tree::too_far(const site& w, const centre& v) {
+  const metric_tensor& m = w.metric;
+  const point d{w.position.x - v.low.x, w.position.y - v.low.y};
+  const double below = determinant_below(m);
+  if (!(below > 0x1p-200)) return false;
+  return too_far({d, d}, v, {{m.m22, -m.m12, m.m11}, 1 / below * up});
+}
+
+bool site_tree::is_too_far(const site& v, double reach, const site& w) {
+  return too_far(w, centre_of(v, reach));
 }
 
 }  // namespace asterism::internal::audit_detail

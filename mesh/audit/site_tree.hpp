@@ -2,14 +2,15 @@
 //
 // Finds the sites near enough to matter to a star, in a tree of boxes.
 //
-// How near a site w must be depends on its own metric: with |w|_v the metric distance of w as v
-// sees it and sigma^2 the largest eigenvalue of M_w^-1 M_v, or 1 if that is more, a site with
-//   |w|_v > (1 + sigma) reach
-// is accepted in no gap of the star (docs/math/certificate.md, section 4.3). A box bounds |w|_v
-// from below and sigma from above for all its sites at once; rounding only ever keeps a site.
+// How near a site w must be depends on its own metric, and on the direction. With g any covector,
+// |g|_v and |g|_w how long the two metrics find it (|g|_v^2 = g M_v^-1 g), a site with
+//   g . (w - v) > (|g|_v + max(|g|_v, |g|_w)) reach
+// is accepted in no gap of the star (docs/math/certificate.md, section 4.3). A box bounds the left
+// side from below and the right one from above for all its sites at once; rounding only ever keeps
+// a site. The covector is a free choice: two are tried.
 //
-// The mesher has an index with the same descent by the same lemma (mesh/search/site_index). The two
-// are apart deliberately: the auditor must share no code with what it judges.
+// The mesher has an index with the same descent by a lemma of the same kind (mesh/search/
+// site_index). The two are apart deliberately: the auditor must share no code with what it judges.
 #pragma once
 
 #include <array>
@@ -53,6 +54,9 @@ class site_tree {
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
                   const Visit& visit) const;
 
+  // True if w is certainly too far from v.
+  static bool is_too_far(const site& v, double reach, const site& w);
+
  private:
   static constexpr std::size_t leaf_size = 8;
   static constexpr std::size_t most_depth = 64;  // nodes are halved
@@ -62,48 +66,54 @@ class site_tree {
   struct node {
     point low, high;
     metric_tensor inverse;
-    double determinant_below = 0;  // of `inverse`
-    double spread_squared = 0;     // infinite where not known
+    double spread_squared = 0;  // infinite where not known
     std::size_t first = 0, last = 0;
     std::size_t right = 0;  // the left child follows its parent; no right child: a leaf
   };
   // One star, or several: their places are in the box, the metric M of each is at least `metric` /
-  // spread_squared and at most spread_squared `metric`, and `reach`, in `metric`, is that of all.
+  // spread_squared and at most spread_squared `metric`. `reach` is that of all, each in the star's
+  // own metric, times the root of spread_squared.
   struct centre {
     point low, high;
     metric_tensor metric;
-    double determinant_below = 0, reach = 0, spread_squared = 1;
+    double reach = 0, spread_squared = 1;
+  };
+  // All w - v.
+  struct offset_box {
+    point low, high;
+  };
+  // All M_w^-1 are at most `factor` times this tensor.
+  struct inverse_bound {
+    metric_tensor tensor;
+    double factor = 0;  // infinite where not known
+  };
+  // What one covector g = M h says, M the centre's metric.
+  struct separation {
+    double least = 0;          // at most g . (w - v); not positive: nothing is known
+    double own_squared = 0;    // at least |h|^2 in M
+    double other_squared = 0;  // at least |g|_w^2 / spread_squared
+    bool is_beyond(double reach) const;
   };
 
-  void build(std::size_t first, std::size_t last, const std::vector<site>& sites);
-  void bound_leaf(node& n, const std::vector<site>& sites) const;
+  void build(std::size_t first, std::size_t last);
+  void bound_leaf(node& n) const;
   void bound_parent(node& n, const node& left, const node& right) const;
   static centre centre_of(const site& v, double reach);
   static std::optional<centre> centre_of(const std::vector<reaching>& stars);
-  // For all w of the node and v of the centre, |w - v|^2 in its metric is at least squared_least /
-  // square_above, if that is positive.
-  struct approach {
-    double squared_least = 0, square_above = 0;
-    bool is_beyond(double squared_limit) const;
-  };
-  static approach approach_of(const node& n, const centre& v);
-  static double trace_above(const node& n, const centre& v);  // infinite where not known
-  // Returns (1 + sigma) reach for all sites of the node, from above; infinite where not known.
-  static double limit(const node& n, const centre& v);
-  // Its square, not as near but without a root.
-  static double rough_squared_limit(const node& n, const centre& v);
+  static separation separation_along(const point& h, const offset_box& to, const centre& v,
+                                     const inverse_bound& inverse);
+  static bool too_far(const offset_box& to, const centre& v, const inverse_bound& inverse);
   static bool too_far(const node& n, const centre& v);
-  // True if |q - v|_v is certainly above the limit.
-  static bool beyond(const point& q, const centre& v, double limit);
+  static bool too_far(const site& w, const centre& v);
   template <class Visit>
   void visit_leaf(const node& n, const centre& v, const Visit& visit) const;
   // Calls visit(leaf) for each that is not too far.
   template <class Visit>
   void visit_leaves(const centre& c, const Visit& visit) const;
 
+  const std::vector<site>& sites_;
   std::vector<vertex_index> order_;
   std::vector<std::size_t> groups_;
-  std::vector<point> places_;  // in that order
   std::vector<node> nodes_;
 };
 
@@ -127,9 +137,8 @@ void site_tree::visit_leaves(const centre& c, const Visit& visit) const {
 
 template <class Visit>
 void site_tree::visit_leaf(const node& n, const centre& v, const Visit& visit) const {
-  const double most = limit(n, v);
   for (std::size_t i = n.first; i < n.last; ++i)
-    if (!beyond(places_[i], v, most)) visit(order_[i]);
+    if (!too_far(sites_[order_[i]], v)) visit(order_[i]);
 }
 
 template <class Visit>

@@ -142,6 +142,7 @@ class visibility_test {
 struct fan_gap {
   vertex_index x = 0, y = 0;
   bool on_boundary = false;          // x -> y is a subsegment: nothing beyond it is seen
+  double reach = 0;                  // how far from v sites matter to it
   std::optional<star_gap> prepared;  // unless on the boundary, or not to be shared
   mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
 };
@@ -259,7 +260,9 @@ class star_check {
       gap.x = fan.link[i];
       gap.y = fan.link[(i + 1) % n];
       gap.on_boundary = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
-      if (!gap.on_boundary) p.reach = greatest_bound(p.reach, prepare(v, gap));
+      if (gap.on_boundary) continue;
+      gap.reach = prepare(v, gap);
+      p.reach = greatest_bound(p.reach, gap.reach);
     }
   }
 
@@ -305,6 +308,7 @@ class star_check {
   void check_other(const prepared_fan& p, vertex_index w) {
     const fan_gap* gap = gap_of(p, w);
     if (gap == nullptr || gap->on_boundary || !around_.concerns(p.v, w, gap->x, gap->y)) return;
+    if (gap->reach < p.reach && site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
     ++tally_.part.star_pairs;
     if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
     tally_.found(finding_kind::star_site_missing,

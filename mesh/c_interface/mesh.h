@@ -83,7 +83,8 @@ typedef struct asterism_mesh_options {
   void* stop_context;
   /* How far the metric delivered may be from the one wanted, at any site, where stars cannot agree
    * in that one: ln of the greatest ratio of two lengths of a displacement. Beyond it a mesh is not
-   * complete. 0: no tensor is changed; negative: any distance; -1 */
+   * complete. 0: no tensor is changed; negative: any distance, but of half of the sites no more
+   * than ln 10; -1 */
   double metric_tolerance;
 } asterism_mesh_options;
 

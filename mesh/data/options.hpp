@@ -49,7 +49,8 @@ struct mesh_options {
   bool relax = true;
   // Greatest distance allowed between the metric delivered and the one wanted, at any site: ln of
   // the greatest ratio of the two lengths of a displacement, as delivered_report::greatest. 0: no
-  // tensor is changed. Beyond it a run is not complete, and says the distance. Default: any.
+  // tensor is changed. Beyond it a run is not complete, and says the distance. Default: any, unless
+  // half of the sites are beyond most_median_distance (data/delivered_report.hpp).
   std::optional<double> metric_tolerance = {};
   // Has make_certified_mesh prove or refuse that the mesh is the dual of the anisotropic Voronoi
   // diagram of its sites. make_mesh ignores it.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
@@ -30,6 +31,19 @@ double area_in_metric(const mesh& m) {
   return sum;
 }
 
+// Returns the distance of two tensors; very large and very small ones, of which determinants leave
+// the range of doubles, are brought to about unit size by one power of two, which changes nothing.
+double distance(const metric_tensor& a, const metric_tensor& b) {
+  constexpr int ordinary = 200;
+  const int size = std::ilogb(std::max(a.m11, a.m22));
+  if (std::abs(size) <= ordinary) return adapting::log_distortion(a, b);
+  const auto scaled = [size](const metric_tensor& m) {
+    return metric_tensor{std::scalbn(m.m11, -size), std::scalbn(m.m12, -size),
+                         std::scalbn(m.m22, -size)};
+  };
+  return adapting::log_distortion(scaled(a), scaled(b));
+}
+
 void note_distances(const mesh& delivered, const mesh& wanted, delivered_report& report) {
   const double tenth = elementary::log(1.1);
   std::vector<double> distances;
@@ -37,7 +51,7 @@ void note_distances(const mesh& delivered, const mesh& wanted, delivered_report&
   for (std::size_t v = 0; v < wanted.sites.size(); ++v) {
     const metric_tensor &a = wanted.sites[v].metric, &b = delivered.sites[v].metric;
     const bool is_same = identical(a, b);
-    distances.push_back(is_same ? 0 : adapting::log_distortion(a, b));
+    distances.push_back(is_same ? 0 : distance(a, b));
     if (!is_same) ++report.changed;
     if (distances.back() > tenth) ++beyond;
   }

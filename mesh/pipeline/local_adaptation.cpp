@@ -35,13 +35,12 @@ struct strictness {
   double background, mesh;
 };
 constexpr std::array<strictness, 4> ladder = {{{4, 2}, {3, 1.7}, {1.8, 1.4}, {1.25, 1.15}}};
-// How often the mesh is fitted to the metric as its own graph has graded it. Once makes what is
-// left to mend a tenth of what it is without; twice costs time and error, and gains nothing.
-constexpr int refits = 1;
 // Most audits of one mesh, each after what the one before had found was mended.
 constexpr int most_audits = 12;
 // Most audits of a mesh whose tensors alone are changed: those after the first cost little.
 constexpr int most_audits_again = 40;
+// Most times that tensors are made alike between those.
+constexpr int most_made_alike = 8;
 constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
 class adaptation {
  public:
@@ -182,43 +181,60 @@ class adaptation {
     making.stop = options_.stop;
     unit_mesher maker(m, making);
     maker.run(field_by(background, m), seeds_);
-    for (int i = 0; i < refits; ++i) {
-      if (is_field_itself_)
-        take_interpolated(m);
-      else if (!take_wanted(m))
-        return false;
-      grade_mesh(m, how.mesh, maker.unit(), options_.stop);
-      const nodal_field own = field_of(m);
-      maker.refit(field_by(own, m));
-    }
+    // Splits add nodes, more where the metric turns fast. Where they are too many the mesh is
+    // fitted again, before anything exact is asked of it; fewer are left to split then, and no more
+    // are split than are wanted.
+    constexpr double tolerable = 0.015;
+    if (!fit_to_own(m, maker, how.mesh, making.most_nodes)) return false;
+    constexpr std::size_t part = 64;
+    const std::size_t most = count_ + count_ / part;
+    if (off_count(m.count(), count_) > tolerable && !stop_reason() &&
+        !fit_to_own(m, maker, how.mesh, most))
+      return false;
     length_factor_ = maker.unit();
-    if (is_overworked() || !take_wanted(m)) return false;
-    grade_mesh(m, how.mesh, length_factor_, options_.stop);
-    split_left_long(m, maker);
     if (is_overworked()) return false;
     deliver(m);
     return outcome_.audited != nullptr;
   }
 
-  agreement_options asked_of_agreement() const {
+  // Fits the mesh to the metric wanted as its own graph grades it, and splits what that leaves
+  // long. Returns false where the metric wanted fails, or not with the work that is left.
+  bool fit_to_own(working_mesh& m, unit_mesher& maker, double distortion,
+                  std::size_t most_nodes) const {
+    if (is_field_itself_)
+      take_interpolated(m);
+    else if (!take_wanted(m))
+      return false;
+    grade_mesh(m, distortion, maker.unit(), options_.stop);
+    const nodal_field own = field_of(m);
+    maker.refit(field_by(own, m));
+    if (is_overworked() || !take_wanted(m)) return false;
+    grade_mesh(m, distortion, maker.unit(), options_.stop);
+    split_left_long(m, maker, most_nodes);
+    return true;
+  }
+
+  agreement_options asked_of_agreement(double unit) const {
     agreement_options agree;
     agree.angle_bound = options_.angle_bound;
-    agree.unit = length_factor_;
+    agree.unit = unit;
     agree.stop = options_.stop;
     agree.wanted = [this](const point& q) { return wanted_at(q); };
     return agree;
   }
 
   // Splits the long edges that stars have wanted, where the unit mesh had others.
-  void split_left_long(working_mesh& m, unit_mesher& maker) const {
-    const agreement_options agree = asked_of_agreement();
+  void split_left_long(working_mesh& m, unit_mesher& maker, std::size_t most_nodes) const {
+    agreement_options agree = asked_of_agreement(maker.unit());
+    // Enough to see which edges stars want; the rest is mended when the mesh is delivered.
+    agree.most_rounds = 12;
     constexpr int rounds = 3;
     const metric_at wanted = [this](const point& q, vertex_index& hint) {
       return wanted_.at(q, hint);
     };
     for (int i = 0; i < rounds && !stop_reason(); ++i) {
       agreement(m, agree).run();
-      if (maker.split_left_long(wanted) == 0) return;
+      if (maker.split_left_long(wanted, most_nodes) == 0) return;
     }
   }
 
@@ -226,7 +242,7 @@ class adaptation {
   // always neighbours that agree make a mesh that is certified; so it is not audited before tensors
   // have been given back, unless that goes wrong.
   void deliver(working_mesh& m) {
-    const agreement_options agree = asked_of_agreement();
+    const agreement_options agree = asked_of_agreement(length_factor_);
     agreement agreeing(m, agree);
     agreeing.run();
     constexpr std::size_t few = 20;  // one in so many
@@ -277,13 +293,22 @@ class adaptation {
     giving.run(options_.stop);
     std::vector<vertex_index> nodes = take(m);
     judge(all_findings);
+    int made_alike = 0;
+    std::size_t least_found = all_findings;  // when tensors were made alike
     for (int audits = 1; audits < most_audits_again; ++audits) {
       if (outcome_.audited->certified) return true;
       if (stop_reason() || is_overworked()) return false;
       std::vector<vertex_index> looked_at, taken;
-      for (const std::vector<vertex_index>& at : nodes_found(nodes)) {
+      const std::vector<std::vector<vertex_index>> found = nodes_found(nodes);
+      for (const std::vector<vertex_index>& at : found) {
         giving.take_back(at, taken);
         looked_at.insert(looked_at.end(), at.begin(), at.end());
+      }
+      // Where all is taken back and something is still found, sites farther than neighbours are in
+      // the way. What is changed for them may be in the way of others: then this leads nowhere.
+      if (taken.empty() && found.size() <= least_found && made_alike++ < most_made_alike) {
+        least_found = found.size();
+        for (const std::vector<vertex_index>& at : found) giving.make_alike(at, taken);
       }
       if (taken.empty()) return false;
       looked_at.insert(looked_at.end(), taken.begin(), taken.end());

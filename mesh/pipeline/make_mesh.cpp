@@ -20,10 +20,25 @@ namespace {
 // Distance of the metric delivered from the one wanted; none where that is near enough.
 std::optional<intolerable_distance> excess_of(const mesh_outcome& made,
                                               const mesh_options& options) {
-  if (!options.metric_tolerance || !made.delivered || made.stopped) return std::nullopt;
-  const double found = made.delivered->greatest;
-  if (found <= *options.metric_tolerance) return std::nullopt;
-  return intolerable_distance{*options.metric_tolerance, found};
+  if (!made.delivered || made.stopped) return std::nullopt;
+  const bool is_median = !options.metric_tolerance;
+  const double greatest = made.delivered->greatest;
+  const double allowed = options.metric_tolerance.value_or(most_median_distance);
+  const double found = is_median ? made.delivered->median : greatest;
+  if (found <= allowed) return std::nullopt;
+  return intolerable_distance{allowed, found, is_median, greatest};
+}
+
+// Returns the mesh delivered if it is what there is to show: near enough, or, where no tolerance is
+// asked for, not complete but as near as was found.
+std::optional<mesh_outcome> shown(std::optional<mesh_outcome>& delivered,
+                                  const mesh_options& options) {
+  if (!delivered) return std::nullopt;
+  const auto excess = excess_of(*delivered, options);
+  if (excess && !excess->is_median) return std::nullopt;
+  if (excess) delivered->complete = false;
+  delivered->intolerable = excess;
+  return std::move(delivered);
 }
 
 // Chooses what there is to show where no metric that is near enough led to a mesh: with a tolerance
@@ -73,7 +88,7 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
   std::optional<mesh_outcome> delivered;
   if (is_first) {
     delivered = delivery.make(0);
-    if (delivered && !excess_of(*delivered, options)) return *std::move(delivered);
+    if (auto made = shown(delivered, options)) return *std::move(made);
   }
   // Little is spent on finding out that a mesh is not likely, the metric varying too fast, and not
   // much where there are other ways.
@@ -102,7 +117,7 @@ result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
     const std::size_t few = std::clamp(outcome.value().sites, fewest, most);
     delivering.stop = options.stop.part(for_delivery);
     delivered = delivery.make(std::min(few, options.max_sites / 2));
-    if (delivered && !excess_of(*delivered, options)) return *std::move(delivered);
+    if (auto made = shown(delivered, options)) return *std::move(made);
   }
   if (wants_relaxation(outcome.value(), options) && !options.metric_tolerance) {
     // Leaves curves out: without demands, chords stay straight.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 
@@ -154,6 +155,13 @@ std::string relaxed_text(const mesh_outcome& outcome) {
 // Names the distance to the last digit where it is what may be tolerated: rounded, it might not do.
 std::string intolerable_text(const mesh_outcome& outcome) {
   const intolerable_distance& distance = *outcome.intolerable;
+  if (distance.is_median)
+    return fmt::format(
+        "{}, in a metric that is another one than the one wanted: half of the sites find some "
+        "length more than {:.4g} times as long or as short; a metric tolerance of {} is kept, and "
+        "a smaller size or a gradation brings the two nearer",
+        ending_text(outcome.ended), internal::elementary::exp(distance.found),
+        number_text(distance.greatest));
   const std::string found = format_number(distance.found);
   const std::string beyond = " from the one wanted, where " + format_number(distance.allowed) +
                              " is tolerated; a metric tolerance of " + number_text(distance.found) +

@@ -154,7 +154,7 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
     vertices, complexity: in place of a size, the number of vertices, or the area of the domain as the
     metric measures it; the metric is scaled to that.
     metric_tolerance: how far the metric delivered may be from the one wanted, as ln of the greatest
-    ratio of two lengths; 0: no tensor is changed.
+    ratio of two lengths; 0: no tensor is changed; None: any, but of half of the sites no more than ln 10.
     progress: called now and then with a dict of counts. Ctrl-C ends the run.
     """
     if on is not None:

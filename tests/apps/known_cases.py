@@ -8,6 +8,21 @@ import unittest
 import command
 import hostile_inputs
 
+# Two questions of the batch protocol that took seconds.
+SLOW_QUESTIONS = (
+    "insertion_test -0x1.2c0ebc8ef2156p-500 0x1.38581d21df15cp-500 0x1.2b470ea9678b4p+1000 "
+    "0x1.8ac29665f26f1p+995 0x1.2b09af199fadcp+1000 -0x1.fc9f42e881818p-503 0x1.7e43c8800759cp+996 "
+    "0x1.17b34565b449cp+1000 0x1.679ea03271575p+995 0x1.8189d6cd8e13dp+999 -0x1.91c84c67ff988p-502 "
+    "0x1.7d5a3fc8e9f1ap-500 0x1.2ad8b3491fa4dp+1000 0x1.c0732ef479d61p+996 0x1.42abe19073722p+999 "
+    "-0x1.65a85f8e4e23ep-501 0x1.5bfc47db44681p-499 0x1.a2d4ca6fc71a1p+1000 -0x1.bb3ff8a72c43bp+997 "
+    "0x1.4c26419e5f9ffp+1000\n"
+    "edge_test 0x0.0000000000001p-1022 0x0.0p+0 0x1.0000000000000p+1 0x1.0000000000000p+0 0x1.0000000000000p+1 "
+    "-0x1.0000000000000p+1018 0x1.0000000000000p+1018 0x1.0000000000000p+1 0x1.0000000000000p+0 "
+    "0x1.0000000000000p+1 -0x1.0000000000000p+1017 0x1.0000000000000p+1017 0x1.0000000000000p+1 "
+    "0x1.fffffffffffffp-1 0x1.0000000000000p+1 -0x1.0000000000000p+1017 0x0.0p+0 0x1.0000000000000p+1 "
+    "0x1.0000000000000p+0 0x1.0000000000000p+1\n"
+)
+
 
 def rotated_strip(cells=16, aspect=1e4, degrees=30):
     """A grid of a strip 1 long and 1/aspect wide, turned, in the metric that makes it square, as .mesh and .sol."""
@@ -58,6 +73,36 @@ class KnownCases(command.CommandTest):
             self.assertEqual(done.returncode, 1)
             self.assertNotIn("not those of", done.stdout)
             self.assertIn("held against it at every vertex", done.stdout)
+
+    def test_domains_an_ulp_wide_or_600_decades_long_end_with_what_is_certain(self):
+        for name, shape in (("long", hostile_inputs.rectangle(1e300, 1e-300)),
+                            ("hole", hostile_inputs.hole_an_ulp_from_the_side()),
+                            ("slits", hostile_inputs.parallel_slits())):
+            with self.subTest(name):
+                self.write(f"{name}.poly", shape)
+                done = self.run_command("mesh", f"{name}.poly", "-o", f"{name}.mesh")
+                self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+                self.assertIn("NOT certified", done.stdout)
+                self.assertIn("not reached: ", done.stderr)
+                done = self.run_command("verify", f"{name}.mesh")
+                self.assertEqual(done.returncode, 1)
+                self.assertIn("REFUSED: ", done.stdout)
+
+    def test_two_questions_that_took_seconds(self):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        done = self.run_command("eval", text=SLOW_QUESTIONS)
+        self.assertEqual((done.returncode, done.stdout), (0, "0\n0\n"), done.stderr)
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 5)
+
+    def test_one_entry_at_the_end_of_the_range_among_ordinary_ones_took_20_seconds(self):
+        mesh, solution = hostile_inputs.MESHES["big_tensor"]()
+        self.write("big.mesh", mesh)
+        self.write("big.sol", solution)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        done = self.run_command("certify", "big.mesh")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertTrue(done.stdout.endswith("NOT certified\n"), done.stdout)
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 5)
 
 
 class BoundedWork(command.CommandTest):

@@ -137,6 +137,24 @@ class Mesh(command.CommandTest):
         self.assertIsNone(claim["outcome"]["delivered"])
         self.assertEqual(claim["asked"]["options"]["relax"], "no")
 
+    def test_a_metric_that_is_another_one_is_not_complete(self):
+        job = ("mesh", "square", "--metric", "expr:((x>0)==(y>0))?1e4:1;0;((x>0)==(y>0))?1:1e4", "--size", "3",
+               "-o", "m.mesh")
+        done = self.run_command(*job)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("another one than the one wanted: half of the sites find some length more than", done.stderr)
+        self.assertRegex(done.stderr, "try --metric-tolerance [0-9.]+")
+        claim = json.loads((self.folder / "m.certificate.json").read_text())
+        self.assertFalse(claim["outcome"]["complete"])
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 1)
+        claim["outcome"]["complete"] = True
+        (self.folder / "m.certificate.json").write_text(json.dumps(claim))
+        self.assertIn("of half of the sites the metric delivered is more than",
+                      self.run_command("verify", "m.mesh").stdout)
+        found = repr(claim["outcome"]["delivered"]["greatest"])
+        done = self.run_command(*job, "--metric-tolerance", found)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_metric_tolerance(self):
         job = ("mesh", "square", "--metric", "expr:(x>0)?100:1;0;1", "--size", "0.5", "-o", "m.mesh")
         self.assertEqual(self.run_command(*job).returncode, 0)

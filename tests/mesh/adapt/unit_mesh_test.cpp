@@ -87,6 +87,26 @@ TEST_CASE("a mesh fitted again to its own graded metric keeps its count") {
   CHECK(is_whole(m));
 }
 
+TEST_CASE("long edges are split up to the number of nodes that there is room for") {
+  const domain d = square();
+  for (const std::size_t room : {0u, 7u}) {
+    working_mesh m = coarse(d);
+    unit_mesh_options options;
+    options.count = 300;
+    unit_mesher maker(m, options);
+    const auto even = [](const point&, vertex_index&) { return metric_tensor{1, 0, 1}; };
+    maker.run(even, {});
+    // All edges are twice as long as they are to be.
+    for (vertex_index v = 0; v < m.nodes().size(); ++v) m.set_metric(v, {4, 0, 4});
+    const auto finer = [](const point&, vertex_index&) { return metric_tensor{4, 0, 4}; };
+    CAPTURE(room);
+    const std::size_t before = m.count();
+    CHECK(maker.split_left_long(finer, before + room) == room);
+    CHECK(m.count() == before + room);
+    CHECK(is_whole(m));
+  }
+}
+
 TEST_CASE("a field of a mesh's own tensors has each of them at its node") {
   const domain d = square();
   working_mesh m = coarse(d);

@@ -111,7 +111,8 @@ TEST_CASE("a metric delivered is the same for any number of threads and at any s
     const mesh_outcome made = mesh_of(accepted(scaled), field, with_size());
     INFO(exponent << ": " << ending_text(made));
     CHECK(made.complete);
-    CHECK(made.delivered);
+    REQUIRE(made.delivered);
+    CHECK(made.delivered->greatest < 4);  // it was no number
     CHECK(static_cast<double>(made.triangles) == Approx(first.triangles).epsilon(0.1));
   }
 }
@@ -164,6 +165,29 @@ TEST_CASE("a metric tolerance is kept, or the distance found is told with status
   CHECK(beyond.intolerable->found > distance / 2);
   CHECK(beyond.how() == ending::intolerable);
   CHECK(ending_text(beyond).find("is tolerated; a metric tolerance of ") != std::string::npos);
+}
+
+TEST_CASE("one metric for quarters stretched across each other passed for the one wanted") {
+  const domain d = accepted(square());
+  const formula_field field([](const point& q) {
+    constexpr double s = 1.0 / 9;
+    return (q.x > 0) == (q.y > 0) ? metric_tensor{1e4 * s, 0, s} : metric_tensor{s, 0, 1e4 * s};
+  });
+  const mesh_outcome made = mesh_of(d, field, with_size());
+  CHECK_FALSE(made.complete);
+  CHECK(made.disagreeing == 0);
+  REQUIRE(made.delivered);
+  CHECK(made.delivered->median > most_median_distance);
+  REQUIRE(made.intolerable);
+  CHECK(made.intolerable->is_median);
+  CHECK(made.how() == ending::intolerable);
+  CHECK(ending_text(made).find("another one than the one wanted") != std::string::npos);
+
+  mesh_options options = with_size();
+  options.metric_tolerance = made.delivered->greatest;
+  const mesh_outcome wanted_so = mesh_of(d, field, options);
+  CHECK(wanted_so.complete);
+  CHECK(mesh_fingerprint(wanted_so.result) == mesh_fingerprint(made.result));
 }
 
 TEST_CASE("a metric tolerance of 0 leaves every tensor as it is, met or not") {
