@@ -98,7 +98,7 @@ struct improvement_report {
 // Metric in which stars agree, though it is farther from the one wanted than
 // mesh_options::metric_tolerance allows.
 struct intolerable_distance {
-  double allowed = 0, found = 0;  // as delivered_report::greatest, or ::median
+  double allowed = 0, found = 0;  // as delivered_report::greatest, or its median
   bool is_median = false;         // no tolerance was asked for: most_median_distance is
   double greatest = 0;            // the tolerance that would be kept
 };

@@ -183,18 +183,26 @@ class adaptation {
     maker.run(field_by(background, m), seeds_);
     // Splits add nodes, more where the metric turns fast. Where they are too many the mesh is
     // fitted again, before anything exact is asked of it; fewer are left to split then, and no more
-    // are split than are wanted.
+    // are split than are wanted. Where many are given, as ends of chords are, they may be nearer to
+    // each other than the metric wants: they need as many beside them as splits add.
     constexpr double tolerable = 0.015;
     if (!fit_to_own(m, maker, how.mesh, making.most_nodes)) return false;
     constexpr std::size_t part = 64;
     const std::size_t most = count_ + count_ / part;
-    if (off_count(m.count(), count_) > tolerable && !stop_reason() &&
+    if (off_count(m.count(), count_) > tolerable && !stop_reason() && !are_many_given(m) &&
         !fit_to_own(m, maker, how.mesh, most))
       return false;
     length_factor_ = maker.unit();
     if (is_overworked()) return false;
     deliver(m);
     return outcome_.audited != nullptr;
+  }
+
+  static bool are_many_given(const working_mesh& m) {
+    constexpr std::ptrdiff_t part = 4;
+    const auto given = std::count_if(m.nodes().begin(), m.nodes().end(),
+                                     [](const node& n) { return n.kind == node_kind::given; });
+    return part * given > static_cast<std::ptrdiff_t>(m.count());
   }
 
   // Fits the mesh to the metric wanted as its own graph grades it, and splits what that leaves
