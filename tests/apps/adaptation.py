@@ -347,6 +347,14 @@ class SpoiledTest(AdaptationTest):
                 made.unlink()
         self.assertGreater(refused, 100)
 
+    def test_values_too_large_to_compute_with_name_their_file(self):
+        points, triangles = grid(6)
+        self.write("g.mesh", mesh_text(points, triangles))
+        self.write("u.sol", solution_text([(1e300 if i == 20 else x,) for i, (x, y) in enumerate(points)]))
+        for command_line in (("metric", "g.mesh"), ("adapt", "g.mesh")):
+            self.refused(*command_line, "--solution", "u.sol", "--vertices", "50", "-o", "n.mesh",
+                         sentence="u.sol: field 1: the second derivatives at vertex")
+
 
 class TransferTest(AdaptationTest):
     def setUp(self):
