@@ -66,6 +66,8 @@ site_tree::site_tree(const std::vector<site>& sites) : sites_(sites), order_(sit
   nodes_.reserve(4 * sites.size() / leaf_size + 1);
   if (!sites.empty()) build(0, sites.size());
   groups_.push_back(sites.size());
+  places_.reserve(sites.size());
+  for (const vertex_index w : order_) places_.push_back(sites[w].position);
 }
 
 // With B = `inverse`: the eigenvalues of M_w^-1 B^-1 are the inverses of those of B M_w, and the

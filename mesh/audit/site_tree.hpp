@@ -114,6 +114,7 @@ class site_tree {
   const std::vector<site>& sites_;
   std::vector<vertex_index> order_;
   std::vector<std::size_t> groups_;
+  std::vector<point> places_;  // in that order
   std::vector<node> nodes_;
 };
 
@@ -137,8 +138,13 @@ void site_tree::visit_leaves(const centre& c, const Visit& visit) const {
 
 template <class Visit>
 void site_tree::visit_leaf(const node& n, const centre& v, const Visit& visit) const {
-  for (std::size_t i = n.first; i < n.last; ++i)
-    if (!too_far(sites_[order_[i]], v)) visit(order_[i]);
+  const metric_tensor& m = v.metric;
+  const double near = 4 * (v.reach * v.reach);  // sites of equal metrics matter up to here
+  for (std::size_t i = n.first; i < n.last; ++i) {
+    const point d{places_[i].x - v.low.x, places_[i].y - v.low.y};
+    const double square = (m.m11 * d.x + 2 * m.m12 * d.y) * d.x + m.m22 * d.y * d.y;
+    if (square <= near || !too_far(sites_[order_[i]], v)) visit(order_[i]);
+  }
 }
 
 template <class Visit>

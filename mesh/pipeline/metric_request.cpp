@@ -42,8 +42,7 @@ result<solution_metric> metric_of_solution(const metric_request& request,
   made.values = std::move(values).value();
   const auto fields = select_values(made.values, request.fields);
   if (!fields) return fields.failure().at(request.solution);
-  auto metric =
-      make_solution_metric(made.background, fields.value(), request.wishes, intersected);
+  auto metric = make_solution_metric(made.background, fields.value(), request.wishes, intersected);
   if (!metric && metric.failure().code != error_code::bad_option)
     return metric.failure().at(request.solution);
   return metric;
