@@ -256,6 +256,21 @@ bool site_tree::too_far(const site& w, const centre& v) {
   return too_far({d, d}, v, {{m.m22, -m.m12, m.m11}, 1 / below * up});
 }
 
+// (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2, or 1, is at most the trace of M_w^-1 M_v, or 1.
+double site_tree::far_squared(const node& n, const centre& v) {
+  if (!(n.spread_squared < 0x1p200 && v.reach < 0x1p200)) return infinity;
+  const double trace = trace_above(n.inverse, v.metric) * n.spread_squared * up;
+  const double far = 2 * (1 + (trace > 1 ? trace : 1)) * (v.reach * v.reach * up) * up;
+  return far > 0x1p-500 && far < 0x1p700 ? far : infinity;
+}
+
+// Each monomial passes at most six roundings.
+bool site_tree::is_farther(const point& d, const metric_tensor& m, double far_squared) {
+  const double xx = m.m11 * d.x * d.x, yy = m.m22 * d.y * d.y, xy = 2 * (m.m12 * d.x * d.y);
+  const double square = xx + yy + xy - step * (xx + yy + std::abs(xy));
+  return square > far_squared * up && square < 0x1p800 && std::abs(d.x) + std::abs(d.y) < 0x1p400;
+}
+
 bool site_tree::is_too_far(const site& v, double reach, const site& w) {
   return too_far(w, centre_of(v, reach));
 }

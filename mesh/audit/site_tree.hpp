@@ -105,6 +105,11 @@ class site_tree {
   static bool too_far(const offset_box& to, const centre& v, const inverse_bound& inverse);
   static bool too_far(const node& n, const centre& v);
   static bool too_far(const site& w, const centre& v);
+  // Returns the square of a distance from v beyond which no site of the node matters, whatever its
+  // direction, though nearer ones may not either; infinite where none is known.
+  static double far_squared(const node& n, const centre& v);
+  // True if |d|^2 is certainly more than that, d as the metric measures.
+  static bool is_farther(const point& d, const metric_tensor& m, double far_squared);
   template <class Visit>
   void visit_leaf(const node& n, const centre& v, const Visit& visit) const;
   // Calls visit(leaf) for each that is not too far.
@@ -140,8 +145,10 @@ template <class Visit>
 void site_tree::visit_leaf(const node& n, const centre& v, const Visit& visit) const {
   const metric_tensor& m = v.metric;
   const double near = 4 * (v.reach * v.reach);  // sites of equal metrics matter up to here
+  const double far = far_squared(n, v);
   for (std::size_t i = n.first; i < n.last; ++i) {
     const point d{places_[i].x - v.low.x, places_[i].y - v.low.y};
+    if (is_farther(d, m, far)) continue;
     const double square = (m.m11 * d.x + 2 * m.m12 * d.y) * d.x + m.m22 * d.y * d.y;
     if (square <= near || !too_far(sites_[order_[i]], v)) visit(order_[i]);
   }
