@@ -105,17 +105,20 @@ place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const 
   return p;
 }
 
-// Returns |q - p|_m from above, of places that are known as vectors from a corner of their triangle
-// with at most three roundings. No monomial of the form passes more than twelve roundings, and
-// `size` bounds the sum of their magnitudes: 2^-48 of it covers them in any rounding mode. What
-// underflows is less than that in the range asked for.
-double plain_distance_above(const metric_tensor& m, const point& p, const point& q) {
+// Returns |q - p|_m from above, of two points of a triangle that are known as vectors from its
+// first corner. No coordinate of either or of their difference is more than that of `extent`, the
+// sum of the absolute ones of both other corners; what is computed of the difference is off by at
+// most five roundings of that, not of itself: sums cancel. The form is off by fifteen, each of
+// 2^-52 at most in any rounding mode, of `size`. What underflows is less than that in the range
+// asked for.
+double plain_distance_above(const metric_tensor& m, const point& p, const point& q,
+                            const point& extent) {
   const point d{q.x - p.x, q.y - p.y};
-  const double wide = std::abs(p.x) + std::abs(q.x), high = std::abs(p.y) + std::abs(q.y);
   const double square = (m.m11 * d.x + 2 * m.m12 * d.y) * d.x + m.m22 * d.y * d.y;
-  const double size = (m.m11 * wide + 2 * std::abs(m.m12) * high) * wide + m.m22 * high * high;
-  const bool in_range = size > 0x1p-800 && size < 0x1p800 && wide + high > 0x1p-400;
-  return in_range ? std::sqrt(square + 0x1p-48 * size) * (1 + 0x1p-50) : infinity;
+  const double size =
+      (m.m11 * extent.x + 2 * std::abs(m.m12) * extent.y) * extent.x + m.m22 * extent.y * extent.y;
+  const bool in_range = size > 0x1p-800 && size < 0x1p800 && extent.x + extent.y > 0x1p-400;
+  return in_range ? std::sqrt(square + 0x1p-47 * size) * (1 + 0x1p-50) : infinity;
 }
 
 }  // namespace
@@ -146,14 +149,15 @@ double quick_covering_radius_above(const std::array<site, 3>& t) {
   const point to_b = plain_between(t[0], t[1]), to_c = plain_between(t[0], t[2]);
   const place x = plain_middle_place(t, to_b, to_c);
   const point to_x{x.second * to_b.x + x.third * to_c.x, x.second * to_b.y + x.third * to_c.y};
+  const point extent{std::abs(to_b.x) + std::abs(to_c.x), std::abs(to_b.y) + std::abs(to_c.y)};
   const std::array<point, 3> corners = {point{0, 0}, to_b, to_c};
   double radius = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
     const point &p = corners[i], &q = corners[next];
-    radius = greatest_bound(radius, plain_distance_above(t[i].metric, p, to_x));
-    const double from_p = plain_distance_above(t[i].metric, p, q),
-                 from_q = plain_distance_above(t[next].metric, q, p);
+    radius = greatest_bound(radius, plain_distance_above(t[i].metric, p, to_x, extent));
+    const double from_p = plain_distance_above(t[i].metric, p, q, extent),
+                 from_q = plain_distance_above(t[next].metric, q, p, extent);
     const double share = from_q / (from_p + from_q);
     if (!(share > 0 && share < 1)) return infinity;
     radius = greatest_bound(radius, greatest_bound(share * from_p, (1 - share) * from_q));

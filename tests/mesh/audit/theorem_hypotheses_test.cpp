@@ -239,3 +239,20 @@ TEST_CASE("a quick radius is not found where lengths leave the range of doubles"
   CHECK(std::isinf(theorem::quick_covering_radius_above(
       {site{{0, 0}, {far, 0, far}}, {{far, 0}, {far, 0, far}}, {{0, far}, {far, 0, far}}})));
 }
+
+// Seen along the first axis the triangle is a point, but for the rounding of what its middle is
+// computed from.
+TEST_CASE("a quick radius knows how far the middle of a thin triangle is rounded") {
+  splitmix64 random(32);
+  const metric_tensor thin{0x1p120, 0, 1};
+  for (int i = 0; i < 200; ++i) {
+    const point b{random.real(0.3, 1), random.real(1, 2)},
+        c{-random.real(0.3, 1), random.real(3, 4)};
+    const std::array<site, 3> t = {site{{0, 0}, thin}, {b, thin}, {c, thin}};
+    INFO("triangle " << i);
+    // The three are nearly on a line as they see it: half the longest edge covers them, and not
+    // much less.
+    const double half = 0x1p60 * (b.x - c.x) / 2;
+    CHECK(theorem::quick_covering_radius_above(t) >= half);
+  }
+}
