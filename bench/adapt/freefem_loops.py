@@ -11,6 +11,10 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import pictures  # noqa: E402
 
 PROBLEMS = {"l_shape": "Poisson, L-shape, singular corner (`--norm inf`)",
             "inner_layer": "Poisson, curved layer inside",
@@ -45,14 +49,8 @@ def draw(found, path):
     for axis, (script, by) in zip(axes.flat, found.items()):
         for name, style in (("adaptmesh", "s--"), ("asterism", "o-")):
             axis.loglog(*zip(*by[name]), style, label=name, markersize=4, linewidth=1)
-        axis.set_title(script.replace("_", " "), fontsize=10)
-        axis.tick_params(labelsize=8)
-        axis.grid(True, which="major", linewidth=0.3)
-        axis.set_xlabel("vertices", fontsize=9)
-    axes.flat[0].set_ylabel("true error in the mean square", fontsize=9)
-    axes.flat[0].legend(fontsize=8)
-    figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
+        pictures.dress(axis, script.replace("_", " "))
+    pictures.save(figure, axes.flat[0], "true error in the mean square", path)
 
 
 def main():

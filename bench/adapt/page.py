@@ -8,6 +8,8 @@ import json
 
 import numpy as np
 
+import pictures
+
 HEAD = """# Metrics on meshes, in loops beside BAMG
 
 Made by `scripts/bench-adapt --json FILE` and `bench/adapt/page.py`. L2-optimal metrics of functions on
@@ -96,14 +98,8 @@ def draw(found, sizes, path):
                         markersize=4, linewidth=1)
         last = median(found[name, there[-1]]["Asterism"], "error")
         axis.loglog(there, [last / n for n in there], ":", color="grey", linewidth=1, label="slope -1")
-        axis.set_title(name, fontsize=10)
-        axis.tick_params(labelsize=8)
-        axis.grid(True, which="major", linewidth=0.3)
-    axes.flat[0].legend(fontsize=8)
-    figure.supxlabel("vertices", fontsize=10)
-    figure.supylabel("L2 interpolation error", fontsize=10)
-    figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
+        pictures.dress(axis, name)
+    pictures.save(figure, axes.flat[0], "L2 interpolation error", path)
 
 
 def main():

@@ -14,6 +14,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import pictures  # noqa: E402
 import solution_loop  # noqa: E402
 
 
@@ -65,14 +66,8 @@ def draw(found, path):
         if points:
             n = np.array([points[0]["vertices"], points[-1]["vertices"]])
             axis.loglog(n, points[-1]["product"] / n, ":", color="grey", linewidth=1, label="slope -1")
-        axis.set_title(name, fontsize=10)
-        axis.tick_params(labelsize=8)
-        axis.grid(True, which="major", linewidth=0.3)
-    axes.flat[0].legend(fontsize=8)
-    figure.supxlabel("vertices", fontsize=10)
-    figure.supylabel("error in the mean square", fontsize=10)
-    figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
+        pictures.dress(axis, name)
+    pictures.save(figure, axes.flat[0], "error in the mean square", path)
 
 
 def main():
