@@ -15,16 +15,20 @@ namespace {
 
 }  // namespace
 
+double real_of(const std::string& name, const std::string& text, const real_range& range) {
+  const auto value = parse_number(text);
+  if (!value) refuse(name, value.failure().message);
+  const double x = value.value();
+  const bool inside = (range.low < x || (range.low_allowed && x == range.low)) &&
+                      (x < range.high || (range.high_allowed && x == range.high));
+  if (!inside) refuse(name, text + " is out of range: it must be " + range.text);
+  return x;
+}
+
 CLI::Option* add_real(CLI::App& app, const std::string& name, const real_range& range,
                       const std::function<void(double)>& assign, const std::string& description) {
   const auto read = [name, range, assign](const std::string& text) {
-    const auto value = parse_number(text);
-    if (!value) refuse(name, value.failure().message);
-    const double x = value.value();
-    const bool inside = (range.low < x || (range.low_allowed && x == range.low)) &&
-                        (x < range.high || (range.high_allowed && x == range.high));
-    if (!inside) refuse(name, text + " is out of range: it must be " + range.text);
-    assign(x);
+    assign(real_of(name, text, range));
   };
   return app.add_option_function<std::string>(name, read, description);
 }

@@ -28,6 +28,10 @@ inline constexpr real_range angle_bounds = {
 // Range of --size. Beyond it the square of the size leaves the range of doubles, or nearly so.
 inline constexpr real_range sizes = {1e-150, 1e150, true, true, "positive, from 1e-150 to 1e150"};
 
+// Returns the number that the text of an option is. Throws CLI::ValidationError, as an option's
+// reader may, where it is none or out of range.
+double real_of(const std::string& name, const std::string& text, const real_range& range);
+
 // Adds an option with a real number. `assign` gets the value once it is accepted.
 CLI::Option* add_real(CLI::App& app, const std::string& name, const real_range& range,
                       const std::function<void(double)>& assign, const std::string& description);

@@ -48,11 +48,7 @@ void take_norm(const std::string& text, metric_request& request) {
   request.names_norm = true;
   request.wishes.norm.reset();
   if (text == "inf") return;
-  const auto value = parse_number(text);
-  if (!value) throw CLI::ValidationError("--norm", value.failure().message);
-  if (!(value.value() >= norms.low && value.value() <= norms.high))
-    throw CLI::ValidationError("--norm", text + " is out of range: it must be " + norms.text);
-  request.wishes.norm = value.value();
+  request.wishes.norm = real_of("--norm", text, norms);
 }
 
 void add_target_options(CLI::App& app, metric_request& request) {
@@ -88,12 +84,7 @@ void take_gradation(const std::string& text, metric_request& request) {
   request.names_gradation = true;
   request.wishes.gradation.reset();
   if (text == "none") return;
-  const auto value = parse_number(text);
-  if (!value) throw CLI::ValidationError("--gradation", value.failure().message);
-  if (!(value.value() > factors.low && value.value() <= factors.high))
-    throw CLI::ValidationError("--gradation",
-                               text + " is out of range: it must be " + factors.text);
-  request.wishes.gradation = value.value();
+  request.wishes.gradation = real_of("--gradation", text, factors);
 }
 
 void add_bound_options(CLI::App& app, metric_request& request) {
