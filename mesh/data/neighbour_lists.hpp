@@ -21,9 +21,11 @@ class neighbour_lists {
     return std::span(all_).subspan(begin, ends_[i] - begin);
   }
 
-  void reserve(std::size_t lists, std::size_t vertices) {
+  // Makes room for so many lists of as many vertices as a site has neighbours on average.
+  void reserve(std::size_t lists) {
+    constexpr std::size_t neighbours = 6;
     ends_.reserve(lists);
-    all_.reserve(vertices);
+    all_.reserve(neighbours * lists);
   }
   // Adds a vertex to the list that end_list() will end.
   void add(vertex_index v) { all_.push_back(v); }

@@ -172,11 +172,10 @@ class filling {
   // Returns the neighbours of the last sites of that order, so many of them, in its numbers. Those
   // of a star that disagrees with another are wrong in one of the two, and left out.
   neighbour_lists stars_in_order(const std::vector<vertex_index>& order, std::size_t last) const {
-    constexpr std::size_t about = 6;  // neighbours of a site, on average
     std::vector<vertex_index> number(sites_.size());
     for (vertex_index i = 0; i < order.size(); ++i) number[order[i]] = i;
     neighbour_lists lists;
-    lists.reserve(last, about * last);
+    lists.reserve(last);
     for (std::size_t i = order.size() - last; i < order.size(); ++i) {
       if (stars_.agrees_with_neighbours(order[i]))
         for (const plain_gap& gap : stars_[order[i]]) lists.add(number[gap.neighbour]);

@@ -18,7 +18,7 @@ constexpr std::size_t chunk = 256;
 // True if x follows y in the star.
 bool has_gap(const plain_star& star, vertex_index y, vertex_index x) {
   for (std::size_t i = 0; i < star.size(); ++i)
-    if (star[i].neighbour == y) return star[i + 1 < star.size() ? i + 1 : 0].neighbour == x;
+    if (star[i].neighbour == y) return star[following(star, i)].neighbour == x;
   return false;
 }
 
@@ -57,7 +57,7 @@ void plain_star_store::mark_all_changed() {
 bool plain_star_store::agrees_with_neighbours(vertex_index v) const {
   const plain_star& star = stars_[v];
   for (std::size_t i = 0; i < star.size(); ++i) {
-    const vertex_index y = star[i].neighbour, x = star[i + 1 < star.size() ? i + 1 : 0].neighbour;
+    const vertex_index y = star[i].neighbour, x = star[following(star, i)].neighbour;
     if (!has_gap(stars_[y], x, v) || !has_gap(stars_[x], v, y)) return false;
   }
   return true;

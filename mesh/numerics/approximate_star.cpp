@@ -71,10 +71,6 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_
   return all;
 }
 
-std::size_t following(const plain_star& star, std::size_t i) {
-  return i + 1 < star.size() ? i + 1 : 0;
-}
-
 // Computes vertex and radius of the gap of s between y and x.
 void close_gap(const site& s, const site& y, const site& x, plain_gap& gap) {
   const auto to_y = between(s.position, y.position), to_x = between(s.position, x.position);

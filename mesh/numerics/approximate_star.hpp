@@ -34,6 +34,11 @@ struct plain_gap {
 
 using plain_star = boost::container::small_vector<plain_gap, 8>;
 
+// Returns the number of the gap after gap i.
+inline std::size_t following(const plain_star& star, std::size_t i) {
+  return i + 1 < star.size() ? i + 1 : 0;
+}
+
 // Returns the star of v among the candidates; v itself and repetitions are passed over. `before`
 // may be an earlier star of v whose neighbours are the first candidates, in its order: gaps that
 // are in both are taken from there.

@@ -10,12 +10,6 @@
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
-namespace {
-
-constexpr std::size_t about_neighbours = 6;  // of a site, on average
-
-}  // namespace
-
 result<refine_state> refine_state::start(const domain& d, const metric_field& field,
                                          const star_predicates& kernel, std::size_t most_sites,
                                          const filled_domain& filling,
@@ -89,7 +83,7 @@ void refine_state::add_proposed(const std::vector<site>& proposed, numbered_site
 void refine_state::guess_stars(const neighbour_lists& stars, const numbered_sites& taken) {
   if (stars.size() == 0) return;
   const std::size_t first = taken.size() - stars.size();
-  guesses_.reserve(sites().size(), about_neighbours * sites().size());
+  guesses_.reserve(sites().size());
   for (std::size_t i = 0; i < stars.size(); ++i) {
     if (taken[first + i] == left_out) continue;
     while (guesses_.size() < taken[first + i]) guesses_.end_list();

@@ -15,7 +15,6 @@
 #include "asterism/mesh/refine/refine_state.hpp"
 #include "asterism/mesh/refine/stale_stars.hpp"
 #include "asterism/mesh/refine/steepness.hpp"
-#include "asterism/mesh/stars/equal_metric_stars.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {

@@ -183,12 +183,12 @@ class star_reader {
   double reach_ = 0;
 };
 
-}  // namespace
-
 bool have_one_metric(const std::vector<site>& sites) {
   return std::all_of(sites.begin(), sites.end(),
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
+
+}  // namespace
 
 std::optional<std::vector<constructed_star>> stars_of_equal_metrics(const site_oracle& oracle,
                                                                     const cancellation& cancelled) {

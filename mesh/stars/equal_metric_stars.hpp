@@ -19,9 +19,6 @@
 
 namespace asterism::internal {
 
-// True if all sites have the same tensor, bit for bit.
-bool have_one_metric(const std::vector<site>& sites);
-
 // Returns the star of each site, all settled and final; none where metrics differ, or where the
 // triangulation was not finished or not proved: then stars are to be constructed one by one. The
 // same for any number of threads.
