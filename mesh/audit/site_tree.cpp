@@ -42,7 +42,7 @@ metric_tensor sum(const metric_tensor& a, const metric_tensor& b) {
 }
 
 // Returns the trace of b m, which is at least |g|^2 in b over |h|^2 in m for g = m h, from above.
-// Where both are much stretched, fewer digits of it are lost than of the first.
+// It loses fewer digits than the first where both are much stretched.
 double trace_above(const metric_tensor& b, const metric_tensor& m) {
   const double diagonal = b.m11 * m.m11 + b.m22 * m.m22, mixed = 2 * (b.m12 * m.m12);
   return (diagonal + mixed + step * (diagonal + std::abs(mixed)) + 0x1p-300) * up;

@@ -87,7 +87,7 @@ class site_tree {
     metric_tensor tensor;
     double factor = 0;  // infinite where not known
   };
-  // What one covector g = M h says, M the centre's metric.
+  // Separates by one covector g = M h, M the centre's metric.
   struct separation {
     double least = 0;          // at most g . (w - v); not positive: nothing is known
     double own_squared = 0;    // at least |h|^2 in M

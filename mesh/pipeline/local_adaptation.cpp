@@ -198,6 +198,7 @@ class adaptation {
     return outcome_.audited != nullptr;
   }
 
+  // True if a quarter of the nodes are vertices of the domain, which stay where they are.
   static bool are_many_given(const working_mesh& m) {
     constexpr std::ptrdiff_t part = 4;
     const auto given = std::count_if(m.nodes().begin(), m.nodes().end(),
@@ -312,8 +313,8 @@ class adaptation {
         giving.take_back(at, taken);
         looked_at.insert(looked_at.end(), at.begin(), at.end());
       }
-      // Where all is taken back and something is still found, sites farther than neighbours are in
-      // the way. What is changed for them may be in the way of others: then this leads nowhere.
+      // Makes alike what farther sites are in the way of, once all is taken back and something is
+      // still found. Stops where that does not lead on: a change may be in the way of others.
       if (taken.empty() && found.size() <= least_found && made_alike++ < most_made_alike) {
         least_found = found.size();
         for (const std::vector<vertex_index>& at : found) giving.make_alike(at, taken);

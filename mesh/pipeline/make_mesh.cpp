@@ -79,7 +79,7 @@ mesh_options with_part_of_work(const mesh_options& options, double share) {
 result<mesh_outcome> make_or_stop(const domain& d, const metric_field& field,
                                   const mesh_options& options, const progress_listener& progress) {
   if (auto refused = check_options(d, options)) return *refused;
-  // Of the work of the run: what is left in the end is for one metric everywhere.
+  // Shares of the work of the run; what is left in the end is for one metric everywhere.
   constexpr double for_delivery = 0.65, for_metric_wanted = 0.6;
   mesh_options delivering = with_part_of_work(options, for_delivery);
   metric_delivery delivery(d, field, delivering);

@@ -31,7 +31,7 @@
 namespace asterism {
 
 // Growth of sizes that loops do best with (docs/results/adaptation.md has 1.5 to 12, and none).
-// What grows faster is not delivered anyway, as stars do not agree about it; from 3 down, gradation
+// Faster growth is not delivered anyway, as stars do not agree about it; from 3 down, gradation
 // takes the vertices that fronts need.
 inline constexpr double loop_gradation = 6;
 
