@@ -7,6 +7,7 @@
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/freed_memory.hpp"
 #include "asterism/apps/usage_message.hpp"
 #include "asterism/core/version.h"
 
@@ -57,6 +58,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   // A file that gets too large for a limit on files is an error like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
+  asterism::apps::give_back_large_blocks();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -65,10 +65,6 @@ void operator delete(void* block, std::size_t, std::align_val_t) noexcept { give
 namespace asterism::apps {
 
 memory_account::memory_account(double bytes) {
-  // Otherwise the allocator learns from the first large block to keep those that follow.
-  constexpr int large = 128 << 10;
-  mallopt(M_MMAP_THRESHOLD, large);
-  mallopt(M_TRIM_THRESHOLD, large);
   // Memory the program takes besides while it runs: its code, as it comes to be used, and the
   // stacks of its threads. Measured; 3 to 4 megabytes.
   constexpr double of_its_own = 4e6, most_over = 1.05, largest = 0x1p62;

@@ -13,8 +13,8 @@ namespace asterism::apps {
 //
 // Counts what the C++ code of the program asks for. Beside it are the program itself,
 // which the limit takes into account as it is at the start, stacks of threads, and blocks that
-// libraries of C ask for. Blocks of 128 kilobytes or more are given back to the system as soon as
-// they are free, so that what is resident follows what is held.
+// libraries of C ask for. What is resident follows what is held where large blocks are given back
+// as soon as they are free (apps/freed_memory.hpp).
 class memory_account {
  public:
   // `bytes` is the limit on all that is resident, the program included. It may be passed by a
