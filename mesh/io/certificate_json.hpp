@@ -17,10 +17,6 @@ inline constexpr std::string_view certificate_format = "asterism certificate 2";
 // Degrees that stand in a certificate's worst angles where there was none to judge; null in JSON.
 inline constexpr double no_angle_to_judge = 180;
 
-// Names in the order of relaxation_kind.
-inline constexpr std::array<std::string_view, 4> relaxation_kind_names = {
-    "softened", "graded", "constant", "without demands"};
-
 // Names in the order of curve_kind.
 inline constexpr std::array<std::string_view, 2> curve_kind_names = {"arc", "cubic"};
 

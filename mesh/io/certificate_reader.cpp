@@ -180,29 +180,6 @@ voronoi_verdict voronoi_of(const json& object) {
   return static_cast<voronoi_verdict>(place - voronoi_verdict_names.begin());
 }
 
-// Certificates written before metrics were relaxed say nothing of it.
-std::optional<relaxation_report> relaxed_of(const json& outcome) {
-  if (!outcome.contains("relaxed") || outcome["relaxed"].is_null()) return std::nullopt;
-  const json& object = outcome["relaxed"];
-  relaxation_report r;
-  r.why = read<std::string>(object, "why");
-  const auto kind = read<std::string>(object, "kind");
-  const auto place = std::find(relaxation_kind_names.begin(), relaxation_kind_names.end(), kind);
-  if (place == relaxation_kind_names.end())
-    throw malformed("kind", "\"kind\" holds \"" + kind + "\", which is no way to relax a metric");
-  r.kind = static_cast<relaxation_kind>(place - relaxation_kind_names.begin());
-  r.power = read<double>(object, "power");
-  r.beta = read<double>(object, "beta");
-  r.reach = read<double>(object, "reach");
-  r.tries = count_of(object, "tries");
-  r.changed = count_of(object, "vertices_changed");
-  r.most_longer = read<double>(object, "most_longer");
-  r.most_shorter = read<double>(object, "most_shorter");
-  r.worst_angle = worst_angle_of(object, "worst_angle_as_given");
-  r.low_triangles = indices_of(object, "low_triangles_as_given");
-  return r;
-}
-
 std::optional<delivered_report> delivered_of(const json& outcome) {
   if (!outcome.contains("delivered") || outcome["delivered"].is_null()) return std::nullopt;
   const json& object = outcome["delivered"];
@@ -275,7 +252,6 @@ certificate certificate_of(const json& root) {
   c.reason = read<std::string>(outcome, "reason");
   c.mesher_counters = counters_of(outcome, "decided");
   c.star_repairs = outcome.contains("star_repairs") ? count_of(outcome, "star_repairs") : 0;
-  c.relaxed = relaxed_of(outcome);
   c.delivered = delivered_of(outcome);
   read_mesh(member(root, "mesh"), c);
   if (root.contains("measured")) c.measured = read<std::map<std::string, double>>(root, "measured");
@@ -283,6 +259,25 @@ certificate certificate_of(const json& root) {
   c.theorem = theorem_of(member(root, "theorem"));
   if (!member(root, "domain").is_null()) c.original = domain_of(member(root, "domain"));
   return c;
+}
+
+// Leaves out what earlier versions said of metrics that were relaxed all over, where none was;
+// where one was there is nothing left to hold it against.
+json without_relaxation(json root) {
+  if (!root.is_object()) return root;
+  if (root.contains("outcome") && root["outcome"].is_object() &&
+      root["outcome"].contains("relaxed")) {
+    if (!root["outcome"]["relaxed"].is_null())
+      throw malformed(
+          "outcome.relaxed",
+          "the mesh is of a metric that an earlier version relaxed all over, which this "
+          "one does not judge: make it again, or verify it without the certificate");
+    root["outcome"].erase("relaxed");
+  }
+  if (root.contains("asked") && root["asked"].is_object() && root["asked"].contains("options") &&
+      root["asked"]["options"].is_object())
+    root["asked"]["options"].erase("relax");
+  return root;
 }
 
 std::string quoted(const std::string& name) { return fmt::format("\"{}\"", name); }
@@ -337,7 +332,7 @@ result<certificate> parse_certificate(const std::string& text, const std::string
   if (const auto& twice = places.repeated)
     return refuse(twice->line, quoted(twice->name) + " is there twice");
   try {
-    const json root = json::parse(text);
+    const json root = without_relaxation(json::parse(text));
     certificate read = certificate_of(root);
     // Whatever is not read, or not as it is written, differs from what is written of it.
     if (const auto odd = first_difference(root, json_of(read), ""))

@@ -2,9 +2,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "asterism/mesh/io/certificate_json.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/text_lines.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -36,10 +38,14 @@ json points_json(const std::vector<point>& points) {
   return result;
 }
 
+bool tells_sides(const segment& s) {
+  return s.internal || s.left_region != 1 || s.right_region != 1;
+}
+
 // Writes three numbers; six where there is something to say of sides and regions.
 json segment_json(const segment& s) {
   json written = {std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker};
-  if (s.internal || s.left_region != 1 || s.right_region != 1)
+  if (tells_sides(s))
     for (const int more : {s.internal ? 1 : 0, s.left_region, s.right_region})
       written.push_back(more);
   return written;
@@ -58,12 +64,15 @@ json curve_json(const domain_curve& c) {
   return written;
 }
 
-// Writes curves only where there are some.
-json domain_json(const domain& d) {
+// Writes curves only where there are some. Vertices and segments, which may be very many, are left
+// out where they are written without a JSON value for each number.
+json domain_json(const domain& d, bool with_lists) {
   json segments = json::array(), curves = json::array();
-  for (const segment& s : d.segments) segments.push_back(segment_json(s));
+  if (with_lists)
+    for (const segment& s : d.segments) segments.push_back(segment_json(s));
   for (const domain_curve& c : d.curves) curves.push_back(curve_json(c));
-  json written = {{"vertices", points_json(d.vertices)}, {"segments", std::move(segments)}};
+  json written = {{"vertices", with_lists ? points_json(d.vertices) : json::array()},
+                  {"segments", std::move(segments)}};
   if (!curves.empty()) written["curves"] = std::move(curves);
   return written;
 }
@@ -93,23 +102,6 @@ json measured_json(const certificate& c) {
 // Writes null where no triangle is away from the exempt corners.
 json worst_angle_json(double degrees) {
   return degrees < no_angle_to_judge ? json(degrees) : json(nullptr);
-}
-
-// Writes how the metric the mesh is of differs from the one asked for.
-json relaxed_json(const certificate& c) {
-  if (!c.relaxed) return nullptr;
-  const relaxation_report& r = *c.relaxed;
-  return {{"why", r.why},
-          {"kind", relaxation_kind_names[static_cast<std::size_t>(r.kind)]},
-          {"power", r.power},
-          {"beta", r.beta},
-          {"reach", r.reach},
-          {"tries", r.tries},
-          {"vertices_changed", r.changed},
-          {"most_longer", r.most_longer},
-          {"most_shorter", r.most_shorter},
-          {"worst_angle_as_given", worst_angle_json(r.worst_angle)},
-          {"low_triangles_as_given", from_one(r.low_triangles)}};
 }
 
 // Writes the metric of the mesh against the one wanted.
@@ -178,9 +170,7 @@ json theorem_json(const certificate& c) {
           {"variation", bound_json(h.variation)}};
 }
 
-}  // namespace
-
-certificate_json internal::json_of(const certificate& c) {
+json json_with(const certificate& c, bool lists_of_domain) {
   json options = json::object();
   for (const auto& [name, value] : c.options) options[name] = value;
   return {{"format", certificate_format},
@@ -194,19 +184,88 @@ certificate_json internal::json_of(const certificate& c) {
            {{"complete", c.complete},
             {"reason", c.reason},
             {"star_repairs", c.star_repairs},
-            {"relaxed", relaxed_json(c)},
             {"delivered", delivered_json(c)},
             {"decided", counters_json(c.mesher_counters)}}},
           {"mesh", mesh_json(c)},
           {"measured", measured_json(c)},
           {"audit", audit_json(c)},
           {"theorem", theorem_json(c)},
-          {"domain", c.original ? domain_json(*c.original) : json(nullptr)}};
+          {"domain", c.original ? domain_json(*c.original, lists_of_domain) : json(nullptr)}};
 }
 
+// Appends a number as the library that writes the rest does: the fewest digits that it finds, and
+// null for what is none.
+void append_value(std::string& text, double x) {
+  if (!std::isfinite(x)) {
+    text += "null";
+    return;
+  }
+  std::array<char, 64> digits;
+  char* const end = nlohmann::detail::to_chars(digits.data(), digits.data() + digits.size(), x);
+  text.append(digits.data(), end);
+}
+void append_value(std::string& text, std::size_t n) { append_integer(text, n); }
+void append_value(std::string& text, int n) { append_integer(text, n); }
+
+// Appends one item of the list of the domain's vertices or segments: itself a list, two levels
+// below the certificate's own.
+template <class... Values>
+void append_item(std::string& text, bool is_first, const Values&... values) {
+  text += is_first ? "\n   [" : ",\n   [";
+  bool comma = false;
+  const auto append = [&](const auto& value) {
+    text += std::exchange(comma, true) ? ",\n    " : "\n    ";
+    append_value(text, value);
+  };
+  (append(values), ...);
+  text += "\n   ]";
+}
+
+std::string vertices_text(const domain& d) {
+  std::string text = "[";
+  append_lines(text, d.vertices.size(), [&](std::size_t i, std::string& lines) {
+    append_item(lines, i == 0, d.vertices[i].x, d.vertices[i].y);
+  });
+  return text + "\n  ]";
+}
+
+std::string segments_text(const domain& d) {
+  std::string text = "[";
+  append_lines(text, d.segments.size(), [&](std::size_t i, std::string& lines) {
+    const segment& s = d.segments[i];
+    const std::size_t a = std::size_t{s.a} + 1, b = std::size_t{s.b} + 1;
+    if (tells_sides(s))
+      append_item(lines, i == 0, a, b, s.marker, s.internal ? 1 : 0, s.left_region, s.right_region);
+    else
+      append_item(lines, i == 0, a, b, s.marker);
+  });
+  return text + "\n  ]";
+}
+
+// Puts the two lists into a text that has them empty. The key is the only one that far from the
+// left, and no value holds the end of a line.
+void put_lists(std::string& text, const domain& d) {
+  const std::string empty = "[]";
+  std::size_t at = text.rfind("\n \"domain\": {");
+  for (const std::string& list : {vertices_text(d), segments_text(d)}) {
+    at = text.find(empty, at);
+    text.replace(at, empty.size(), list);
+    at += list.size();
+  }
+}
+
+}  // namespace
+
+certificate_json internal::json_of(const certificate& c) { return json_with(c, true); }
+
 std::string certificate_text(const certificate& c) {
+  const bool has_lists =
+      c.original && !c.original->vertices.empty() && !c.original->segments.empty();
   // Text that is not UTF-8 (a file's name may be anything) is replaced, not refused.
-  return json_of(c).dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  std::string text =
+      json_with(c, !has_lists).dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  if (has_lists) put_lists(text, *c.original);
+  return text;
 }
 
 result<std::filesystem::path> write_certificate(const std::filesystem::path& path,

@@ -25,15 +25,20 @@ struct closer {
 };
 
 // Notes the path in `created` once the file is there, which it must not be before.
-std::optional<error> write_bytes(const fs::path& path, const std::string& bytes,
+std::optional<error> write_bytes(const fs::path& path, const output_file& contents,
                                  std::vector<fs::path>& created) {
   errno = 0;
   std::unique_ptr<std::FILE, closer> file(std::fopen(path.c_str(), "wbx"));
   if (!file) return system_failure(path, "cannot be created");
   created.push_back(path);
+  bool written = true;
+  const byte_sink put = [&file, &written](std::string_view bytes) {
+    written = written && std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  };
+  put(contents.bytes);
+  if (contents.rest) contents.rest(put);
   // A full disk may show only when the buffer is flushed or the file is closed.
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
-                       std::fflush(file.get()) == 0;
+  written = written && std::fflush(file.get()) == 0;
   if (!written) return system_failure(path, "cannot be written");
   if (std::fclose(file.release()) != 0) return system_failure(path, "cannot be written");
   return {};
@@ -110,13 +115,19 @@ class replacement {
 
 }  // namespace
 
+std::string bytes_of(const std::function<void(const byte_sink&)>& write) {
+  std::string bytes;
+  write([&bytes](std::string_view piece) { bytes += piece; });
+  return bytes;
+}
+
 pending_files::~pending_files() {
   std::error_code ignored;
   for (const fs::path& path : temporary_) fs::remove(path, ignored);
 }
 
 std::optional<error> pending_files::add(const output_file& file) {
-  if (auto failed = write_bytes(temporary_path(file.path, ".part"), file.bytes, temporary_))
+  if (auto failed = write_bytes(temporary_path(file.path, ".part"), file, temporary_))
     return failed;
   places_.push_back(file.path);
   return std::nullopt;

@@ -4,17 +4,28 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "asterism/core/result.hpp"
 
 namespace asterism::internal {
 
+// Takes the bytes of a file, piece by piece.
+using byte_sink = std::function<void(std::string_view)>;
+
+// Returns all that `write` gives to a sink.
+std::string bytes_of(const std::function<void(const byte_sink&)>& write);
+
 struct output_file {
   std::filesystem::path path;
-  std::string bytes;
+  std::string bytes = {};
+  // Gives the bytes that follow those, if it is there: it makes them while the file is written, so
+  // that a long file is never held whole. Whatever it refers to must live until then.
+  std::function<void(const byte_sink&)> rest = {};
 };
 
 // Files of one run, which appear together or not at all. Each is written under a temporary name

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/medit_writer.hpp"
+
 #include <fmt/format.h>
 
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <vector>
 
 #include "asterism/core/sign.hpp"
@@ -70,49 +73,68 @@ void write_boundary(text out, const mesh& m) {
 
 }  // namespace
 
-std::string medit_mesh_text(const mesh& m) {
-  std::string contents = "MeshVersionFormatted 2\n\nDimension 2\n";
-  const text out(contents);
-  fmt::format_to(out, "\nVertices\n{}\n", m.sites.size());
+namespace internal {
+
+void write_medit_mesh(const mesh& m, const byte_sink& put) {
+  put(fmt::format("MeshVersionFormatted 2\n\nDimension 2\n\nVertices\n{}\n", m.sites.size()));
   const bool has_own = m.references.size() == m.sites.size();
   const std::vector<int> references = has_own ? m.references : vertex_references(m);
-  append_lines(contents, m.sites.size(), [&](std::size_t v, std::string& line) {
-    append_number(line, m.sites[v].position.x);
-    append_number(line += ' ', m.sites[v].position.y);
-    append_integer(line += ' ', references[v]);
-    line += '\n';
-  });
-  fmt::format_to(out, "\nTriangles\n{}\n", m.triangles.size());
-  append_lines(contents, m.triangles.size(), [&](std::size_t i, std::string& line) {
-    for (const vertex_index v : m.triangles[i]) {
-      append_integer(line, v + 1);
-      line += ' ';
-    }
-    append_integer(line, m.regions.empty() ? 1 : m.regions[i]);
-    line += '\n';
-  });
+  make_lines(
+      m.sites.size(),
+      [&](std::size_t v, std::string& line) {
+        append_number(line, m.sites[v].position.x);
+        append_number(line += ' ', m.sites[v].position.y);
+        append_integer(line += ' ', references[v]);
+        line += '\n';
+      },
+      put);
+  put(fmt::format("\nTriangles\n{}\n", m.triangles.size()));
+  make_lines(
+      m.triangles.size(),
+      [&](std::size_t i, std::string& line) {
+        for (const vertex_index v : m.triangles[i]) {
+          append_integer(line, v + 1);
+          line += ' ';
+        }
+        append_integer(line, m.regions.empty() ? 1 : m.regions[i]);
+        line += '\n';
+      },
+      put);
+  std::string end;
+  const text out(end);
   write_boundary(out, m);
   write_list(out, "Corners", corners(m));
   std::vector<vertex_index> given(m.given);
   for (vertex_index v = 0; v < m.given; ++v) given[v] = v;
   write_list(out, "RequiredVertices", given);
-  contents += "\nEnd\n";
-  return contents;
+  put(end += "\nEnd\n");
+}
+
+void write_medit_solution(const mesh& m, const byte_sink& put) {
+  // One field, of type 3: a symmetric tensor, its upper triangle column by column.
+  put(fmt::format("MeshVersionFormatted 2\n\nDimension 2\n\nSolAtVertices\n{}\n1 3\n",
+                  m.sites.size()));
+  make_lines(
+      m.sites.size(),
+      [&](std::size_t v, std::string& line) {
+        const metric_tensor& metric = m.sites[v].metric;
+        append_number(line, metric.m11);
+        append_number(line += ' ', metric.m12);
+        append_number(line += ' ', metric.m22);
+        line += '\n';
+      },
+      put);
+  put("\nEnd\n");
+}
+
+}  // namespace internal
+
+std::string medit_mesh_text(const mesh& m) {
+  return bytes_of([&m](const byte_sink& put) { write_medit_mesh(m, put); });
 }
 
 std::string medit_solution_text(const mesh& m) {
-  // One field, of type 3: a symmetric tensor, its upper triangle column by column.
-  std::string contents = fmt::format(
-      "MeshVersionFormatted 2\n\nDimension 2\n\nSolAtVertices\n{}\n1 3\n", m.sites.size());
-  append_lines(contents, m.sites.size(), [&](std::size_t v, std::string& line) {
-    const metric_tensor& metric = m.sites[v].metric;
-    append_number(line, metric.m11);
-    append_number(line += ' ', metric.m12);
-    append_number(line += ' ', metric.m22);
-    line += '\n';
-  });
-  contents += "\nEnd\n";
-  return contents;
+  return bytes_of([&m](const byte_sink& put) { write_medit_solution(m, put); });
 }
 
 std::filesystem::path solution_path(const std::filesystem::path& mesh_path) {

@@ -12,7 +12,8 @@
 
 namespace asterism::internal {
 
-// Returns the files that write_mesh would write, for write_files. Fails as write_mesh does.
+// Returns the files that write_mesh would write, for write_files. The mesh must outlive them: long
+// ones are made from it while they are written. Fails as write_mesh does.
 result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, const mesh& m,
                                              const write_options& options);
 

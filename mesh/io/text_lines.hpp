@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/mesh/io/seventeen_digits.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
@@ -17,7 +18,11 @@ namespace asterism::internal {
 // Appends seventeen significant digits, enough to read the same double back; what printf's %.17g
 // writes in the C locale.
 inline void append_number(std::string& text, double x) {
-  std::array<char, 32> digits{};  // sign, 17 digits, point, exponent of five
+  std::array<char, 32> digits;  // sign, 17 digits, point, exponent of five
+  if (char* const end = seventeen_digits::write(digits.data(), x)) {
+    text.append(digits.data(), end);
+    return;
+  }
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x,
                                  std::chars_format::general, 17);
   text.append(digits.data(), end.ptr);
@@ -30,11 +35,13 @@ void append_integer(std::string& text, Integer n) {
   text.append(digits.data(), end.ptr);
 }
 
-// Appends what line(i, text) appends, for i in [0, count), in order. Some blocks of lines are made
-// at a time, so that little is held twice.
-template <class Line>
-void append_lines(std::string& text, std::size_t count, const Line& line) {
-  constexpr std::size_t chunk = 2048, at_a_time = 64 * chunk;
+inline constexpr std::size_t lines_of_a_part = 2048;
+
+// Calls take(part) with the text that line(i, text) appends, for i in [0, count), part by part in
+// order. Some blocks of lines are made at a time, so that little is held.
+template <class Line, class Take>
+void make_lines(std::size_t count, const Line& line, const Take& take) {
+  constexpr std::size_t chunk = lines_of_a_part, at_a_time = 64 * chunk;
   std::vector<std::string> parts(std::min(at_a_time, count) / chunk + 1);
   for (std::size_t first = 0; first < count; first += at_a_time) {
     const std::size_t lines = std::min(at_a_time, count - first);
@@ -42,14 +49,25 @@ void append_lines(std::string& text, std::size_t count, const Line& line) {
       parts[i].clear();
       for (std::size_t k = begin; k < end; ++k) line(first + k, parts[i]);
     });
-    const std::size_t before = text.size();
-    for (std::size_t i = 0; i < chunk_count(lines, chunk); ++i) text += parts[i];
-    // Room for the rest if it is like the beginning, and a little more.
-    if (first == 0 && count > lines)
+    for (std::size_t i = 0; i < chunk_count(lines, chunk); ++i) take(parts[i]);
+  }
+}
+
+// Appends those parts to a text.
+template <class Line>
+void append_lines(std::string& text, std::size_t count, const Line& line) {
+  constexpr std::size_t beginning = 16384;  // lines
+  const std::size_t before = text.size();
+  std::size_t parts = 0;
+  make_lines(count, line, [&](const std::string& part) {
+    text += part;
+    const std::size_t lines = ++parts * lines_of_a_part;
+    // Makes room for the rest, if it is like the beginning, and a little more.
+    if (lines == beginning && lines < count)
       text.reserve(before + static_cast<std::size_t>(
                                 1.1 * static_cast<double>(text.size() - before) *
                                 static_cast<double>(count) / static_cast<double>(lines)));
-  }
+  });
 }
 
 }  // namespace asterism::internal

@@ -3,13 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include "asterism/mesh/io/text_lines.hpp"
 #include "asterism/mesh/numerics/metric_angle.hpp"
 
 namespace asterism::internal {
@@ -24,39 +28,50 @@ constexpr std::string_view type_name() {
   if constexpr (std::is_same_v<Number, std::uint8_t>) return "UInt8";
 }
 
-// Collects the tags, and the bytes that they lead to, which come after all of them.
+// Collects the tags, and how the bytes are made that they lead to, which come after all of them.
 class vtu_writer {
  public:
   void add(std::string_view text) { tags_ += text; }
 
-  // Adds an array: its tag has the place, among the bytes, of the count before its numbers.
-  template <class Number>
-  void add_array(std::string_view name, int components, const std::vector<Number>& numbers) {
+  // Adds an array of so many numbers, number(i) each: its tag has the place, among the bytes, of
+  // the count before its numbers. What `number` refers to must live until the file is written.
+  template <class Number, class Make>
+  void add_array(std::string_view name, int components, std::size_t count, const Make& number) {
     tags_ += fmt::format(R"(<DataArray type="{}" Name="{}")", type_name<Number>(), name);
     if (components > 1) tags_ += fmt::format(R"( NumberOfComponents="{}")", components);
-    tags_ += fmt::format(" format=\"appended\" offset=\"{}\"/>\n", bytes_.size());
-    append(std::uint64_t{numbers.size() * sizeof(Number)}, sizeof(std::uint64_t));
-    for (const Number number : numbers) {
-      if constexpr (std::is_same_v<Number, double>)
-        append(std::bit_cast<std::uint64_t>(number), sizeof(double));
-      else
-        append(static_cast<std::uint64_t>(number), sizeof(Number));
-    }
+    tags_ += fmt::format(" format=\"appended\" offset=\"{}\"/>\n", bytes_);
+    const std::uint64_t size = count * sizeof(Number);
+    bytes_ += sizeof size + size;
+    arrays_.push_back([count, size, number](const byte_sink& put) {
+      std::string before;
+      append(before, size, sizeof size);
+      put(before);
+      make_lines(
+          count, [&](std::size_t i, std::string& bytes) { append(bytes, Number{number(i)}); }, put);
+    });
   }
 
-  std::string file() {
-    tags_ += "<AppendedData encoding=\"raw\">\n_";
-    tags_ += bytes_;
-    tags_ += "\n</AppendedData>\n</VTKFile>\n";
-    return std::move(tags_);
+  void write(const byte_sink& put) {
+    put(tags_ += "<AppendedData encoding=\"raw\">\n_");
+    for (const auto& array : arrays_) array(put);
+    put("\n</AppendedData>\n</VTKFile>\n");
   }
 
  private:
-  void append(std::uint64_t value, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i) bytes_ += static_cast<char>(value >> (8 * i));
+  static void append(std::string& bytes, std::uint64_t value, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(value >> (8 * i));
+  }
+  template <class Number>
+  static void append(std::string& bytes, Number number) {
+    if constexpr (std::is_same_v<Number, double>)
+      append(bytes, std::bit_cast<std::uint64_t>(number), sizeof number);
+    else
+      append(bytes, static_cast<std::uint64_t>(number), sizeof number);
   }
 
-  std::string tags_, bytes_;
+  std::string tags_;
+  std::uint64_t bytes_ = 0;
+  std::vector<std::function<void(const byte_sink&)>> arrays_;
 };
 
 std::vector<std::int32_t> star_sizes(const mesh& m) {
@@ -66,66 +81,71 @@ std::vector<std::int32_t> star_sizes(const mesh& m) {
   return sizes;
 }
 
-void write_points(vtu_writer& out, const mesh& m) {
-  std::vector<double> positions;
-  positions.reserve(3 * m.sites.size());
-  for (const site& s : m.sites) positions.insert(positions.end(), {s.position.x, s.position.y, 0});
+// The triangles, and after them the disagreeing ones.
+struct mesh_cells {
+  const mesh& m;
+  std::size_t size() const { return m.triangles.size() + m.disagreeing.size(); }
+  bool is_disagreeing(std::size_t i) const { return i >= m.triangles.size(); }
+  const triangle& operator[](std::size_t i) const {
+    return is_disagreeing(i) ? m.disagreeing[i - m.triangles.size()] : m.triangles[i];
+  }
+};
+
+void add_points(vtu_writer& out, const mesh& m) {
   out.add("<Points>\n");
-  out.add_array("Points", 3, positions);
+  out.add_array<double>("Points", 3, 3 * m.sites.size(), [&m](std::size_t i) {
+    const point& q = m.sites[i / 3].position;
+    return std::array{q.x, q.y, 0.0}[i % 3];
+  });
   out.add("</Points>\n");
 }
 
-void write_point_data(vtu_writer& out, const mesh& m) {
-  std::vector<double> metrics, tensors;
-  for (const site& s : m.sites) {
-    const auto& [m11, m12, m22] = s.metric;
-    metrics.insert(metrics.end(), {m11, m12, m22});
-    tensors.insert(tensors.end(), {m11, m12, 0, m12, m22, 0, 0, 0, 1});
-  }
-  std::vector<std::int32_t> given(m.sites.size(), 0);
-  for (std::size_t v = 0; v < m.given && v < given.size(); ++v) given[v] = 1;
+void add_point_data(vtu_writer& out, const mesh& m, const std::vector<std::int32_t>& stars) {
   out.add("<PointData Tensors=\"metric_tensor\">\n");
-  out.add_array("metric", 3, metrics);
-  out.add_array("metric_tensor", 9, tensors);
-  out.add_array("star_size", 1, star_sizes(m));
-  out.add_array("given", 1, given);
+  out.add_array<double>("metric", 3, 3 * m.sites.size(), [&m](std::size_t i) {
+    const auto& [m11, m12, m22] = m.sites[i / 3].metric;
+    return std::array{m11, m12, m22}[i % 3];
+  });
+  out.add_array<double>("metric_tensor", 9, 9 * m.sites.size(), [&m](std::size_t i) {
+    const auto& [m11, m12, m22] = m.sites[i / 9].metric;
+    return std::array{m11, m12, 0.0, m12, m22, 0.0, 0.0, 0.0, 1.0}[i % 9];
+  });
+  out.add_array<std::int32_t>("star_size", 1, m.sites.size(),
+                              [&stars](std::size_t v) { return stars[v]; });
+  out.add_array<std::int32_t>("given", 1, m.sites.size(),
+                              [&m](std::size_t v) { return v < m.given ? 1 : 0; });
   out.add("</PointData>\n");
 }
 
-void write_cell_data(vtu_writer& out, const mesh& m, const std::vector<triangle>& cells) {
-  std::vector<double> angles;
-  angles.reserve(cells.size());
-  for (const triangle& t : cells) angles.push_back(smallest_angle(m, t));
-  std::vector<std::int32_t> disagreeing(cells.size(), 0), regions(m.triangles.size(), 1);
-  for (std::size_t i = m.triangles.size(); i < cells.size(); ++i) disagreeing[i] = 1;
-  if (!m.regions.empty()) regions.assign(m.regions.begin(), m.regions.end());
-  regions.resize(cells.size(), 0);
+void add_cell_data(vtu_writer& out, const mesh_cells& cells) {
   out.add("<CellData Scalars=\"smallest_angle\">\n");
-  out.add_array("smallest_angle", 1, angles);
-  out.add_array("disagreeing", 1, disagreeing);
-  out.add_array("region", 1, regions);
+  out.add_array<double>("smallest_angle", 1, cells.size(),
+                        [cells](std::size_t i) { return smallest_angle(cells.m, cells[i]); });
+  out.add_array<std::int32_t>("disagreeing", 1, cells.size(),
+                              [cells](std::size_t i) { return cells.is_disagreeing(i) ? 1 : 0; });
+  out.add_array<std::int32_t>("region", 1, cells.size(), [cells](std::size_t i) {
+    if (cells.is_disagreeing(i)) return 0;
+    return cells.m.regions.empty() ? 1 : static_cast<int>(cells.m.regions[i]);
+  });
   out.add("</CellData>\n");
 }
 
-void write_cells(vtu_writer& out, const std::vector<triangle>& cells) {
+void add_cells(vtu_writer& out, const mesh_cells& cells) {
   constexpr std::uint8_t vtk_triangle = 5;
-  std::vector<std::int64_t> corners, ends;
-  for (const triangle& t : cells) {
-    corners.insert(corners.end(), t.begin(), t.end());
-    ends.push_back(static_cast<std::int64_t>(corners.size()));
-  }
   out.add("<Cells>\n");
-  out.add_array("connectivity", 1, corners);
-  out.add_array("offsets", 1, ends);
-  out.add_array("types", 1, std::vector<std::uint8_t>(cells.size(), vtk_triangle));
+  out.add_array<std::int64_t>("connectivity", 1, 3 * cells.size(),
+                              [cells](std::size_t i) { return std::int64_t{cells[i / 3][i % 3]}; });
+  out.add_array<std::int64_t>("offsets", 1, cells.size(),
+                              [](std::size_t i) { return static_cast<std::int64_t>(3 * (i + 1)); });
+  out.add_array<std::uint8_t>("types", 1, cells.size(), [](std::size_t) { return vtk_triangle; });
   out.add("</Cells>\n");
 }
 
 }  // namespace
 
-std::string vtu_bytes(const mesh& m) {
-  std::vector<triangle> cells = m.triangles;
-  cells.insert(cells.end(), m.disagreeing.begin(), m.disagreeing.end());
+void write_vtu(const mesh& m, const byte_sink& put) {
+  const mesh_cells cells{m};
+  const std::vector<std::int32_t> stars = star_sizes(m);
   vtu_writer out;
   out.add(
       "<?xml version=\"1.0\"?>\n"
@@ -134,12 +154,12 @@ std::string vtu_bytes(const mesh& m) {
       "<UnstructuredGrid>\n");
   out.add(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", m.sites.size(),
                       cells.size()));
-  write_points(out, m);
-  write_cells(out, cells);
-  write_point_data(out, m);
-  write_cell_data(out, m, cells);
+  add_points(out, m);
+  add_cells(out, cells);
+  add_point_data(out, m, stars);
+  add_cell_data(out, cells);
   out.add("</Piece>\n</UnstructuredGrid>\n");
-  return out.file();
+  out.write(put);
 }
 
 }  // namespace asterism::internal

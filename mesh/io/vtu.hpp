@@ -10,12 +10,12 @@
 // ones). Source: "VTK File Formats", the XML section (docs.vtk.org).
 #pragma once
 
-#include <string>
-
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/io/file_output.hpp"
 
 namespace asterism::internal {
 
-std::string vtu_bytes(const mesh& m);
+// Gives the contents of the file to the sink; the first line is in the first piece.
+void write_vtu(const mesh& m, const byte_sink& put);
 
 }  // namespace asterism::internal

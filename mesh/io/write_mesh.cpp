@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "asterism/mesh/io/gmsh.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_binary.hpp"
+#include "asterism/mesh/io/medit_writer.hpp"
 #include "asterism/mesh/io/plain_meshes.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/vtu.hpp"
@@ -77,6 +79,19 @@ std::string with_note(std::string contents, mesh_format format, const std::strin
   return contents.insert(contents.find('\n') + 1, line);
 }
 
+// Gives what `write` gives of the mesh, with the note in its first piece.
+std::function<void(const byte_sink&)> with_note(void (*write)(const mesh&, const byte_sink&),
+                                                const mesh& m, mesh_format format,
+                                                const std::string& note) {
+  return [write, &m, format, note](const byte_sink& put) {
+    bool is_first = true;
+    write(m, [&](std::string_view piece) {
+      if (!std::exchange(is_first, false)) return put(piece);
+      put(with_note(std::string(piece), format, note));
+    });
+  };
+}
+
 using output_files = std::vector<output_file>;
 
 fs::path beside(const fs::path& path, const char* extension) {
@@ -126,13 +141,15 @@ result<output_files> render(const fs::path& path, mesh_format format, const mesh
                             const write_options& options) {
   switch (format) {
     case mesh_format::medit:
-      return output_files{{path, with_note(medit_mesh_text(m), format, options.note)},
-                          {solution_path(path), medit_solution_text(m)}};
+      return output_files{
+          {.path = path, .rest = with_note(write_medit_mesh, m, format, options.note)},
+          {.path = solution_path(path),
+           .rest = [&m](const byte_sink& put) { write_medit_solution(m, put); }}};
     case mesh_format::medit_binary:
       return output_files{{path, medit_binary_of_text(medit_mesh_text(m), inner_edges(m))},
                           {solution_path(path), medit_binary_of_text(medit_solution_text(m))}};
     case mesh_format::vtu:
-      return output_files{{path, with_note(vtu_bytes(m), format, options.note)}};
+      return output_files{{.path = path, .rest = with_note(write_vtu, m, format, options.note)}};
     case mesh_format::gmsh:
       return output_files{{path, render_gmsh(m, options, gmsh_version::four)}};
     case mesh_format::gmsh2:
