@@ -4,6 +4,7 @@
 #include "asterism/core/integer.hpp"
 #include "asterism/kernels/direction_cover.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
+#include "asterism/kernels/filtered_edge_test.hpp"
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 #include "asterism/kernels/predicate_kernel.hpp"
@@ -83,6 +84,11 @@ uncertain_bool ask_directions(const site& v, const site& w, const site& x, const
   return refused ? uncertain_bool(false) : uncertain_bool();
 }
 
+uncertain_bool ask_doubles(const site& v, const site& w, const site& x, const site& y) {
+  const uncertain_bool by_gaps = ask_gaps(v, w, x, y);
+  return by_gaps.certain() ? by_gaps : ask_directions(v, w, x, y);
+}
+
 }  // namespace
 
 sign filtered_kernel::orientation(const point& p, const point& q, const point& r) const {
@@ -153,11 +159,18 @@ bool filtered_kernel::edge_test(const site& v, const site& w, const site& x, con
                   &interval_kernel::edge_test, &exact_kernel::edge_test>(
         decided_, semi_static::insertion_test_equal_metrics(v, w, x, y), v, w, x, y);
   const auto ask = [&](const auto& kernel) { return kernel.edge_test(v, w, x, y); };
-  uncertain_bool quick = ask_gaps(v, w, x, y);
-  if (!quick.certain()) quick = ask_directions(v, w, x, y);
+  const uncertain_bool quick = ask_doubles(v, w, x, y);
   if (!quick.certain()) return decide_slowly(decided_, predicate::edge_test, ask);
   count(decided_, predicate::edge_test, tier::semi_static);
   return quick.value();
+}
+
+uncertain_bool internal::filtered_edge_test(const site& v, const site& w, const site& x,
+                                            const site& y, tier_counters& decided) {
+  if (equal_metrics(v, w, x, y)) return filtered_kernel(decided).edge_test(v, w, x, y);
+  const uncertain_bool quick = ask_doubles(v, w, x, y);
+  count(&decided, predicate::edge_test, quick.certain() ? tier::semi_static : tier::interval);
+  return quick.certain() ? quick : interval_kernel{}.edge_test(v, w, x, y);
 }
 
 }  // namespace asterism

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/domain/built_in_domains.hpp"
 
+#include <bit>
 #include <cmath>
-#include <functional>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
-#include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "asterism/core/random.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
@@ -29,6 +32,30 @@ void close_ring(domain& d, std::size_t first, int marker) {
     d.segments.push_back({static_cast<vertex_index>(i),
                           static_cast<vertex_index>(i + 1 < end ? i + 1 : first), marker});
 }
+
+// A set of points by their numbers in a list, in one array that is never more than half full: for
+// millions, a place found with one look.
+class known_points {
+ public:
+  explicit known_points(std::size_t most) : places_(std::bit_ceil(2 * most + 1), none) {}
+
+  // Adds points[v]; false if there is one at that place already.
+  bool add(const std::vector<point>& points, vertex_index v) {
+    const std::size_t mask = places_.size() - 1;
+    std::size_t at = mixed_bits(bits_of(points[v].x) + mixed_bits(bits_of(points[v].y))) & mask;
+    for (; places_[at] != none; at = (at + 1) & mask)
+      if (points[places_[at]] == points[v]) return false;
+    places_[at] = v;
+    return true;
+  }
+
+ private:
+  static constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
+  // Both zeros are one place.
+  static std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
+
+  std::vector<vertex_index> places_;
+};
 
 bounding_box shrunk(const bounding_box& box) {
   // Fractions of the corners rather than of the extent, which may overflow.
@@ -82,11 +109,8 @@ result<domain> airfoil(const airfoil_options& options) {
 
 result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed) {
   constexpr std::size_t draws_per_point = 1000;
-  const auto hash = [](const point& q) {
-    constexpr std::size_t odd = 0x9e3779b97f4a7c15U;
-    return odd * std::hash<double>()(q.x) + std::hash<double>()(q.y);
-  };
-  std::unordered_set<point, decltype(hash)> taken(d.vertices.begin(), d.vertices.end());
+  known_points taken(d.vertices.size() + count);
+  for (vertex_index v = 0; v < d.vertices.size(); ++v) taken.add(d.vertices, v);
   const bounding_box box = shrunk(d.box());
   splitmix64 random(seed);
   for (std::size_t added = 0; added < count; ++added) {
@@ -99,8 +123,10 @@ result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed
                      error_code::bad_option};
       const double u = random.real(), v = random.real();
       const point q{(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y};
-      accepted = contains(d, q) && taken.insert(q).second;
-      if (accepted) d.vertices.push_back(q);
+      if (!contains(d, q)) continue;
+      d.vertices.push_back(q);
+      accepted = taken.add(d.vertices, static_cast<vertex_index>(d.vertices.size() - 1));
+      if (!accepted) d.vertices.pop_back();
     }
   }
   return d;

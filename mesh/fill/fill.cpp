@@ -49,7 +49,7 @@ class filling {
     }
     if (sampler_.failure()) return *sampler_.failure();
     if (failure_) return *failure_;
-    return outcome();
+    return std::move(*this).outcome();
   }
 
  private:
@@ -133,7 +133,9 @@ class filling {
     return on_segments * elementary::exp2(level) + inside * elementary::exp2(2 * level);
   }
 
-  filled_domain outcome() const {
+  // Takes apart what the fill was made with, piece by piece, as soon as nothing is read from it any
+  // more: at the end of a fill a run needs most memory.
+  filled_domain outcome() && {
     filled_domain filled;
     filled.rounds = rounds_;
     filled.complete = !is_over();
@@ -141,44 +143,50 @@ class filling {
     filled.needed = needed_;
     filled.work_units = work_.units();
     if (crowded_) filled.crowded = stars_.most_crowded();
-    const std::vector<vertex_index> order = in_order_of_outcome(filled);
-    if (filled.complete) filled.stars = stars_in_order(order, filled.interior.size());
+    sites_.forget_index();
+    const std::vector<vertex_index> order = in_order_of_outcome();
+    if (filled.complete) filled.stars = stars_in_order(order);
+    stars_.forget_stars();
+    put_sites_in_order(order, filled);
     return filled;
   }
 
-  // Sets the sites of the outcome. Returns them by their numbers here: the vertices, those that
-  // divide segments, and the interior along a curve.
-  std::vector<vertex_index> in_order_of_outcome(filled_domain& filled) const {
+  // Returns the sites of the outcome by their numbers here: the vertices, those that divide
+  // segments, and the interior along a curve.
+  std::vector<vertex_index> in_order_of_outcome() const {
     std::vector<vertex_index> order(domain_.vertices.size()), inside;
     std::iota(order.begin(), order.end(), vertex_index{0});
-    for (const std::vector<vertex_index>& division : segments_.dividing_sites()) {
-      std::vector<site>& points = filled.divisions.emplace_back();
-      for (const vertex_index w : division) points.push_back(sites_[w]);
+    for (const std::vector<vertex_index>& division : segments_.dividing_sites())
       order.insert(order.end(), division.begin(), division.end());
-    }
-    std::vector<site> unordered;
-    for (auto w = static_cast<vertex_index>(domain_.vertices.size()); w < sites_.size(); ++w) {
-      if (sites_.is_on_segment(w)) continue;
-      inside.push_back(w);
-      unordered.push_back(sites_[w]);
-    }
-    for (const std::uint32_t i : order_along_curve(unordered, box_)) {
-      filled.interior.push_back(unordered[i]);
-      order.push_back(inside[i]);
-    }
+    inside.reserve(sites_.size() - order.size());
+    for (auto w = static_cast<vertex_index>(domain_.vertices.size()); w < sites_.size(); ++w)
+      if (!sites_.is_on_segment(w)) inside.push_back(w);
+    sort_along_curve(inside, sites_.all(), box_);
+    order.insert(order.end(), inside.begin(), inside.end());
     return order;
   }
 
-  // Returns the neighbours of the last sites of that order, so many of them, in its numbers. Those
-  // of a star that disagrees with another are wrong in one of the two, and left out.
-  neighbour_lists stars_in_order(const std::vector<vertex_index>& order, std::size_t last) const {
+  // Copies the sites of that order to where the outcome has them.
+  void put_sites_in_order(const std::vector<vertex_index>& order, filled_domain& filled) const {
+    auto next = order.begin() + static_cast<std::ptrdiff_t>(domain_.vertices.size());
+    for (const std::vector<vertex_index>& division : segments_.dividing_sites()) {
+      std::vector<site>& points = filled.divisions.emplace_back();
+      for (std::size_t i = 0; i < division.size(); ++i) points.push_back(sites_[*next++]);
+    }
+    filled.interior.reserve(static_cast<std::size_t>(order.end() - next));
+    for (; next != order.end(); ++next) filled.interior.push_back(sites_[*next]);
+  }
+
+  // Returns the neighbours of the sites in that order, in its numbers. Those of a star that
+  // disagrees with another are wrong in one of the two, and left out.
+  neighbour_lists stars_in_order(const std::vector<vertex_index>& order) const {
     std::vector<vertex_index> number(sites_.size());
     for (vertex_index i = 0; i < order.size(); ++i) number[order[i]] = i;
     neighbour_lists lists;
-    lists.reserve(last);
-    for (std::size_t i = order.size() - last; i < order.size(); ++i) {
-      if (stars_.agrees_with_neighbours(order[i]))
-        for (const plain_gap& gap : stars_[order[i]]) lists.add(number[gap.neighbour]);
+    lists.reserve(order.size());
+    for (const vertex_index v : order) {
+      if (stars_.agrees_with_neighbours(v))
+        for (const plain_gap& gap : stars_[v]) lists.add(number[gap.neighbour]);
       lists.end_list();
     }
     return lists;

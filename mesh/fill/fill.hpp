@@ -44,10 +44,10 @@ struct filled_domain {
   std::vector<std::vector<site>> divisions;
   // Sites inside the domain, in the order of a space-filling curve.
   std::vector<site> interior;
-  // The neighbours of each interior site among all sites, counter-clockwise, as the fill saw them:
-  // a first guess at its star. Numbered are the vertices first, then the points of the divisions,
-  // then the interior. A list is empty where the fill's stars disagree, and all are where it did
-  // not come to its end.
+  // The neighbours of each site among all sites, counter-clockwise, as the fill saw them: a first
+  // guess at its star. On a segment there may be some that the domain does not let it see. Numbered
+  // are the vertices first, then the points of the divisions, then the interior. A list is empty
+  // where the fill's stars disagree, and there are none where it did not come to its end.
   neighbour_lists stars;
   std::size_t rounds = 0;
   bool complete = false;  // false: max_sites was reached, it is crowded, or stopped

@@ -23,6 +23,8 @@ class placed_sites {
   const site& operator[](vertex_index v) const { return sites_[v]; }
   std::size_t size() const { return sites_.size(); }
   const site_index& index() const { return index_; }
+  // Frees the index. No site is placed, and index() not asked, from then on.
+  void forget_index() { index_ = {}; }
   // True for points that divide segments, and for the domain's vertices.
   bool is_on_segment(vertex_index v) const { return on_segment_[v] != 0; }
   std::size_t count_on_segments() const {

@@ -58,6 +58,7 @@ bool plain_star_store::agrees_with_neighbours(vertex_index v) const {
   const plain_star& star = stars_[v];
   for (std::size_t i = 0; i < star.size(); ++i) {
     const vertex_index y = star[i].neighbour, x = star[following(star, i)].neighbour;
+    if (sites_->is_on_segment(v) && sites_->is_on_segment(y) && sites_->is_on_segment(x)) continue;
     if (!has_gap(stars_[y], x, v) || !has_gap(stars_[x], v, y)) return false;
   }
   return true;
@@ -71,15 +72,20 @@ std::vector<plain_star_store::disturbed> plain_star_store::make_stars(std::size_
   return collect_chunks<disturbed>(
       last - first, chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
         std::vector<vertex_index> near;
-        std::uint64_t looked_at = 0;
+        std::uint64_t looked_at = 0, gaps = 0;
         for (std::size_t i = begin; i < end; ++i) {
           const auto w = static_cast<vertex_index>(first + i);
           if (is_enough(i)) break;
           make_star(w, distance, near, looked_at);
-          for (const vertex_index u : near)
-            if (u < finished_ && disturbs(sites_->all(), u, stars_[u], w)) out.push_back({u, w});
+          gaps += stars_[w].size();
+          for (const vertex_index u : near) {
+            if (u >= finished_) continue;
+            gaps += stars_[u].size();
+            if (disturbs(sites_->all(), u, stars_[u], w)) out.push_back({u, w});
+          }
         }
         work_->count_candidates(looked_at);
+        work_->count_gaps(gaps);
       });
 }
 
@@ -151,11 +157,23 @@ void plain_star_store::make_star(vertex_index w, double distance, std::vector<ve
     const bool all = find_near(w, reach, near, looked_at);
     if (near.size() < least_neighbours && !all) continue;
     stars_[w] = build_plain_star(sites_->all(), w, near);
-    double widest = 0;
-    for (const plain_gap& gap : stars_[w]) widest = std::max(widest, gap.squared_radius);
-    const bool is_wide_enough = diameters * std::sqrt(widest) <= reach;
+    const bool is_wide_enough = diameters * farthest_vertex(w, attempt >= 2) <= reach;
     if (all || is_wide_enough || is_hopeless(w, attempt, reach >= ordinary, near.size())) return;
   }
+}
+
+// Returns how far the vertices of w's star are; infinite where a gap has none, unless it is less
+// than half a turn and those are left out.
+double plain_star_store::farthest_vertex(vertex_index w, bool leaves_out) const {
+  const plain_star& star = stars_[w];
+  double squared = 0;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const vertex_index next = star[following(star, i)].neighbour;
+    if (star[i].squared_radius > squared &&
+        !(leaves_out && lacks_vertex(sites_->all(), w, star[i], next)))
+      squared = star[i].squared_radius;
+  }
+  return std::sqrt(squared);
 }
 
 // True if looking farther around w is given up. At the boundary there may be no neighbour on the

@@ -33,7 +33,8 @@ class plain_star_store {
   bool renew(double distance);
 
   const plain_star& operator[](vertex_index v) const { return stars_[v]; }
-  // True if each triangle of v's star is in the stars of its other two corners.
+  // True if each triangle of v's star is in the stars of its other two corners; but for those
+  // between three sites on segments, which may be outside the domain.
   bool agrees_with_neighbours(vertex_index v) const;
   // Returns the stars that the last renewal made anew, or all after mark_all_changed(): those that
   // may leave room where they left none before.
@@ -42,6 +43,9 @@ class plain_star_store {
 
   // Returns the site whose star has most neighbours; of several, the first.
   std::optional<crowded_site> most_crowded() const;
+
+  // Frees the stars. Nothing is asked of this store from then on.
+  void forget_stars() { stars_.clear(); }
 
  private:
   struct disturbed {
@@ -54,6 +58,7 @@ class plain_star_store {
                  std::uint64_t& looked_at);
   bool find_near(vertex_index w, double reach, std::vector<vertex_index>& near,
                  std::uint64_t& looked_at) const;
+  double farthest_vertex(vertex_index w, bool leaves_out) const;
   bool is_enough(std::size_t i) const;
   bool is_hopeless(vertex_index w, int attempt, bool is_ordinary, std::size_t looked_at) const;
   double first_reach_among_dense(vertex_index w, double distance) const;

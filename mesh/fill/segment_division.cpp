@@ -43,21 +43,38 @@ std::vector<double> first_subsegments(const domain& d, const std::vector<arc_len
   return wanted;
 }
 
+// Returns the shift of points that divide a segment in this direction, as a part of a subsegment:
+// about all points of the boundary are moved by one vector, which no likely symmetry leaves as it
+// is.
+double shift_along(const point& direction) {
+  constexpr double most = 1.0 / 64, aside = 0.375;
+  return most * (direction.x + aside * direction.y) /
+         (std::abs(direction.x) + std::abs(direction.y));
+}
+
 // Divides a segment of which the first and the last subsegment are to be from_a and from_b long.
 // Keeps to both if at least half a subsegment is left between them, so that none comes out shorter
 // than that. Otherwise there are two or three: of about equal length if the ends want about the
 // same, within a quarter; else one end keeps its length, and the other gets the rest.
+//
+// Points between subsegments of equal length are shifted a little along the segment. At a corner
+// where the metric is its own mirror image, as all of a square are in many fields, both sides would
+// else be divided alike: four of their sites then are on one circle, up to rounding, and only exact
+// numbers tell which diagonal is an edge. Parallel sides are shifted alike: those of a narrow strip
+// stay divided alike.
 division divide(const point& a, const point& b, const arc_length& measured, double from_a,
                 double from_b, double longest) {
+  const double shift = shift_along({b.x - a.x, b.y - a.y});
   const double total = measured.total();
   std::vector<double> lengths{0};
   const auto divide_evenly = [&](double until) {
     const double start = lengths.back();
     const auto subsegments =
         static_cast<std::size_t>(std::max(1.0, std::ceil((until - start) / longest)));
-    for (std::size_t i = 1; i <= subsegments; ++i)
-      lengths.push_back(start + (until - start) * static_cast<double>(i) /
-                                    static_cast<double>(subsegments));
+    const double step = (until - start) / static_cast<double>(subsegments);
+    for (std::size_t i = 1; i < subsegments; ++i)
+      lengths.push_back(start + (static_cast<double>(i) + shift) * step);
+    lengths.push_back(until);
   };
   if (total > longest && from_a + from_b < total - longest / 2) {
     lengths.push_back(from_a);

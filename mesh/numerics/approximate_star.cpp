@@ -95,6 +95,15 @@ void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, v
   gap.vertex = round.outward(gap.vertex);
 }
 
+bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_gap& gap,
+                  vertex_index next) {
+  if (gap.squared_radius < infinity) return false;
+  const point& q = sites[v].position;
+  const auto y = between(q, sites[gap.neighbour].position), x = between(q, sites[next].position);
+  constexpr double certainly = 0x1p-20;  // no rounding of sites on a line
+  return cross(y, x) > certainly * std::sqrt(dot(y, y) * dot(x, x));
+}
+
 plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
                             const std::vector<vertex_index>& candidates, const plain_star& before) {
   const std::vector<candidate>& all = order_candidates(sites, v, candidates);

@@ -49,6 +49,11 @@ plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
 // Fills in the vertex of a gap of v's star between gap.neighbour and `next`.
 void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next);
 
+// True if the gap of v's star between gap.neighbour and `next` is less than half a turn and has no
+// vertex: where metrics vary fast, farther sites seldom give it one.
+bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_gap& gap,
+                  vertex_index next);
+
 // True if w, which is not in the star of v, would change it.
 bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star,
               vertex_index w);

@@ -2,6 +2,7 @@
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -39,8 +40,10 @@ struct sums {
   }
 };
 
+// Both ends measure the same where their metrics are the same, bit for bit.
 void add_edge(const site& p, const site& q, sums& s) {
-  const double length = edge_length(p, q);
+  const double length =
+      identical(p.metric, q.metric) ? metric_distance(p, q.position) : edge_length(p, q);
   s.half_edges += 1;
   s.lengths += length;
   if (is_unit_length(length)) s.unit += 1;
@@ -64,15 +67,17 @@ triangle_shape shape_in_round(const triangle_sites& t) {
   return {area, 4 * std::numbers::sqrt3 * area / squares};
 }
 
-void add_triangle(const triangle_sites& given, sums& s) {
+using low_angles = std::array<angle_threshold, 2>;
+
+void add_triangle(const triangle_sites& given, const low_angles& thresholds, sums& s) {
   const triangle_sites t = in_round_coordinates(given);
   for (std::size_t i = 0; i < 3; ++i) add_edge(t[i], t[(i + 1) % 3], s);
   const auto [area, quality] = shape_in_round(t);
-  const double angle = smallest_angle(t);
+  const auto [below_20, below_30] = smallest_angle_is_below(t, thresholds);
   s.quality += quality;
   s.least_quality = std::min(s.least_quality, quality);
-  s.below_20 += angle < 20 ? 1 : 0;
-  s.below_30 += angle < 30 ? 1 : 0;
+  s.below_20 += below_20 ? 1 : 0;
+  s.below_30 += below_30 ? 1 : 0;
   s.area += area;
   s.eps = std::max(s.eps, metric_circumradius(t));
 }
@@ -80,12 +85,13 @@ void add_triangle(const triangle_sites& given, sums& s) {
 // Adds up chunk by chunk, so that sums are the same for any number of threads.
 sums sums_over(const mesh& m) {
   constexpr std::size_t chunk = 1024;
+  const low_angles thresholds = {angle_threshold(20), angle_threshold(30)};
   const auto parts = collect_chunks<sums>(
       m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<sums>& out) {
         out.emplace_back();
         for (std::size_t i = begin; i < end; ++i) {
           const triangle& t = m.triangles[i];
-          add_triangle({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}, out.back());
+          add_triangle({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}, thresholds, out.back());
         }
       });
   sums all;

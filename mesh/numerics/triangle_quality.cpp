@@ -123,34 +123,72 @@ triangle_sites in_round_coordinates(triangle_sites t) {
   return t;
 }
 
-// Compares cotangents, and takes the arctangent of what is within a few roundings of the greatest.
-// Three equal metrics are asked once.
-double smallest_angle(const triangle_sites& given) {
-  const triangle_sites t = in_round_coordinates(given);
-  const bool is_one = identical(t[0].metric, t[1].metric) && identical(t[0].metric, t[2].metric);
-  const std::size_t metrics = is_one ? 1 : 3, count = 3 * metrics;
-  std::array<double, 3> roots{};
-  for (std::size_t i = 0; i < metrics; ++i) roots[i] = root_of_determinant(t[i].metric);
+namespace {
+
+// All angles of a triangle as its metrics see them; three equal metrics are asked once.
+struct measured_angles {
+  explicit measured_angles(const triangle_sites& t) {
+    const bool is_one = identical(t[0].metric, t[1].metric) && identical(t[0].metric, t[2].metric);
+    const std::size_t metrics = is_one ? 1 : 3;
+    count = 3 * metrics;
+    std::array<double, 3> roots{};
+    for (std::size_t i = 0; i < metrics; ++i) roots[i] = root_of_determinant(t[i].metric);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const point a = difference(t[(i + 1) % 3].position, t[i].position);
+      const point b = difference(t[(i + 2) % 3].position, t[i].position);
+      for (std::size_t j = 0; j < metrics; ++j) {
+        const std::size_t k = metrics * i + j;
+        angles[k] = sides_of_angle(roots[j], t[j].metric, a, b);
+        cotangents[k] = angles[k].along / angles[k].across;
+        if (angles[k].across > 0)
+          greatest = std::max(greatest, cotangents[k]);
+        else
+          all_turn = false;
+      }
+    }
+  }
+
+  std::size_t count = 0;
   std::array<angle_sides, 9> angles;
   std::array<double, 9> cotangents{};
   double greatest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const point a = difference(t[(i + 1) % 3].position, t[i].position);
-    const point b = difference(t[(i + 2) % 3].position, t[i].position);
-    for (std::size_t j = 0; j < metrics; ++j) {
-      const std::size_t k = metrics * i + j;
-      angles[k] = sides_of_angle(roots[j], t[j].metric, a, b);
-      cotangents[k] = angles[k].along / angles[k].across;
-      if (angles[k].across > 0) greatest = std::max(greatest, cotangents[k]);
-    }
-  }
-  const double nearly = greatest - 0x1p-40 * (1 + std::abs(greatest));
+  bool all_turn = true;  // no angle is flat or turned over
+};
+
+// Takes the arctangent of what is within a few roundings of the greatest cotangent.
+double smallest_of(const measured_angles& m) {
+  const double nearly = m.greatest - 0x1p-40 * (1 + std::abs(m.greatest));
   double smallest = 180;
-  for (std::size_t k = 0; k < count; ++k) {
-    const bool is_greater = angles[k].across > 0 && cotangents[k] < nearly;
-    if (!is_greater) smallest = std::min(smallest, angles[k].degrees());
+  for (std::size_t k = 0; k < m.count; ++k) {
+    const bool is_greater = m.angles[k].across > 0 && m.cotangents[k] < nearly;
+    if (!is_greater) smallest = std::min(smallest, m.angles[k].degrees());
   }
   return smallest;
+}
+
+}  // namespace
+
+double smallest_angle(const triangle_sites& given) {
+  return smallest_of(measured_angles(in_round_coordinates(given)));
+}
+
+angle_threshold::angle_threshold(double wanted)
+    : degrees(wanted), cotangent(1 / elementary::tan(wanted / to_degrees)) {}
+
+// Near the threshold, where roundings of the angle and of its cotangent might tell it differently,
+// the angle itself is compared.
+std::array<bool, 2> smallest_angle_is_below(const triangle_sites& given,
+                                            const std::array<angle_threshold, 2>& thresholds) {
+  constexpr double margin = 1e-9;
+  const measured_angles m(in_round_coordinates(given));
+  std::array<bool, 2> below{};
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    const auto& [degrees, cotangent] = thresholds[i];
+    const bool is_clear =
+        m.all_turn && std::abs(m.greatest - cotangent) > margin * (1 + std::abs(cotangent));
+    below[i] = is_clear ? m.greatest > cotangent : smallest_of(m) < degrees;
+  }
+  return below;
 }
 
 double corner_angle(const site& corner, const point& first, const point& last) {

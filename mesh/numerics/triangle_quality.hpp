@@ -46,6 +46,17 @@ triangle_sites in_round_coordinates(triangle_sites t);
 // for any.
 double smallest_angle(const triangle_sites& t);
 
+// An angle that others are held against, with its cotangent.
+struct angle_threshold {
+  explicit angle_threshold(double degrees);
+
+  double degrees, cotangent;
+};
+
+// Returns of each threshold whether smallest_angle() is below it, at a part of the cost.
+std::array<bool, 2> smallest_angle_is_below(const triangle_sites& t,
+                                            const std::array<angle_threshold, 2>& thresholds);
+
 // Returns the angle at `corner` swept counter-clockwise from `first` to `last` as the corner
 // measures it, in degrees, below 180. Requires orientation(corner, first, last) > 0.
 double corner_angle(const site& corner, const point& first, const point& last);

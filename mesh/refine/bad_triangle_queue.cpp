@@ -274,23 +274,23 @@ void bad_triangle_queue::remember(const refine_state& state, vertex_index v, rec
   records_.emplace(v, std::move(now));
 }
 
-// Returns the stars to be examined: the touched ones and those that have a touched one as a
+// Returns the stars to be examined: the changed ones and those that have a changed one as a
 // neighbour, or all the first time. Findings of a star depend on itself and on the stars of its
-// neighbours. Stars that have a touched star as a neighbour are its own neighbours, now or before,
+// neighbours. Stars that have a changed star as a neighbour are its own neighbours, now or before,
 // or claim it one-sidedly.
 std::vector<vertex_index> bad_triangle_queue::dependents(refine_state& state) {
-  std::vector<vertex_index> all = state.stars().take_touched();
+  auto [changed, all] = state.stars().take_touched();
   if (std::exchange(first_, false)) {
     all.resize(state.stars().size());
     std::iota(all.begin(), all.end(), vertex_index{0});
     return all;
   }
-  sort_unique(all);
-  const std::size_t touched = all.size();
-  for (std::size_t i = 0; i < touched; ++i) {
-    for (const sector& s : state.stars()[all[i]].sectors)
+  sort_unique(changed);
+  all.insert(all.end(), changed.begin(), changed.end());
+  for (const vertex_index v : changed) {
+    for (const sector& s : state.stars()[v].sectors)
       all.insert(all.end(), s.neighbours.begin(), s.neighbours.end());
-    const auto claimants = claimed_by_.find(all[i]);
+    const auto claimants = claimed_by_.find(v);
     if (claimants != claimed_by_.end())
       all.insert(all.end(), claimants->second.begin(), claimants->second.end());
   }

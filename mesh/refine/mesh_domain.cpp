@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/refine/coarsening_pass.hpp"
@@ -14,8 +15,8 @@ namespace asterism::internal {
 namespace {
 
 // Refines the proposal, and improves the mesh if that is asked for.
-result<mesh_outcome> refine_and_improve(const meshing_context& job, const filled_domain& proposed) {
-  auto made = refine(job, proposed);
+result<mesh_outcome> refine_and_improve(const meshing_context& job, filled_domain proposed) {
+  auto made = refine(job, std::move(proposed));
   if (!made) return made;
   improve(
       job,
@@ -34,11 +35,11 @@ result<mesh_outcome> refine_and_improve(const meshing_context& job, const filled
 
 // Refines the proposal in the field divided by 2^halvings. A mesh made coarser than asked for is
 // not improved: it is not complete, whatever it says of itself.
-result<mesh_outcome> refine_coarser(const meshing_context& job, const filled_domain& proposed,
+result<mesh_outcome> refine_coarser(const meshing_context& job, filled_domain proposed,
                                     int halvings) {
-  if (halvings == 0) return refine_and_improve(job, proposed);
+  if (halvings == 0) return refine_and_improve(job, std::move(proposed));
   const coarser_field coarser(job.field, halvings);
-  auto made = refine(job.in(coarser), proposed);
+  auto made = refine(job.in(coarser), std::move(proposed));
   if (made) restore_lengths(halvings, made.value());
   return made;
 }
@@ -51,7 +52,7 @@ result<mesh_outcome> mesh_as_given(const meshing_context& job, int halvings) {
   options.improve_passes = 0;  // what is given stays
   filled_domain nothing;
   nothing.divisions.resize(job.shape.segments.size());
-  auto made = refine_coarser(job.with(options), nothing, halvings);
+  auto made = refine_coarser(job.with(options), std::move(nothing), halvings);
   if (!made || !made.value().complete) return made;
   made.value().ended.nothing_added = true;
   report_coarser(halvings, false, job.options, made.value());
@@ -99,7 +100,7 @@ result<mesh_outcome> mesh_domain(const meshing_context& job) {
   const bool keep = job.options.keep_if_complete;
   if (keep)
     if (auto kept = mesh_as_given(job, 0); is_final(kept)) return kept;
-  const auto filled = fill_within_budget(job);
+  auto filled = fill_within_budget(job);
   if (!filled) return filled.failure();
   if (const auto& crowded = filled.value().proposed.crowded) return mesh_without(*crowded, job);
   // The mesh given may be as fine as the limit allows already. A mesh made under the same limit is
@@ -109,12 +110,13 @@ result<mesh_outcome> mesh_domain(const meshing_context& job) {
   const int coarsest = halvings > 0 && keep ? halvings + 2 : 0;
   for (int fewer = 1; fewer <= coarsest; ++fewer)
     if (auto kept = mesh_as_given(job, fewer); is_final(kept)) return kept;
-  return mesh_from_sites(job, filled.value());
+  return mesh_from_sites(job, std::move(filled).value());
 }
 
-result<mesh_outcome> mesh_from_sites(const meshing_context& job, const budgeted_filling& filled) {
-  auto made = refine_coarser(job, filled.proposed, filled.halvings);
-  if (made) report_coarser(filled.halvings, filled.proposed.stopped, job.options, made.value());
+result<mesh_outcome> mesh_from_sites(const meshing_context& job, budgeted_filling filled) {
+  const bool stopped = filled.proposed.stopped;
+  auto made = refine_coarser(job, std::move(filled.proposed), filled.halvings);
+  if (made) report_coarser(filled.halvings, stopped, job.options, made.value());
   return made;
 }
 

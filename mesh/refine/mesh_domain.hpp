@@ -16,13 +16,13 @@ namespace asterism::internal {
 // Returns what is wrong with the options of a run in this domain, if anything is.
 std::optional<error> check_options(const domain& d, const mesh_options& options);
 
-// Makes the mesh that make_mesh promises, on any kernel and without relaxing the metric, in the
+// Makes the mesh that make_mesh promises, on any kernel and in the metric given, in the
 // unit frame; fills in everything of the outcome but the counters. Fails for options out of range,
 // and where the field does. With a kernel that is not exact the outcome claims what that kernel
 // believes.
 result<mesh_outcome> mesh_domain(const meshing_context& job);
 
 // Does the same from sites proposed already, which must not be crowded.
-result<mesh_outcome> mesh_from_sites(const meshing_context& job, const budgeted_filling& filled);
+result<mesh_outcome> mesh_from_sites(const meshing_context& job, budgeted_filling filled);
 
 }  // namespace asterism::internal

@@ -74,19 +74,18 @@ void refine_state::add_proposed(const std::vector<site>& proposed, numbered_site
           out.push_back(strictly_inside_near(*kernel, proposed[i].position) &&
                         segments_.encroached_by(*kernel, proposed[i]).empty());
       });
+  sites_->reserve(proposed.size());
+  taken.reserve(taken.size() + proposed.size());
   for (std::size_t i = 0; i < proposed.size(); ++i)
     taken.push_back(fits[i] != 0 && !is_full() ? sites_->add(proposed[i]) : left_out);
 }
 
-// Renumbers what the fill saw around its interior sites. A star with a neighbour that was left out
-// gets no guess.
+// Renumbers what the fill saw around its sites. A star with a neighbour that was left out gets no
+// guess.
 void refine_state::guess_stars(const neighbour_lists& stars, const numbered_sites& taken) {
-  if (stars.size() == 0) return;
-  const std::size_t first = taken.size() - stars.size();
   guesses_.reserve(sites().size());
   for (std::size_t i = 0; i < stars.size(); ++i) {
-    if (taken[first + i] == left_out) continue;
-    while (guesses_.size() < taken[first + i]) guesses_.end_list();
+    if (taken[i] == left_out) continue;
     for (const vertex_index u : stars[i]) {
       if (taken[u] == left_out) {
         guesses_.clear_list();

@@ -49,6 +49,8 @@ class refine_state {
     return {sites(), edges(), *kernel_, memory_.get(), &std::as_const(*sites_).near()};
   }
   bool is_full() const { return sites_->is_full(); }
+  // Frees what finds sites and subsegments near a place. Nothing is changed from then on.
+  void forget_index() { sites_->forget_index(); }
   // Lowers the limit on sites to this many.
   void limit_sites(std::size_t most_sites) { sites_->limit(most_sites); }
 

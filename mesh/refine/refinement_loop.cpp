@@ -15,6 +15,7 @@
 #include "asterism/mesh/refine/refine_state.hpp"
 #include "asterism/mesh/refine/stale_stars.hpp"
 #include "asterism/mesh/refine/steepness.hpp"
+#include "asterism/mesh/stars/equal_metric_stars.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
@@ -70,12 +71,17 @@ class refinement_loop {
   refinement_loop& operator=(const refinement_loop&) = delete;
 
   result<mesh_outcome> run() {
-    prepare();
+    const bool cleared = prepare_segments();
+    if (cleared)
+      if (auto whole = triangulated_at_once()) return *std::move(whole);
+    state_.construct_stars();
     std::optional<ending> ended;
     while (!ended) ended = step();
     if (state_.field_failure()) return *state_.field_failure();
     const bool mended = *ended == ending::complete || *ended == ending::collateral;
     if (before_collateral_ && !mended) return without_collateral(*ended);
+    // Makes room for the mesh, which is made from the stars alone.
+    if (*ended == ending::complete) state_.forget_index();
     return outcome(*ended);
   }
 
@@ -84,12 +90,25 @@ class refinement_loop {
   const std::set<vertex_index>& hopeless() const { return hopeless_; }
 
  private:
-  // Splits subsegments that are too long or encroached, and makes the stars last: a split changes
-  // as many stars as the old subsegment is long.
-  void prepare() {
+  // Splits subsegments that are too long or encroached, before there are stars: a split changes as
+  // many of them as the old subsegment is long. Returns false when it ended early.
+  bool prepare_segments() {
     if (options_.limit_size) state_.shorten_subsegments(longest_subsegment);
-    state_.clear_encroachments(tolerance_.floor);
-    state_.construct_stars();
+    return state_.clear_encroachments(tolerance_.floor);
+  }
+
+  // Returns the mesh without making a star where it is one triangulation of sites that all have the
+  // same metric, of which neither an angle nor a size is demanded: there would be nothing to mend.
+  // None elsewhere, and where the run is stopped meanwhile.
+  std::optional<mesh_outcome> triangulated_at_once() {
+    if (angle_.degrees() > 0 || options_.limit_size) return std::nullopt;
+    report_progress();
+    auto triangles = triangles_of_equal_metrics(state_.oracle(), options_.stop);
+    state_.is_overworked();  // charges the run's account
+    if (!triangles || interruption()) return std::nullopt;
+    consistency_report all_agree;
+    all_agree.agreeing = *std::move(triangles);
+    return outcome_with(ending::complete, std::move(all_agree));
   }
 
   // Takes one step; returns how refinement ended, or go_on. The steps come to an end, because each
@@ -128,6 +147,8 @@ class refinement_loop {
   // is nothing to do.
   std::optional<ending> polish() {
     if (arcs_.insert_at_exempt_corners() || stars_.rebuild_all() || stars_.repair()) return go_on;
+    // Stars that were never made have no triangles that could be bad.
+    if (state_.stars().stars_missing() > 0) return ending::overworked;
     if (queue_.collateral() == 0) return ending::complete;
     if (before_collateral_) return ending::collateral;  // beside corners that are spared
     mend_collateral();
@@ -162,12 +183,12 @@ class refinement_loop {
   std::optional<ending> conclude(ending how) { return stars_.rebuild_all() ? go_on : how; }
 
   bool is_spent() const {
-    return budget_exhausted_ || steep_.awaits_relaxation() || state_.is_overworked() ||
+    return budget_exhausted_ || steep_.awaits_other_metric() || state_.is_overworked() ||
            steep_.has_waited_enough();
   }
 
   std::optional<ending> give_up() {
-    const bool once_more = !steep_.awaits_relaxation() && !std::exchange(budget_exhausted_, true);
+    const bool once_more = !steep_.awaits_other_metric() && !std::exchange(budget_exhausted_, true);
     if (once_more && stars_.rebuild_all()) return go_on;
     return spent();
   }
@@ -228,13 +249,16 @@ class refinement_loop {
   }
 
   mesh_outcome outcome(ending how) {
+    if (how != ending::complete)
+      return outcome_with(how, check_consistency(state_.oracle(), state_.stars()));
+    // The queue has found all stars to agree, and the auditor looks again.
+    consistency_report all_agree;
+    all_agree.agreeing = triangles_of_consistent(state_.stars());
+    return outcome_with(how, std::move(all_agree));
+  }
+
+  mesh_outcome outcome_with(ending how, consistency_report now) {
     mesh_outcome o;
-    // The queue has found all stars to agree where it is complete, and the auditor looks again.
-    consistency_report now;
-    if (how == ending::complete)
-      now.agreeing = triangles_of_consistent(state_.stars());
-    else
-      now = check_consistency(state_.oracle(), state_.stars());
     o.complete = how == ending::complete;
     o.stopped = how == ending::stopped;
     o.ended = explain(how);
@@ -282,7 +306,7 @@ class refinement_loop {
 // Low angles beside sharp corners are mended all together or not at all: one corner where it goes
 // on for ever takes all sites allowed. So where some are hopeless it is begun anew without these; a
 // round finds at least one more.
-result<mesh_outcome> refine(const meshing_context& job, const filled_domain& proposed) {
+result<mesh_outcome> refine(const meshing_context& job, filled_domain proposed) {
   constexpr int rounds = 3;
   std::set<vertex_index> spared;
   std::optional<mesh_outcome> best;
@@ -290,6 +314,7 @@ result<mesh_outcome> refine(const meshing_context& job, const filled_domain& pro
     auto state = refine_state::start(job.shape, job.field, job.kernel, job.options.max_sites,
                                      proposed, job.options.stop, job.work_share);
     if (!state) return state.failure();
+    proposed.stars = {};  // guesses, many for a large mesh: rounds that follow do without
     refinement_loop loop(std::move(state).value(), job, spared);
     auto made = loop.run();
     if (!made) return made;

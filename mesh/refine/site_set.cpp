@@ -12,7 +12,7 @@ result<site_set> site_set::start(const domain& d, const metric_field& field,
   for (const point& q : d.vertices) {
     const auto metric = field.at(q);
     if (!metric) return metric.failure();
-    set.sites_.push_back({q, metric.value()});
+    set.push({q, metric.value()});
   }
   return set;
 }
@@ -39,7 +39,7 @@ bool site_set::is_farther(const site& s, double distance) const {
 }
 
 vertex_index site_set::add(const site& s) {
-  sites_.push_back(s);
+  push(s);
   const auto added = static_cast<vertex_index>(sites_.size() - 1);
   near_.add_site(sites_, added);
   return added;

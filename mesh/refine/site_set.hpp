@@ -25,6 +25,8 @@ class site_set {
   static result<site_set> start(const domain& d, const metric_field& field, std::size_t most_sites);
 
   const std::vector<site>& all() const { return sites_; }
+  // True if all sites have the same tensor, bit for bit.
+  bool has_one_metric() const { return has_one_metric_; }
   bool is_full() const { return sites_.size() >= most_sites_; }
   // Lowers the limit on sites to this many.
   void limit(std::size_t most_sites) { most_sites_ = std::min(most_sites_, most_sites); }
@@ -33,6 +35,14 @@ class site_set {
   const neighbourhood& near() const { return near_; }
   neighbourhood& near() { return near_; }
   void index(const boundary& edges) { near_ = neighbourhood(sites_, edges); }
+  // Frees the index. No site is added, and nothing looked for, from then on.
+  void forget_index() { near_ = {}; }
+  // Makes room for so many more sites, and for the few that refinement adds to them: where these
+  // alone lacked room, all would be held twice while they are moved.
+  void reserve(std::size_t more) {
+    const std::size_t expected = sites_.size() + more;
+    sites_.reserve(std::min(expected + expected / 16, most_sites_));
+  }
 
   // Returns the site at q with the field's metric; none where the field fails.
   std::optional<site> site_at(const point& q);
@@ -51,7 +61,13 @@ class site_set {
 
   const metric_field* field_;
   std::size_t most_sites_;
+  void push(const site& s) {
+    sites_.push_back(s);
+    has_one_metric_ = has_one_metric_ && identical(s.metric, sites_.front().metric);
+  }
+
   std::vector<site> sites_;
+  bool has_one_metric_ = true;
   neighbourhood near_;
   std::optional<error> field_failure_;
 };

@@ -28,6 +28,19 @@ double rounding_of_distance(const metric_tensor& m, const point& a, const point&
   return std::sqrt(m.m11) * x + std::sqrt(m.m22) * y;
 }
 
+// Returns a box around the disk that has the subsegment for its diameter, with room for roundings:
+// in one metric nothing outside encroaches.
+bounding_box disk_box(const site& a, const site& b) {
+  constexpr double room = 1 + 0x1p-20;
+  const site middle{{a.position.x / 2 + b.position.x / 2, a.position.y / 2 + b.position.y / 2},
+                    a.metric};
+  const double radius = std::sqrt(squared_distance(a, b.position)) / 2;
+  bounding_box box = box_around(middle, room * radius);
+  box.include(a.position);
+  box.include(b.position);
+  return box;
+}
+
 // Returns the power of two nearest to half the length, as a ratio: within a factor sqrt(2) of it.
 double shell_radius(double length) {
   return elementary::exp2(std::round(elementary::log2(length / 2)));
@@ -172,15 +185,17 @@ std::vector<std::size_t> split_boundary::encroached_by(const star_predicates& ke
   return found;
 }
 
-// Returns the first site that encroaches, so that the answer does not depend on how they were
-// found.
+// Returns a site that encroaches. Where it matters which, because its distance from the corner of a
+// wedge does, that is the first one, so that the answer does not depend on how they were found.
 std::optional<vertex_index> split_boundary::find_encroacher(std::size_t subsegment) const {
   const boundary_edge& p = edges_.subsegments()[subsegment];
-  const bounding_box box = influence_box(sites()[p.a], sites()[p.b]);
+  const bounding_box box = sites_->has_one_metric() ? disk_box(sites()[p.a], sites()[p.b])
+                                                    : influence_box(sites()[p.a], sites()[p.b]);
+  const bool any_will_do = !wedges_.has_wedge(p.segment);
   std::optional<vertex_index> first;
   near().sites().visit_box(sites(), box.low, box.high, [&](vertex_index w) {
     if ((!first || w < *first) && is_encroached(*kernel_, subsegment, sites()[w], w)) first = w;
-    return true;
+    return !(first && any_will_do);
   });
   return first;
 }

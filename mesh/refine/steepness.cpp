@@ -22,7 +22,7 @@ bool steepness::gives_up(const bad_triangle& b) {
   if (options_.strategy != refinement_strategy::fill) return false;
   // Without a size triangles may be so large that the metric is another at every corner.
   if (!options_.limit_size && b.why != badness::disagreeing) return false;
-  const bool beside = b.why != badness::too_large &&
+  const bool beside = b.why != badness::too_large && !at_jump_.empty() &&
                       std::any_of(b.where.begin(), b.where.end(),
                                   [this](vertex_index v) { return at_jump_.count(v) != 0; });
   if (!beside && !is_too_steep(b.where)) return false;
@@ -52,6 +52,10 @@ std::optional<steep_place> steepness::first_place(const std::set<bad_triangle>& 
 // True if the metric varies faster than sites at the floor could resolve: there are no defects
 // where sigma times the distance of sites is small (docs/math/refinement.md).
 bool steepness::is_too_steep(const triangle& t) {
+  const auto metric = [&](std::size_t i) -> const metric_tensor& {
+    return state_.sites()[t[i]].metric;
+  };
+  if (identical(metric(0), metric(1)) && identical(metric(0), metric(2))) return false;
   const double most = resolved_variation / finest_;
   const triangle_sites sites = sites_of(state_, t);
   for (std::size_t i = 0; i < 3; ++i)

@@ -30,9 +30,9 @@ class steepness {
   // True if a triangle that was given up disagrees. Local repair cannot cure an inconsistency
   // across a jump of the metric.
   bool jump_disagrees() const { return jump_disagrees_; }
-  // True if the metric is to be relaxed for such a triangle, and all to be meshed anew
-  // (pipeline/metric_relaxation.hpp): whatever is mended elsewhere is in vain.
-  bool awaits_relaxation() const { return options_.relax && jump_disagrees_; }
+  // True if another metric is to be delivered for such a triangle, and all to be meshed anew
+  // (pipeline/adaptation.hpp): whatever is mended elsewhere is in vain.
+  bool awaits_other_metric() const { return options_.metric_tolerance != 0.0 && jump_disagrees_; }
   // True if enough sites were inserted since the first triangle was given up. The mesh cannot
   // become complete any more, and beside a jump of the metric stars with thousands of neighbours
   // keep the others from agreeing; to go on to the floor of the tolerance takes days.

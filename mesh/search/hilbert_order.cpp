@@ -2,7 +2,9 @@
 #include "asterism/mesh/search/hilbert_order.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace asterism::internal {
@@ -35,18 +37,26 @@ std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
 
 }  // namespace
 
-std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,
-                                             const bounding_box& box) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> places(sites.size());
-  for (std::uint32_t i = 0; i < sites.size(); ++i) {
-    const point& q = sites[i].position;
-    places[i] = {place_on_curve(cell(q.x, box.low.x, box.high.x), cell(q.y, box.low.y, box.high.y)),
-                 i};
+void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<site>& sites,
+                      const bounding_box& box) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
+  places.reserve(which.size());
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    const point& q = sites[which[i]].position;
+    places.emplace_back(
+        place_on_curve(cell(q.x, box.low.x, box.high.x), cell(q.y, box.low.y, box.high.y)),
+        static_cast<std::uint32_t>(i));
   }
   std::sort(places.begin(), places.end());
-  std::vector<std::uint32_t> order;
-  order.reserve(sites.size());
-  for (const auto& [place, i] : places) order.push_back(i);
+  for (auto& [place, i] : places) i = which[i];
+  for (std::size_t i = 0; i < which.size(); ++i) which[i] = places[i].second;
+}
+
+std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,
+                                             const bounding_box& box) {
+  std::vector<std::uint32_t> order(sites.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  sort_along_curve(order, sites, box);
   return order;
 }
 

@@ -16,6 +16,9 @@ namespace asterism::internal {
 // the finest grid keep their order.
 std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,
                                              const bounding_box& box);
+// Puts the numbers of some of the sites into that order.
+void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<site>& sites,
+                      const bounding_box& box);
 // Puts the sites into that order.
 void sort_along_curve(std::vector<site>& sites, const bounding_box& box);
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "asterism/kernels/semi_static_filter.hpp"
+
 namespace asterism::internal {
 namespace {
 
@@ -30,9 +32,8 @@ range determinant(const metric_tensor& m) {
 }  // namespace
 
 site_index::site_index(const bounding_box& box)
-    : half_{box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2} {
-  nodes_.emplace_back();
-  nodes_[0].middle = {box.low.x + half_.x, box.low.y + half_.y};
+    : nodes_(1), root_{{}, {box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2}} {
+  root_.middle = {box.low.x + root_.half.x, box.low.y + root_.half.y};
 }
 
 // An empty node has count 0 and an inverted box, which is apart from everything.
@@ -62,17 +63,18 @@ void site_index::cover(node& n, const site& s) const {
 void site_index::insert(const std::vector<site>& sites, vertex_index w) {
   const site& s = sites[w];
   std::uint32_t at = 0;
-  point half = half_;
+  cell here = root_;
   int level = 0;
   for (;; ++level) {
     cover(nodes_[at], s);
     if (nodes_[at].first_child == none) {
       if (nodes_[at].count < leaf_capacity || level >= most_levels) break;
-      split(sites, at, half);
+      split(sites, at, here);
     }
-    half = {half.x / 2, half.y / 2};
     ++nodes_[at].count;
-    at = nodes_[at].first_child + quadrant(nodes_[at], s.position);
+    const std::uint32_t quadrant = here.quadrant(s.position);
+    at = nodes_[at].first_child + quadrant;
+    here = here.quarter(quadrant);
   }
   node& n = nodes_[at];
   if (n.count < leaf_capacity) {
@@ -88,19 +90,16 @@ void site_index::insert(const std::vector<site>& sites, vertex_index w) {
   ++size_;
 }
 
-void site_index::split(const std::vector<site>& sites, std::uint32_t at, const point& half) {
+void site_index::split(const std::vector<site>& sites, std::uint32_t at, const cell& whole) {
   const auto first = static_cast<std::uint32_t>(nodes_.size());
-  const point middle = nodes_[at].middle, quarter{half.x / 2, half.y / 2};
   for (int child = 0; child < 4; ++child) {
     nodes_.emplace_back();
-    nodes_.back().middle = {middle.x + ((child & 1) != 0 ? quarter.x : -quarter.x),
-                            middle.y + ((child & 2) != 0 ? quarter.y : -quarter.y)};
     nodes_.back().box = {{infinity, infinity}, {-infinity, -infinity}};
   }
   const std::array<vertex_index, leaf_capacity> moved = nodes_[at].leaf;
   nodes_[at].first_child = first;
   for (const vertex_index w : moved) {
-    node& child = nodes_[first + quadrant(nodes_[at], sites[w].position)];
+    node& child = nodes_[first + whole.quadrant(sites[w].position)];
     cover(child, sites[w]);
     child.leaf[child.count++] = w;
   }
@@ -113,13 +112,16 @@ double site_index::spacing_near(const site& v) const {
   const double root = std::sqrt(std::max(0.0, determinant(v.metric).low));
   double spacing = 0;
   std::uint32_t at = 0;
+  cell here = root_;
   while (!nodes_.empty()) {
     const node& n = nodes_[at];
     const double area = root * (n.box.high.x - n.box.low.x) * (n.box.high.y - n.box.low.y);
     if (n.count < enough) break;
     if (area > 0) spacing = std::sqrt(area / n.count);
     if (n.first_child == none) break;
-    at = n.first_child + quadrant(n, v.position);
+    const std::uint32_t quadrant = here.quadrant(v.position);
+    at = n.first_child + quadrant;
+    here = here.quarter(quadrant);
   }
   return spacing;
 }
@@ -197,6 +199,13 @@ bool site_index::out_of_reach(const node& n, const centre& c) {
   if (a.is_beyond(rough_squared_limit(n, c))) return true;
   const double most = limit(n, c);
   return a.is_beyond(most * most * up);
+}
+
+// True if the whole box is certainly to the right of the line: its corner farthest to the left is.
+bool site_index::is_right_of(const bounding_box& box, const point& from, const point& to) {
+  const point leftmost{to.y > from.y ? box.low.x : box.high.x,
+                       to.x > from.x ? box.high.y : box.low.y};
+  return semi_static::orientation(from, to, leftmost).certainly(sign::negative);
 }
 
 // True if |q - v|_v > limit, certainly. Monomials of at most six roundings.

@@ -47,6 +47,12 @@ class site_index {
   // Returns about how far sites are apart near v, as v measures; 0 where that cannot be told.
   double spacing_near(const site& v) const;
 
+  // Calls visit(w) for each site not certainly outside the closed cone at v from the ray through y
+  // counter-clockwise to the ray through x. Requires that it is less than half a turn.
+  template <class Visit>
+  bool visit_cone(const std::vector<site>& sites, const point& v, const point& y, const point& x,
+                  Visit&& visit) const;
+
   // Calls visit(w) for each site not certainly out of reach of v, with R = reach in v's metric,
   // infinite where nothing is known; v itself may be among them.
   template <class Visit>
@@ -60,7 +66,6 @@ class site_index {
 
   struct node {
     bounding_box box;                                              // tight around the sites below
-    point middle;                                                  // where the four children meet
     double inverse11 = 0, inverse22 = 0, inverse_determinant = 0;  // above, above, below
     double inverse12_low = 0, inverse12_high = 0;
     std::uint32_t first_child = none;
@@ -91,17 +96,30 @@ class site_index {
   static double rough_squared_limit(const node& n, const centre& c);
   static bool out_of_reach(const node& n, const centre& c);
   static bool is_beyond(const point& q, const centre& c, double limit);
-  static std::uint32_t quadrant(const node& n, const point& q) {
-    return (q.x >= n.middle.x ? 1U : 0U) + (q.y >= n.middle.y ? 2U : 0U);
-  }
+  // The part of the plane that a node divides. It is found on the way down, not kept: the nodes of
+  // a large mesh take much of its memory.
+  struct cell {
+    point middle, half;
+    // Returns the number of the quarter that q is in.
+    std::uint32_t quadrant(const point& q) const {
+      return (q.x >= middle.x ? 1U : 0U) + (q.y >= middle.y ? 2U : 0U);
+    }
+    cell quarter(std::uint32_t number) const {
+      const point half_of_it{half.x / 2, half.y / 2};
+      return {{middle.x + ((number & 1U) != 0 ? half_of_it.x : -half_of_it.x),
+               middle.y + ((number & 2U) != 0 ? half_of_it.y : -half_of_it.y)},
+              half_of_it};
+    }
+  };
+  static bool is_right_of(const bounding_box& box, const point& from, const point& to);
   void cover(node& n, const site& s) const;
-  void split(const std::vector<site>& sites, std::uint32_t at, const point& half);
+  void split(const std::vector<site>& sites, std::uint32_t at, const cell& whole);
   template <class Visit>
   bool visit_leaf(const node& n, Visit&& visit) const;
 
   std::vector<node> nodes_;  // the root first; no node but the root has index 0
   std::vector<std::vector<vertex_index>> overflow_{1};
-  point half_;  // half the root's extent
+  cell root_;
   std::size_t size_ = 0;
 };
 
@@ -159,6 +177,31 @@ bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) co
       for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
     else if (!visit_leaf(n, visit))
       return false;
+  }
+  return true;
+}
+
+template <class Visit>
+bool site_index::visit_cone(const std::vector<site>& sites, const point& v, const point& y,
+                            const point& x, Visit&& visit) const {
+  const auto is_outside = [&](const bounding_box& box) {
+    return is_right_of(box, v, y) || is_right_of(box, x, v);
+  };
+  std::array<std::uint32_t, 3 * most_levels + 4> open;
+  std::size_t waiting = 0;
+  if (!nodes_.empty()) open[waiting++] = 0;
+  while (waiting > 0) {
+    const node& n = nodes_[open[--waiting]];
+    if (n.count == 0 || is_outside(n.box)) continue;
+    if (n.first_child != none) {
+      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
+      continue;
+    }
+    const bool on = visit_leaf(n, [&](vertex_index w) {
+      const point& q = sites[w].position;
+      return is_outside({q, q}) || visit(w);
+    });
+    if (!on) return false;
   }
   return true;
 }

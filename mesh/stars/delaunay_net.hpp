@@ -53,6 +53,9 @@ class delaunay_net {
   bool insert_segment(vertex_index a, vertex_index b);
   // Flips edges until all are Delaunay but those that stay; to be called after the last segment.
   bool settle();
+  // Returns the face to the left of the edge from a to b, with the corner that is not on it; none
+  // where there is no such edge, or too many steps were taken.
+  std::optional<place> find_edge(vertex_index a, vertex_index b);
 
   std::size_t sites() const { return sites_.size() - frame_size; }
   const std::vector<site>& all_sites() const { return sites_; }
@@ -77,8 +80,6 @@ class delaunay_net {
   static constexpr std::uint32_t before(std::uint32_t i) { return i == 0 ? 2 : i - 1; }
 
   bool add_frame();
-  // Returns the face to the left of the edge from a to b, with the corner that is not on it.
-  std::optional<place> find_edge(vertex_index a, vertex_index b);
   place other_side(const place& p) const;
   sign turn(vertex_index a, vertex_index b, vertex_index c) const;
   // True if the edge across from the corner is not to be flipped.

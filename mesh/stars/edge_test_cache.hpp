@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Remembers answers of edge_test. Rebuilding stars asks the same questions again: a third of all
-// tests of a refinement are repeats, and exact arithmetic costs milliseconds.
+// Remembers answers of edge_test. Two stars ask the same question of the edge between them, and
+// rebuilding stars asks again: a third of all tests of a refinement are repeats, and exact
+// arithmetic costs milliseconds.
 //
 // An answer depends on four sites alone, which never change, so it never goes stale. The table has
 // a fixed number of places, each holding the last question that fell on it; forgetting only costs
@@ -20,12 +21,16 @@ namespace asterism::internal {
 
 class edge_test_memory {
  public:
-  edge_test_memory() : places_(place_count) {}
+  // Many places for a whole refinement, few for the stars of a chunk. There are none until the
+  // first question.
+  enum class extent : unsigned { few = 1U << 10, many = 1U << 14 };
+  explicit edge_test_memory(extent places = extent::many) : extent_(places) {}
 
   // Returns the answer for v, w, x, y; calls `ask` if it is not known. Exchanging v and w, or x and
   // y, leaves the question the same. Requires four distinct indices.
   template <class Ask>
   bool recall(vertex_index v, vertex_index w, vertex_index x, vertex_index y, Ask ask) {
+    if (places_.empty()) places_.resize(static_cast<std::size_t>(extent_));
     if (w < v) std::swap(v, w);
     if (y < x) std::swap(x, y);
     place& p = places_[place_of(v, w, x, y)];
@@ -35,18 +40,18 @@ class edge_test_memory {
   }
 
  private:
-  static constexpr std::size_t place_count = std::size_t{1} << 15;
   struct place {
     std::array<vertex_index, 4> question{};  // four zeros: none
     bool answer = false;
   };
 
-  static std::size_t place_of(vertex_index v, vertex_index w, vertex_index x, vertex_index y) {
+  std::size_t place_of(vertex_index v, vertex_index w, vertex_index x, vertex_index y) const {
     const std::uint64_t a = (std::uint64_t{v} << 32 | w) * 0x9e3779b97f4a7c15u;
     const std::uint64_t b = ((std::uint64_t{x} << 32 | y) ^ (a >> 29)) * 0xbf58476d1ce4e5b9u;
-    return static_cast<std::size_t>((a ^ b) >> 40) % place_count;
+    return static_cast<std::size_t>((a ^ b) >> 40) & (places_.size() - 1);
   }
 
+  extent extent_;
   std::vector<place> places_;
 };
 

@@ -11,6 +11,7 @@
 
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/stars/consistency.hpp"
 #include "asterism/mesh/stars/delaunay_net.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
@@ -23,7 +24,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // drawn as if at random, so that no arrangement of sites makes many long flips; along a curve
 // within each, so that the way to the next is short. Source: Amenta, Choi and Rote, Incremental
 // constructions con BRIO, 2003.
-std::vector<vertex_index> insertion_order(const std::vector<site>& sites) {
+std::vector<vertex_index> insertion_order(const site_oracle& oracle) {
   constexpr std::size_t most_rounds = 16;
   const auto round_of = [](vertex_index v) {
     std::uint64_t bits = (std::uint64_t{v} + 1) * 0x9e3779b97f4a7c15U;
@@ -33,10 +34,12 @@ std::vector<vertex_index> insertion_order(const std::vector<site>& sites) {
     return round;
   };
   std::array<std::vector<vertex_index>, most_rounds> rounds;
-  for (const vertex_index v : order_along_curve(sites, box_of_sites(sites)))
-    rounds[round_of(v)].push_back(v);
+  const std::vector<vertex_index> along_curve =
+      oracle.near() != nullptr ? oracle.near()->order()
+                               : order_along_curve(oracle.sites(), box_of_sites(oracle.sites()));
+  for (const vertex_index v : along_curve) rounds[round_of(v)].push_back(v);
   std::vector<vertex_index> order;
-  order.reserve(sites.size());
+  order.reserve(oracle.size());
   for (std::size_t round = most_rounds; round-- > 0;)
     order.insert(order.end(), rounds[round].begin(), rounds[round].end());
   return order;
@@ -50,7 +53,7 @@ struct triangulated {
 };
 
 std::optional<triangulated> triangulate(const site_oracle& oracle, const cancellation& cancelled) {
-  std::vector<vertex_index> order = insertion_order(oracle.sites());
+  std::vector<vertex_index> order = insertion_order(oracle);
   std::vector<vertex_index> numbers(order.size());
   std::vector<site> sites;
   sites.reserve(order.size() + 4);
@@ -188,7 +191,87 @@ bool have_one_metric(const std::vector<site>& sites) {
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
 
+// Marks the faces in the domain: those left of a subsegment, and all that are joined to them by
+// edges that may go. Empty where a subsegment is no edge.
+std::vector<char> faces_inside(triangulated& from, const boundary& edges) {
+  std::vector<char> inside(from.net.faces().size(), 0);
+  std::vector<std::uint32_t> open;
+  const auto enter = [&](std::uint32_t f) {
+    if (inside[f] == 0) open.push_back(f);
+    inside[f] = 1;
+  };
+  for (const boundary_edge& e : edges.subsegments()) {
+    const auto left = from.net.find_edge(from.numbers[e.a], from.numbers[e.b]);
+    if (!left) return {};
+    enter(left->face);
+    while (!open.empty()) {
+      const delaunay_net::face& f = from.net.faces()[open.back()];
+      open.pop_back();
+      for (std::size_t i = 0; i < 3; ++i)
+        if (!f.fixed[i] && f.across[i] != delaunay_net::none) enter(f.across[i]);
+    }
+  }
+  return inside;
+}
+
+// Collects the faces inside as triangles by the sites' own numbers; fewer where one is not sound or
+// reaches out of the domain.
+std::vector<triangle> sound_triangles(const site_oracle& oracle, const triangulated& from,
+                                      const std::vector<char>& inside) {
+  constexpr std::size_t chunk = 2048;
+  std::vector<tier_counters> counts(chunk_count(inside.size(), chunk));
+  std::vector<triangle> all = collect_chunks<triangle>(
+      inside.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<triangle>& out) {
+        const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
+        for (std::size_t f = begin; f < end; ++f) {
+          if (inside[f] == 0) continue;
+          const auto& corner = from.net.faces()[f].corner;
+          const bool framed = std::any_of(corner.begin(), corner.end(),
+                                          [&](vertex_index v) { return from.net.is_frame(v); });
+          if (framed || !from.net.is_sound(static_cast<std::uint32_t>(f), *kernel)) return;
+          out.push_back(canonical(
+              {from.original[corner[0]], from.original[corner[1]], from.original[corner[2]]}));
+        }
+      });
+  for (const tier_counters& c : counts) oracle.kernel().counters() += c;
+  return all;
+}
+
+// Sorts triangles whose least corner comes first: by counting for that, and each of its few by
+// comparing.
+std::vector<triangle> in_order(const std::vector<triangle>& triangles, std::size_t sites) {
+  std::vector<std::size_t> start(sites + 1, 0);
+  for (const triangle& t : triangles) ++start[t[0] + 1];
+  for (std::size_t v = 0; v < sites; ++v) start[v + 1] += start[v];
+  std::vector<triangle> sorted(triangles.size());
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  for (const triangle& t : triangles) sorted[next[t[0]]++] = t;
+  const auto at = [&](std::size_t i) { return sorted.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t v = 0; v < sites; ++v) std::sort(at(start[v]), at(start[v + 1]));
+  return sorted;
+}
+
+// True if each of so many sites is a corner.
+bool use_all(const std::vector<triangle>& triangles, std::size_t sites) {
+  std::vector<char> used(sites, 0);
+  for (const triangle& t : triangles)
+    for (const vertex_index v : t) used[v] = 1;
+  return std::find(used.begin(), used.end(), 0) == used.end();
+}
+
 }  // namespace
+
+std::optional<std::vector<triangle>> triangles_of_equal_metrics(const site_oracle& oracle,
+                                                                const cancellation& cancelled) {
+  if (oracle.size() < 3 || !have_one_metric(oracle.sites())) return std::nullopt;
+  auto from = triangulate(oracle, cancelled);
+  if (!from) return std::nullopt;
+  const std::vector<char> inside = faces_inside(*from, oracle.edges());
+  const auto count = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), char{1}));
+  const std::vector<triangle> all = sound_triangles(oracle, *from, inside);
+  if (all.size() != count || !use_all(all, oracle.size())) return std::nullopt;
+  return in_order(all, oracle.size());
+}
 
 std::optional<std::vector<constructed_star>> stars_of_equal_metrics(const site_oracle& oracle,
                                                                     const cancellation& cancelled) {

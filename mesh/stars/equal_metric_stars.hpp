@@ -13,11 +13,17 @@
 #include <optional>
 #include <vector>
 
+#include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/stars/star_construction.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
+
+// Returns the triangles of all these stars, which agree, in the order of triangles_of_consistent();
+// none where stars_of_equal_metrics() has none.
+std::optional<std::vector<triangle>> triangles_of_equal_metrics(const site_oracle& oracle,
+                                                                const cancellation& cancelled);
 
 // Returns the star of each site, all settled and final; none where metrics differ, or where the
 // triangulation was not finished or not proved: then stars are to be constructed one by one. The

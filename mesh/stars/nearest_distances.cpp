@@ -7,7 +7,6 @@
 
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
-#include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -28,14 +27,15 @@ double squared_distance_to_segment(const site& s, const point& a, const point& b
   return on_it ? s.metric.m11 * x * x + s.metric.m22 * y * y : squared_distance(s, q);
 }
 
-// Returns the least squared distance of neighbours along a space-filling curve. It is seldom much
-// more than the least of all pairs, so that the searches that follow stay small.
-double least_along_curve(std::vector<site> sites, const bounding_box& box) {
-  sort_along_curve(sites, box);
+// Returns the least squared distance of neighbours in an order along a space-filling curve. It is
+// seldom much more than the least of all pairs, so that the searches that follow stay small.
+double least_along(const std::vector<vertex_index>& order, const std::vector<site>& sites) {
   double least = infinity;
-  for (std::size_t i = 1; i < sites.size(); ++i)
-    least = std::min({least, squared_distance(sites[i], sites[i - 1].position),
-                      squared_distance(sites[i - 1], sites[i].position)});
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const site &before = sites[order[i - 1]], &s = sites[order[i]];
+    least = std::min(
+        {least, squared_distance(s, before.position), squared_distance(before, s.position)});
+  }
   return least;
 }
 
@@ -69,9 +69,11 @@ double nearest_other(const std::vector<site>& sites, const site_index& near, ver
 
 double shortest_distance(const std::vector<site>& sites, vertex_index count, const boundary& edges,
                          const neighbourhood& near, double most) {
-  const auto end = sites.begin() + static_cast<std::ptrdiff_t>(count);
-  double least = std::min(most * most, least_along_curve({sites.begin(), end}, near.box()));
-  for (vertex_index v = 0; v < count; ++v) {
+  // Along the curve each search finds what it looks at in the cache, as the one before did.
+  std::vector<vertex_index> order = near.order();
+  std::erase_if(order, [count](vertex_index v) { return v >= count; });
+  double least = std::min(most * most, least_along(order, sites));
+  for (const vertex_index v : order) {
     // Searches twice as far as needed, so that what is not seen is certainly farther, whatever the
     // roundings.
     const bounding_box around = box_around(sites[v], 2 * std::sqrt(least));

@@ -8,6 +8,7 @@
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -19,8 +20,13 @@ bounding_box subsegment_box(const std::vector<site>& sites, const boundary_edge&
 }  // namespace
 
 neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edges)
-    : box_(box_of_sites(sites)), sites_(box_), subsegments_(box_), influences_(box_) {
-  for (vertex_index w = 0; w < sites.size(); ++w) sites_.insert(sites, w);
+    : box_(box_of_sites(sites)),
+      order_(order_along_curve(sites, box_)),
+      sites_(box_),
+      subsegments_(box_),
+      influences_(box_) {
+  // Along a curve, so that nodes near each other in the plane are near each other in memory.
+  for (const vertex_index w : order_) sites_.insert(sites, w);
   for (std::size_t subsegment = 0; subsegment < edges.subsegments().size(); ++subsegment)
     insert_subsegment(sites, edges, subsegment);
 }

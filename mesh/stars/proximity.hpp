@@ -27,11 +27,16 @@ class neighbourhood {
   const box_index& subsegments() const { return subsegments_; }
   // Returns the subsegments, indexed by the box of the sites that could encroach on them.
   const box_index& influences() const { return influences_; }
+  // Returns the sites along a space-filling curve, later ones behind all others.
+  const std::vector<vertex_index>& order() const { return order_; }
   // Returns the box around all sites; some may lie outside it by rounding.
   const bounding_box& box() const { return box_; }
 
   // Adds the new site sites[w].
-  void add_site(const std::vector<site>& sites, vertex_index w) { sites_.insert(sites, w); }
+  void add_site(const std::vector<site>& sites, vertex_index w) {
+    sites_.insert(sites, w);
+    order_.push_back(w);
+  }
   // Takes a subsegment out of the index, or puts its parts in. To be called before and after
   // edges.split(subsegment, ...). `twin` is the subsegment's twin, if any; `first_new` is the
   // number of subsegments there were before the split.
@@ -46,6 +51,7 @@ class neighbourhood {
                          std::size_t subsegment);
 
   bounding_box box_;
+  std::vector<vertex_index> order_;
   site_index sites_;
   box_index subsegments_, influences_;
 };

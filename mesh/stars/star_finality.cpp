@@ -19,6 +19,11 @@ struct prepared_gap {
   vertex_index y = 0, x = 0;
   bool on_boundary = false;         // accepts nothing
   std::optional<star_gap> content;  // unless on the boundary, or half a turn or more
+
+  double reach() const {
+    if (on_boundary) return 0;
+    return content ? content->reach() : infinity;
+  }
 };
 
 // Holds one sector of v's star, its gaps prepared for many questions.
@@ -45,9 +50,31 @@ class prepared_sector {
   double reach() const {
     if (gaps_.empty()) return infinity;
     double reach = 0;
-    for (const prepared_gap& gap : gaps_)
-      if (!gap.on_boundary) reach = gap.content ? std::max(reach, gap.content->reach()) : infinity;
+    for (const prepared_gap& gap : gaps_) reach = std::max(reach, gap.reach());
     return reach;
+  }
+
+  // Returns the greatest reach that is finite.
+  double finite_reach() const {
+    double reach = 0;
+    for (const prepared_gap& gap : gaps_)
+      if (gap.reach() < infinity) reach = std::max(reach, gap.reach());
+    return reach;
+  }
+
+  // Calls visit(w) for each site not certainly outside the gaps whose reach is infinite, or for all
+  // sites if one of them is half a turn or more.
+  template <class Visit>
+  bool visit_open_gaps(const Visit& visit) const {
+    const site_index& near = oracle_->near()->sites();
+    const auto is_wide = [](const prepared_gap& gap) { return !gap.on_boundary && !gap.content; };
+    if (gaps_.empty() || std::any_of(gaps_.begin(), gaps_.end(), is_wide))
+      return near.visit_reach(oracle_->sites(), at(v_), infinity, visit);
+    return std::all_of(gaps_.begin(), gaps_.end(), [&](const prepared_gap& gap) {
+      return gap.reach() < infinity ||
+             near.visit_cone(oracle_->sites(), at(v_).position, at(gap.y).position,
+                             at(gap.x).position, visit);
+    });
   }
 
   // True if w is certainly not accepted. Requires that w is not in the star.
@@ -102,11 +129,12 @@ class prepared_sector {
 std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, const star& s) {
   std::vector<prepared_sector> sectors;
   sectors.reserve(s.sectors.size());
-  double reach = 0;
+  double reach = 0, finite = 0;
   bool at_boundary = false;
   for (const sector& part : s.sectors) {
     sectors.emplace_back(oracle, v, part);
     reach = std::max(reach, sectors.back().reach());
+    finite = std::max(finite, sectors.back().finite_reach());
     at_boundary = at_boundary || sectors.back().is_at_boundary();
   }
   const auto refused = [&](vertex_index w) {
@@ -116,8 +144,13 @@ std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, con
                        [w](const prepared_sector& p) { return p.certainly_refuses(w); }) ||
            !would_accept(oracle, v, s, w);
   };
-  if (!oracle.near()->sites().visit_reach(oracle.sites(), oracle.sites()[v], reach, refused))
+  // A site matters to the gap alone that it is in, or to those on both sides of its ray: gaps
+  // without a bound need not make all sites matter to the others.
+  if (!oracle.near()->sites().visit_reach(oracle.sites(), oracle.sites()[v], finite, refused))
     return std::nullopt;
+  if (reach == infinity)
+    for (const prepared_sector& p : sectors)
+      if (!p.visit_open_gaps(refused)) return std::nullopt;
   // The reach is infinite at the boundary, as a split of a subsegment opens the gap it closed.
   return at_boundary ? infinity : reach;
 }

@@ -31,9 +31,10 @@ class site_oracle {
   const std::vector<site>& sites() const { return *sites_; }
   const neighbourhood* near() const { return near_; }
   const star_predicates& kernel() const { return *kernel_; }
-  // Returns an oracle for another thread, which asks this kernel and remembers nothing.
-  site_oracle with_kernel(const star_predicates& kernel) const {
-    return {*sites_, *boundary_, kernel, nullptr, near_};
+  // Returns an oracle for another thread, which asks this kernel and has a memory of its own, or
+  // none.
+  site_oracle with_kernel(const star_predicates& kernel, edge_test_memory* memory = nullptr) const {
+    return {*sites_, *boundary_, kernel, memory, near_};
   }
   // Returns the same oracle with a patience, which must outlive it.
   site_oracle with_patience(star_patience& patience) const {

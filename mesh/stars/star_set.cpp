@@ -88,9 +88,10 @@ star_set::star_set(std::vector<star> stars, const std::vector<vertex_index>& uns
 }
 
 void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& guesses) {
-  stars_.assign(oracle.size(), {});
-  condition_.assign(oracle.size(), condition::stale);
-  final_.assign(oracle.size(), {});
+  stars_.clear();
+  condition_.clear();
+  final_.clear();
+  add_empty_stars(oracle.size());
   if (auto made = stars_of_equal_metrics(oracle, cancelled_)) {
     for (vertex_index v = 0; v < oracle.size(); ++v) accept(oracle, v, std::move((*made)[v]));
     return;
@@ -102,10 +103,27 @@ void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& g
   guesses_ = nullptr;
 }
 
-void star_set::touch(vertex_index v) {
-  touched_.push_back(v);
-  for (const sector& part : stars_[v].sectors)
-    touched_.insert(touched_.end(), part.neighbours.begin(), part.neighbours.end());
+// Adds empty stars up to so many. Makes room for some more: a large mesh gets few others, and
+// twice the room is more than what it is held in.
+void star_set::add_empty_stars(std::size_t size) {
+  if (size > stars_.capacity()) {
+    const std::size_t room = size + size / 16;
+    stars_.reserve(room);
+    condition_.reserve(room);
+    final_.reserve(room);
+  }
+  stars_.resize(size);
+  condition_.resize(size, condition::stale);
+  final_.resize(size);
+}
+
+void star_set::touch(vertex_index v) { touch(v, stars_[v]); }
+
+void star_set::touch(vertex_index v, const star& before) {
+  std::vector<vertex_index>& neighbours = touched_.neighbours_before;
+  touched_.changed.push_back(v);
+  for (const sector& part : before.sectors)
+    neighbours.insert(neighbours.end(), part.neighbours.begin(), part.neighbours.end());
 }
 
 double star_set::part_of_work_bound(const site_oracle& oracle) const {
@@ -130,17 +148,18 @@ std::size_t star_set::stars_missing() const {
       std::count_if(stars_.begin(), stars_.end(), [](const star& s) { return s.sectors.empty(); }));
 }
 
-// Works in blocks and checks the work done between them. Blocks grow while it stays little. What a
-// block leaves for later, as its share of the work was used up, is first in the next one.
+// Works in blocks and checks the work done between them. Blocks grow while it stays little, up to
+// so many stars that those made beside the ones there are take little memory. What a block leaves
+// for later, as its share of the work was used up, is first in the next one.
 std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
                                               const std::vector<vertex_index>& which,
                                               star_search search) {
-  constexpr std::size_t first_block = 256, careful_block = 128;
+  constexpr std::size_t first_block = 256, careful_block = 128, largest_block = 32768;
   constexpr double much = 0.25;
   const bool confirm = search == star_search::thorough && oracle.near() != nullptr;
   most_of_run_ = work_units(oracle.kernel().counters()) + cancelled_.units_left();
   const site_index latest = confirm ? latest_sites(oracle, which) : site_index();
-  std::vector<made_star> all;
+  std::vector<vertex_index> changed;
   std::vector<vertex_index> waiting(which.rbegin(), which.rend());  // the last one is the next
   std::size_t block = first_block;
   while (!waiting.empty() && !cancelled_.is_requested()) {
@@ -156,14 +175,12 @@ std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
     for (auto m = more.rbegin(); m != more.rend(); ++m)
       if (!m->built) waiting.push_back(m->at);
     if (waiting.size() - left == count) break;
-    std::copy_if(std::move_iterator(more.begin()), std::move_iterator(more.end()),
-                 std::back_inserter(all), [](const made_star& m) { return m.built.has_value(); });
-    block *= 2;
-  }
-  std::vector<vertex_index> changed;
-  for (made_star& m : all) {
-    changed.push_back(m.at);
-    accept(oracle, m.at, *std::move(m.built));
+    for (made_star& m : more) {
+      if (!m.built) continue;
+      changed.push_back(m.at);
+      accept(oracle, m.at, *std::move(m.built));
+    }
+    block = std::min(2 * block, largest_block);
   }
   return changed;
 }
@@ -185,10 +202,11 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
   std::vector<made_star> all = collect_chunks<made_star>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
-        // Remembers answers if there are few stars, as this thread alone then makes them.
+        // Remembers answers for good if there are few stars, as this thread alone then makes them.
         star_patience patience(cancelled_, few ? done + part : part);
+        edge_test_memory memory(edge_test_memory::extent::few);
         const site_oracle own =
-            (few ? oracle : oracle.with_kernel(*kernel)).with_patience(patience);
+            (few ? oracle : oracle.with_kernel(*kernel, &memory)).with_patience(patience);
         for (std::size_t i = begin; i < end; ++i) {
           constexpr std::size_t at_a_time = 8;
           const bool cancelled = i % at_a_time == 0 && cancelled_.is_requested();
@@ -254,7 +272,7 @@ site_index star_set::latest_sites(const site_oracle& oracle,
   for (const vertex_index v : which)
     if (final_[v].against != 0) first = std::min(first, final_[v].against);
   site_index latest(oracle.near()->box());
-  if (oracle.size() - first <= oracle.size() / 8)
+  if (oracle.size() - first <= oracle.size() / 2)
     for (vertex_index w = first; w < oracle.size(); ++w) latest.insert(oracle.sites(), w);
   return latest;
 }
@@ -271,9 +289,7 @@ bool star_set::is_still_final(const site_oracle& oracle, vertex_index v,
 
 void star_set::add_last(const site_oracle& oracle) {
   const vertex_index w = oracle.size() - 1;
-  stars_.resize(oracle.size());
-  condition_.resize(oracle.size(), condition::stale);
-  final_.resize(oracle.size());
+  add_empty_stars(oracle.size());
   rebuild(oracle, w, star_search::near);
   const std::vector<vertex_index> candidates = candidate_stars(oracle, w, stars_[w]);
   candidates_ += candidates.size();
@@ -289,16 +305,12 @@ void star_set::add_last(const site_oracle& oracle) {
     is_over = part_of_work_bound(oracle) > most_work;
     if (!is_changed) continue;
     mark_stale(v);
-    touched_.push_back(v);
-    for (const sector& part : before.sectors)
-      touched_.insert(touched_.end(), part.neighbours.begin(), part.neighbours.end());
+    touch(v, before);
   }
 }
 
 void star_set::add_many(const site_oracle& oracle, vertex_index first) {
-  stars_.resize(oracle.size());
-  condition_.resize(oracle.size(), condition::stale);
-  final_.resize(oracle.size());
+  add_empty_stars(oracle.size());
   std::vector<vertex_index> added(oracle.size() - first);
   std::iota(added.begin(), added.end(), first);
   construct(oracle, added, star_search::near);

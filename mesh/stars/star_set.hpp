@@ -78,10 +78,13 @@ class star_set {
   // wildly these are all there are, each time.
   std::size_t candidates_looked_at() const { return candidates_; }
 
-  // Returns the stars changed since the last call, with their neighbours before the change.
-  // Whatever was known of a triangle at one of these sites is to be looked at again. May hold an
-  // index twice.
-  std::vector<vertex_index> take_touched() { return std::exchange(touched_, {}); }
+  // Stars that were changed, and the neighbours they had before; either may hold an index twice.
+  struct touched_stars {
+    std::vector<vertex_index> changed, neighbours_before;
+  };
+  // Returns those since the last call. Whatever was known of a triangle at one of these sites is to
+  // be looked at again.
+  touched_stars take_touched() { return std::exchange(touched_, {}); }
 
  private:
   enum class condition : unsigned char { settled, stale, unsettled };
@@ -97,6 +100,7 @@ class star_set {
     std::optional<constructed_star> built;  // empty if it was left for later
   };
 
+  void add_empty_stars(std::size_t size);
   double part_of_work_bound(const site_oracle& oracle) const;
   double most_units(const site_oracle& oracle) const;
   std::vector<made_star> construct_block(const site_oracle& oracle,
@@ -113,6 +117,7 @@ class star_set {
   bool is_still_final(const site_oracle& oracle, vertex_index v, const site_index& latest) const;
   void accept(const site_oracle& oracle, vertex_index v, constructed_star built);
   void touch(vertex_index v);  // notes a change of v's star; to be called before it
+  void touch(vertex_index v, const star& before);
 
   cancellation cancelled_;
   // Units of work that may have been done when what is left on the run's account is used up.
@@ -120,7 +125,7 @@ class star_set {
   std::optional<std::size_t> given_;
   double work_share_ = 1;
   std::size_t candidates_ = 0;
-  std::vector<vertex_index> touched_;
+  touched_stars touched_;
   const neighbour_lists* guesses_ = nullptr;  // while all stars are made
   std::vector<star> stars_;
   std::vector<condition> condition_;

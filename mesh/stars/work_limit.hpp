@@ -41,14 +41,15 @@ inline double part_of_work_bound(const tier_counters& counts, std::size_t sites,
 // site. The audit of what comes out has its own (audit/audit_work.hpp).
 constexpr double units_for_run = 1e6, run_units_for_site = 15;
 
-// Returns the stop of a run with an account of the work it may do, unless it has one already.
-inline cancellation with_run_work(const cancellation& stop) {
+// Returns the stop of a run with an account of the work it may do, unless it has one already: some
+// times as much where a run may have to go several ways.
+inline cancellation with_run_work(const cancellation& stop, double times = 1) {
   const bool has_account = stop.units_left() < std::numeric_limits<double>::infinity();
-  return has_account ? stop : stop.with_work(units_for_run, run_units_for_site);
+  return has_account ? stop : stop.with_work(times * units_for_run, times * run_units_for_site);
 }
 
-// Work that all meshes in relaxed metrics together may take besides, where one in the metric given
-// was abandoned.
-constexpr double units_for_relaxing = 3e5;
+// Work that a mesh in one metric for all sites may take, where one in the metric given was
+// abandoned.
+constexpr double units_for_last_resort = 3e5;
 
 }  // namespace asterism::internal

@@ -9,6 +9,7 @@
 #include "asterism/core/random.hpp"
 #include "asterism/kernels/double_kernel.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
+#include "asterism/kernels/filtered_edge_test.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 
@@ -63,6 +64,31 @@ TEST_CASE("a tie of four different metrics is the exact tier's and goes to one d
   CHECK(kernel.edge_test(d, b, c, a) == bd);
   CHECK(decided.at(predicate::edge_test, tier::semi_static) == 0);
   CHECK(decided.at(predicate::edge_test, tier::interval) == 0);
+}
+
+TEST_CASE("the filters of an edge test leave a tie open, and nothing else to a wrong answer",
+          "[tiers][ties]") {
+  tier_counters decided;
+  const site a = swirl_site(0.5, 0.5), b = swirl_site(-0.5, 0.5), c = swirl_site(-0.5, -0.5),
+             d = swirl_site(0.5, -0.5);
+  CHECK_FALSE(internal::filtered_edge_test(a, c, b, d, decided).certain());
+  CHECK(decided.at(predicate::edge_test, tier::interval) == 1);
+  const auto round = [](double x, double y) { return site{{x, y}, round_metric}; };
+  CHECK(internal::filtered_edge_test(round(0, 0), round(1, 1), round(1, 0), round(0, 1), decided)
+            .certain());
+  CHECK(decided.limb_products == 0);
+  sequence random{22};
+  const exact_kernel exact;
+  int certain = 0;
+  for (int k = 0; k < 300; ++k) {
+    site s[4];
+    for (site& one : s) one = swirl_site(random.real(-1, 1), random.real(-1, 1));
+    const uncertain_bool answer = internal::filtered_edge_test(s[0], s[1], s[2], s[3], decided);
+    if (!answer.certain()) continue;
+    ++certain;
+    CHECK(answer.value() == exact.edge_test(s[0], s[1], s[2], s[3]));
+  }
+  CHECK(certain > 290);
 }
 
 TEST_CASE("among random smooth metrics few edge tests fall through", "[tiers]") {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/search/box_index.hpp"
@@ -242,6 +243,33 @@ TEST_CASE("boxes are found after any insertions and removals") {
       }
     }
   }
+}
+
+TEST_CASE("a cone leaves out only sites outside of it") {
+  splitmix64 random(45);
+  const filtered_kernel kernel;
+  std::size_t outside = 0, left_out = 0;
+  for (site_cloud& c : clouds()) {
+    INFO(c.name);
+    site_index index(box_of_sites(c.sites));
+    for (vertex_index w = 0; w < c.sites.size(); ++w) index.insert(c.sites, w);
+    const auto any = [&] { return c.sites[random.bits() % c.sites.size()].position; };
+    for (int round = 0; round < 200; ++round) {
+      const point v = any(), y = any(), x = any();
+      if (kernel.orientation(v, y, x) != sign::positive) continue;
+      std::vector<char> seen(c.sites.size(), 0);
+      CHECK(index.visit_cone(c.sites, v, y, x, [&](vertex_index w) { return seen[w] = 1; }));
+      for (vertex_index w = 0; w < c.sites.size(); ++w) {
+        const point& q = c.sites[w].position;
+        const bool is_inside = kernel.orientation(v, y, q) != sign::negative &&
+                               kernel.orientation(v, x, q) != sign::positive;
+        if (is_inside) REQUIRE(seen[w] != 0);
+        outside += is_inside ? 0 : 1;
+        left_out += seen[w] == 0 ? 1 : 0;
+      }
+    }
+  }
+  CHECK(left_out > outside / 2);
 }
 
 TEST_CASE("the curve's order is a permutation, and goes from near to near") {

@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "asterism/mesh/stars/consistency.hpp"
 #include "asterism/mesh/stars/delaunay_net.hpp"
 #include "asterism/mesh/stars/star_finality.hpp"
+#include "asterism/mesh/stars/star_set.hpp"
 #include "fixtures/audit_meshes.hpp"
 #include "fixtures/domain_kinds.hpp"
 #include "fixtures/star_fixture.hpp"
@@ -125,15 +127,32 @@ TEST_CASE("stars made all at once in one metric are those made one by one from a
     }
 }
 
+TEST_CASE("triangles made all at once in one metric are those of the stars") {
+  for (const arrangement& a : arrangements())
+    for (const metric_tensor& metric : {metric_tensor{1, 0, 1}, metric_tensor{4, 1, 9}}) {
+      INFO(a.name << ", metric " << metric.m11 << " " << metric.m12 << " " << metric.m22);
+      const indexed_setting now(accepted(a.shape), constant_field(metric));
+      star_set stars;
+      stars.construct_all(now.oracle());
+      REQUIRE(check_consistency(now.oracle(), stars).consistent());
+      const auto made = triangles_of_equal_metrics(now.oracle(), {});
+      REQUIRE(made);
+      CHECK(*made == triangles_of_consistent(stars));
+    }
+}
+
 TEST_CASE("stars are not made all at once where metrics differ, or sites coincide") {
   domain d = square();
   scatter(d, 10, 0.9, 7);
   indexed_setting now(accepted(d), identity_field());
   REQUIRE(stars_of_equal_metrics(now.oracle(), {}));
+  REQUIRE(triangles_of_equal_metrics(now.oracle(), {}));
   now.sites[9].metric.m11 = 1 + 0x1p-52;
   CHECK_FALSE(stars_of_equal_metrics(now.oracle(), {}));
+  CHECK_FALSE(triangles_of_equal_metrics(now.oracle(), {}));
   now.sites[9] = now.sites[8];
   CHECK_FALSE(stars_of_equal_metrics(now.oracle(), {}));
+  CHECK_FALSE(triangles_of_equal_metrics(now.oracle(), {}));
 }
 
 TEST_CASE("a net refuses a segment through a site, and one across another") {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "asterism/mesh/stars/star_construction.hpp"
 #include "asterism/mesh/stars/star_insertion.hpp"
 #include "fixtures/audit_meshes.hpp"
+#include "fixtures/domain_kinds.hpp"
 #include "fixtures/star_fixture.hpp"
 
 using namespace asterism;
@@ -201,4 +203,31 @@ TEST_CASE("a right guess is the star at once, and a wrong one changes nothing") 
   }
   CHECK(taken > 100);
   CHECK(refused < taken);
+}
+
+// At the rim of many sites a star sees the boundary far away, in another metric: gaps have no
+// bound.
+TEST_CASE("a star is not held against all sites because one gap of it has no bound") {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  domain d = square();
+  splitmix64 random(46);
+  for (int i = 0; i < 3000; ++i) {
+    const double x = random.real(-0.9, 0.9), y = random.real(-0.9, 0.9);
+    d.vertices.push_back({x, y});
+  }
+  const indexed_setting now(accepted(d), swirl_field(12));
+  const auto asked = [&] { return now.decided.at(predicate::orientation, tier::semi_static); };
+  std::size_t open = 0, looked_at = 0;
+  for (vertex_index v = 0; v < now.sites.size(); ++v) {
+    if (!now.edges.corners(v).empty()) continue;
+    const star s = construct_star(now.oracle(), v, star_search::near).content;
+    const auto before = asked();
+    const auto reach = final_reach(now.oracle(), v, s);
+    if (!reach || *reach < infinity) continue;
+    ++open;
+    looked_at += asked() - before;
+  }
+  INFO(open << " stars, " << looked_at << " questions");
+  CHECK(open > 10);
+  CHECK(looked_at < open * now.sites.size() / 4);
 }
