@@ -85,6 +85,7 @@ class angle_check {
       return;
     find_sectors(c);
     const plain_triangle plain(context_, c);
+    if (passes_at_once(t, c, plain)) return;
     std::array<bool, 3> failed{};
     for (const vertex_index perspective : c) {
       const auto above = cotangents_above(plain, context_.subject.sites[perspective].metric);
@@ -111,6 +112,25 @@ class angle_check {
     angle_standing standing;
     double above;  // its cotangent is at most this
   };
+
+  // True if all angles are ordinary, are measured by one metric, and are wide by their quick bounds
+  // alone: then nothing else is to be said of the triangle, seen from whichever vertex.
+  bool passes_at_once(vertex_index t, const triangle& c, const plain_triangle& plain) {
+    const metric_tensor& m = context_.subject.sites[c[0]].metric;
+    if (beside_ || !identical(m, context_.subject.sites[c[1]].metric) ||
+        !identical(m, context_.subject.sites[c[2]].metric))
+      return false;
+    const std::array<double, 3> above = cotangents_above(plain, m);
+    const bool asked = wanted_.degrees > 0;
+    if (asked && !std::all_of(above.begin(), above.end(),
+                              [&](double a) { return a < wanted_.bound.root_below; }))
+      return false;
+    constexpr std::size_t perspectives = 3;
+    if (asked) tally_.part.decisions += perspectives * above.size();
+    for (std::size_t i = 0; i < 3; ++i)
+      note({t, {c[i], c[(i + 1) % 3], c[(i + 2) % 3]}, c[0], angle_standing::ordinary, above[i]});
+    return true;
+  }
 
   void find_sectors(const triangle& c) {
     sector_ = {};

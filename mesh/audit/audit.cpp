@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "asterism/kernels/filtered_edge_test.hpp"
 #include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/audit/audit_work.hpp"
 #include "asterism/mesh/audit/context.hpp"
@@ -70,9 +71,10 @@ std::vector<vertex_index> audit_report::refused_triangles() const {
 namespace {
 
 // Audits everything, or of the stars only what concerns the sites in `changed`, unless that is
-// null.
+// null, as may be `memory`.
 audit_report audit_stars_of(const mesh& subject, const audit_options& options,
-                            const std::vector<vertex_index>* changed) {
+                            const std::vector<vertex_index>* changed, star_memory* memory,
+                            hard_questions hard) {
   using namespace audit_detail;
   audit_report report;
   report.sites = subject.sites.size();
@@ -82,6 +84,9 @@ audit_report audit_stars_of(const mesh& subject, const audit_options& options,
 
   audit_context context(subject, options, report);
   context.changed = changed;
+  context.memory = memory;
+  context.leaves_open = hard == hard_questions::left_open;
+  if (memory != nullptr) memory->open.clear();
   check_values(context);
   check_orientations(context);
   check_edges(context);
@@ -99,7 +104,7 @@ audit_report audit_stars_of(const mesh& subject, const audit_options& options,
   if (options.domain_is_the_mesh) check_something_judged(context);
   if (options.check_stars && triangulation) check_stars(context);
 
-  report.certified = report.total_found() == 0;
+  report.certified = report.total_found() == 0 && (memory == nullptr || memory->open.empty());
   if (options.check_voronoi) {
     report.voronoi = voronoi_verdict::not_reached;
     if (triangulation) check_voronoi(context);
@@ -116,13 +121,45 @@ audit_report audit_stars_of(const mesh& subject, const audit_options& options,
 }  // namespace
 
 audit_report audit(const mesh& subject, const audit_options& options) {
-  return audit_stars_of(subject, options, nullptr);
+  return audit_stars_of(subject, options, nullptr, nullptr, hard_questions::asked);
+}
+
+audit_report internal::audit_quickly(const mesh& subject, const audit_options& options,
+                                     star_memory& memory) {
+  memory.reaches.clear();
+  return audit_stars_of(subject, options, nullptr, &memory, hard_questions::left_open);
+}
+
+void internal::ask_filters(const mesh& subject, const cancellation& stop,
+                           const std::function<bool(const open_question&)>& is_asked,
+                           const std::function<void(const open_question&)>& refuse,
+                           std::vector<open_question>& open, audit_report& report) {
+  tier_counters decided;
+  const auto is_in_order = [&](const open_question& question) {
+    if (question.what == open_question::about::gap) return false;
+    const auto at = [&](std::size_t i) { return subject.sites[question.sites[i]]; };
+    const uncertain_bool accepted = filtered_edge_test(at(0), at(1), at(2), at(3), decided);
+    const bool is_to_be = question.what == open_question::about::neighbour;
+    return accepted.certain() && accepted.value() == is_to_be;
+  };
+  std::vector<open_question> left;
+  for (const open_question& question : open) {
+    const bool asked = is_asked(question);
+    if (asked && is_in_order(question)) continue;
+    if (asked) refuse(question);
+    left.push_back(question);
+  }
+  open = std::move(left);
+  report.counters += decided;
+  report.certified = report.total_found() == 0 && open.empty();
+  stop.charge(work_units(decided));
 }
 
 audit_report internal::audit_again(const mesh& subject, const audit_options& options,
                                    const audit_report& before,
-                                   const std::vector<vertex_index>& changed) {
-  audit_report report = audit_stars_of(subject, options, &changed);
+                                   const std::vector<vertex_index>& changed, star_memory& memory,
+                                   hard_questions hard) {
+  audit_report report = audit_stars_of(subject, options, &changed, &memory, hard);
   report.decisions += before.decisions;
   report.exact_decisions += before.exact_decisions;
   report.star_pairs += before.star_pairs;

@@ -90,7 +90,7 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.audit_counters = report.counters;
   // A bound of 0 asks for no angle.
   if (report.certified && options.angle_bound.value_or(0) > 0)
-    c.theorem = measure_theorem_hypotheses(subject, *options.angle_bound);
+    c.theorem = measure_theorem_hypotheses(subject, *options.angle_bound, options.stop);
   if (options.original != nullptr) c.original = *options.original;
   return c;
 }

@@ -24,7 +24,6 @@
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/data/relaxation_report.hpp"
 
 namespace asterism {
 
@@ -43,9 +42,8 @@ struct certificate {
   std::size_t sites = 0, triangles = 0, boundary_subsegments = 0, given = 0;
   std::uint64_t fingerprint = 0;
   std::size_t star_repairs = 0;  // stars a local search had got wrong, mended before the end
-  // Set if the mesh is of another metric than the one asked for; without the tensors given.
-  std::optional<relaxation_report> relaxed;
-  // Set if the mesh was made by local changes: its metric against the one wanted.
+  // Set if the mesh was made by local changes, or in one metric for all sites: its metric against
+  // the one wanted.
   std::optional<delivered_report> delivered;
   // Finite measurements of numerics/mesh_statistics.hpp, by the names there.
   std::map<std::string, double> measured;
@@ -108,12 +106,5 @@ struct verify_report {
 // and `verified` is false.
 ASTERISM_EXPORT verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
                                      audit_options options);
-
-// Compares, for a claim with a relaxed metric, the triangles that it lists as low in the metric
-// asked for with those that the auditor's exact test finds in the metric of `asked`. Returns a
-// sentence if they differ, or if `asked` fails at a site; none where nothing is relaxed or no angle
-// is asked for.
-ASTERISM_EXPORT std::optional<std::string> contradiction_in_low_triangles(
-    const mesh& subject, const certificate& claim, const metric_field& asked);
 
 }  // namespace asterism

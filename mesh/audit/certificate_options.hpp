@@ -8,7 +8,7 @@
 
 namespace asterism::internal {
 
-inline constexpr std::array<std::string_view, 26> mesh_option_names = {"angle-bound",
+inline constexpr std::array<std::string_view, 25> mesh_option_names = {"angle-bound",
                                                                        "certify",
                                                                        "chord-tolerance",
                                                                        "complexity",
@@ -24,7 +24,6 @@ inline constexpr std::array<std::string_view, 26> mesh_option_names = {"angle-bo
                                                                        "random-points",
                                                                        "refine",
                                                                        "regions",
-                                                                       "relax",
                                                                        "repair-distance",
                                                                        "repair-done",
                                                                        "repair-places",

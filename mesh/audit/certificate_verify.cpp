@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -52,6 +51,19 @@ class contradictions {
 };
 
 // Compares every number to the last bit: the auditor's arithmetic rounds alike on all machines.
+void compare_measures(contradictions& all, const theorem_hypotheses& claim,
+                      const theorem_hypotheses& found) {
+  all.compare("theorem.theorem_applies", claim.applies, found.applies);
+  all.compare("theorem.reason", claim.reason, found.reason);
+  all.compare("theorem.sigma_eps", claim.sigma_eps, found.sigma_eps);
+  all.compare("theorem.proved_angle", claim.proved_angle, found.proved_angle);
+  all.compare("theorem.covering_radius", claim.covering_radius, found.covering_radius);
+  all.compare("theorem.spacing", claim.spacing, found.spacing);
+  all.compare("theorem.longest_subsegment", claim.longest_subsegment, found.longest_subsegment);
+  all.compare("theorem.distortion", claim.distortion, found.distortion);
+  all.compare("theorem.variation", claim.variation, found.variation);
+}
+
 void compare_theorems(contradictions& all, const std::optional<theorem_hypotheses>& claim,
                       const std::optional<theorem_hypotheses>& found) {
   if (!claim || !found) {
@@ -60,15 +72,17 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
               " in the certificate, and should " + (found ? "be there" : "be null"));
     return;
   }
-  all.compare("theorem.theorem_applies", claim->applies, found->applies);
-  all.compare("theorem.reason", claim->reason, found->reason);
-  all.compare("theorem.sigma_eps", claim->sigma_eps, found->sigma_eps);
-  all.compare("theorem.proved_angle", claim->proved_angle, found->proved_angle);
-  all.compare("theorem.covering_radius", claim->covering_radius, found->covering_radius);
-  all.compare("theorem.spacing", claim->spacing, found->spacing);
-  all.compare("theorem.longest_subsegment", claim->longest_subsegment, found->longest_subsegment);
-  all.compare("theorem.distortion", claim->distortion, found->distortion);
-  all.compare("theorem.variation", claim->variation, found->variation);
+  if (is_unmeasured(*claim)) {
+    // Whoever was told to end may say so, and nothing more.
+    theorem_hypotheses nothing;
+    nothing.reason = claim->reason;
+    compare_measures(all, *claim, nothing);
+  } else if (is_unmeasured(*found)) {
+    all.add("what the certificate says of the theorem on nets could not be measured again: " +
+            found->reason);
+  } else {
+    compare_measures(all, *claim, *found);
+  }
 }
 
 // Compares two audits. `audited` must answer the question that the certificate answers: the same
@@ -176,10 +190,6 @@ void compare_tolerance(contradictions& all, const certificate& claim) {
     all.add("the certificate says that its mesh was completed, and the metric delivered is " +
             text_of(claim.delivered->greatest) + " from the one wanted, where " + option->second +
             " is tolerated");
-  if (claim.relaxed)
-    all.add(
-        "the certificate says that its mesh was completed in a relaxed metric, with a "
-        "\"metric-tolerance\"");
 }
 
 // Whoever calls the library may leave the options away, but not some of them.
@@ -194,7 +204,7 @@ void compare_options(contradictions& all, const certificate& claim) {
     const auto place = claim.options.find(name);
     return place == claim.options.end() ? std::string() : place->second;
   };
-  if (claim.complete && !claim.relaxed && option("size") != option("size-delivered"))
+  if (claim.complete && option("size") != option("size-delivered"))
     all.add(
         "the certificate says that its mesh was completed, and \"asked.options.size\" is not "
         "\"asked.options.size-delivered\"");
@@ -231,10 +241,6 @@ std::vector<std::string> contradictions_of(const certificate& claim, const certi
   if (!claim.certified) all.add("the certificate itself says that its mesh was not certified");
   if (!claim.complete)
     all.add("the certificate itself says that its mesh was not completed: " + claim.reason);
-  if (claim.complete && claim.relaxed && !claim.relaxed->low_triangles.empty())
-    all.add("the certificate says that its mesh was completed, and lists " +
-            std::to_string(claim.relaxed->low_triangles.size()) +
-            " triangles that are below the bound in the metric asked for");
   return all.take();
 }
 
@@ -263,33 +269,6 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
                     report.contradictions.empty() &&
                     (!must_be_dual || report.audit.voronoi == voronoi_verdict::proved);
   return report;
-}
-
-std::optional<std::string> contradiction_in_low_triangles(const mesh& subject,
-                                                          const certificate& claim,
-                                                          const metric_field& asked) {
-  if (!claim.relaxed || !claim.angle_bound) return std::nullopt;
-  mesh as_asked = subject;
-  for (site& s : as_asked.sites) {
-    const auto metric = asked.at(s.position);
-    if (!metric) return "the metric asked for fails: " + metric.failure().message;
-    s.metric = metric.value();
-  }
-  audit_options options;
-  options.angle_bound = claim.angle_bound;
-  options.find_exempt_corners = true;
-  options.check_stars = false;
-  const std::vector<vertex_index> low = audit(as_asked, options).refused_triangles();
-  if (low == claim.relaxed->low_triangles) return std::nullopt;
-  std::vector<vertex_index> in_one;
-  std::set_symmetric_difference(low.begin(), low.end(), claim.relaxed->low_triangles.begin(),
-                                claim.relaxed->low_triangles.end(), std::back_inserter(in_one));
-  return "as the metric asked for measures them " + std::to_string(low.size()) +
-         " triangles are below the bound, and the certificate lists " +
-         std::to_string(claim.relaxed->low_triangles.size()) +
-         (in_one.empty() ? " in another order"
-                         : "; triangle " + std::to_string(std::size_t{in_one[0]} + 1) +
-                               " is the first that differs");
 }
 
 }  // namespace asterism

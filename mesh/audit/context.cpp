@@ -68,6 +68,8 @@ void audit_context::take(audit_tally&& tally) {
   report.counters += tally.part.counters;
   looked_units += tally.looked_units;
   unfinished = unfinished || tally.unfinished;
+  if (memory != nullptr)
+    memory->open.insert(memory->open.end(), tally.left_open.begin(), tally.left_open.end());
 }
 
 std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index b) {
@@ -78,13 +80,6 @@ std::size_t find_subsegment(const audit_context& context, vertex_index a, vertex
   const std::size_t place = find_directed(context.sides, context.side_start, a, b);
   return place == context.sides.size() ? context.subject.boundary.size()
                                        : context.sides[place].subsegment;
-}
-
-vertex_index apex(const audit_context& context, const directed_edge& edge) {
-  const triangle& t = context.subject.triangles[edge.triangle];
-  for (const vertex_index corner : t)
-    if (corner != edge.a && corner != edge.b) return corner;
-  return t[0];  // not reached: the corners are distinct
 }
 
 bool same_ray(const point& v, const point& a, const point& b) {

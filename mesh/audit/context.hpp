@@ -11,14 +11,16 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::audit_detail {
 
-// The edge a -> b of `triangle`, the triangle on its left.
+// The edge a -> b of `triangle`, the triangle on its left, whose third corner is the apex.
 struct directed_edge {
   vertex_index a = 0, b = 0;
+  vertex_index apex = 0;
   vertex_index triangle = 0;
 };
 
@@ -46,6 +48,7 @@ struct audit_tally {
   double most_units = 0;    // of work (audit/audit_work.hpp) that this part may do
   double looked_units = 0;  // of work that no other number tells
   bool unfinished = false;  // the part ended early, for want of work or as it was told to
+  std::vector<open_question> left_open;
 
   // False if another finding of the kind would only be counted. Its witness may be empty then.
   bool is_kept(finding_kind kind) const {
@@ -67,6 +70,9 @@ struct audit_context {
   // Sites whose tensors were changed since all stars were looked at; null where they were not.
   // Only what depends on one of them is looked at then (audit_again.hpp).
   const std::vector<vertex_index>* changed = nullptr;
+  // Takes what the next audit is to know of the stars, and has what the last one told; may be null.
+  star_memory* memory = nullptr;
+  bool leaves_open = false;  // hard questions about stars, to the memory
 
   // Counts in the report: for the thread that owns the context.
   filtered_kernel kernel() const { return filtered_kernel(report.counters); }
@@ -144,8 +150,6 @@ std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index
 // Returns the boundary edge with the domain on the left of a -> b: index into subject.boundary, or
 // the size of it.
 std::size_t find_subsegment(const audit_context& context, vertex_index a, vertex_index b);
-// Returns the third corner of the triangle on the left of `edge`.
-vertex_index apex(const audit_context& context, const directed_edge& edge);
 // True if two points known to be collinear with v are on the same side of it.
 bool same_ray(const point& v, const point& a, const point& b);
 

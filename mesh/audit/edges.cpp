@@ -27,7 +27,8 @@ void list_edges(audit_context& context) {
   std::vector<std::size_t> next(start.begin(), start.end() - 1);
   for (const vertex_index t : context.triangles) {
     const triangle& c = triangles[t];
-    for (std::size_t i = 0; i < 3; ++i) context.edges[next[c[i]]++] = {c[i], c[(i + 1) % 3], t};
+    for (std::size_t i = 0; i < 3; ++i)
+      context.edges[next[c[i]]++] = {c[i], c[(i + 1) % 3], c[(i + 2) % 3], t};
   }
   const auto at = [&](std::size_t i) {
     return context.edges.begin() + static_cast<std::ptrdiff_t>(i);
@@ -52,25 +53,34 @@ void list_sides(audit_context& context) {
   context.side_start = starts_of(context.sides, context.subject.sites.size());
 }
 
-void check_triangle_edge(const audit_context& context, audit_tally& tally, std::size_t i) {
+// `arrivals` are the vertices from which edges reach that of the edge, sorted: those across from it
+// in the triangles at it, so that the reverse of an edge is found where the edge is.
+void check_triangle_edge(const audit_context& context, audit_tally& tally, std::size_t i,
+                         const std::vector<vertex_index>& arrivals) {
   const auto& edges = context.edges;
   const directed_edge& e = edges[i];
   if (i > 0 && edges[i - 1].a == e.a && edges[i - 1].b == e.b)
     tally.found(finding_kind::repeated_edge,
                 edge_text(context, e) + " runs the same way in triangle " +
                     std::to_string(std::size_t{edges[i - 1].triangle} + 1));
-  if (find_edge(context, e.b, e.a) == edges.size() &&
+  if (!std::binary_search(arrivals.begin(), arrivals.end(), e.b) &&
       find_subsegment(context, e.a, e.b) == context.subject.boundary.size())
     tally.found(finding_kind::unmatched_edge,
                 edge_text(context, e) + " has no triangle across and is no boundary edge");
 }
 
 void check_triangle_edges(audit_context& context) {
-  check_in_parallel(context, context.edges.size(),
-                    [&](audit_tally& tally, std::size_t begin, std::size_t end) {
-                      for (std::size_t i = begin; i < end; ++i)
-                        check_triangle_edge(context, tally, i);
-                    });
+  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    std::vector<vertex_index> arrivals;
+    for (std::size_t v = begin; v < end; ++v) {
+      const std::size_t first = context.edge_start[v], last = context.edge_start[v + 1];
+      arrivals.clear();
+      for (std::size_t i = first; i < last; ++i) arrivals.push_back(context.edges[i].apex);
+      std::sort(arrivals.begin(), arrivals.end());
+      for (std::size_t i = first; i < last; ++i) check_triangle_edge(context, tally, i, arrivals);
+    }
+  };
+  check_in_parallel(context, context.subject.sites.size(), check);
 }
 
 void check_subsegments(audit_context& context) {

@@ -17,13 +17,12 @@ struct fan_step {
   bool used = false;
 };
 
-std::vector<fan_step> steps_around(const audit_context& context, std::size_t first,
-                                   std::size_t last) {
-  std::vector<fan_step> steps;  // sorted by `from`, as the edges are
-  steps.reserve(last - first);
+// Lists the steps sorted by `from`, as the edges are.
+void list_steps(const audit_context& context, std::size_t first, std::size_t last,
+                std::vector<fan_step>& steps) {
+  steps.clear();
   for (std::size_t i = first; i < last; ++i)
-    steps.push_back({context.edges[i].b, apex(context, context.edges[i])});
-  return steps;
+    steps.push_back({context.edges[i].b, context.edges[i].apex});
 }
 
 // Has the domain at v a sector that starts with the ray to `to`?
@@ -56,9 +55,17 @@ vertex_fan follow(const audit_context& context, vertex_index v, std::vector<fan_
   }
 }
 
+// `steps` is scratch. At a vertex that no boundary edge leaves all steps are one fan nearly always,
+// which the first one finds.
 std::vector<vertex_fan> fans_around(const audit_context& context, vertex_index v, std::size_t first,
-                                    std::size_t last) {
-  std::vector<fan_step> steps = steps_around(context, first, last);
+                                    std::size_t last, std::vector<fan_step>& steps) {
+  list_steps(context, first, last, steps);
+  if (context.side_start[v] == context.side_start[v + 1]) {
+    std::vector<vertex_fan> one(1);
+    one[0] = follow(context, v, steps, steps[0]);
+    if (one[0].closed && one[0].link.size() == steps.size()) return one;
+    for (fan_step& s : steps) s.used = false;
+  }
   std::vector<vertex_index> arrivals;
   arrivals.reserve(steps.size());
   for (const fan_step& s : steps) arrivals.push_back(s.to);
@@ -129,10 +136,11 @@ void check_vertex(const audit_context& context, audit_tally& tally, vertex_index
 void check_fans(audit_context& context) {
   context.fans.resize(context.subject.sites.size());
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    std::vector<fan_step> steps;
     for (std::size_t v = begin; v < end; ++v) {
       const std::size_t first = context.edge_start[v], last = context.edge_start[v + 1];
       if (first == last) continue;
-      context.fans[v] = fans_around(context, static_cast<vertex_index>(v), first, last);
+      context.fans[v] = fans_around(context, static_cast<vertex_index>(v), first, last, steps);
       check_vertex(context, tally, static_cast<vertex_index>(v));
     }
   };

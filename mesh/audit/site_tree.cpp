@@ -59,6 +59,12 @@ double determinant_below(const metric_tensor& m) {
   return below < infinity ? below : 0;
 }
 
+// Returns an upper bound of 1 / det m; infinite where none of use is known.
+double inverse_determinant_above(const metric_tensor& m) {
+  const double below = determinant_below(m);
+  return below > 0x1p-200 ? 1 / below * up : infinity;
+}
+
 }  // namespace
 
 site_tree::site_tree(const std::vector<site>& sites) : sites_(sites), order_(sites.size()) {
@@ -67,7 +73,11 @@ site_tree::site_tree(const std::vector<site>& sites) : sites_(sites), order_(sit
   if (!sites.empty()) build(0, sites.size());
   groups_.push_back(sites.size());
   places_.reserve(sites.size());
-  for (const vertex_index w : order_) places_.push_back(sites[w].position);
+  inverse_determinants_.reserve(sites.size());
+  for (const vertex_index w : order_) {
+    places_.push_back(sites[w].position);
+    inverse_determinants_.push_back(inverse_determinant_above(sites[w].metric));
+  }
 }
 
 // With B = `inverse`: the eigenvalues of M_w^-1 B^-1 are the inverses of those of B M_w, and the
@@ -174,10 +184,11 @@ std::optional<site_tree::centre> site_tree::centre_of(const std::vector<reaching
   return all;
 }
 
-bool site_tree::gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves) const {
+bool site_tree::gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves,
+                       std::size_t from) const {
   leaves.clear();
   const std::optional<centre> all = centre_of(stars);
-  if (all) visit_leaves(*all, [&](std::size_t leaf) { leaves.push_back(leaf); });
+  if (all) visit_leaves(*all, from, [&](std::size_t leaf) { leaves.push_back(leaf); });
   return all.has_value();
 }
 
@@ -221,15 +232,20 @@ bool site_tree::separation::is_beyond(double reach) const {
 }
 
 // Tries the covector that v finds to point to the middle of the box, and, where that is far enough
-// for equal metrics, the one along which both ellipses together are farthest from it: with P and Q
-// the inverses, and c the way to the middle, (P + Q)^-1 c, which is M h for h = (1 + Q M)^-1 c.
+// for equal metrics, the one of the two together.
 bool site_tree::too_far(const offset_box& to, const centre& v, const inverse_bound& inverse) {
   const bool may_meet = to.low.x <= 0 && to.low.y <= 0 && to.high.x >= 0 && to.high.y >= 0;
   if (may_meet || !(inverse.factor < infinity)) return false;
   const point c{0.5 * to.low.x + 0.5 * to.high.x, 0.5 * to.low.y + 0.5 * to.high.y};
   const separation plain = separation_along(c, to, v, inverse);
   if (!(plain.least * plain.least > 4 * (v.reach * v.reach) * plain.own_squared)) return false;
-  if (plain.is_beyond(v.reach)) return true;
+  return plain.is_beyond(v.reach) || too_far_from_both(c, to, v, inverse);
+}
+
+// Tries the covector along which both ellipses together are farthest from the middle c of the box:
+// with P and Q the inverses (P + Q)^-1 c, which is M h for h = (1 + Q M)^-1 c.
+bool site_tree::too_far_from_both(const point& c, const offset_box& to, const centre& v,
+                                  const inverse_bound& inverse) {
   const metric_tensor &m = v.metric, &b = inverse.tensor;
   const double factor = inverse.factor / v.spread_squared;
   const double a11 = 1 + factor * (b.m11 * m.m11 + b.m12 * m.m12),
@@ -247,13 +263,42 @@ bool site_tree::too_far(const node& n, const centre& v) {
   return too_far(to, v, {n.inverse, n.spread_squared});
 }
 
-// The inverse is the adjugate over the determinant.
 bool site_tree::too_far(const site& w, const centre& v) {
-  const metric_tensor& m = w.metric;
-  const point d{w.position.x - v.low.x, w.position.y - v.low.y};
-  const double below = determinant_below(m);
-  if (!(below > 0x1p-200)) return false;
-  return too_far({d, d}, v, {{m.m22, -m.m12, m.m11}, 1 / below * up});
+  return too_far({w.position.x - v.low.x, w.position.y - v.low.y}, w.metric,
+                 inverse_determinant_above(w.metric), v);
+}
+
+// Does for d as both corners of a box, and the adjugate over the determinant, what it does for any.
+// With h = d the left side of the lemma and |g|_v^2 are one number; the values and their errors are
+// those of separation_along, and up^3 pays for the roundings of the first comparison that settles.
+bool site_tree::too_far(const point& d, const metric_tensor& m, double inverse_determinant,
+                        const centre& v) {
+  const metric_tensor& a = v.metric;
+  const point g{a.m11 * d.x + a.m12 * d.y, a.m12 * d.x + a.m22 * d.y};
+  const point size{a.m11 * std::abs(d.x) + std::abs(a.m12 * d.y),
+                   std::abs(a.m12 * d.x) + a.m22 * std::abs(d.y)};
+  const double square = g.x * d.x + g.y * d.y,
+               error = step * (size.x * std::abs(d.x) + size.y * std::abs(d.y));
+  const double least = square - error, own = (square + error + 0x1p-300) * up;
+  const double r_squared = v.reach * v.reach;
+  if (!(least * least > 4 * r_squared * own)) return false;
+  const double across = m.m12 * g.x * g.y;
+  const double mixed = std::abs(m.m12) * size.x * size.y;
+  const double other = m.m22 * g.x * g.x + m.m11 * g.y * g.y - 2 * across,
+               magnitude = m.m22 * size.x * size.x + m.m11 * size.y * size.y + 2 * mixed;
+  const double other_squared = (other + step * magnitude + 0x1p-300) * inverse_determinant * up;
+  constexpr double most = 0x1p200, least_squared = 0x1p-400;
+  const bool in_range = least > 0x1p-300 && size.x + size.y < most && m.m11 + m.m22 < most &&
+                        std::abs(d.x) + std::abs(d.y) < most && inverse_determinant < most &&
+                        v.reach < most;
+  if (!in_range) return false;
+  if (least * least > 2 * std::max(r_squared, least_squared) *
+                          (own + std::max(own, other_squared)) * (up * up * up))
+    return true;
+  const inverse_bound inverse{{m.m22, -m.m12, m.m11}, inverse_determinant};
+  const double turned = trace_above(inverse.tensor, a) * inverse_determinant * up * own * up;
+  const separation plain{least, own, std::min(other_squared, turned)};
+  return plain.is_beyond(v.reach) || too_far_from_both(d, {d, d}, v, inverse);
 }
 
 // (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2, or 1, is at most the trace of M_w^-1 M_v, or 1.

@@ -46,9 +46,11 @@ class site_tree {
     double reach;
   };
   // Descends once for several stars: sets `leaves` to those nodes that hold all that visit_near
-  // visits for any of them. False, and nothing is known, where that would not be worth while:
-  // unless all reaches are finite and the stars' metrics much the same.
-  bool gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves) const;
+  // visits for any of them, but for leaves that end before `from` in the order. False, and nothing
+  // is known, where that would not be worth while: unless all reaches are finite and the stars'
+  // metrics much the same.
+  bool gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves,
+              std::size_t from = 0) const;
   // Visits as the function without leaves does, for one of the stars they were gathered for.
   template <class Visit>
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
@@ -103,8 +105,13 @@ class site_tree {
   static separation separation_along(const point& h, const offset_box& to, const centre& v,
                                      const inverse_bound& inverse);
   static bool too_far(const offset_box& to, const centre& v, const inverse_bound& inverse);
+  static bool too_far_from_both(const point& c, const offset_box& to, const centre& v,
+                                const inverse_bound& inverse);
   static bool too_far(const node& n, const centre& v);
   static bool too_far(const site& w, const centre& v);
+  // True if a site with the metric m is, at d from the one star v; of 1 / det m an upper bound.
+  static bool too_far(const point& d, const metric_tensor& m, double inverse_determinant,
+                      const centre& v);
   // Returns the square of a distance from v beyond which no site of the node matters, whatever its
   // direction, though nearer ones may not either; infinite where none is known.
   static double far_squared(const node& n, const centre& v);
@@ -112,26 +119,27 @@ class site_tree {
   static bool is_farther(const point& d, const metric_tensor& m, double far_squared);
   template <class Visit>
   void visit_leaf(const node& n, const centre& v, const Visit& visit) const;
-  // Calls visit(leaf) for each that is not too far.
+  // Calls visit(leaf) for each that is not too far and does not end before `from` in the order.
   template <class Visit>
-  void visit_leaves(const centre& c, const Visit& visit) const;
+  void visit_leaves(const centre& c, std::size_t from, const Visit& visit) const;
 
   const std::vector<site>& sites_;
   std::vector<vertex_index> order_;
   std::vector<std::size_t> groups_;
-  std::vector<point> places_;  // in that order
+  std::vector<point> places_;                 // in that order
+  std::vector<double> inverse_determinants_;  // upper bounds, in that order
   std::vector<node> nodes_;
 };
 
 template <class Visit>
-void site_tree::visit_leaves(const centre& c, const Visit& visit) const {
+void site_tree::visit_leaves(const centre& c, std::size_t from, const Visit& visit) const {
   std::array<std::size_t, most_depth> open;
   std::size_t waiting = 0;
   if (!nodes_.empty()) open[waiting++] = 0;
   while (waiting > 0) {
     const std::size_t self = open[--waiting];
     const node& n = nodes_[self];
-    if (too_far(n, c)) continue;
+    if (n.last <= from || too_far(n, c)) continue;
     if (n.right == 0) {
       visit(self);
       continue;
@@ -143,21 +151,18 @@ void site_tree::visit_leaves(const centre& c, const Visit& visit) const {
 
 template <class Visit>
 void site_tree::visit_leaf(const node& n, const centre& v, const Visit& visit) const {
-  const metric_tensor& m = v.metric;
-  const double near = 4 * (v.reach * v.reach);  // sites of equal metrics matter up to here
   const double far = far_squared(n, v);
   for (std::size_t i = n.first; i < n.last; ++i) {
     const point d{places_[i].x - v.low.x, places_[i].y - v.low.y};
-    if (is_farther(d, m, far)) continue;
-    const double square = (m.m11 * d.x + 2 * m.m12 * d.y) * d.x + m.m22 * d.y * d.y;
-    if (square <= near || !too_far(sites_[order_[i]], v)) visit(order_[i]);
+    if (is_farther(d, v.metric, far)) continue;
+    if (!too_far(d, sites_[order_[i]].metric, inverse_determinants_[i], v)) visit(order_[i]);
   }
 }
 
 template <class Visit>
 void site_tree::visit_near(const site& v, double reach, const Visit& visit) const {
   const centre c = centre_of(v, reach);
-  visit_leaves(c, [&](std::size_t leaf) { visit_leaf(nodes_[leaf], c, visit); });
+  visit_leaves(c, 0, [&](std::size_t leaf) { visit_leaf(nodes_[leaf], c, visit); });
 }
 
 template <class Visit>

@@ -20,9 +20,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <vector>
 
+#include "asterism/kernels/filtered_edge_test.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/audit/audit_work.hpp"
@@ -30,6 +32,7 @@
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
 #include "asterism/mesh/audit/subsegment_tree.hpp"
+#include "asterism/mesh/audit/visibility_test.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -67,7 +70,6 @@ struct star_surroundings {
   explicit star_surroundings(const audit_context& context)
       : unit(in_unit_size(context.subject.sites)),
         at(unit.empty() ? context.subject.sites : unit),
-        sites(at),
         few(sites_of(context.changed)),
         changed_sites(few),
         subsegments(context) {
@@ -82,9 +84,14 @@ struct star_surroundings {
     return is_changed.empty() || (is_changed[v] | ...);
   }
 
+  // Makes the tree of all sites, unless it is made.
+  void plant() {
+    if (!sites) sites.emplace(at);
+  }
+
   std::vector<site> unit;
   const std::vector<site>& at;
-  site_tree sites;
+  std::optional<site_tree> sites;
   std::vector<site> few;  // the changed ones, in the context's order
   site_tree changed_sites;
   std::vector<char> is_changed;  // one flag a site; none where all is to be looked at
@@ -99,51 +106,12 @@ struct star_surroundings {
   }
 };
 
-// Does some boundary subsegment meet the open segment between v and w? Such a w is not seen from v:
-// what v sees is joined to it inside the domain.
-class visibility_test {
- public:
-  visibility_test(const audit_context& context, const subsegment_tree& subsegments,
-                  filtered_kernel kernel)
-      : context_(context), subsegments_(subsegments), kernel_(kernel) {}
-
-  bool clear(vertex_index v, vertex_index w) const {
-    return subsegments_.visit(box_around(context_.at(v), context_.at(w)),
-                              [&](vertex_index subsegment) {
-                                return !blocks(context_.subject.boundary[subsegment], v, w);
-                              });
-  }
-
- private:
-  sign turn(vertex_index a, vertex_index b, vertex_index c) const {
-    return kernel_.orientation(context_.at(a), context_.at(b), context_.at(c));
-  }
-
-  bool blocks(const boundary_edge& e, vertex_index v, vertex_index w) const {
-    const sign side_a = turn(v, w, e.a), side_b = turn(v, w, e.b);
-    if (side_a == sign::zero && inside_segment(e.a, v, w)) return true;
-    if (side_b == sign::zero && inside_segment(e.b, v, w)) return true;
-    if (side_a * side_b != sign::negative) return false;
-    return turn(e.a, e.b, v) * turn(e.a, e.b, w) == sign::negative;
-  }
-
-  // True if q, on the line of v and w, is between them.
-  bool inside_segment(vertex_index q, vertex_index v, vertex_index w) const {
-    return q != v && q != w && same_ray(context_.at(v), context_.at(q), context_.at(w)) &&
-           same_ray(context_.at(w), context_.at(q), context_.at(v));
-  }
-
-  const audit_context& context_;
-  const subsegment_tree& subsegments_;
-  filtered_kernel kernel_;
-};
-
 // One gap of a fan, from x counter-clockwise to y.
 struct fan_gap {
   vertex_index x = 0, y = 0;
-  bool on_boundary = false;          // x -> y is a subsegment: nothing beyond it is seen
-  double reach = 0;                  // how far from v sites matter to it
-  std::optional<star_gap> prepared;  // unless on the boundary, or not to be shared
+  bool is_skipped = false;  // x -> y is a subsegment, beyond which nothing is seen, or left open
+  double reach = 0;         // how far from v sites matter to it
+  std::optional<star_gap> prepared;               // unless on the boundary, or not to be shared
   mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
 };
 
@@ -169,18 +137,23 @@ class star_check {
 
   bool is_over() { return patience_.is_over(); }
 
-  // Checks vertices near each other: the sites around are looked for once for all of them.
+  // Checks vertices near each other: the sites around are looked for once for all of them. Needs
+  // the tree unless neighbours alone are asked about.
   void run(const vertex_index* begin, const vertex_index* end, bool neighbours_alone) {
     used_ = 0;
-    for (const vertex_index* v = begin; v != end; ++v)
-      for (const vertex_fan& fan : context_.fans[*v])
-        neighbours_alone ? check_neighbours(*v, fan) : prepare(*v, fan);
+    for (const vertex_index* v = begin; v != end; ++v) {
+      if (!neighbours_alone) {
+        prepare(*v);
+        continue;
+      }
+      for (const vertex_fan& fan : context_.fans[*v]) check_neighbours(*v, fan);
+    }
     if (neighbours_alone) return;
     reaching_.clear();
     for (std::size_t i = 0; i < used_; ++i)
       if (prepared_[i].is_concerned && is_finite(prepared_[i].reach))
         reaching_.push_back({at(prepared_[i].v), prepared_[i].reach});
-    const bool gathered = around_.sites.gather(reaching_, leaves_);
+    const bool gathered = around_.sites->gather(reaching_, leaves_);
     for (std::size_t i = 0; i < used_; ++i) {
       const prepared_fan& p = prepared_[i];
       const double a_look = unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size());
@@ -192,9 +165,9 @@ class star_check {
         around_.changed_sites.visit_near(at(p.v), p.reach,
                                          [&](vertex_index nth) { look((*context_.changed)[nth]); });
       else if (gathered && is_finite(p.reach))
-        around_.sites.visit_near(leaves_, at(p.v), p.reach, look);
+        around_.sites->visit_near(leaves_, at(p.v), p.reach, look);
       else
-        around_.sites.visit_near(at(p.v), p.reach, look);
+        around_.sites->visit_near(at(p.v), p.reach, look);
     }
   }
 
@@ -218,11 +191,21 @@ class star_check {
     for (std::size_t i = skipped; i + skipped < n && !patience_.is_over(); ++i) {
       const vertex_index w = fan.link[i], x = fan.link[(i + n - 1) % n], y = fan.link[(i + 1) % n];
       if (w < v || !around_.concerns(v, w, x, y)) continue;
+      if (is_accepted_in_one_metric(v, w, x, y)) continue;
       const bool by_v = is_asked(v, w, x, y), by_w = is_asked(w, v, y, x);
-      if ((!by_v && !by_w) || tally_.kernel().edge_test(at(v), at(w), at(x), at(y))) continue;
+      if ((!by_v && !by_w) || is_accepted_or_open(v, w, x, y)) continue;
       if (by_v) report_rejected(v, w, x, y);
       if (by_w) report_rejected(w, v, y, x);
     }
+  }
+
+  // True if all four have one metric and edge_test accepts the edge: then it stands, whether or not
+  // either end asks. Elsewhere the answer would be dear where nobody does.
+  bool is_accepted_in_one_metric(vertex_index v, vertex_index w, vertex_index x,
+                                 vertex_index y) const {
+    const metric_tensor& m = at(v).metric;
+    return identical(m, at(w).metric) && identical(m, at(x).metric) && identical(m, at(y).metric) &&
+           tally_.kernel().edge_test(at(v), at(w), at(x), at(y));
   }
 
   // False where x to y is a half turn or more, or w inside the triangle v, x, y.
@@ -238,30 +221,63 @@ class star_check {
                  {v, w, x, y});
   }
 
+  // Prepares the fans of v, but for those that no changed site is in reach of, and remembers how
+  // far they reach.
+  void prepare(vertex_index v) {
+    double none = 0;
+    double& known = context_.memory == nullptr ? none : context_.memory->reaches[v];
+    double reach = 0;
+    for (const vertex_fan& fan : context_.fans[v]) {
+      if (!concerns(v, fan) && !is_reached(v, known)) {
+        reach = greatest_bound(reach, known);
+        continue;
+      }
+      prepare(v, fan);
+      reach = greatest_bound(reach, prepared_[used_ - 1].reach);
+    }
+    known = reach;
+  }
+
+  bool concerns(vertex_index v, const vertex_fan& fan) const {
+    return around_.concerns(v) ||
+           std::any_of(fan.link.begin(), fan.link.end(),
+                       [this](vertex_index r) { return around_.concerns(r); });
+  }
+
+  // True if a changed site may matter to a star of v that reaches so far.
+  bool is_reached(vertex_index v, double reach) {
+    patience_.count(unit_of_look);
+    bool any = false;
+    around_.changed_sites.visit_near(at(v), reach, [&any](vertex_index) { any = true; });
+    return any;
+  }
+
   void prepare(vertex_index v, const vertex_fan& fan) {
     if (used_ == prepared_.size()) prepared_.emplace_back();
     prepared_fan& p = prepared_[used_++];
     p.v = v;
     p.fan = &fan;
     p.reach = 0;
-    p.is_concerned = around_.concerns(v);
+    p.is_concerned = concerns(v, fan);
     p.neighbours.clear();
     for (const vertex_fan& each : context_.fans[v])
       p.neighbours.insert(p.neighbours.end(), each.link.begin(), each.link.end());
     p.rays.clear();
-    for (const vertex_index r : fan.link) {
-      p.rays.push_back(to(v, r));
-      p.is_concerned = p.is_concerned || around_.concerns(r);
-    }
+    for (const vertex_index r : fan.link) p.rays.push_back(to(v, r));
     p.gaps.clear();
     const std::size_t n = fan.link.size();
     for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
       fan_gap& gap = p.gaps.emplace_back();
       gap.x = fan.link[i];
       gap.y = fan.link[(i + 1) % n];
-      gap.on_boundary = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
-      if (gap.on_boundary) continue;
+      gap.is_skipped = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
+      if (gap.is_skipped) continue;
       gap.reach = prepare(v, gap);
+      if (context_.leaves_open && !is_finite(gap.reach) && around_.concerns(v, gap.x, gap.y)) {
+        leave_open(v, v, gap.x, gap.y, open_question::about::gap);
+        gap.is_skipped = true;
+        continue;
+      }
       p.reach = greatest_bound(p.reach, gap.reach);
     }
   }
@@ -307,7 +323,7 @@ class star_check {
 
   void check_other(const prepared_fan& p, vertex_index w) {
     const fan_gap* gap = gap_of(p, w);
-    if (gap == nullptr || gap->on_boundary || !around_.concerns(p.v, w, gap->x, gap->y)) return;
+    if (gap == nullptr || gap->is_skipped || !around_.concerns(p.v, w, gap->x, gap->y)) return;
     if (gap->reach < p.reach && site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
     ++tally_.part.star_pairs;
     if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
@@ -334,8 +350,27 @@ class star_check {
     // Slower than both, and worth it: edge_test takes thirty times as long when it comes to
     // intervals.
     if (star_gap_filter(at(w), at(gap.y), at(gap.x)).excludes(at(v))) return false;
+    if (context_.leaves_open) {
+      if (sight_.clear(v, w)) leave_open(v, w, gap.x, gap.y, open_question::about::other_site);
+      return false;
+    }
     ++tally_.part.star_pairs_tested;
     return tally_.kernel().edge_test(at(v), at(w), at(gap.x), at(gap.y));
+  }
+
+  // Returns whether the neighbour w is accepted; true, once that is noted, where it is left open.
+  bool is_accepted_or_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y) {
+    if (!context_.leaves_open) return tally_.kernel().edge_test(at(v), at(w), at(x), at(y));
+    const uncertain_bool answer =
+        filtered_edge_test(at(v), at(w), at(x), at(y), tally_.part.counters);
+    if (answer.certain()) return answer.value();
+    leave_open(v, w, x, y, open_question::about::neighbour);
+    return true;
+  }
+
+  void leave_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y,
+                  open_question::about what) {
+    tally_.left_open.push_back({{v, w, x, y}, what});
   }
 
   // Work of a look at a site, and of the ray that it is held against, as they take 50 and 5
@@ -354,12 +389,38 @@ class star_check {
   std::vector<std::size_t> leaves_;
 };
 
+// True if nothing was found, and nothing left open, so far.
+bool found_nothing(const audit_context& context) {
+  const bool are_open = context.memory != nullptr && !context.memory->open.empty();
+  return context.report.total_found() == 0 && !are_open;
+}
+
+// The vertices in the order in which they are checked, and where groups of them begin that are
+// checked together; one more for the end.
+struct check_order {
+  std::vector<vertex_index> vertices;
+  std::vector<std::size_t> groups;
+};
+
+check_order in_order_of_tree(const star_surroundings& around) {
+  return {around.sites->order(), around.sites->groups()};
+}
+
+check_order in_order_of_mesh(std::size_t vertices) {
+  constexpr std::size_t together = 8;
+  check_order order;
+  order.vertices.resize(vertices);
+  std::iota(order.vertices.begin(), order.vertices.end(), vertex_index{0});
+  for (std::size_t first = 0; first < vertices; first += together) order.groups.push_back(first);
+  order.groups.push_back(vertices);
+  return order;
+}
+
 // True if all was looked at. The work ends where it has found more than `most`, has done the most
 // that is done for so many sites, or is cancelled.
-bool check_in_turn(audit_context& context, const star_surroundings& around, bool neighbours_alone,
-                   std::size_t most) {
-  const std::vector<vertex_index>& order = around.sites.order();
-  const std::vector<std::size_t>& groups = around.sites.groups();
+bool check_in_turn(audit_context& context, const star_surroundings& around,
+                   const check_order& in_order, bool neighbours_alone, std::size_t most) {
+  const auto& [order, groups] = in_order;
   const std::size_t before = context.report.total_found();
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     star_check part(context, tally, around);
@@ -377,10 +438,10 @@ bool check_in_turn(audit_context& context, const star_surroundings& around, bool
   return false;
 }
 
-// True if the neighbours, once none is rejected, leave no other site to look for: where all sites
-// have one metric (docs/math/certificate.md, 4.0).
-bool neighbours_suffice(const audit_context& context) {
-  if (context.options.own_filter_alone || context.report.total_found() > 0) return false;
+// True if the neighbours, once none is rejected and nothing else is found or left open, leave no
+// other site to look for: where all sites have one metric (docs/math/certificate.md, 4.0).
+bool neighbours_may_suffice(const audit_context& context) {
+  if (context.options.own_filter_alone) return false;
   const std::vector<site>& sites = context.subject.sites;
   return std::all_of(sites.begin(), sites.end(),
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
@@ -398,9 +459,25 @@ void check_stars(audit_context& context) {
   constexpr double of_refused = 0.2;
   if (most != all && context.report.total_found() > 0) context.share_of_work = of_refused;
   context.report.stars_checked = true;
-  const star_surroundings around(context);
-  if (!check_in_turn(context, around, true, most) || neighbours_suffice(context)) return;
-  check_in_turn(context, around, false, most);
+  star_surroundings around(context);
+  if (context.memory != nullptr && context.memory->reaches.empty())
+    context.memory->reaches.assign(context.subject.sites.size(),
+                                   std::numeric_limits<double>::infinity());
+  const bool may_suffice = neighbours_may_suffice(context);
+  check_order order;
+  if (may_suffice) {
+    order = in_order_of_mesh(context.subject.sites.size());
+  } else {
+    around.plant();
+    order = in_order_of_tree(around);
+  }
+  if (!check_in_turn(context, around, order, true, most)) return;
+  if (may_suffice) {
+    if (found_nothing(context)) return;
+    around.plant();
+    order = in_order_of_tree(around);
+  }
+  check_in_turn(context, around, order, false, most);
 }
 
 }  // namespace asterism::internal::audit_detail

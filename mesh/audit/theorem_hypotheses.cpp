@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <span>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/audit/audit_work.hpp"
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/theorem_measures.hpp"
@@ -20,17 +22,32 @@ namespace {
 
 using namespace internal;
 
+using audit_detail::audit_context;
+using audit_detail::audit_patience;
+using audit_detail::audit_tally;
 using audit_detail::greatest_bound;
 using audit_detail::site_tree;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double useless_distortion = 1.272;  // beyond it no arc is sure to be wedged
 constexpr std::size_t chunk = 1024, looked_for_together = 8;
+// Work of looking at one site for another, or for a subsegment: half a microsecond.
+constexpr double a_look = 0.05;
+
+// Returns the units of kernels/work_units.hpp that may be spent on the pairs of so many sites, and
+// as much again on their subsegments: a second, and 0.2 milliseconds a site. Meshes that a size was
+// kept for have 15 near pairs a site and take less than one unit for them. Where a few triangles
+// are far larger than the others every site is near every other.
+double most_units(std::size_t sites) {
+  constexpr double at_least = 1e5, for_each = 20;
+  return at_least + for_each * static_cast<double>(sites);
+}
 
 // Measures of one chunk of the sites or subsegments; `failure` is the first thing that went wrong.
 struct measured_part {
-  double spacing = infinity, distortion = 1, variation = 0, longest_subsegment = 0;
-  std::array<vertex_index, 2> nearest{};  // the sites that the spacing is of
+  theorem::pair_measures pairs{infinity, 1, 0};  // the least distance, the greatest others
+  double longest_subsegment = 0;
+  std::array<vertex_index, 2> nearest{};  // the sites of the least distance
   std::string failure;
 };
 
@@ -39,13 +56,20 @@ std::string vertex_name(vertex_index v) { return "vertex " + std::to_string(v + 
 double covering_radius(const mesh& m) {
   const auto parts = collect_chunks<double>(
       m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<double>& out) {
-        double radius = 0;
-        for (std::size_t i = begin; i < end; ++i) {
+        const auto corners = [&](std::size_t i) {
           const triangle& t = m.triangles[i];
-          const std::array<site, 3> corners = {m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]};
-          if (!(theorem::quick_covering_radius_above(corners) < radius))
-            radius = greatest_bound(radius, theorem::covering_radius_above(corners));
-        }
+          return std::array<site, 3>{m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]};
+        };
+        std::vector<double> quick;
+        for (std::size_t i = begin; i < end; ++i)
+          quick.push_back(theorem::quick_covering_radius_above(corners(i)));
+        // Begins with the triangle that is likely to have the greatest.
+        const auto widest = std::max_element(quick.begin(), quick.end());
+        double radius = theorem::covering_radius_above(
+            corners(begin + static_cast<std::size_t>(widest - quick.begin())));
+        for (std::size_t i = begin; i < end; ++i)
+          if (!(quick[i - begin] < radius))
+            radius = greatest_bound(radius, theorem::covering_radius_above(corners(i)));
         out.push_back(radius);
       });
   double radius = 0;
@@ -70,53 +94,70 @@ double radius_that_matters(const mesh& m, double covering_radius) {
   return std::min(covering_radius, 0.5 * shortest);
 }
 
-// Measures the pair of v and w.
+// Measures the pair of v and w. Most are within what was measured before.
 void measure_near_pair(const mesh& m, vertex_index v, vertex_index w, double radius,
                        measured_part& part) {
   const site &centre = m.sites[v], &other = m.sites[w];
-  if (theorem::certainly_apart(centre, other, radius)) return;
+  if (theorem::is_within(part.pairs, centre, other) ||
+      theorem::certainly_apart(centre, other, radius))
+    return;
   const theorem::pair_measures pair = theorem::measure_pair(centre, other);
-  if (pair.larger_distance_below < part.spacing) {
-    part.spacing = pair.larger_distance_below;
-    part.nearest = {v, w};
+  if (pair.larger_distance_below < part.pairs.larger_distance_below) {
+    part.pairs.larger_distance_below = pair.larger_distance_below;
+    part.nearest = {std::min(v, w), std::max(v, w)};
   }
-  part.distortion = greatest_bound(part.distortion, pair.distortion_above);
-  part.variation = greatest_bound(part.variation, pair.variation_above);
+  part.pairs.distortion_above = greatest_bound(part.pairs.distortion_above, pair.distortion_above);
+  part.pairs.variation_above = greatest_bound(part.pairs.variation_above, pair.variation_above);
   if (!(pair.distortion_above < useless_distortion))
     part.failure = "the metrics of " + vertex_name(v) + " and " + vertex_name(w) +
                    ", whose disks of the covering radius meet, differ by a factor of " +
                    format_number(pair.distortion_above);
 }
 
-// Measures the pairs of some sites, near each other, with sites of greater number. What is near all
-// of them is looked for once.
-void measure_near_pairs(const mesh& m, const site_tree& tree,
-                        std::span<const vertex_index> together, double radius,
+// The sites in the order of a tree, in which near ones are near each other, and where each is.
+struct ordered_sites {
+  explicit ordered_sites(const site_tree& of) : tree(of), rank(of.order().size()) {
+    for (std::size_t i = 0; i < rank.size(); ++i) rank[of.order()[i]] = i;
+  }
+  const site_tree& tree;
+  std::vector<std::size_t> rank;
+};
+
+// Measures the pairs of the sites from `first` to before `last` with those after them in the
+// order. What is near all of them is looked for once.
+void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t first,
+                        std::size_t last, double radius, audit_patience& patience,
                         measured_part& part) {
+  const std::vector<vertex_index>& order = sites.tree.order();
   std::vector<site_tree::reaching> centres;
-  for (const vertex_index v : together) centres.push_back({m.sites[v], radius});
+  for (std::size_t i = first; i < last; ++i) centres.push_back({m.sites[order[i]], radius});
   std::vector<std::size_t> leaves;
-  const bool gathered = tree.gather(centres, leaves);
-  for (const vertex_index v : together) {
+  const bool gathered = sites.tree.gather(centres, leaves, first);
+  for (std::size_t i = first; i < last; ++i) {
+    const vertex_index v = order[i];
     const auto measure = [&](vertex_index w) {
-      if (w > v && part.failure.empty()) measure_near_pair(m, v, w, radius, part);
+      patience.count(a_look);
+      if (sites.rank[w] > i && part.failure.empty() && !patience.is_over())
+        measure_near_pair(m, v, w, radius, part);
     };
     if (!part.failure.empty()) return;
     if (gathered)
-      tree.visit_near(leaves, m.sites[v], radius, measure);
+      sites.tree.visit_near(leaves, m.sites[v], radius, measure);
     else
-      tree.visit_near(m.sites[v], radius, measure);
+      sites.tree.visit_near(m.sites[v], radius, measure);
   }
 }
 
 void check_subsegment(const mesh& m, const site_tree& tree, const boundary_edge& subsegment,
-                      measured_part& part) {
+                      audit_patience& patience, measured_part& part) {
   const site &a = m.sites[subsegment.a], &b = m.sites[subsegment.b];
   const double length =
       greatest_bound(theorem::distance_above(a, b), theorem::distance_above(b, a));
   part.longest_subsegment = greatest_bound(part.longest_subsegment, length);
   tree.visit_near(a, length, [&](vertex_index w) {
-    if (w == subsegment.a || w == subsegment.b || !part.failure.empty()) return;
+    patience.count(a_look);
+    if (w == subsegment.a || w == subsegment.b || !part.failure.empty() || patience.is_over())
+      return;
     if (!audit_detail::is_certainly_farther_than_nearer_end(a, b, m.sites[w]))
       part.failure = vertex_name(w) + " may be as near to a point of the boundary edge from " +
                      vertex_name(subsegment.a) + " to " + vertex_name(subsegment.b) +
@@ -124,24 +165,30 @@ void check_subsegment(const mesh& m, const site_tree& tree, const boundary_edge&
   });
 }
 
-// Measures `count` items, so many at a time, and puts them together in order.
+// Measures `count` items, so many at a time, and puts them together in order. Sets `unfinished` of
+// the context where that is ended early.
 template <class Measure>
-measured_part measure_all(std::size_t count, std::size_t at_a_time, const Measure& measure) {
-  const auto parts = collect_chunks<measured_part>(
-      count, chunk, [&](std::size_t begin, std::size_t end, std::vector<measured_part>& out) {
-        measured_part part;
-        for (std::size_t i = begin; i < end && part.failure.empty(); i += at_a_time)
-          measure(i, std::min(end, i + at_a_time), part);
-        out.push_back(std::move(part));
-      });
+measured_part measure_all(audit_context& context, std::size_t count, std::size_t at_a_time,
+                          const Measure& measure) {
+  std::vector<measured_part> parts(chunk_count(count, chunk));
+  const auto measure_chunk = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    measured_part& part = parts[begin / chunk];
+    audit_patience patience(context, tally);
+    for (std::size_t i = begin; i < end && part.failure.empty() && !tally.unfinished;
+         i += at_a_time)
+      measure(i, std::min(end, i + at_a_time), patience, part);
+  };
+  check_in_parallel(context, count, measure_chunk, chunk, most_units(context.subject.sites.size()));
   measured_part all;
   for (const measured_part& part : parts) {
-    if (part.spacing < all.spacing) {
-      all.spacing = part.spacing;
+    if (part.pairs.larger_distance_below < all.pairs.larger_distance_below) {
+      all.pairs.larger_distance_below = part.pairs.larger_distance_below;
       all.nearest = part.nearest;
     }
-    all.distortion = greatest_bound(all.distortion, part.distortion);
-    all.variation = greatest_bound(all.variation, part.variation);
+    all.pairs.distortion_above =
+        greatest_bound(all.pairs.distortion_above, part.pairs.distortion_above);
+    all.pairs.variation_above =
+        greatest_bound(all.pairs.variation_above, part.pairs.variation_above);
     all.longest_subsegment = greatest_bound(all.longest_subsegment, part.longest_subsegment);
     if (all.failure.empty()) all.failure = part.failure;
   }
@@ -164,31 +211,51 @@ std::string obstacle(const theorem_hypotheses& h, const std::array<vertex_index,
          format_number(h.proved_angle) + " degrees are proved (" + spacing + ")";
 }
 
+constexpr std::string_view not_all_measured = "not all was measured: ";
+
+// Returns that nothing is known: a part of the numbers would pass for all of them.
+theorem_hypotheses unmeasured(const std::optional<std::string>& why) {
+  theorem_hypotheses nothing;
+  nothing.reason = std::string(not_all_measured) +
+                   why.value_or("the most work that is done for so many sites was done");
+  return nothing;
+}
+
 }  // namespace
 
-theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_bound) {
+theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_bound,
+                                              const cancellation& stop) {
   theorem_hypotheses h;
   h.covering_radius = covering_radius(subject);
   if (!(h.covering_radius < infinity && !subject.triangles.empty())) {
     h.reason = "no bound is known of how far points are from sites";
     return h;
   }
+  audit_report counted;
+  audit_options asked;
+  // Leaves out the account of the run: what is measured may not depend on it, as those who verify
+  // have none.
+  asked.stop = [&stop] { return stop.told(); };
+  audit_context context(subject, asked, counted);
   const site_tree tree(subject.sites);
   const measured_part subsegments =
-      measure_all(subject.boundary.size(), 1, [&](std::size_t i, std::size_t, measured_part& part) {
-        check_subsegment(subject, tree, subject.boundary[i], part);
-      });
+      measure_all(context, subject.boundary.size(), 1,
+                  [&](std::size_t i, std::size_t, audit_patience& patience, measured_part& part) {
+                    check_subsegment(subject, tree, subject.boundary[i], patience, part);
+                  });
   h.longest_subsegment = subsegments.longest_subsegment;
-  const std::span<const vertex_index> order(tree.order());
+  const ordered_sites sites(tree);
   const double radius = radius_that_matters(subject, h.covering_radius);
   const measured_part near = measure_all(
-      order.size(), looked_for_together,
-      [&](std::size_t first, std::size_t last, measured_part& part) {
-        measure_near_pairs(subject, tree, order.subspan(first, last - first), radius, part);
+      context, tree.order().size(), looked_for_together,
+      [&](std::size_t first, std::size_t last, audit_patience& patience, measured_part& part) {
+        measure_near_pairs(subject, sites, first, last, radius, patience, part);
       });
-  h.spacing = near.spacing;
-  h.distortion = near.distortion;
-  h.variation = near.variation;
+  stop.charge(context.looked_units);
+  if (context.unfinished) return unmeasured(stop.told());
+  h.spacing = near.pairs.larger_distance_below;
+  h.distortion = near.pairs.distortion_above;
+  h.variation = near.pairs.variation_above;
   h.sigma_eps = theorem::table_variation_above(h.variation, h.covering_radius, h.distortion);
   h.proved_angle =
       theorem::proved_angle(h.sigma_eps, theorem::quotient_above(h.covering_radius, h.spacing));
@@ -198,6 +265,10 @@ theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_
   h.applies = h.reason.empty();
   if (h.applies) h.reason = "all hypotheses hold";
   return h;
+}
+
+bool is_unmeasured(const theorem_hypotheses& h) {
+  return h.reason.starts_with(not_all_measured) && !h.applies;
 }
 
 }  // namespace asterism

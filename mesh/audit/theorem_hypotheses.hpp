@@ -12,6 +12,7 @@
 
 #include "asterism/core/export.h"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism {
 
@@ -40,8 +41,15 @@ struct theorem_hypotheses {
 // Measures a mesh. Requires what points 0 to 2 of the certificate prove of it. `angle_bound` in
 // degrees; the theorem does not apply unless it proves so much. Measuring stops at the first of
 // every thousand sites that no theorem of the table could cover, so `distortion` and what follows
-// from it are then no maxima. O(n log n) where it applies.
+// from it are then no maxima. O(n log n) where it applies. Where it is ended early, as `stop` says
+// so or the most work is done that is done for so many sites, nothing but a reason is returned.
+// Charges its work to the account of `stop`, which ends nothing here: a measurement does not
+// depend on what a run did before it.
 ASTERISM_EXPORT theorem_hypotheses measure_theorem_hypotheses(const mesh& subject,
-                                                              double angle_bound);
+                                                              double angle_bound,
+                                                              const cancellation& stop = {});
+
+// True if measuring was ended early.
+ASTERISM_EXPORT bool is_unmeasured(const theorem_hypotheses& h);
 
 }  // namespace asterism

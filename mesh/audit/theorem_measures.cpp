@@ -192,6 +192,28 @@ pair_measures measure_pair(const site& p, const site& q) {
   return pair;
 }
 
+// tau <= t when no eigenvalue of M_p^-1 M_q or of its inverse is more than c = t^2: for M_p^-1 M_q
+// when c^2 |M_p| - c S + |M_q| > 0 and 2 c |M_p| > S, S the trace times |M_p|. sigma d <= s d when
+// tau <= 1 / (1 - s d).
+bool is_within(const pair_measures& known, const site& p, const site& q) {
+  const offset d = between(p.position, q.position);
+  const tensor<bounded> m = tensor_of_doubles(p.metric), n = tensor_of_doubles(q.metric);
+  const bounded from_p = square_norm(m, d), from_q = square_norm(n, d);
+  const bounded apart = bounded(known.larger_distance_below) * bounded(known.larger_distance_below);
+  if (!certainly_less(apart, from_p) && !certainly_less(apart, from_q)) return false;
+  if (identical(p.metric, q.metric)) return true;
+  const bounded nearest = root(from_p.lower() < from_q.lower() ? from_p : from_q);
+  const bounded left = bounded(1) - bounded(known.variation_above) * nearest;
+  double t = known.distortion_above;
+  if (left.certainly_positive()) t = std::min(t, (bounded(1) / left).lower());
+  if (!(t > 1 && t < infinity)) return false;
+  const bounded c = bounded(t) * bounded(t), own = m.determinant(), other = n.determinant();
+  const bounded sum = m.m11 * n.m22 + m.m22 * n.m11 - bounded(2) * (m.m12 * n.m12);
+  const bounded square = c * c, linear = c * sum, twice = bounded(2) * c;
+  return certainly_less(linear, square * own + other) && certainly_less(sum, twice * own) &&
+         certainly_less(linear, square * other + own) && certainly_less(sum, twice * other);
+}
+
 bool arcs_are_wedged(double radius, double spacing, double distortion) {
   const bounded tau(distortion);
   return (bounded(spacing) - bounded(radius) * tau * root(tau * tau - bounded(1)))

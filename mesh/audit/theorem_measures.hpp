@@ -33,6 +33,10 @@ struct pair_measures {
 };
 pair_measures measure_pair(const site& p, const site& q);
 
+// True if certainly no measure of p and q is beyond the corresponding one of `known`. Takes a
+// fraction of the work of measuring them.
+bool is_within(const pair_measures& known, const site& p, const site& q);
+
 // True if radius * tau * sqrt(tau^2 - 1) < spacing, certainly.
 bool arcs_are_wedged(double radius, double spacing, double distortion);
 

@@ -42,19 +42,26 @@ void check_sites(audit_context& context) {
   }
 }
 
+// Sorts copies of the points: those in the mesh are in any order, and each look at one far away.
 void check_positions(audit_context& context) {
-  std::vector<vertex_index> order;
+  struct numbered_point {
+    point at;
+    vertex_index number;
+  };
+  std::vector<numbered_point> order;
+  order.reserve(context.placed.size());
   for (vertex_index v = 0; v < context.placed.size(); ++v)
-    if (context.placed[v]) order.push_back(v);
-  tbb::parallel_sort(order.begin(), order.end(), [&](vertex_index a, vertex_index b) {
-    if (lexicographically_less(context.at(a), context.at(b))) return true;
-    return context.at(a) == context.at(b) && a < b;
-  });
+    if (context.placed[v]) order.push_back({context.at(v), v});
+  tbb::parallel_sort(order.begin(), order.end(),
+                     [](const numbered_point& a, const numbered_point& b) {
+                       if (lexicographically_less(a.at, b.at)) return true;
+                       return a.at == b.at && a.number < b.number;
+                     });
   for (std::size_t i = 1; i < order.size(); ++i)
-    if (context.at(order[i - 1]) == context.at(order[i]))
-      context.found(finding_kind::repeated_position, vertex_text(context, order[i - 1]) + " and " +
-                                                         vertex_text(context, order[i]) +
-                                                         " are at the same point");
+    if (order[i - 1].at == order[i].at)
+      context.found(finding_kind::repeated_position,
+                    vertex_text(context, order[i - 1].number) + " and " +
+                        vertex_text(context, order[i].number) + " are at the same point");
 }
 
 // True when every index is in range and no two are equal and all positions are finite.
@@ -98,14 +105,32 @@ void check_indices(audit_context& context) {
                                                         std::to_string(m.sites.size()));
 }
 
-void check_repeated_triangles(audit_context& context) {
-  std::vector<std::pair<triangle, vertex_index>> sorted;
+// Returns the triangles with their corners sorted, in order: sorted by counting for the least
+// corner, and the few that share it by comparing.
+std::vector<std::pair<triangle, vertex_index>> sorted_triangles(const audit_context& context) {
+  std::vector<std::size_t> start(context.subject.sites.size() + 1, 0);
+  const auto least = [&](vertex_index t) {
+    const triangle& c = context.subject.triangles[t];
+    return std::min({c[0], c[1], c[2]});
+  };
+  for (const vertex_index t : context.triangles) ++start[least(t) + 1];
+  for (std::size_t v = 0; v + 1 < start.size(); ++v) start[v + 1] += start[v];
+  std::vector<std::pair<triangle, vertex_index>> sorted(context.triangles.size());
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
   for (const vertex_index t : context.triangles) {
-    triangle corners = context.subject.triangles[t];
+    auto& [corners, number] = sorted[next[least(t)]++];
+    corners = context.subject.triangles[t];
     std::sort(corners.begin(), corners.end());
-    sorted.emplace_back(corners, t);
+    number = t;
   }
-  tbb::parallel_sort(sorted.begin(), sorted.end());
+  for (std::size_t v = 0; v + 1 < start.size(); ++v)
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(start[v]),
+              sorted.begin() + static_cast<std::ptrdiff_t>(start[v + 1]));
+  return sorted;
+}
+
+void check_repeated_triangles(audit_context& context) {
+  const auto sorted = sorted_triangles(context);
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (sorted[i - 1].first == sorted[i].first)
       context.found(finding_kind::repeated_triangle,

@@ -20,7 +20,7 @@ offset end_at(const audit_context& context, const voronoi_vertices& vertices, ve
 
 dual_edge dual_of(const audit_context& context, const voronoi_vertices& vertices,
                   const directed_edge& edge) {
-  dual_edge dual{edge.a, edge.b, edge.triangle, apex(context, edge)};
+  dual_edge dual{edge.a, edge.b, edge.triangle, edge.apex};
   const std::size_t across = find_edge(context, edge.b, edge.a);
   dual.on_boundary = across == context.edges.size();
   dual.has_ends = vertices[dual.left].found;
@@ -34,7 +34,7 @@ dual_edge dual_of(const audit_context& context, const voronoi_vertices& vertices
     return dual;
   }
   dual.right = context.edges[across].triangle;
-  dual.right_apex = apex(context, context.edges[across]);
+  dual.right_apex = context.edges[across].apex;
   dual.has_ends = dual.has_ends && vertices[dual.right].found;
   dual.from = end_at(context, vertices, dual.v, dual.right);
   return dual;

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "fixtures/audit_meshes.hpp"
@@ -33,6 +34,7 @@ TEST_CASE("an audit of what was changed finds what a whole audit finds") {
   audit_options asked;
   asked.findings_kept = std::numeric_limits<std::size_t>::max();
   audit_report before = audit(p.m, asked);
+  star_memory memory;
   REQUIRE(before.certified);
   std::size_t findings = 0;
   for (int round = 0; round < 20; ++round) {
@@ -46,7 +48,8 @@ TEST_CASE("an audit of what was changed finds what a whole audit finds") {
       p.m.sites[v].metric = choices[static_cast<std::size_t>(random.real(0, 4))];
       changed.insert(v);
     }
-    const audit_report again = audit_again(p.m, asked, before, {changed.begin(), changed.end()});
+    const audit_report again = audit_again(p.m, asked, before, {changed.begin(), changed.end()},
+                                           memory, hard_questions::asked);
     const audit_report whole = audit(p.m, asked);
     CHECK(again.certified == whole.certified);
     CHECK(again.found == whole.found);
@@ -56,4 +59,64 @@ TEST_CASE("an audit of what was changed finds what a whole audit finds") {
     before = again;
   }
   CHECK(findings > 100);
+}
+
+TEST_CASE("a mesh is not certified while a question that only exact numbers answer is open") {
+  // Four metrics that see their circle's middle equally far away: a tie, which goes to one of the
+  // diagonals.
+  int certified = 0;
+  for (const bool other : {false, true}) {
+    using triangles = std::vector<asterism::triangle>;
+    mesh m =
+        make_mesh_of({{0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}, {0.5, -0.5}},
+                     other ? triangles{{0, 1, 3}, {1, 2, 3}} : triangles{{0, 1, 2}, {0, 2, 3}});
+    for (site& s : m.sites) {
+      const double x = s.position.x, y = s.position.y;
+      s.metric = {1 + 12 * x * x, 12 * x * y, 1 + 12 * y * y};
+    }
+    const audit_report whole = audit(m, {});
+    star_memory memory;
+    const audit_report quick = audit_quickly(m, {}, memory);
+    CHECK(quick.total_found() == 0);
+    CHECK_FALSE(quick.certified);
+    CHECK_FALSE(memory.open.empty());
+    CHECK(quick.counters.at(predicate::edge_test, tier::exact) == 0);
+    CHECK(whole.counters.at(predicate::edge_test, tier::exact) > 0);
+    const std::vector<asterism::vertex_index> all = {0, 1, 2, 3};
+    CHECK_FALSE(audit_again(m, {}, quick, all, memory, hard_questions::left_open).certified);
+    CHECK_FALSE(memory.open.empty());
+    const audit_report asked = audit_again(m, {}, quick, all, memory, hard_questions::asked);
+    CHECK(asked.certified == whole.certified);
+    CHECK(asked.found == whole.found);
+    certified += asked.certified ? 1 : 0;
+  }
+  CHECK(certified == 1);
+}
+
+TEST_CASE("what an audit leaves open and what it finds is what a whole audit finds, and more") {
+  splitmix64 random{8};
+  std::size_t gaps = 0;
+  for (int round = 0; round < 20; ++round) {
+    patch p = make_patch(8);
+    for (site& s : p.m.sites) {
+      const double turn = random.real(0, 3), c = std::cos(turn), d = std::sin(turn);
+      s.metric = {c * c + 40 * d * d, -39 * c * d, d * d + 40 * c * c};
+    }
+    audit_options asked;
+    asked.findings_kept = std::numeric_limits<std::size_t>::max();
+    star_memory memory;
+    const audit_report whole = audit(p.m, asked), quick = audit_quickly(p.m, asked, memory);
+    const auto found_by_whole = stars_found(whole), found_quickly = stars_found(quick);
+    CHECK(std::includes(found_by_whole.begin(), found_by_whole.end(), found_quickly.begin(),
+                        found_quickly.end()));
+    gaps += static_cast<std::size_t>(
+        std::count_if(memory.open.begin(), memory.open.end(),
+                      [](const open_question& q) { return q.what == open_question::about::gap; }));
+    std::vector<asterism::vertex_index> all(p.m.sites.size());
+    std::iota(all.begin(), all.end(), asterism::vertex_index{0});
+    const audit_report again = audit_again(p.m, asked, quick, all, memory, hard_questions::asked);
+    CHECK(stars_found(again) == found_by_whole);
+    CHECK(memory.open.empty());
+  }
+  CHECK(gaps > 20);
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "asterism/mesh/audit/certificate_options.hpp"
+#include "asterism/mesh/io/certificate_json.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
 #include "fixtures/audit_meshes.hpp"
@@ -87,6 +88,26 @@ TEST_CASE("sides and regions of segments read back as they were written") {
   };
   CHECK_FALSE(without("2147483647", "0.5"));
   CHECK_FALSE(without("2147483647", "true"));
+}
+
+TEST_CASE("a certificate's text is that of its JSON, though long lists are written without it") {
+  certified_patch made;
+  domain& d = *made.c.original;
+  d.vertices[1] = {-0.0, 1e-300};
+  d.vertices[2] = {1e22, 0.1 + 0.2};
+  d.segments[2].internal = true;
+  d.segments[3].right_region = 7;
+  made.c.metric = "\n \"domain\": {[]";
+  const auto check = [&] { CHECK(certificate_text(made.c) == json_of(made.c).dump(1) + "\n"); };
+  check();
+  d.curves.emplace_back();
+  check();
+  d.segments.clear();
+  check();
+  d.vertices.clear();
+  check();
+  made.c.original.reset();
+  check();
 }
 
 TEST_CASE("regions are part of the fingerprint") {

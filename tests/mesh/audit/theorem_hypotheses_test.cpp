@@ -11,6 +11,8 @@
 #include <limits>
 
 #include "asterism/core/random.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/theorem_measures.hpp"
 #include "asterism/mesh/audit/theorem_table.hpp"
 #include "asterism/mesh/audit/voronoi_arc.hpp"
@@ -145,6 +147,71 @@ TEST_CASE("the theorem does not apply to a mesh without triangles") {
   CHECK_FALSE(measure_theorem_hypotheses({}, 0).applies);
 }
 
+namespace {
+
+// A grid of which one corner is so far out that every site is near every other, in metrics no two
+// of which are the same.
+mesh with_far_corner(int cells) {
+  patch p = make_patch(cells, 0);
+  site& corner = p.m.sites[p.at(0, 0)];
+  corner.position.x -= 1000;
+  corner.position.y -= 1000;
+  for (std::size_t v = 0; v < p.m.sites.size(); ++v) {
+    const double s = 1 + 1e-9 * static_cast<double>(v);
+    p.m.sites[v].metric = {s, 0, s};
+  }
+  return p.m;
+}
+
+}  // namespace
+
+// A hundred thousand such sites would have taken hours, which no limit and no interrupt ended.
+TEST_CASE("measuring of pairs that are all near ended with no limit") {
+  const mesh m = with_far_corner(50);
+  const cancellation account = cancellation().with_work(1e9);
+  const theorem_hypotheses h = measure_theorem_hypotheses(m, 20, account);
+  CHECK(is_unmeasured(h));
+  CHECK(h.reason == "not all was measured: the most work that is done for so many sites was done");
+  CHECK(h.covering_radius == 0);
+  const double spent = 1e9 - account.units_left();
+  const auto sites = static_cast<double>(m.sites.size());
+  CHECK(spent > 5e4);
+  CHECK(spent < 1.1 * (1e5 + 20 * sites));
+  CHECK_FALSE(is_unmeasured(measure_theorem_hypotheses(with_far_corner(20), 20)));
+}
+
+TEST_CASE("measuring ends as it is told to, and says nothing then but that") {
+  const mesh m = with_far_corner(20);  // of so many that one thread does all
+  int asked = 0;
+  const cancellation stop = [&asked]() -> std::optional<std::string> {
+    return ++asked > 3 ? std::optional<std::string>("enough") : std::nullopt;
+  };
+  const theorem_hypotheses h = measure_theorem_hypotheses(m, 20, stop);
+  CHECK(is_unmeasured(h));
+  CHECK(h.reason == "not all was measured: enough");
+  CHECK(asked < 10);
+}
+
+TEST_CASE("a certificate may say that the theorem was not measured, and nothing more then") {
+  const mesh m = make_patch(8, 0).m;
+  audit_options options;
+  options.angle_bound = 20;
+  const audit_report report = audit(m, options);
+  REQUIRE(report.certified);
+  certificate claim = make_certificate(m, options, report);
+  claim.complete = true;
+  CHECK(verify(m, claim, {}).contradictions.empty());
+  REQUIRE(claim.theorem);
+  claim.theorem.emplace();
+  claim.theorem->reason = "not all was measured: enough";
+  CHECK(verify(m, claim, {}).contradictions.empty());
+  claim.theorem->proved_angle = 30;
+  CHECK(verify(m, claim, {}).contradictions.size() == 1);
+  claim.theorem->proved_angle = 0;
+  claim.theorem->applies = true;
+  CHECK_FALSE(verify(m, claim, {}).contradictions.empty());
+}
+
 TEST_CASE("a variation or a spacing beyond the table proves no angle") {
   CHECK(theorem::proved_angle(0, 1) == 29.75);
   CHECK(theorem::proved_angle(0.052, 1) == 22.5);
@@ -175,6 +242,37 @@ TEST_CASE("the numbers of two sites are rounded to the side that is harder") {
     const real midway = std::max(from_p, from_q) / 2;
     if (midway <= radius) CHECK_FALSE(theorem::certainly_apart(p, q, radius));
   }
+}
+
+// Pairs that are not measured must add nothing; and hardly any others are measured.
+TEST_CASE("two sites are within measures only if each of theirs is") {
+  splitmix64 random(12);
+  int within = 0, told = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double a = std::exp(random.real(-6, 6)), b = std::exp(random.real(-6, 6));
+    const metric_tensor m{a, random.real(-0.999, 0.999) * std::sqrt(a * b), b};
+    const double spread = std::exp2(random.real(-30, -1));
+    const auto near = [&](double x) { return x * (1 + random.real(-spread, spread)); };
+    const site p{{random.real(-1, 1), random.real(-1, 1)}, m};
+    const site q{{random.real(-1, 1), random.real(-1, 1)}, {near(m.m11), m.m12, near(m.m22)}};
+    if (!(q.metric.m11 * q.metric.m22 - q.metric.m12 * q.metric.m12 > 1e-3 * a * b)) continue;
+    const real from_p = distance(p, q.position), from_q = distance(q, p.position),
+               tau = distortion(p.metric, q.metric);
+    const real sigma = (1 - 1 / tau) / std::min(from_p, from_q);
+    const auto times = [&] { return random.real(-1, 1) < 0 ? 1 - 1e-9 : 1 + 1e-6; };
+    const theorem::pair_measures known{static_cast<double>(std::max(from_p, from_q)) / times(),
+                                       1 + static_cast<double>(tau - 1) * times(),
+                                       static_cast<double>(sigma) * times()};
+    const bool is = known.larger_distance_below <= std::max(from_p, from_q) &&
+                    known.distortion_above >= tau && known.variation_above >= sigma;
+    if (theorem::is_within(known, p, q)) {
+      CHECK(is);
+      ++told;
+    }
+    if (is && tau - 1 > 1e-3L) ++within;
+  }
+  CHECK(within > 500);
+  CHECK(told > within / 2);
 }
 
 TEST_CASE("a site is certainly farther than the nearer end only if it is at every point") {
