@@ -40,7 +40,6 @@ result<mesh_options> options_of(const asterism_mesh_options& given) {
   options.angle_bound = given.angle_bound;
   options.limit_size = given.limit_size != 0;
   options.max_sites = given.max_sites;
-  options.relax = given.relax != 0;
   options.prove_voronoi = given.prove_voronoi != 0;
   if (!(given.angle_bound >= 0 && given.angle_bound < 60))
     return error{"the angle bound must be at least 0 and below 60 degrees"};
@@ -124,7 +123,6 @@ void asterism_mesh_options_init(asterism_mesh_options* options) {
   *options = {};
   options->angle_bound = defaults.angle_bound;
   options->max_sites = defaults.max_sites;
-  options->relax = defaults.relax ? 1 : 0;
   options->metric_tolerance = -1;
 }
 

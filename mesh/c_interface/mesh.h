@@ -75,7 +75,6 @@ typedef struct asterism_mesh_options {
   double angle_bound; /* degrees, at least 0 and below 60; 20 */
   int limit_size;     /* 1: triangles are to be as large as the metric says; 0 */
   size_t max_sites;   /* 100000 */
-  int relax;          /* 1: may let the metric vary more slowly, and says so; 1 */
   int prove_voronoi;  /* 1: has the mesh proved, or refused, as the dual of a Voronoi diagram; 0 */
   /* Asked now and then, perhaps from another thread; not 0 ends the run, and the mesh is what is
    * certain by then. Null: never. */
@@ -83,7 +82,8 @@ typedef struct asterism_mesh_options {
   void* stop_context;
   /* How far the metric delivered may be from the one wanted, at any site, where stars cannot agree
    * in that one: ln of the greatest ratio of two lengths of a displacement. Beyond it a mesh is not
-   * complete. 0: no tensor is changed; negative: any distance, but of half of the sites no more
+   * complete. 0: no tensor is changed, and where stars cannot agree the mesh ends with triangles
+   * that disagree; negative: any distance, but of half of the sites no more
    * than ln 10; -1 */
   double metric_tolerance;
 } asterism_mesh_options;

@@ -43,13 +43,10 @@ struct mesh_options {
   // Largest number of passes that improve a complete mesh (refine/coarsening_pass.hpp). Each pass
   // refines anew. Default 0.
   std::size_t improve_passes = 0;
-  // Lets the metric vary more slowly where stars cannot agree in it as given, until they do
-  // (pipeline/metric_relaxation.hpp); the outcome says so. Only for `fill`. If false, a run
-  // ends with disagreeing triangles there.
-  bool relax = true;
   // Greatest distance allowed between the metric delivered and the one wanted, at any site: ln of
   // the greatest ratio of the two lengths of a displacement, as delivered_report::greatest. 0: no
-  // tensor is changed. Beyond it a run is not complete, and says the distance. Default: any, unless
+  // tensor is changed, and where stars cannot agree in the metric wanted a run ends with triangles
+  // that disagree. Beyond it a run is not complete, and says the distance. Default: any, unless
   // half of the sites are beyond most_median_distance (data/delivered_report.hpp).
   std::optional<double> metric_tolerance = {};
   // Has make_certified_mesh prove or refuse that the mesh is the dual of the anisotropic Voronoi

@@ -14,7 +14,6 @@
 #include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/options.hpp"
-#include "asterism/mesh/data/relaxation_report.hpp"
 
 namespace asterism {
 
@@ -36,7 +35,7 @@ enum class ending {
   overworked,  // given up: the most work that is done for so many sites was done
   stopped,     // by mesh_options::stop
   crowded,     // the metric varies too fast for sites to be spread: the given vertices alone
-  relaxed,     // for a whole run: the mesh is of a relaxed metric
+  one_metric,  // for a whole run: the mesh is of one metric for all sites, as the last resort
   intolerable  // for a whole run: stars agree in a metric farther away than is allowed
 };
 
@@ -63,7 +62,7 @@ struct crowded_site {
 
 // How one refinement ended, with the numbers that explain it.
 struct refinement_ending {
-  ending how = ending::complete;  // never `relaxed`
+  ending how = ending::complete;  // none of those for a whole run
   refinement_strategy strategy = refinement_strategy::fill;
   std::size_t max_sites = 0;      // the limit in force
   std::size_t sites = 0;          // sites in the end
@@ -103,11 +102,12 @@ struct intolerable_distance {
   double greatest = 0;            // the tolerance that would be kept
 };
 
-// Facts about a relaxed outcome beyond its report (data/relaxation_report.hpp), which is a part of
-// certificates and does not hold them.
-struct relaxation_details {
-  double angle_bound = 0;           // degrees: the bound that the report's triangles are below
-  bool metric_is_constant = false;  // the metric given is, wherever it was looked at
+// Last resort of a run: one metric for all sites (pipeline/last_resort.hpp).
+struct last_resort_report {
+  std::string why;           // how refinement ended in the metric as given, one sentence
+  bool has_demands = true;   // on angles and sizes; without them the run is not complete
+  bool is_as_given = false;  // the metric given is the same everywhere, wherever it was looked at
+  double angle_bound = 0;    // degrees: the one asked for
 };
 
 // Mesh that a run made, how the run ended, and what it took.
@@ -126,14 +126,14 @@ struct mesh_outcome {
   std::vector<triangle> exempt_triangles;  // of result.triangles, below the bound at or across them
   tier_counters counters;
   std::optional<improvement_report> improved;  // where passes were asked for and it is complete
-  // Present if the mesh is of a relaxed metric. `complete` then means that the angle bound is met
-  // in the metric given as well.
-  std::optional<relaxation_report> relaxed;
-  std::optional<relaxation_details> relaxed_details;  // together with `relaxed`
-  // How the refinement in a relaxed metric ended that was stopped; the mesh is then of the metric
-  // given, and `ended` is how refinement had ended there.
-  std::optional<refinement_ending> stopped_relaxing;
-  // Report in the metric that is delivered; present if the mesh was made by local changes.
+  // Present if the mesh is of one metric for all sites; `delivered` says how far that is from the
+  // one wanted, unless it is that.
+  std::optional<last_resort_report> one_metric;
+  // How the refinement in one metric ended that was stopped; the mesh is then of the metric given,
+  // and `ended` is how refinement had ended there.
+  std::optional<refinement_ending> stopped_in_one_metric;
+  // How far the metric of the mesh is from the one wanted; present if the mesh was made by local
+  // changes, or in one metric for all sites.
   std::optional<delivered_report> delivered;
   // Present where such a metric was found and none that is near enough. With a tolerance of 0 the
   // mesh is of the metric wanted, else of that one.
@@ -144,7 +144,7 @@ struct mesh_outcome {
 
   // Returns how the run as a whole ended, whatever became of the refinement that made its mesh.
   ending how() const {
-    if (relaxed) return ending::relaxed;
+    if (one_metric) return ending::one_metric;
     if (stopped) return ending::stopped;
     if (intolerable) return ending::intolerable;
     return ended.length_factor > 1 ? ending::site_limit : ended.how;

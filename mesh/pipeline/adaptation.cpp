@@ -32,7 +32,7 @@ mesh in_frame(const unit_frame& frame, const mesh& m) {
 }  // namespace
 
 bool may_adapt(const mesh_options& options) {
-  return options.relax && options.strategy == refinement_strategy::fill && !options.tolerance;
+  return options.strategy == refinement_strategy::fill && !options.tolerance;
 }
 
 metric_delivery::metric_delivery(const domain& d, const metric_field& field,
@@ -70,7 +70,7 @@ bool metric_delivery::varies_fast() {
 
 bool metric_delivery::wants_few_sites() const {
   constexpr int in_a_row = 24;
-  constexpr double few = 3000;
+  constexpr double few = 30000;
   constexpr std::size_t most_vertices = 200;  // each place is held against all segments
   const domain& d = image_.shape();
   if (d.vertices.size() > most_vertices) return false;

@@ -11,6 +11,12 @@
 namespace asterism {
 namespace {
 
+// Returns the question alone, without the account: what is found of an outcome may not depend on
+// what was done before it, as those who verify have no account.
+cancellation question_of(const cancellation& stop) {
+  return [stop]() { return stop.told(); };
+}
+
 // Returns what the auditor is asked of an outcome. It finds the sharp corners by itself: the
 // mesher's own list is of rounded angles, and names corners at which no triangle needs an
 // exemption.
@@ -23,6 +29,9 @@ audit_options questions_for(const mesh_outcome& outcome, const domain& d,
   // Whoever interrupts a run does not want to wait for the stars of a mesh that is not finished.
   asked.check_stars = !outcome.stopped;
   asked.check_voronoi = options.prove_voronoi && !outcome.stopped;
+  // A run that was told to end has what there is audited all the same.
+  if (outcome.ended.how != ending::stopped && !outcome.stopped)
+    asked.stop = question_of(options.stop);
   return asked;
 }
 
@@ -47,7 +56,7 @@ audit_report audit_if_possible(const mesh& subject, const audit_options& asked) 
 }  // namespace
 
 certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_options& options) {
-  const audit_options asked = questions_for(outcome, d, options);
+  audit_options asked = questions_for(outcome, d, options);
   certified_mesh judged;
   const bool is_known =
       outcome.audited && asked.check_stars && !asked.check_voronoi && asked.exempt_corners.empty();
@@ -55,12 +64,12 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
   if (options.prove_voronoi && outcome.stopped)
     judged.report.voronoi = voronoi_verdict::not_reached;
   certificate& claim = judged.claim;
+  asked.stop = options.stop;
   claim = make_certificate(outcome.result, asked, judged.report);
   claim.complete = outcome.complete;
   claim.reason = ending_text(outcome);
   claim.mesher_counters = outcome.counters;
   claim.star_repairs = outcome.star_repairs;
-  claim.relaxed = outcome.relaxed;
   claim.delivered = outcome.delivered;
   claim.measured = by_name(measure(outcome.result));
   judged.outcome = std::move(outcome);

@@ -14,6 +14,7 @@
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/support/wide_range.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -31,17 +32,38 @@ double area_in_metric(const mesh& m) {
   return sum;
 }
 
+// Returns the distance of two tensors whose ratios may have no double.
+double distance_in_wide_range(const metric_tensor& a, const metric_tensor& b) {
+  using number = wide_range;
+  const number a11 = a.m11, a12 = a.m12, a22 = a.m22, b11 = b.m11, b12 = b.m12, b22 = b.m22;
+  const number determinant = a11 * a22 - a12 * a12;
+  const number half = (b11 * a22 - number(2) * b12 * a12 + b22 * a11) / (number(2) * determinant);
+  const number product = (b11 * b22 - b12 * b12) / determinant;
+  const number greatest = half + root(half * half - product);
+  const auto log_of_root = [](const number& eigenvalue) {
+    return std::abs(2 * elementary::log(static_cast<double>(root(root(eigenvalue)))));
+  };
+  return std::max(log_of_root(greatest), log_of_root(product / greatest));
+}
+
 // Returns the distance of two tensors; very large and very small ones, of which determinants leave
 // the range of doubles, are brought to about unit size by one power of two, which changes nothing.
 double distance(const metric_tensor& a, const metric_tensor& b) {
   constexpr int ordinary = 200;
+  constexpr double most = 1420;  // more than ln of the ratio of any two doubles, less than twice it
   const int size = std::ilogb(std::max(a.m11, a.m22));
-  if (std::abs(size) <= ordinary) return adapting::log_distortion(a, b);
+  if (std::abs(size) <= ordinary) {
+    const double plain = adapting::log_distortion(a, b);
+    if (std::isfinite(plain)) return plain;
+  }
   const auto scaled = [size](const metric_tensor& m) {
     return metric_tensor{std::scalbn(m.m11, -size), std::scalbn(m.m12, -size),
                          std::scalbn(m.m22, -size)};
   };
-  return adapting::log_distortion(scaled(a), scaled(b));
+  const double found = adapting::log_distortion(scaled(a), scaled(b));
+  if (std::isfinite(found)) return found;
+  const double wide = distance_in_wide_range(a, b);
+  return std::isfinite(wide) ? std::min(wide, most) : most;
 }
 
 void note_distances(const mesh& delivered, const mesh& wanted, delivered_report& report) {

@@ -185,7 +185,7 @@ certify_report certify(const adopted_mesh& adopted, double angle_bound, bool che
     return all.size();
   }();
   measure_edges(m, report);
-  if (report.certified()) report.theorem = measure_theorem_hypotheses(m, angle_bound);
+  if (report.certified()) report.theorem = measure_theorem_hypotheses(m, angle_bound, stop);
   if (report.audit.stars_checked && is_worth_comparing(report.audit))
     compare_with_stars(adopted, stop, report);
   return report;

@@ -13,12 +13,10 @@
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
-#include "asterism/mesh/adapt/restoration.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
-#include "asterism/mesh/audit/audit.hpp"
-#include "asterism/mesh/audit/audit_again.hpp"
-#include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/pipeline/audited_mesh.hpp"
+#include "asterism/mesh/pipeline/giving_back.hpp"
 #include "asterism/mesh/pipeline/one_metric.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 
@@ -37,10 +35,6 @@ struct strictness {
 constexpr std::array<strictness, 4> ladder = {{{4, 2}, {3, 1.7}, {1.8, 1.4}, {1.25, 1.15}}};
 // Most audits of one mesh, each after what the one before had found was mended.
 constexpr int most_audits = 12;
-// Most audits of a mesh whose tensors alone are changed: those after the first cost little.
-constexpr int most_audits_again = 40;
-// Most times that tensors are made alike between those.
-constexpr int most_made_alike = 8;
 constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
 class adaptation {
  public:
@@ -51,7 +45,8 @@ class adaptation {
         start_(job.start),
         wanted_(job.wanted),
         is_field_itself_(job.is_field_itself),
-        count_(job.count) {}
+        count_(job.count),
+        made_(job.shape, options_) {}
 
   std::optional<mesh_outcome> run() {
     if (count_ < 1) return std::nullopt;
@@ -68,7 +63,7 @@ class adaptation {
         if (is_overworked()) break;
         return std::nullopt;
       }
-      made += std::max(count_, outcome_.result.sites.size());
+      made += std::max(count_, made_.subject().sites.size());
       if (is_certified() || stop_reason() || is_overworked()) break;
       // Skips to the strictest where mending is in vain: a little more does not help.
       if (std::exchange(is_hopeless_, false)) step = std::max(step, ladder.size() - 2);
@@ -76,7 +71,7 @@ class adaptation {
     options_.stop = whole;
     if (!is_certified() && !stop_reason()) adapt_in_one_metric();
     if (is_certified()) meet_count(start_);
-    if (const auto why = stop_reason(); why && !is_certified() && outcome_.audited)
+    if (const auto why = stop_reason(); why && !is_certified() && made_.report())
       return stopped(*why);
     if (!is_certified()) return std::nullopt;
     return conclude();
@@ -85,8 +80,7 @@ class adaptation {
  private:
   std::optional<std::string> stop_reason() const { return options_.stop.told(); }
 
-  // True if the last mesh that was audited is certified; false before there is one.
-  bool is_certified() const { return outcome_.audited && outcome_.audited->certified; }
+  bool is_certified() const { return made_.is_certified(); }
 
   // True if the most work was done that the run may spend here.
   bool is_overworked() const { return !(options_.stop.units_left() > 0); }
@@ -99,16 +93,16 @@ class adaptation {
   // or fewer wanted to begin with. The new mesh stays if it is nearer to the number wanted.
   void meet_count(const mesh& start) {
     constexpr double tolerable = 0.04;
-    const std::size_t wanted = count_, got = outcome_.result.sites.size();
+    const std::size_t wanted = count_, got = made_.subject().sites.size();
     if (off_count(got, wanted) <= tolerable || stop_reason() || is_overworked()) return;
-    mesh_outcome before = outcome_;
+    const audited_mesh before = made_;
     const double length_factor = length_factor_;
     count_ = wanted * wanted / got;
     const bool made = attempt(start, ladder[0]);
     if (made && is_certified() &&
-        off_count(outcome_.result.sites.size(), wanted) < off_count(got, wanted))
+        off_count(made_.subject().sites.size(), wanted) < off_count(got, wanted))
       return;
-    outcome_ = std::move(before);
+    made_ = before;
     length_factor_ = length_factor;
   }
 
@@ -164,7 +158,7 @@ class adaptation {
     return true;
   }
 
-  // Makes the mesh and its audit in outcome_. Returns false where it cannot be made, or not with
+  // Makes the mesh and its audit in made_. Returns false where it cannot be made, or not with
   // the work that is left.
   bool attempt(const mesh& start, const strictness& how) {
     auto built = working_mesh::build(domain_, start);
@@ -195,7 +189,7 @@ class adaptation {
     length_factor_ = maker.unit();
     if (is_overworked()) return false;
     deliver(m);
-    return outcome_.audited != nullptr;
+    return made_.report() != nullptr;
   }
 
   // True if a quarter of the nodes are vertices of the domain, which stay where they are.
@@ -263,8 +257,8 @@ class adaptation {
     }
     mend(m, agreeing);
     if (!is_certified()) return;
-    mesh_outcome certified = outcome_;
-    if (!give_back(m)) outcome_ = std::move(certified);
+    const audited_mesh certified = made_;
+    if (!give_back(m)) made_ = certified;
   }
 
   // Makes tensors alike until the auditor has nothing against the mesh.
@@ -273,18 +267,18 @@ class adaptation {
     std::size_t least = all_findings;
     int in_vain = 0;
     for (int audits = 0; audits < most_audits && !is_overworked(); ++audits) {
-      const std::vector<vertex_index> nodes = take(m);
-      judge(outcome_.result.sites.size());
-      if (outcome_.audited->certified || stop_reason() || is_overworked()) return;
-      const std::size_t left = outcome_.audited->total_found();
-      const bool are_many = 20 * left > outcome_.result.sites.size();
+      made_.take(m);
+      made_.judge(made_.subject().sites.size());
+      if (is_certified() || stop_reason() || is_overworked()) return;
+      const std::size_t left = made_.report()->total_found();
+      const bool are_many = 20 * left > made_.subject().sites.size();
       in_vain = are_many && 10 * left > 9 * least ? in_vain + 1 : 0;
       least = std::min(least, left);
       is_hopeless_ = in_vain == patience;
       if (is_hopeless_) return;
-      const std::vector<std::vector<vertex_index>> found = nodes_found(nodes);
+      const std::vector<node_list> found = made_.nodes_found();
       if (found.empty()) return;
-      for (const std::vector<vertex_index>& at : found) agreeing.disagreed_at(at);
+      for (const node_list& at : found) agreeing.disagreed_at(at);
       agreeing.run();
     }
   }
@@ -298,96 +292,7 @@ class adaptation {
       if (!there) return false;
       tensors.push_back(*there);
     }
-    restoration giving(m, options_.angle_bound, std::move(tensors));
-    giving.run(options_.stop);
-    std::vector<vertex_index> nodes = take(m);
-    judge(all_findings);
-    int made_alike = 0;
-    std::size_t least_found = all_findings;  // when tensors were made alike
-    for (int audits = 1; audits < most_audits_again; ++audits) {
-      if (outcome_.audited->certified) return true;
-      if (stop_reason() || is_overworked()) return false;
-      std::vector<vertex_index> looked_at, taken;
-      const std::vector<std::vector<vertex_index>> found = nodes_found(nodes);
-      for (const std::vector<vertex_index>& at : found) {
-        giving.take_back(at, taken);
-        looked_at.insert(looked_at.end(), at.begin(), at.end());
-      }
-      // Makes alike what farther sites are in the way of, once all is taken back and something is
-      // still found. Stops where that does not lead on: a change may be in the way of others.
-      if (taken.empty() && found.size() <= least_found && made_alike++ < most_made_alike) {
-        least_found = found.size();
-        for (const std::vector<vertex_index>& at : found) giving.make_alike(at, taken);
-      }
-      if (taken.empty()) return false;
-      looked_at.insert(looked_at.end(), taken.begin(), taken.end());
-      nodes = take(m);
-      judge_again(sites_of(looked_at, nodes));
-    }
-    return outcome_.audited->certified;
-  }
-
-  // Makes the outcome's mesh. Returns the nodes that its sites are.
-  std::vector<vertex_index> take(const working_mesh& m) {
-    std::vector<vertex_index> renumbered;
-    outcome_.result = m.triangulation(renumbered);
-    assign_regions(outcome_.result, domain_);
-    std::vector<vertex_index> node_of(outcome_.result.sites.size());
-    for (vertex_index v = 0; v < renumbered.size(); ++v)
-      if (renumbered[v] != none) node_of[renumbered[v]] = v;
-    return node_of;
-  }
-
-  // Returns the sites that the nodes are, ascending, each once.
-  static std::vector<vertex_index> sites_of(std::vector<vertex_index> nodes,
-                                            const std::vector<vertex_index>& node_of) {
-    std::sort(nodes.begin(), nodes.end());
-    std::vector<vertex_index> sites;
-    for (vertex_index s = 0; s < node_of.size(); ++s)
-      if (std::binary_search(nodes.begin(), nodes.end(), node_of[s])) sites.push_back(s);
-    return sites;
-  }
-
-  audit_options question(std::size_t findings_kept) const {
-    audit_options asked;
-    asked.angle_bound = options_.angle_bound;
-    asked.find_exempt_corners = true;
-    asked.original = &domain_;
-    asked.findings_kept = findings_kept;
-    asked.stop = options_.stop;
-    return asked;
-  }
-
-  // Audits the mesh; an audit that keeps all findings is never cut short.
-  void judge(std::size_t findings_kept) {
-    take_report(audit(outcome_.result, question(findings_kept)));
-  }
-
-  void take_report(audit_report&& found) {
-    outcome_.audited = std::make_shared<audit_report>(std::move(found));
-  }
-
-  // Audits the mesh of which only these sites' tensors were changed since.
-  void judge_again(const std::vector<vertex_index>& changed) {
-    const audit_report& before = *outcome_.audited;
-    if (!before.stars_checked) return judge(all_findings);
-    take_report(audit_again(outcome_.result, question(all_findings), before, changed));
-  }
-
-  // Returns the nodes that the audit's findings are about, a list for each: of stars, and of
-  // triangles with an angle below the bound.
-  std::vector<std::vector<vertex_index>> nodes_found(
-      const std::vector<vertex_index>& node_of) const {
-    std::vector<std::vector<vertex_index>> all;
-    const auto add = [&](const auto& vertices) {
-      std::vector<vertex_index>& nodes = all.emplace_back();
-      for (const vertex_index v : vertices) nodes.push_back(node_of[v]);
-    };
-    for (const audit_finding& found : outcome_.audited->findings)
-      if (!found.vertices.empty()) add(found.vertices);
-    for (const vertex_index t : outcome_.audited->refused_triangles())
-      add(outcome_.result.triangles[t]);
-    return all;
+    return internal::give_back(m, std::move(tensors), options_, made_);
   }
 
   // Makes the mesh in one metric for all sites, as dense on the whole as the one wanted, in which
@@ -396,51 +301,53 @@ class adaptation {
   void adapt_in_one_metric() {
     const auto metric = one_metric_for(wanted_, start_);
     if (!metric) return;
-    auto made = mesh_in_one_metric(domain_, *metric, options_, true);
-    if (!made || !made->complete) return;
-    auto built = working_mesh::build(domain_, made->result);
+    const auto made = mesh_in_one_metric(domain_, *metric, options_, count_);
+    if (!made) return;
+    auto built = working_mesh::build(domain_, made->made);
     if (!built) return;
-    mesh_outcome before = std::move(outcome_);
-    const double length_factor = std::exchange(length_factor_, 1);
+    const audited_mesh before = made_;
+    const double length_factor = std::exchange(length_factor_, made->length_factor);
     working_mesh m = std::move(built).value();
     const working_mesh alike = m;
     if (give_back(m)) return;
-    take(alike);
-    judge(all_findings);
-    if (outcome_.audited->certified) return;
-    outcome_ = std::move(before);
+    made_.take(alike);
+    made_.judge(all_findings);
+    if (is_certified()) return;
+    made_ = before;
     length_factor_ = length_factor;
   }
 
-  void count_up() {
-    outcome_.sites = outcome_.result.sites.size();
-    outcome_.triangles = outcome_.result.triangles.size();
-    outcome_.splits = outcome_.result.boundary.size() - domain_.segments.size();
-    outcome_.inserted = outcome_.sites - domain_.vertices.size() - outcome_.splits;
+  mesh_outcome counted() const {
+    mesh_outcome outcome;
+    outcome.result = made_.subject();
+    outcome.sites = outcome.result.sites.size();
+    outcome.triangles = outcome.result.triangles.size();
+    outcome.splits = outcome.result.boundary.size() - domain_.segments.size();
+    outcome.inserted = outcome.sites - domain_.vertices.size() - outcome.splits;
+    return outcome;
   }
 
-  mesh_outcome stopped(const std::string& why) {
-    outcome_.stopped = true;
-    outcome_.audited.reset();
-    outcome_.ended.how = ending::stopped;
-    outcome_.ended.stopped_because = why;
-    count_up();
-    return std::move(outcome_);
+  mesh_outcome stopped(const std::string& why) const {
+    mesh_outcome outcome = counted();
+    outcome.stopped = true;
+    outcome.ended.how = ending::stopped;
+    outcome.ended.stopped_because = why;
+    return outcome;
   }
 
-  mesh_outcome conclude() {
-    count_up();
-    outcome_.delivered.emplace().length_factor = length_factor_;
-    outcome_.complete = true;
-    outcome_.ended.how = ending::complete;
-    outcome_.ended.max_sites = options_.max_sites;
-    outcome_.ended.sites = outcome_.sites;
-    const audit_report& found = *outcome_.audited;
-    for (const vertex_index v : found.exempt_corners)
-      outcome_.exempt.push_back({v, options_.angle_bound});
-    for (const vertex_index t : found.exempt_triangles)
-      outcome_.exempt_triangles.push_back(outcome_.result.triangles[t]);
-    return std::move(outcome_);
+  mesh_outcome conclude() const {
+    mesh_outcome outcome = counted();
+    outcome.delivered.emplace().length_factor = length_factor_;
+    outcome.complete = true;
+    outcome.ended.how = ending::complete;
+    outcome.ended.max_sites = options_.max_sites;
+    outcome.ended.sites = outcome.sites;
+    outcome.audited = made_.report();
+    for (const vertex_index v : outcome.audited->exempt_corners)
+      outcome.exempt.push_back({v, options_.angle_bound});
+    for (const vertex_index t : outcome.audited->exempt_triangles)
+      outcome.exempt_triangles.push_back(outcome.result.triangles[t]);
+    return outcome;
   }
 
   const domain& domain_;
@@ -453,7 +360,7 @@ class adaptation {
   std::vector<point> seeds_;
   double length_factor_ = 1;
   bool is_hopeless_ = false;  // mending of the last mesh was given up
-  mesh_outcome outcome_;
+  audited_mesh made_;         // the last mesh
 };
 
 }  // namespace

@@ -2,43 +2,75 @@
 #include "asterism/mesh/pipeline/one_metric.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/metric/constant_field.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 
 namespace asterism::internal {
+namespace {
 
-std::unique_ptr<metric_field> one_metric_for(const adapting::nodal_field& wanted,
-                                             const mesh& start) {
-  const metric_tensor mean = mean_of(wanted.tensors());
-  mesh same = start;
-  for (site& s : same.sites) s.metric = mean;
-  const double factor = wanted.complexity() / adapting::nodal_field(same).complexity();
-  const metric_tensor one{mean.m11 * factor, mean.m12 * factor, mean.m22 * factor};
-  const bool is_metric =
-      factor > 0 && std::isfinite(one.m11 + one.m22) && one.m11 * one.m22 - one.m12 * one.m12 > 0;
-  return is_metric ? same_everywhere(one) : nullptr;
+metric_tensor scaled(const metric_tensor& m, double factor) {
+  return {m.m11 * factor, m.m12 * factor, m.m22 * factor};
 }
 
-std::optional<mesh_outcome> mesh_in_one_metric(const domain& shape, const metric_field& metric,
-                                               const mesh_options& options, bool has_demands) {
+// Returns a mesh with unit edges that meets the demands, or none.
+std::optional<mesh> unit_mesh(const domain& shape, const metric_tensor& metric,
+                              const mesh_options& options) {
   constexpr double part_of_work = 0.3;
   mesh_options asked = options;
-  asked.limit_size = has_demands;
-  if (!has_demands) asked.angle_bound = 0;
+  asked.limit_size = true;
   asked.vertices.reset();
   asked.keep_if_complete = false;
   asked.improve_passes = 0;
   tier_counters decided;
   const star_predicates_on<filtered_kernel> stars_on(decided);
-  auto made = mesh_domain({stars_on, shape, metric, asked, {}, part_of_work});
-  if (!made) return std::nullopt;
-  const mesh_outcome& o = made.value();
-  if (o.disagreeing > 0 || o.ended.stars_missing > 0 || o.ended.how == ending::crowded)
-    return std::nullopt;
-  return std::move(made).value();
+  const auto field = same_everywhere(metric);
+  auto made = mesh_domain({stars_on, shape, *field, asked, {}, part_of_work});
+  if (!made || !made.value().complete) return std::nullopt;
+  return std::move(made.value().result);
+}
+
+}  // namespace
+
+std::optional<metric_tensor> one_metric_for(const adapting::nodal_field& wanted,
+                                            const mesh& start) {
+  const metric_tensor mean = mean_of(wanted.tensors());
+  mesh same = start;
+  for (site& s : same.sites) s.metric = mean;
+  const double factor = wanted.complexity() / adapting::nodal_field(same).complexity();
+  const metric_tensor one = scaled(mean, factor);
+  const bool is_metric =
+      factor > 0 && std::isfinite(one.m11 + one.m22) && one.m11 * one.m22 - one.m12 * one.m12 > 0;
+  return is_metric ? std::optional(one) : std::nullopt;
+}
+
+// Stars and angles are the same in the metric times a number: sites are as dense as it takes, and
+// have the metric itself.
+std::optional<mesh_of_one_metric> mesh_in_one_metric(const domain& shape,
+                                                     const metric_tensor& metric,
+                                                     const mesh_options& options,
+                                                     std::size_t count) {
+  constexpr int most_times = 3;
+  constexpr double tolerable = 0.03;
+  std::optional<mesh_of_one_metric> nearest;
+  double factor = 1, least = std::numeric_limits<double>::infinity();
+  for (int times = 0; times < most_times; ++times) {
+    auto made = unit_mesh(shape, scaled(metric, factor), options);
+    if (!made) break;
+    const double ratio = static_cast<double>(made->sites.size()) / static_cast<double>(count);
+    const double off = std::abs(elementary::log(ratio));
+    if (off < least) nearest = {std::move(*made), 1 / std::sqrt(factor)};
+    if (off <= tolerable || !(off < least) || !(options.stop.units_left() > 0)) break;
+    least = off;
+    factor /= ratio;
+  }
+  if (!nearest) return std::nullopt;
+  for (site& s : nearest->made.sites) s.metric = metric;
+  return nearest;
 }
 
 }  // namespace asterism::internal

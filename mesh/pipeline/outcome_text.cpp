@@ -90,30 +90,6 @@ std::string size_text(const refinement_ending& e) {
                      e.max_sites, wanted, e.length_factor);
 }
 
-std::string metric_text(const relaxation_report& report) {
-  switch (report.kind) {
-    case relaxation_kind::softened:
-      return fmt::format("the metric with aspects to the power of {}", report.power);
-    case relaxation_kind::graded:
-      return fmt::format("the metric graded with {} over the length {:.4g}", report.beta,
-                         report.reach);
-    case relaxation_kind::constant:
-      return "one metric for all";
-    case relaxation_kind::without_demands:
-      break;
-  }
-  return "one metric for all, with no demands on angles and sizes";
-}
-
-// Returns the count of low triangles and the worst angle; without that where no triangle is away
-// from the exempt corners.
-std::string low_text(const relaxation_report& report, double angle_bound) {
-  const std::string worst =
-      report.worst_angle < 180 ? fmt::format(", the worst {:.2f}", report.worst_angle) : "";
-  return fmt::format("{} triangles are below {} degrees{}", report.low_triangles.size(),
-                     angle_bound, worst);
-}
-
 // Returns the length of the shortest edge, as its first end measures it, and the place of that end.
 std::pair<double, point> shortest_edge(const mesh& m) {
   std::pair<double, point> least{std::numeric_limits<double>::infinity(), {}};
@@ -126,30 +102,46 @@ std::pair<double, point> shortest_edge(const mesh& m) {
   return least;
 }
 
-// Explains an outcome without demands in a constant metric. Relaxing it cannot help; the obstacle
-// is a limit, which `report.why` names, or details of the domain far smaller than the rest, near
-// which the shortest edge is.
-std::string text_without_relaxation(const mesh_outcome& outcome) {
-  const relaxation_report& report = *outcome.relaxed;
+// Returns how far the metric is from the one wanted, and what that one measures.
+std::string distances_text(const mesh_outcome& outcome) {
+  const delivered_report& report = *outcome.delivered;
+  return fmt::format(
+      "which differs from it at {} of {} sites, with lengths up to {:.4g} times as long or as "
+      "short, and {:.4g} at half of them{}",
+      report.changed, outcome.sites, internal::elementary::exp(report.greatest),
+      internal::elementary::exp(report.median),
+      outcome.intolerable ? ", so that it is another one altogether" : "");
+}
+
+std::string low_text(const mesh_outcome& outcome) {
+  const delivered_report& report = *outcome.delivered;
+  const std::string worst = report.worst_angle_wanted < 180
+                                ? fmt::format(", the worst {:.2f}", report.worst_angle_wanted)
+                                : "";
+  return fmt::format("as the metric given measures them {} triangles are below {} degrees{}",
+                     report.low_wanted.size(), outcome.one_metric->angle_bound, worst);
+}
+
+// Explains an outcome without demands in a metric that is the same everywhere as it is given.
+// Another one cannot help; the obstacle is a limit, which `why` names, or details of the domain far
+// smaller than the rest, near which the shortest edge is.
+std::string text_without_demands(const mesh_outcome& outcome) {
   const auto [length, at] = shortest_edge(outcome.result);
   return fmt::format(
       "no mesh was found that meets the demands ({}), though the metric is the same everywhere; "
       "the one delivered is made with no demands on angles and sizes, and its shortest edge, "
-      "{:.4g} long, is at {}: {}; {}",
-      report.why, length, place_text(at), ending_text(outcome.ended),
-      low_text(report, outcome.relaxed_details->angle_bound));
+      "{:.4g} long, is at {}: {}",
+      outcome.one_metric->why, length, place_text(at), ending_text(outcome.ended));
 }
 
-std::string relaxed_text(const mesh_outcome& outcome) {
-  const relaxation_report& report = *outcome.relaxed;
-  const relaxation_details& details = *outcome.relaxed_details;
-  if (details.metric_is_constant) return text_without_relaxation(outcome);
+std::string one_metric_text(const mesh_outcome& outcome) {
+  const last_resort_report& report = *outcome.one_metric;
+  if (report.is_as_given || !outcome.delivered) return text_without_demands(outcome);
   return fmt::format(
-      "stars cannot agree in the metric given ({}); they agree in {}, which differs from it at {} "
-      "of {} sites, with lengths up to {:.4g} times as long and {:.4g} times as short: {}; as the "
-      "metric given measures them {}",
-      report.why, metric_text(report), report.changed, report.given.size(), report.most_longer,
-      report.most_shorter, ending_text(outcome.ended), low_text(report, details.angle_bound));
+      "stars cannot agree in the metric given ({}); they agree in one metric for "
+      "all{}, {}: {}; {}",
+      report.why, report.has_demands ? "" : ", with no demands on angles and sizes",
+      distances_text(outcome), ending_text(outcome.ended), low_text(outcome));
 }
 
 // Names the distance to the last digit where it is what may be tolerated: rounded, it might not do.
@@ -183,14 +175,14 @@ std::string ending_text(const refinement_ending& e) {
 }
 
 std::string ending_text(const mesh_outcome& outcome) {
+  if (outcome.one_metric) return one_metric_text(outcome);
   if (outcome.intolerable) return intolerable_text(outcome);
-  if (outcome.relaxed && outcome.relaxed_details) return relaxed_text(outcome);
   std::string ended = ending_text(outcome.ended);
   if (outcome.complete && outcome.delivered && outcome.delivered->changed > 0)
     return ended + ", in the metric delivered";
-  if (!outcome.stopped_relaxing) return ended;
-  return ending_text(*outcome.stopped_relaxing) +
-         ", in the metric relaxed; before that, in the metric given, " + ended;
+  if (!outcome.stopped_in_one_metric) return ended;
+  return ending_text(*outcome.stopped_in_one_metric) +
+         ", in one metric for all; before that, in the metric given, " + ended;
 }
 
 }  // namespace asterism

@@ -62,7 +62,7 @@ class _Mesh:
     def save(self, path: str) -> List[str]: ...
 
 def _mesh(domain: _Domain, metric: Any, size: Optional[float], angle_bound: float, max_sites: int,
-          gradation: Optional[float], relax: bool, prove_voronoi: bool, improve: int,
+          gradation: Optional[float], prove_voronoi: bool, improve: int,
           vertices: Optional[int], complexity: Optional[float],
           metric_tolerance: Optional[float],
           progress: Optional[Callable[[Dict[str, Any]], Any]]) -> _Mesh: ...

@@ -137,7 +137,7 @@ class Mesh:
 
 def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = None,
          angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: int = 100000,
-         gradation: Optional[float] = None, relax: bool = True, prove_voronoi: bool = False,
+         gradation: Optional[float] = None, prove_voronoi: bool = False,
          improve: int = 0, vertices: Optional[int] = None, complexity: Optional[float] = None,
          metric_tolerance: Optional[float] = None,
          progress: Optional[Callable[[Dict[str, Any]], Any]] = None) -> Mesh:
@@ -163,7 +163,7 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
         if (size, vertices, complexity) == (None,) * 3 and isinstance(metric[1], ReportedArray):
             size = 1
         metric = (metric[0]._made, metric[1])
-    made = Mesh._of(_asterism._mesh(domain, metric, size, angle_bound, max_sites, gradation, relax,
+    made = Mesh._of(_asterism._mesh(domain, metric, size, angle_bound, max_sites, gradation,
                                     prove_voronoi, improve, vertices, complexity, metric_tolerance,
                                     progress))
     if not made.complete:

@@ -162,7 +162,7 @@ struct mesh_arguments {
 
 mesh_arguments arguments_of(const std::optional<double>& size, double angle_bound,
                             std::size_t max_sites, const std::optional<double>& gradation,
-                            bool relax, bool prove_voronoi, std::size_t improve,
+                            bool prove_voronoi, std::size_t improve,
                             const std::optional<std::size_t>& vertices,
                             const std::optional<double>& complexity,
                             const std::optional<double>& metric_tolerance,
@@ -187,7 +187,6 @@ mesh_arguments arguments_of(const std::optional<double>& size, double angle_boun
   a.options.limit_size = size || vertices || complexity;
   a.options.vertices = vertices;
   a.options.max_sites = max_sites;
-  a.options.relax = relax;
   a.options.prove_voronoi = prove_voronoi;
   a.options.improve_passes = improve;
   return a;
@@ -261,7 +260,6 @@ py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_argu
       {"repair-places", "none"},
       {"metric-tolerance",
        a.options.metric_tolerance ? text_of(*a.options.metric_tolerance) : "none"},
-      {"relax", a.options.relax ? "where needed" : "no"},
       {"seed", "1"}};
   py_mesh m;
   m.complete = made.outcome.complete;
@@ -367,12 +365,12 @@ void define_meshing(py::module_& m) {
   m.def("_mesh",
         [](const domain& d, const py::object& metric, const std::optional<double>& size,
            double angle_bound, std::size_t max_sites, const std::optional<double>& gradation,
-           bool relax, bool prove_voronoi, std::size_t improve,
-           const std::optional<std::size_t>& vertices, const std::optional<double>& complexity,
-           const std::optional<double>& metric_tolerance, const py::object& progress) {
+           bool prove_voronoi, std::size_t improve, const std::optional<std::size_t>& vertices,
+           const std::optional<double>& complexity, const std::optional<double>& metric_tolerance,
+           const py::object& progress) {
           return run(d, metric,
-                     arguments_of(size, angle_bound, max_sites, gradation, relax, prove_voronoi,
-                                  improve, vertices, complexity, metric_tolerance, progress));
+                     arguments_of(size, angle_bound, max_sites, gradation, prove_voronoi, improve,
+                                  vertices, complexity, metric_tolerance, progress));
         });
   m.def("_verify", &verify_mesh);
   m.def("_certify", &certify_mesh);

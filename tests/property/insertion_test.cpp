@@ -46,12 +46,12 @@ TEST_CASE("the insertion test agrees with the oracle", "[property]") {
 TEST_CASE("the edge test agrees with the oracle", "[property]") { expect_edges_agree(60); }
 
 TEST_CASE("the insertion test agrees with the oracle, at length", "[.][long]") {
-  for_each_case(4000,
+  for_each_case(600,
                 [](const four_sites& sites, random_source&) { expect_insertion_agrees(sites); });
 }
 
 TEST_CASE("the edge test agrees with the oracle, at length", "[.][long]") {
-  expect_edges_agree(2000);
+  expect_edges_agree(240);
 }
 
 }  // namespace

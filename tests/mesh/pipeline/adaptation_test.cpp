@@ -129,6 +129,19 @@ TEST_CASE("what a certificate says of the metric delivered is measured again") {
   CHECK(contradictions_in_delivered(m, altered, *field).size() == 2);
 }
 
+TEST_CASE("distances of tensors whose ratios have no double were none") {
+  mesh m = background([](const point&) { return metric_tensor{1e-200, 0, 1e200}; }, 1);
+  const auto field = make_metric_field("expr:1e200;0;1e-200", accepted(square()).box(), 1);
+  const auto compared = compare_with_wanted(m, *field.value(), 20);
+  REQUIRE(compared);
+  CHECK(compared.value().greatest == Approx(200 * std::log(10)));
+  CHECK(compared.value().median == compared.value().greatest);
+  for (site& s : m.sites) s.metric = {1e-300, 0, 1e-300};
+  const auto farther = compare_with_wanted(m, *field.value(), 20);
+  REQUIRE(farther);
+  CHECK(farther.value().greatest == Approx(250 * std::log(10)));
+}
+
 TEST_CASE("an adaptation that is stopped says so and claims nothing") {
   const auto field = make_sampled_field(background(ring_front, 0.1), 1);
   mesh_options options;

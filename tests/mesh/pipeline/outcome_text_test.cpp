@@ -80,13 +80,13 @@ TEST_CASE("outcome text: a run is told by what it delivers") {
   made.ended = ended(ending::stuck);
   CHECK(made.how() == ending::stuck);
   CHECK(ending_text(made) == ending_text(made.ended));
-  SECTION("stopped while a relaxed metric was meshed") {
+  SECTION("stopped while one metric for all was meshed") {
     made.stopped = true;
-    made.stopped_relaxing = ended(ending::stopped);
-    made.stopped_relaxing->stopped_because = "enough";
+    made.stopped_in_one_metric = ended(ending::stopped);
+    made.stopped_in_one_metric->stopped_because = "enough";
     CHECK(made.how() == ending::stopped);
     CHECK(ending_text(made) ==
-          "stopped: enough, in the metric relaxed; before that, in the metric given, " +
+          "stopped: enough, in one metric for all; before that, in the metric given, " +
               text_of(ending::stuck));
   }
   SECTION("longer edges than wanted are the doing of the limit, whatever came of them") {
@@ -94,38 +94,37 @@ TEST_CASE("outcome text: a run is told by what it delivers") {
     made.ended.length_factor = 4;
     CHECK(made.how() == ending::site_limit);
   }
-  SECTION("relaxed") {
+  SECTION("one metric for all") {
     made.ended = ended(ending::complete);
-    made.relaxed.emplace();
-    made.relaxed->why = "stuck";
-    made.relaxed->power = 0.7;
-    made.relaxed->given.resize(9);
-    made.relaxed->changed = 4;
-    made.relaxed->most_longer = 1.5;
-    made.relaxed->low_triangles = {1, 2};
-    made.relaxed->worst_angle = 12.344;
-    made.relaxed_details = relaxation_details{20, false};
-    CHECK(made.how() == ending::relaxed);
+    made.sites = 9;
+    made.one_metric = {"stuck", true, false, 20};
+    made.delivered.emplace();
+    made.delivered->changed = 4;
+    made.delivered->greatest = std::log(3);
+    made.delivered->median = std::log(1.5);
+    made.delivered->low_wanted = {1, 2};
+    made.delivered->worst_angle_wanted = 12.344;
+    CHECK(made.how() == ending::one_metric);
     CHECK(ending_text(made) ==
-          "stars cannot agree in the metric given (stuck); they agree in the metric with aspects "
-          "to the power of 0.7, which differs from it at 4 of 9 sites, with lengths up to 1.5 "
-          "times as long and 1 times as short: " +
+          "stars cannot agree in the metric given (stuck); they agree in one metric for all, which "
+          "differs from it at 4 of 9 sites, with lengths up to 3 times as long or as short, and "
+          "1.5 at half of them: " +
               agree +
               "; as the metric given measures them 2 triangles are below 20 degrees, the worst "
               "12.34");
+    made.intolerable = {most_median_distance, 3, true, 4};
+    CHECK(ending_text(made).find("half of them, so that it is another one altogether: ") !=
+          std::string::npos);
   }
   SECTION("without demands, the metric not being to blame, the shortest edge is named") {
     made.ended = ended(ending::complete);
     made.result.sites = {{{0, 0}, {4, 0, 4}}, {{1, 0}, {1, 0, 1}}, {{0, 3}, {1, 0, 1}}};
     made.result.triangles = {{0, 1, 2}};
-    made.relaxed.emplace();
-    made.relaxed->why = "the limit of 500 sites was reached";
-    made.relaxed->kind = relaxation_kind::without_demands;
-    made.relaxed_details = relaxation_details{20, true};
+    made.one_metric = {"the limit of 500 sites was reached", false, true, 20};
     CHECK(ending_text(made) ==
           "no mesh was found that meets the demands (the limit of 500 sites was reached), though "
           "the metric is the same everywhere; the one delivered is made with no demands on angles "
           "and sizes, and its shortest edge, 2 long, is at (0, 0): " +
-              agree + "; 0 triangles are below 20 degrees");
+              agree);
   }
 }

@@ -56,7 +56,7 @@ TEST_CASE("a run without work left ends with what there is, and says so", "[work
   REQUIRE(field);
   mesh_options options;
   options.limit_size = true;
-  options.relax = false;
+  options.metric_tolerance = 0;
   options.stop = options.stop.with_work(5);
   const auto made = make_mesh(d, *field.value(), options);
   REQUIRE(made);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/audited_mesh.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "asterism/mesh/pipeline/assign_regions.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
+
+void audited_mesh::take(const adapting::working_mesh& m) {
+  std::vector<vertex_index> renumbered;
+  subject_ = m.triangulation(renumbered);
+  assign_regions(subject_, *domain_);
+  node_of_.assign(subject_.sites.size(), 0);
+  for (vertex_index v = 0; v < renumbered.size(); ++v)
+    if (renumbered[v] != adapting::none) node_of_[renumbered[v]] = v;
+}
+
+audit_options audited_mesh::question(std::size_t findings_kept) const {
+  audit_options asked;
+  asked.angle_bound = options_->angle_bound;
+  asked.find_exempt_corners = true;
+  asked.original = domain_;
+  asked.findings_kept = findings_kept;
+  asked.stop = options_->stop;
+  return asked;
+}
+
+void audited_mesh::keep(audit_report&& found) {
+  report_ = std::make_shared<audit_report>(std::move(found));
+}
+
+void audited_mesh::judge(std::size_t findings_kept) {
+  memory_ = {};
+  keep(audit(subject_, question(findings_kept)));
+}
+
+void audited_mesh::judge_quickly() {
+  keep(audit_quickly(subject_, question(all_findings), memory_));
+}
+
+void audited_mesh::judge_again(node_list changed, hard_questions hard) {
+  const audit_report before = *report_;
+  if (!before.stars_checked) return judge(all_findings);
+  std::sort(changed.begin(), changed.end());
+  node_list sites;
+  for (vertex_index s = 0; s < node_of_.size(); ++s)
+    if (std::binary_search(changed.begin(), changed.end(), node_of_[s])) sites.push_back(s);
+  keep(audit_again(subject_, question(all_findings), before, sites, memory_, hard));
+}
+
+template <class Vertices>
+node_list audited_mesh::nodes_of(const Vertices& vertices) const {
+  node_list nodes;
+  for (const vertex_index s : vertices) nodes.push_back(node_of_[s]);
+  return nodes;
+}
+
+void audited_mesh::ask_filters(const adapting::working_mesh& m,
+                               const std::function<void(const node_list&)>& refuse) {
+  const auto is_as_it_was = [&](vertex_index s) {
+    return identical(m.at(node_of_[s]).metric, subject_.sites[s].metric);
+  };
+  const auto is_asked = [&](const open_question& q) {
+    return std::all_of(q.sites.begin(), q.sites.end(), is_as_it_was);
+  };
+  // The report may be another mesh's as well that was copied from this.
+  audit_report report = *report_;
+  internal::ask_filters(
+      subject_, options_->stop, is_asked,
+      [&](const open_question& q) { refuse(nodes_of(q.sites)); }, memory_.open, report);
+  keep(std::move(report));
+}
+
+std::vector<node_list> audited_mesh::nodes_found() const {
+  std::vector<node_list> all;
+  for (const audit_finding& found : report_->findings)
+    if (!found.vertices.empty()) all.push_back(nodes_of(found.vertices));
+  for (const vertex_index t : report_->refused_triangles())
+    all.push_back(nodes_of(subject_.triangles[t]));
+  return all;
+}
+
+void audited_mesh::add_nodes_of_open(node_list& nodes) const {
+  for (const open_question& q : memory_.open)
+    for (const vertex_index s : q.sites) nodes.push_back(node_of_[s]);
+}
+
+}  // namespace asterism::internal

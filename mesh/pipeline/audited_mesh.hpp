@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds the mesh of a triangulation that is being mended, and what the auditor found of it, in
+// terms of the triangulation's nodes. Internal to the pipeline.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/audit_again.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/options.hpp"
+
+namespace asterism::internal {
+
+using node_list = std::vector<vertex_index>;
+
+class audited_mesh {
+ public:
+  // References must outlive the object and its copies.
+  audited_mesh(const domain& shape, const mesh_options& options)
+      : domain_(&shape), options_(&options) {}
+
+  const mesh& subject() const { return subject_; }
+  const std::shared_ptr<audit_report>& report() const { return report_; }
+  // True if the last mesh that was audited is certified; false before there is one.
+  bool is_certified() const { return report_ && report_->certified; }
+  // True if hard questions were left open.
+  bool has_open() const { return !memory_.open.empty(); }
+
+  // Takes the mesh that the triangulation is now.
+  void take(const adapting::working_mesh& m);
+
+  // Audits the mesh; an audit that keeps all findings is never cut short.
+  void judge(std::size_t findings_kept);
+  // Audits the mesh, keeping all findings, but leaves hard questions open.
+  void judge_quickly();
+  // Audits the mesh of which only these nodes' tensors were changed since the last audit.
+  void judge_again(node_list changed, hard_questions hard);
+  // Answers open questions by filters, unless a tensor they are about has changed in m since the
+  // mesh was taken. Calls refuse(nodes) for those that are not found in order.
+  void ask_filters(const adapting::working_mesh& m,
+                   const std::function<void(const node_list&)>& refuse);
+
+  // Returns the nodes that the findings are about, a list for each: of stars, and of triangles with
+  // an angle below the bound.
+  std::vector<node_list> nodes_found() const;
+  // Adds the nodes of the questions that are open.
+  void add_nodes_of_open(node_list& nodes) const;
+
+ private:
+  audit_options question(std::size_t findings_kept) const;
+  template <class Vertices>
+  node_list nodes_of(const Vertices& vertices) const;
+  void keep(audit_report&& found);
+
+  const domain* domain_;
+  const mesh_options* options_;
+  mesh subject_;
+  node_list node_of_;  // of each site
+  std::shared_ptr<audit_report> report_;
+  star_memory memory_;
+};
+
+}  // namespace asterism::internal

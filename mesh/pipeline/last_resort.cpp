@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/last_resort.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/metric/constant_field.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/pipeline/delivered_metric.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
+#include "asterism/mesh/pipeline/unit_image.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
+#include "asterism/mesh/refine/site_budget.hpp"
+#include "asterism/mesh/stars/work_limit.hpp"
+
+namespace asterism::internal {
+namespace {
+
+class last_resort {
+ public:
+  last_resort(const meshing_context& job, mesh_outcome as_given)
+      : job_(job),
+        domain_(job.shape),
+        field_(job.field),
+        options_(job.options),
+        as_given_(std::move(as_given)),
+        unit_(job.shape, job.field, job.options),
+        frame_(unit_.frame()),
+        image_(unit_.shape()) {}
+
+  result<mesh_outcome> run() {
+    if (auto failure = measure_sites()) return *failure;
+    // Stars agree in every metric that is the same everywhere (docs/math/refinement.md). Where they
+    // are not found to, a limit on sites or on work is in the way, which a less thin metric, as the
+    // mean computed in doubles may be, can keep within; how much it differs is told.
+    if (is_same_everywhere_) {
+      if (is_final(attempt(false))) return conclude();
+      is_same_everywhere_ = false;
+      if (auto failure = measure_sites(false)) return *failure;
+    }
+    for (const bool has_demands : {true, false})
+      if (is_final(attempt(has_demands))) return conclude();
+    return std::move(as_given_);
+  }
+
+ private:
+  // Measures the mean of the metric, in the frame.
+  std::optional<error> measure_sites(bool may_be_constant = true) {
+    std::vector<metric_tensor> tensors;
+    field_.expect([this] { return positions_of(as_given_.result.sites); });
+    for (const site& s : as_given_.result.sites) {
+      const auto m = field_.at(s.position);
+      if (!m) return m.failure();
+      tensors.push_back(frame_.inward(m.value()));
+    }
+    is_same_everywhere_ = may_be_constant && is_same_at_all_places(tensors[0], tensors);
+    mean_ = is_same_everywhere_ ? tensors[0] : mean_of(tensors);
+    return std::nullopt;
+  }
+
+  // True if sites and places of a lattice over the box all have this tensor, bit for bit. Then
+  // another metric would not help, and what is in the way is the domain or a limit.
+  bool is_same_at_all_places(const metric_tensor& one,
+                             const std::vector<metric_tensor>& at_sites) const {
+    if (std::any_of(at_sites.begin(), at_sites.end(),
+                    [&one](const metric_tensor& m) { return !(m == one); }))
+      return false;
+    constexpr int lattice = 24;
+    const bounding_box box = image_.box();
+    for (int i = 0; i < lattice * lattice; ++i) {
+      const int column = i % lattice, row = i / lattice;
+      const double u = (column + 0.5) / lattice, v = (row + 0.5) / lattice;
+      const auto there = unit_.field().at(
+          {(1 - u) * box.low.x + u * box.high.x, (1 - v) * box.low.y + v * box.high.y});
+      if (there && !(there.value() == one)) return false;
+    }
+    return true;
+  }
+
+  // Makes a mesh in the mean and leaves it in tried_. Leaves nothing where sites cannot be spread.
+  const std::optional<mesh_outcome>& attempt(bool has_demands) {
+    has_demands_ = has_demands;
+    tried_.reset();
+    if (is_stopped() || !(units_left() > least_left * units_for_last_resort)) return tried_;
+    mesh_options options = options_;
+    if (!has_demands) {
+      options.angle_bound = 0;
+      options.limit_size = false;
+    }
+    const auto one = same_everywhere(mean_);
+    const meshing_context job{job_.kernel, image_, *one, options, job_.progress};
+    auto filled = fill_within_budget(job);
+    if (!filled || (filled.value().proposed.stopped && is_stopped())) return tried_;
+    if (filled.value().proposed.crowded) return tried_;
+    refine(std::move(filled).value(), job);
+    return tried_;
+  }
+
+  // Returns the units of work that an attempt may take.
+  double units_left() const { return std::min(options_.stop.units_left(), units_for_last_resort); }
+
+  // Returns the part of the work allowed for so many sites that is left.
+  double share_left(const filled_domain& proposed) const {
+    std::size_t sites = image_.vertices.size() + proposed.interior.size();
+    for (const std::vector<site>& division : proposed.divisions) sites += division.size();
+    return units_left() / most_work_units(sites, image_.vertices.size());
+  }
+
+  void refine(budgeted_filling filled, const meshing_context& job) {
+    const double share = share_left(filled.proposed);
+    if (!(share > 0)) return;
+    tier_counters own;  // the work done for one mesh is counted from zero
+    const auto own_kernel = job.kernel.fork(own);
+    meshing_context limited = job.on(*own_kernel);
+    limited.work_share = std::min(1.0, share);
+    auto made = mesh_from_sites(limited, std::move(filled));
+    job.kernel.counters() += own;
+    if (!made) return;
+    tried_ = std::move(made).value();
+    unit_.outward(*tried_);
+  }
+
+  bool is_stopped() {
+    if (!stopped_) stopped_ = options_.stop.told();
+    return stopped_.has_value();
+  }
+
+  bool is_final(const std::optional<mesh_outcome>& tried) const {
+    if (stopped_) return true;
+    if (!tried) return false;
+    const bool agrees = tried->disagreeing == 0 && tried->ended.stars_missing == 0 &&
+                        tried->ended.how != ending::crowded;
+    return agrees || tried->stopped;
+  }
+
+  result<mesh_outcome> conclude() {
+    if (stopped_ || tried_->stopped) {
+      as_given_.stopped = true;
+      as_given_.stopped_in_one_metric.emplace();
+      if (stopped_) {
+        as_given_.stopped_in_one_metric->how = ending::stopped;
+        as_given_.stopped_in_one_metric->stopped_because = *stopped_;
+      } else {
+        as_given_.stopped_in_one_metric = tried_->ended;
+      }
+      return std::move(as_given_);
+    }
+    auto compared = compare_with_wanted(tried_->result, field_, options_.angle_bound);
+    if (!compared) return compared.failure();
+    tried_->one_metric = {ending_text(as_given_), has_demands_, is_same_everywhere_,
+                          options_.angle_bound};
+    if (!has_demands_) {
+      tried_->complete = false;
+      if (auto failure = count_large()) return *failure;
+    }
+    if (!is_same_everywhere_) tried_->delivered = std::move(compared).value();
+    return *std::move(tried_);
+  }
+
+  // Counts the triangles that the metric given finds too large; without demands nobody has yet.
+  std::optional<error> count_large() {
+    if (!options_.limit_size) return std::nullopt;
+    mesh as_given = tried_->result;
+    for (site& s : as_given.sites) {
+      const auto given = field_.at(s.position);
+      if (!given) return given.failure();
+      s.metric = given.value();
+    }
+    tried_->too_large = static_cast<std::size_t>(std::count_if(
+        as_given.triangles.begin(), as_given.triangles.end(), [&as_given](const triangle& t) {
+          return metric_circumradius({as_given.sites[t[0]], as_given.sites[t[1]],
+                                      as_given.sites[t[2]]}) > largest_circumradius;
+        }));
+    return std::nullopt;
+  }
+
+  // Part of the most work without which no attempt is begun.
+  static constexpr double least_left = 0.1;
+
+  const meshing_context& job_;
+  const domain& domain_;
+  const metric_field& field_;
+  const mesh_options& options_;
+  mesh_outcome as_given_;
+  unit_image unit_;
+  const unit_frame& frame_;
+  const domain& image_;  // in the frame, as the mean
+  metric_tensor mean_;
+  bool is_same_everywhere_ = false;
+  std::optional<mesh_outcome> tried_;
+  bool has_demands_ = true;             // of the last attempt
+  std::optional<std::string> stopped_;  // why, between meshes
+};
+
+}  // namespace
+
+bool wants_other_metric(const mesh_outcome& made, const mesh_options& options) {
+  return options.strategy == refinement_strategy::fill && !made.stopped && !made.complete &&
+         (made.disagreeing > 0 || made.ended.stars_missing > 0 ||
+          made.ended.how == ending::crowded);
+}
+
+result<mesh_outcome> refine_in_one_metric(const meshing_context& job, mesh_outcome as_given) {
+  return last_resort(job, std::move(as_given)).run();
+}
+
+}  // namespace asterism::internal
