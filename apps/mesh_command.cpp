@@ -102,14 +102,12 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
       })
       ->check(CLI::IsMember(strategies))
       ->type_name("HOW");
-  app.add_flag("--no-relaxation{false}", options.relax,
-               "Keep to the metric where stars cannot agree in it, and end with disagreeing "
-               "triangles; else it is made to vary more slowly until they agree, and that is told");
   add_real(
       app, "--metric-tolerance", reals_from_zero,
       [&options](double x) { options.metric_tolerance = x; },
       "Greatest distance of the metric delivered from the one asked for, ln of a ratio of lengths; "
-      "0: no tensor is changed (default: any, and told)")
+      "0: no tensor is changed, even where stars cannot agree then (default: any, and told, but at "
+      "half of the sites no more than ln 10)")
       ->type_name("T");
   add_real(
       app, "--tol", positive_reals, [&options](double x) { options.tolerance = x; },

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/freed_memory.hpp"
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/job_input.hpp"
 #include "asterism/apps/json_summary.hpp"
@@ -75,11 +76,9 @@ std::string text_of_places(const domain_repairs& repairs) {
   return text.empty() ? "none" : text;
 }
 
-// Returns the size the mesh was made for; "none", too, where the relaxed mesh was made without
-// demands.
+// Returns the size the mesh was made for; "none", too, where it was made without demands.
 std::string text_of_size_delivered(const mesh_job& job, const mesh_outcome& outcome) {
-  const bool demanded =
-      !outcome.relaxed || outcome.relaxed->kind != relaxation_kind::without_demands;
+  const bool demanded = !outcome.one_metric || outcome.one_metric->has_demands;
   return job.size && demanded ? number_text(*job.size * outcome.ended.length_factor) : "none";
 }
 
@@ -115,7 +114,6 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
                                  ? std::to_string(mesh_fingerprint(*input.field->background()))
                                  : "none"},
       {"metric-tolerance", asked.metric_tolerance ? number_text(*asked.metric_tolerance) : "none"},
-      {"relax", asked.relax ? "where needed" : "no"},
       {"seed", std::to_string(asked.seed)}};
 }
 
@@ -125,11 +123,6 @@ void describe(certified_mesh& made, const mesh_job& job, const prepared_input& i
   made.claim.options = options_of(job, input, made.outcome);
 }
 
-std::string text_of_low(const relaxation_report& relaxed, double angle_bound) {
-  return std::to_string(relaxed.low_triangles.size()) + " triangles are below " +
-         number_text(angle_bound) + " degrees as the metric given measures them";
-}
-
 report_facts facts_of_page(const mesh_job& job, const fs::path& certificate_path,
                            const metric_field& wanted, const certified_mesh& made) {
   report_facts facts;
@@ -137,10 +130,7 @@ report_facts facts_of_page(const mesh_job& job, const fs::path& certificate_path
   facts.claim = made.claim;
   facts.claim_from = "As the run that made this page judged the mesh it had made.";
   facts.repeat = repeating_command(job.outputs, certificate_path);
-  if (made.outcome.relaxed)
-    facts.wanted = made.outcome.relaxed->given;
-  else if (made.outcome.delivered)
-    facts.wanted = tensors_at_sites(wanted, made.outcome.result);
+  if (made.outcome.delivered) facts.wanted = tensors_at_sites(wanted, made.outcome.result);
   return facts;
 }
 
@@ -158,10 +148,11 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
   options.picture.ellipses = job.ellipses;
   options.picture.angle_bound = job.refinement.angle_bound;
   if (!claim.complete || !claim.certified)
-    options.note = claim.relaxed && claim.certified
-                       ? "Incomplete, certified in a relaxed metric: " +
-                             text_of_low(*claim.relaxed, job.refinement.angle_bound)
-                       : "Incomplete, not certified: " + claim.reason;
+    options.note = (claim.delivered && claim.certified
+                        ? "Incomplete, certified in a metric that is not the one asked for: "
+                        : "Incomplete, not certified: ") +
+                   claim.reason;
+  give_back_small_blocks();  // of the mesher's stars, so that texts have room under a limit
   const held_signals held;
   pending_files files;
   for (const fs::path& output : job.outputs) {
@@ -192,8 +183,8 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
   if (job.tells() && outcome.delivered)
     std::cout << "delivered: " << text_of(*outcome.delivered) << '\n';
-  if (job.tells() && outcome.relaxed && reached)
-    std::cout << "relaxed: " << made.claim.reason << '\n';
+  if (job.tells() && outcome.one_metric && reached)
+    std::cout << "last resort: " << made.claim.reason << '\n';
   if (job.tells()) write_summary(std::cout, made, unit_edges);
   const bool dual_as_asked =
       !job.refinement.prove_voronoi || report.voronoi == voronoi_verdict::proved;

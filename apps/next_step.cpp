@@ -50,6 +50,8 @@ std::string next_step(const mesh_job& job, const certified_mesh& made) {
       return "";
     case ending::site_limit:
       return more_sites(job, outcome);
+    case ending::one_metric:
+      return outcome.one_metric->is_as_given ? more_sites(job, outcome) : smoother(job);
     case ending::collateral:
       return lower_bound(job, made);
     case ending::stopped:
@@ -65,7 +67,6 @@ std::string next_step(const mesh_job& job, const certified_mesh& made) {
     case ending::too_steep:
     case ending::overworked:
     case ending::crowded:
-    case ending::relaxed:
       return smoother(job);
   }
   return "";

@@ -92,11 +92,11 @@ void write_summary(std::ostream& out, const certified_mesh& made,
     out << ", dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)];
   out << deviation_text(report) << curves_text(report);
-  const char* relaxed = outcome.relaxed ? " in a relaxed metric" : "";
   if (made.certified())
-    out << ": " << in_colour("certified", ink::green, 1) << relaxed << '\n';
-  else if (outcome.relaxed && report.certified)
-    out << ": " << in_colour("certified", ink::yellow, 1) << relaxed << ", NOT complete\n";
+    out << ": " << in_colour("certified", ink::green, 1) << '\n';
+  else if (outcome.delivered && report.certified)
+    out << ": " << in_colour("certified", ink::yellow, 1)
+        << " in the metric delivered, NOT complete\n";
   else
     out << ": " << in_colour("NOT certified", ink::red, 1) << ", incomplete\n";
 }

@@ -66,7 +66,6 @@ class Asterism:
             return
         text = json.loads(certificate.read_text(encoding="utf-8"))
         row["reason"] = text["outcome"].get("reason", "")
-        row["relaxed"] = text["outcome"].get("relaxed") is not None
         row["worst"] = text["audit"]["worst_angle"]
         delivered = text["outcome"].get("delivered")
         if delivered:
@@ -133,8 +132,6 @@ def text_of(row):
         parts.append(f"worst {row['worst']:.1f}")
     if row.get("changed") is not None:
         parts.append(f"changed {100 * row['changed']:.0f} %")
-    if row.get("relaxed"):
-        parts.append("relaxed")
     if row["status"] == 1:
         parts.append(row.get("reason", "")[:150])
     return "  ".join(parts)

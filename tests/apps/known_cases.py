@@ -137,6 +137,26 @@ class BoundedWork(command.CommandTest):
         done = self.bounded("mesh", "fan.poly", "-o", "fan.mesh")
         self.assertEqual(done.returncode, 1, done.stderr)
 
+    def test_a_mesh_without_a_triangle_was_called_complete_where_no_work_was_left_for_stars(self):
+        source = self.prepare("random_1e12")
+        done = self.bounded("mesh", source, "--metric", source, "--size", "1", "--max-sites", "2000", "-o", "out.mesh")
+        self.assertNotIn("the mesh has no triangle", done.stderr)
+
+    def test_an_ulp_wide_sliver_and_a_fan_of_360_in_a_metric_that_turns_are_ended_by_seconds(self):
+        self.write("ulp.poly", hostile_inputs.rectangle(1.0, 2.220446049250313e-16, 1.0))
+        self.write("fan.poly", hostile_inputs.fan(360, 1))
+        for name in ("ulp", "fan"):
+            with self.subTest(name):
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                done = self.run_command("mesh", f"{name}.poly", "--metric", "swirl:12", "--max-seconds", "2", "-o",
+                                        f"{name}.mesh")
+                # Two threads for what is allowed, and one for what follows.
+                self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 8)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn("2 seconds have passed", done.stderr)
+                if f"{name}.mesh" in self.files():
+                    self.assertEqual(self.run_command("verify", f"{name}.mesh").returncode, 1)
+
     def test_a_comb_wanted_more_sites_for_minutes(self):
         self.write("comb.poly", hostile_inputs.comb(300))
         for more in (("--size", "1"), ("--metric", "swirl:12")):

@@ -212,7 +212,7 @@ class Verdicts(command.CommandTest):
     def test_thinned_certificates_were_verified(self):
         whole = self.make_good()
         for path in (("numbering",), ("measured",), ("measured", "mean_quality"),
-                     ("audit", "low_triangles"), ("audit", "voronoi"), ("outcome", "relaxed"),
+                     ("audit", "low_triangles"), ("audit", "voronoi"), ("outcome", "delivered"),
                      ("asked", "options", "angle-bound"), ("domain", "segments")):
             claim = json.loads(json.dumps(whole))
             inner = claim

@@ -33,12 +33,11 @@ function verdictOf(facts, claim) {
   const { outcome, audit, asked } = claim;
   const bound = asked.angle_bound === null ? "no bound" : `${full(asked.angle_bound)} degrees`;
   const delivered = outcome.delivered && outcome.delivered.vertices_changed > 0;
-  const where = outcome.relaxed ? "in a metric relaxed from the one asked for"
-    : delivered ? "in the metric delivered, which is not everywhere the one asked for" : "in the metric at its vertices";
+  const where = delivered ? "in the metric delivered, which is not everywhere the one asked for" : "in the metric at its vertices";
   if (audit.certified && outcome.complete)
-    return [outcome.relaxed ? "Certified in a relaxed metric" : "Certified", "good", `${bound}, ${where}: ${outcome.reason}.`];
-  if (audit.certified && outcome.relaxed)
-    return ["Certified in a relaxed metric, NOT complete", "open", `${bound}, ${where}: ${outcome.reason}.`];
+    return ["Certified", "good", `${bound}, ${where}: ${outcome.reason}.`];
+  if (audit.certified && delivered)
+    return ["Certified in the metric delivered, NOT complete", "open", `${bound}, ${where}: ${outcome.reason}.`];
   return ["NOT certified", "bad", `${outcome.reason}.`];
 }
 
@@ -50,9 +49,7 @@ function showVerdict(facts, claim) {
 }
 
 function metricRow(claim) {
-  const { relaxed, delivered } = claim.outcome;
-  if (relaxed)
-    return ["Metric", claim.asked.metric, `relaxed (${relaxed.kind}) at ${plural(relaxed.vertices_changed, "vertex", "vertices")}, lengths up to ${full(relaxed.most_longer)} times as long and ${full(relaxed.most_shorter)} times as short`];
+  const { delivered } = claim.outcome;
   if (delivered)
     return ["Metric", claim.asked.metric, `another at ${plural(delivered.vertices_changed, "vertex", "vertices")}; at ${short(100 * delivered.beyond_tenth)} % of all some length differs by more than a tenth, at most ${short(Math.exp(delivered.greatest))} times`];
   return ["Metric", claim.asked.metric, "the tensors at the vertices"];
@@ -163,7 +160,6 @@ function listsOf(facts, claim, mesh) {
     add("Exempt corners of the domain, sharper than the bound", audit.exempt_corners.map((n) => ({ vertex: n - 1, text: `vertex ${n}` })));
     add("Triangles with an exempt angle", fromOne(audit.exempt_triangles));
     add("Collateral triangles: below the bound beside a sharp corner", fromOne(audit.collateral_triangles));
-    add("Low triangles as the metric given measures them", fromOne(outcome.relaxed?.low_triangles_as_given));
     add("Low triangles as the metric wanted measures them", fromOne(outcome.delivered?.low_triangles_as_wanted));
   }
   add("Repairs of the domain", mesh.repairs);
