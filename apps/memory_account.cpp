@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/memory_account.hpp"
 
+#include <fcntl.h>
 #include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
@@ -14,17 +16,72 @@
 
 namespace {
 
+constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
+
 // `operator new` can reach nothing else.
 std::atomic<bool> is_counting = false;
-std::atomic<std::int64_t> held = 0, most = std::numeric_limits<std::int64_t>::max();
+std::atomic<std::int64_t> held = 0, most = no_limit;
+std::atomic<std::int64_t> next_look = no_limit;  // when this much is held
+
+// What is resident, in bytes; 0 where the system does not tell.
+struct residence {
+  double all = 0, of_files = 0;  // of files: code, and constants of the program and its libraries
+};
+
+// Allocates nothing: `operator new` calls it.
+residence read_residence() {
+  const int status = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (status < 0) return {};
+  std::array<char, 128> text{};
+  const ssize_t length = read(status, text.data(), text.size() - 1);
+  close(status);
+  long size = 0, pages = 0, shared = 0;
+  if (length <= 0 || std::sscanf(text.data(), "%ld %ld %ld", &size, &pages, &shared) != 3)
+    return {};
+  const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+  return {static_cast<double>(pages) * page, static_cast<double>(shared) * page};
+}
+
+// What may be held follows what of the program's files has become resident, which is code as it
+// comes to be used, and differs between machines: a look each time that another megabyte is held.
+class allowance {
+ public:
+  void begin(double bytes) {
+    const residence now = read_residence();
+    bytes_ = bytes - (now.all - now.of_files);
+    of_files_ = now.of_files;
+    renew(now.of_files);
+  }
+  void look_again() { renew(read_residence().of_files); }
+
+ private:
+  void renew(double of_files) {
+    // Code that is not resident yet, and the stacks of threads. Measured; 3 to 4 megabytes.
+    constexpr double to_come = 4e6, at_least = 1e6;
+    // Under a limit that the program alone goes beyond, it can still say so.
+    constexpr double least = 2e6, largest = 0x1p62;
+    constexpr std::int64_t between_looks = 1 << 20;
+    const double spare = std::max(at_least, to_come - (of_files - of_files_));
+    most = static_cast<std::int64_t>(std::clamp(bytes_ - of_files - spare, least, largest));
+    next_look = held.load(std::memory_order_relaxed) + between_looks;
+  }
+
+  double bytes_ = 0, of_files_ = 0;  // what the program may add to its files; those at the start
+};
+
+allowance allowed;
+
+bool may_hold(std::size_t more) {
+  const auto asked = static_cast<std::int64_t>(std::min<std::size_t>(more, std::size_t{1} << 62));
+  const std::int64_t then = held.load(std::memory_order_relaxed) + asked;
+  if (then > next_look.load(std::memory_order_relaxed)) allowed.look_again();
+  return then <= most.load(std::memory_order_relaxed);
+}
 
 // Returns the block, or nothing where there is no memory or no room under the limit.
 void* take(std::size_t size, std::size_t alignment) {
   const bool counting = is_counting.load(std::memory_order_relaxed);
-  const auto asked = static_cast<std::int64_t>(std::min<std::size_t>(size, std::size_t{1} << 62));
-  if (counting &&
-      held.load(std::memory_order_relaxed) + asked > most.load(std::memory_order_relaxed))
-    return nullptr;
+  if (counting && !may_hold(size)) return nullptr;
   void* const block =
       alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__
           ? std::malloc(std::max<std::size_t>(size, 1))
@@ -65,26 +122,14 @@ void operator delete(void* block, std::size_t, std::align_val_t) noexcept { give
 namespace asterism::apps {
 
 memory_account::memory_account(double bytes) {
-  // Memory the program takes besides while it runs: its code, as it comes to be used, and the
-  // stacks of its threads. Measured; 3 to 4 megabytes.
-  constexpr double of_its_own = 4e6, most_over = 1.05, largest = 0x1p62;
-  // Under a limit that the program alone goes beyond, it can still say so.
-  constexpr double least = 2e6;
-  const double room = most_over * bytes - resident() - of_its_own;
+  constexpr double most_over = 1.05;
   held = 0;
-  most = static_cast<std::int64_t>(std::clamp(room, least, largest));
+  allowed.begin(most_over * bytes);
   is_counting = true;
 }
 
 memory_account::~memory_account() { is_counting = false; }
 
-double memory_account::resident() {
-  std::FILE* const status = std::fopen("/proc/self/statm", "r");
-  if (status == nullptr) return 0;
-  long size = 0, pages = 0;
-  const bool read = std::fscanf(status, "%ld %ld", &size, &pages) == 2;
-  std::fclose(status);
-  return read ? static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0;
-}
+double memory_account::resident() { return read_residence().all; }
 
 }  // namespace asterism::apps

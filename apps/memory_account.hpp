@@ -11,9 +11,9 @@ namespace asterism::apps {
 // throws std::bad_alloc for what would take the count beyond the limit. Without one, `operator new`
 // costs what it always does. There can be one at a time.
 //
-// Counts what the C++ code of the program asks for. Beside it are the program itself,
-// which the limit takes into account as it is at the start, stacks of threads, and blocks that
-// libraries of C ask for. What is resident follows what is held where large blocks are given back
+// Counts what the C++ code of the program asks for. Beside it are the program's files, which the
+// limit takes into account as they become resident, stacks of threads, and blocks that libraries of
+// C ask for. What is resident follows what is held where large blocks are given back
 // as soon as they are free (apps/freed_memory.hpp).
 class memory_account {
  public:

@@ -76,6 +76,10 @@ class Contender:
         self.folder.mkdir(exist_ok=True)
 
     def call(self):
+        """Begins without the files of the call before. Their blocks may still be on the way to the disk, and who
+        replaces such a file waits for them."""
+        for left in self.folder.glob(pathlib.Path(self.mesh).stem + ".*"):
+            left.unlink()
         done = self.case.run(self.command(), self.folder)
         if done.status not in (0, 1) or not (self.folder / self.mesh).exists():
             raise Failed(f"exit status {done.status}: {done.output[-200:].strip()}")

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/draw/picture.hpp"
 
-#include <cairo.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/draw/cairo_functions.hpp"
 #include "asterism/mesh/draw/canvas.hpp"
 #include "asterism/mesh/numerics/metric_angle.hpp"
 
@@ -24,9 +23,6 @@ namespace {
 
 constexpr int largest_extent = 20000;
 
-struct colour {
-  double red, green, blue, alpha = 1;
-};
 constexpr colour paper{1, 1, 1};
 constexpr colour thin_ink{0.30, 0.33, 0.38};
 constexpr colour bold_ink{0.07, 0.09, 0.13};
@@ -36,10 +32,6 @@ constexpr colour given_fill{0.12, 0.42, 0.72};
 constexpr colour mark_line{0.75, 0.0, 0.13};
 constexpr colour ellipse_line{0.10, 0.55, 0.45, 0.9};
 constexpr colour ellipse_fill{0.10, 0.55, 0.45, 0.13};
-
-void use(cairo_t* cairo, const colour& c) {
-  cairo_set_source_rgba(cairo, c.red, c.green, c.blue, c.alpha);
-}
 
 // Maps the plane, y upwards, to the page, y downwards.
 struct page {
@@ -77,55 +69,50 @@ result<page> lay_out(const mesh& m, const picture_options& options) {
   return p;
 }
 
-void trace(cairo_t* cairo, const page& p, const mesh& m, const triangle& t) {
-  cairo_new_sub_path(cairo);
-  for (const vertex_index v : t) {
-    const point at = p.at(m.sites[v].position);
-    cairo_line_to(cairo, at.x, at.y);
-  }
-  cairo_close_path(cairo);
+void trace(canvas& on, const page& p, const mesh& m, const triangle& t) {
+  on.begin_path();
+  for (const vertex_index v : t) on.line_to(p.at(m.sites[v].position));
+  on.close_path();
 }
 
-void fill_triangles(cairo_t* cairo, const page& p, const mesh& m, double angle_bound) {
-  use(cairo, low_angle_fill);
+void fill_triangles(canvas& on, const page& p, const mesh& m, double angle_bound) {
+  on.use(low_angle_fill);
   for (const triangle& t : m.triangles)
-    if (smallest_angle(m, t) < angle_bound) trace(cairo, p, m, t);
-  cairo_fill(cairo);
-  use(cairo, disagreeing_fill);
+    if (smallest_angle(m, t) < angle_bound) trace(on, p, m, t);
+  on.fill();
+  on.use(disagreeing_fill);
   // One by one: they may overlap, and shades add up.
   for (const triangle& t : m.disagreeing) {
-    trace(cairo, p, m, t);
-    cairo_fill(cairo);
+    trace(on, p, m, t);
+    on.fill();
   }
 }
 
 // Draws each edge once, so that lines shared by two triangles are no darker than others.
-void stroke_edges(cairo_t* cairo, const page& p, const mesh& m) {
+void stroke_edges(canvas& on, const page& p, const mesh& m) {
   std::set<std::pair<vertex_index, vertex_index>> edges;
   for (const auto* triangles : {&m.triangles, &m.disagreeing})
     for (const triangle& t : *triangles)
       for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
-  use(cairo, thin_ink);
-  cairo_set_line_width(cairo, 0.9 * p.unit());
+  on.use(thin_ink);
+  on.set_line_width(0.9 * p.unit());
   for (const auto& [a, b] : edges) {
-    const point from = p.at(m.sites[a].position), to = p.at(m.sites[b].position);
-    cairo_move_to(cairo, from.x, from.y);
-    cairo_line_to(cairo, to.x, to.y);
+    on.move_to(p.at(m.sites[a].position));
+    on.line_to(p.at(m.sites[b].position));
   }
-  cairo_stroke(cairo);
+  on.stroke();
 }
 
-void stroke_boundary(cairo_t* cairo, const page& p, const mesh& m) {
-  use(cairo, bold_ink);
+void stroke_boundary(canvas& on, const page& p, const mesh& m) {
+  on.use(bold_ink);
   for (const bool internal : {false, true}) {
-    cairo_set_line_width(cairo, (internal ? 1.8 : 2.6) * p.unit());
+    on.set_line_width((internal ? 1.8 : 2.6) * p.unit());
     for (const boundary_edge& e : m.boundary) {
       if (e.internal != internal) continue;
-      const point from = p.at(m.sites[e.a].position), to = p.at(m.sites[e.b].position);
-      cairo_move_to(cairo, from.x, from.y);
-      cairo_line_to(cairo, to.x, to.y);
+      on.move_to(p.at(m.sites[e.a].position));
+      on.line_to(p.at(m.sites[e.b].position));
     }
-    cairo_stroke(cairo);
+    on.stroke();
   }
 }
 
@@ -172,24 +159,19 @@ std::vector<vertex_index> sites_apart(const page& p, const mesh& m, double dista
   return chosen;
 }
 
-void draw_ellipse(cairo_t* cairo, const point& centre, const ellipse& e, double scale,
+void draw_ellipse(canvas& on, const point& centre, const ellipse& e, double scale,
                   double line_width) {
-  cairo_save(cairo);
-  cairo_translate(cairo, centre.x, centre.y);
-  cairo_rotate(cairo, -e.angle);
-  // Thinner than a hair is a line, and a scale of 0 would be an error to cairo.
-  cairo_scale(cairo, e.longest * scale, std::max(e.shortest * scale, 0.25 * line_width));
-  cairo_new_sub_path(cairo);
-  cairo_arc(cairo, 0, 0, 1, 0, 2 * std::numbers::pi);
-  cairo_restore(cairo);
-  use(cairo, ellipse_fill);
-  cairo_fill_preserve(cairo);
-  use(cairo, ellipse_line);
-  cairo_set_line_width(cairo, line_width);
-  cairo_stroke(cairo);
+  // Thinner than a hair is a line, and a semi-axis of 0 would be an error to cairo.
+  on.add_ellipse(centre, e.longest * scale, std::max(e.shortest * scale, 0.25 * line_width),
+                 -e.angle);
+  on.use(ellipse_fill);
+  on.fill_and_keep();
+  on.use(ellipse_line);
+  on.set_line_width(line_width);
+  on.stroke();
 }
 
-void draw_ellipses(cairo_t* cairo, const page& p, const mesh& m) {
+void draw_ellipses(canvas& on, const page& p, const mesh& m) {
   const double distance = p.width / 18.0;
   std::vector<std::pair<vertex_index, ellipse>> balls;
   double longest = 0;
@@ -200,14 +182,13 @@ void draw_ellipses(cairo_t* cairo, const page& p, const mesh& m) {
     longest = std::max(longest, ball->longest);
   }
   for (const auto& [v, ball] : balls)
-    draw_ellipse(cairo, p.at(m.sites[v].position), ball, 0.48 * distance / longest, 1.5 * p.unit());
+    draw_ellipse(on, p.at(m.sites[v].position), ball, 0.48 * distance / longest, 1.5 * p.unit());
 }
 
-void draw_dot(cairo_t* cairo, const point& at, double radius, const colour& c) {
-  cairo_new_sub_path(cairo);
-  cairo_arc(cairo, at.x, at.y, radius, 0, 2 * std::numbers::pi);
-  use(cairo, c);
-  cairo_fill(cairo);
+void draw_dot(canvas& on, const point& at, double radius, const colour& c) {
+  on.add_circle(at, radius);
+  on.use(c);
+  on.fill();
 }
 
 // Returns the shortest edge at each site on the page; infinite for sites of no triangle.
@@ -226,51 +207,54 @@ std::vector<double> shortest_edges(const page& p, const mesh& m) {
 
 // Given sites are larger, blue, with a rim of paper that lifts them off the lines. Where the mesh
 // is fine dots are smaller, or they would hide its triangles.
-void draw_sites(cairo_t* cairo, const page& p, const mesh& m) {
+void draw_sites(canvas& on, const page& p, const mesh& m) {
   const std::vector<double> room = shortest_edges(p, m);
   const auto radius = [&](std::size_t v) { return std::min(2.8 * p.unit(), 0.13 * room[v]); };
   for (std::size_t v = m.given; v < m.sites.size(); ++v)
-    draw_dot(cairo, p.at(m.sites[v].position), radius(v), bold_ink);
+    draw_dot(on, p.at(m.sites[v].position), radius(v), bold_ink);
   for (std::size_t v = 0; v < m.given && v < m.sites.size(); ++v) {
-    draw_dot(cairo, p.at(m.sites[v].position), 2.3 * radius(v), paper);
-    draw_dot(cairo, p.at(m.sites[v].position), 1.8 * radius(v), given_fill);
+    draw_dot(on, p.at(m.sites[v].position), 2.3 * radius(v), paper);
+    draw_dot(on, p.at(m.sites[v].position), 1.8 * radius(v), given_fill);
   }
 }
 
 // Rings, with a rim of paper that lifts them off the lines; places that are not on the page are
 // left out.
-void draw_marks(cairo_t* cairo, const page& p, const std::vector<point>& marks) {
+void draw_marks(canvas& on, const page& p, const std::vector<point>& marks) {
   for (const point& mark : marks) {
     const point at = p.at(mark);
     if (!(at.x >= 0 && at.x <= p.width && at.y >= 0 && at.y <= p.height)) continue;
     for (const auto& [ink, width] : {std::pair{paper, 4.0}, std::pair{mark_line, 2.0}}) {
-      cairo_new_sub_path(cairo);
-      cairo_arc(cairo, at.x, at.y, 8 * p.unit(), 0, 2 * std::numbers::pi);
-      use(cairo, ink);
-      cairo_set_line_width(cairo, width * p.unit());
-      cairo_stroke(cairo);
+      on.add_circle(at, 8 * p.unit());
+      on.use(ink);
+      on.set_line_width(width * p.unit());
+      on.stroke();
     }
   }
 }
 
 }  // namespace
 
+std::optional<error> missing_for_pictures() {
+  const auto library = load_cairo();
+  if (library.ok()) return std::nullopt;
+  return library.failure();
+}
+
 result<std::string> draw_picture(const mesh& m, picture_format format,
                                  const picture_options& options) {
   const auto layout = lay_out(m, options);
   if (!layout.ok()) return layout.failure();
   const page& p = layout.value();
-  return paint_file(format, p.width, p.height, [&](cairo_t* cairo) {
-    use(cairo, paper);
-    cairo_paint(cairo);
-    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
-    fill_triangles(cairo, p, m, options.angle_bound);
-    stroke_edges(cairo, p, m);
-    stroke_boundary(cairo, p, m);
-    if (options.ellipses) draw_ellipses(cairo, p, m);
-    if (options.sites) draw_sites(cairo, p, m);
-    draw_marks(cairo, p, options.marks);
+  return paint_file(format, p.width, p.height, [&](canvas& on) {
+    on.use(paper);
+    on.paint();
+    fill_triangles(on, p, m, options.angle_bound);
+    stroke_edges(on, p, m);
+    stroke_boundary(on, p, m);
+    if (options.ellipses) draw_ellipses(on, p, m);
+    if (options.sites) draw_sites(on, p, m);
+    draw_marks(on, p, options.marks);
   });
 }
 

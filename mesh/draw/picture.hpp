@@ -8,6 +8,7 @@
 // readable, all drawn to one scale.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ struct picture_options {
   double angle_bound = 0;  // degrees; tints triangles below it as seen from one of their vertices
   std::vector<point> marks = {};  // places to ring in red
 };
+
+// Returns why no picture can be drawn here, if none can: cairo's shared library is loaded when the
+// first is drawn, or this is asked.
+ASTERISM_EXPORT std::optional<error> missing_for_pictures();
 
 // Returns the bytes of the file. Fails for a width out of range, a mesh without extent or with
 // numbers that are not finite, a height beyond 20000, and when cairo does.

@@ -44,6 +44,10 @@ std::string lower(std::string text) {
   return text;
 }
 
+bool is_picture(mesh_format format) {
+  return format == mesh_format::svg || format == mesh_format::png || format == mesh_format::pdf;
+}
+
 picture_format picture_format_of(mesh_format format) {
   if (format == mesh_format::svg) return picture_format::svg;
   return format == mesh_format::png ? picture_format::png : picture_format::pdf;
@@ -193,6 +197,8 @@ std::vector<fs::path> files_of_output(const fs::path& path) {
 result<mesh_format> check_output(const std::filesystem::path& path) {
   auto format = mesh_format_of(path);
   if (!format.ok()) return format;
+  if (is_picture(format.value()))
+    if (const auto missing = missing_for_pictures()) return missing->at(path.string());
   for (const fs::path& file : files_of_output(path))
     if (const auto writable = check_writable(file); !writable.ok()) return writable.failure();
   return format;

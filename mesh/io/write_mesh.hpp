@@ -36,8 +36,8 @@ enum class mesh_format { medit, vtu, svg, png, pdf, html, gmsh, gmsh2, su2, node
 ASTERISM_EXPORT result<mesh_format> mesh_format_of(const std::filesystem::path& path);
 
 // Checks that a mesh could be written there. Refuses unknown extensions, missing or unwritable
-// directories, and places taken by something that is not a regular file; for finding out before a
-// long computation.
+// directories, places taken by something that is not a regular file, and pictures where cairo is
+// missing; for finding out before a long computation.
 ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& path);
 
 // Returns every file that is written with `path`, itself first.

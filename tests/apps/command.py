@@ -17,11 +17,12 @@ class CommandTest(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="asterism-test-"))
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def run_command(self, *arguments, text="", seconds=240):
-        """`text` is standard input, as text or as bytes."""
+    def run_command(self, *arguments, text="", seconds=240, environment=None):
+        """`text` is standard input, as text or as bytes; `environment` is added to that of the tests."""
         data = text if isinstance(text, bytes) else text.encode()
         done = subprocess.run([PROGRAM, *map(str, arguments)], input=data, cwd=self.folder,
-                              capture_output=True, timeout=seconds, check=False)
+                              capture_output=True, timeout=seconds, check=False,
+                              env={**os.environ, **(environment or {})})
         done.stdout = done.stdout.decode()
         done.stderr = done.stderr.decode()
         return done

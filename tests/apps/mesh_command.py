@@ -477,6 +477,19 @@ class Mesh(command.CommandTest):
         self.assertEqual(self.run_command("draw", "m.mesh", "-o", "f.svg", "--ellipses").returncode, 2)
         self.assertNotIn("f.svg", self.files())
 
+    def test_without_cairo_all_but_pictures_is_made(self):
+        self.make("-o", "there.mesh")
+        self.write("libcairo.so.2", "")  # the first that the loader finds
+        without = {"LD_LIBRARY_PATH": str(self.folder)}
+        done = self.run_command(*command.JOB, "-o", "again.mesh", "-o", "again.html", environment=without)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        before = self.files()
+        for job in ([*command.JOB, "-o", "n.mesh", "-o", "n.svg"], ["draw", "there.mesh", "-o", "n.png"]):
+            done = self.run_command(*job, environment=without)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertRegex(done.stderr, r"\Aasterism: n\.(svg|png): cairo, which draws pictures, is missing: .*libcairo")
+        self.assertEqual(self.files(), before)
+
 
 if __name__ == "__main__":
     unittest.main()
