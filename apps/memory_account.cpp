@@ -42,31 +42,37 @@ residence read_residence() {
   return {static_cast<double>(pages) * page, static_cast<double>(shared) * page};
 }
 
-// What may be held follows what of the program's files has become resident, which is code as it
-// comes to be used, and differs between machines: a look each time that another megabyte is held.
+// What may be held follows what is resident besides, which differs between machines: code, as it
+// comes to be used, and blocks that were given back and the allocator keeps. There is a look each
+// time that another megabyte is held.
 class allowance {
  public:
   void begin(double bytes) {
-    const residence now = read_residence();
-    bytes_ = bytes - (now.all - now.of_files);
-    of_files_ = now.of_files;
-    renew(now.of_files);
+    bytes_ = bytes;
+    start_ = read_residence();
+    renew(start_);
   }
-  void look_again() { renew(read_residence().of_files); }
+  void look_again() { renew(read_residence()); }
 
  private:
-  void renew(double of_files) {
+  void renew(const residence& now) {
     // Code that is not resident yet, and the stacks of threads. Measured; 3 to 4 megabytes.
     constexpr double to_come = 4e6, at_least = 1e6;
     // Under a limit that the program alone goes beyond, it can still say so.
     constexpr double least = 2e6, largest = 0x1p62;
     constexpr std::int64_t between_looks = 1 << 20;
-    const double spare = std::max(at_least, to_come - (of_files - of_files_));
-    most = static_cast<std::int64_t>(std::clamp(bytes_ - of_files - spare, least, largest));
-    next_look = held.load(std::memory_order_relaxed) + between_looks;
+    const std::int64_t then = held.load(std::memory_order_relaxed);
+    const double spare = std::max(at_least, to_come - (now.of_files - start_.of_files));
+    // Not all that is held has been written to: it need not be resident yet.
+    const double kept =
+        std::max(now.all - now.of_files - static_cast<double>(then), start_.all - start_.of_files);
+    most =
+        static_cast<std::int64_t>(std::clamp(bytes_ - now.of_files - kept - spare, least, largest));
+    next_look = then + between_looks;
   }
 
-  double bytes_ = 0, of_files_ = 0;  // what the program may add to its files; those at the start
+  double bytes_ = 0;
+  residence start_;
 };
 
 allowance allowed;
