@@ -53,26 +53,36 @@ struct measured_part {
 
 std::string vertex_name(vertex_index v) { return "vertex " + std::to_string(v + 1); }
 
+// A chunk's covering radius needs no measuring where the quick ones are below what another chunk has
+// already: so the triangle of each that is likely to have the greatest is measured before the rest.
 double covering_radius(const mesh& m) {
+  const auto radius_of = [&](std::size_t i) {
+    const triangle& t = m.triangles[i];
+    return theorem::covering_radius_above({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]});
+  };
+  std::vector<double> quick(m.triangles.size());
+  const auto widest = collect_chunks<double>(
+      m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<double>& out) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const triangle& t = m.triangles[i];
+          quick[i] = theorem::quick_covering_radius_above(
+              {m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]});
+        }
+        const auto first = quick.begin();
+        const auto greatest = std::max_element(first + static_cast<std::ptrdiff_t>(begin),
+                                               first + static_cast<std::ptrdiff_t>(end));
+        out.push_back(radius_of(static_cast<std::size_t>(greatest - first)));
+      });
+  double known = 0;
+  for (const double part : widest) known = greatest_bound(known, part);
   const auto parts = collect_chunks<double>(
       m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<double>& out) {
-        const auto corners = [&](std::size_t i) {
-          const triangle& t = m.triangles[i];
-          return std::array<site, 3>{m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]};
-        };
-        std::vector<double> quick;
+        double radius = known;
         for (std::size_t i = begin; i < end; ++i)
-          quick.push_back(theorem::quick_covering_radius_above(corners(i)));
-        // Begins with the triangle that is likely to have the greatest.
-        const auto widest = std::max_element(quick.begin(), quick.end());
-        double radius = theorem::covering_radius_above(
-            corners(begin + static_cast<std::size_t>(widest - quick.begin())));
-        for (std::size_t i = begin; i < end; ++i)
-          if (!(quick[i - begin] < radius))
-            radius = greatest_bound(radius, theorem::covering_radius_above(corners(i)));
+          if (!(quick[i] < radius)) radius = greatest_bound(radius, radius_of(i));
         out.push_back(radius);
       });
-  double radius = 0;
+  double radius = known;
   for (const double part : parts) radius = greatest_bound(radius, part);
   return radius;
 }
