@@ -152,7 +152,7 @@ void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t f
     };
     if (!part.failure.empty()) return;
     if (gathered)
-      sites.tree.visit_near(leaves, m.sites[v], radius, measure);
+      sites.tree.visit_near(leaves, m.sites[v], radius, measure, i + 1);
     else
       sites.tree.visit_near(m.sites[v], radius, measure);
   }

@@ -147,18 +147,23 @@ bool plain_star_store::find_near(vertex_index w, double reach, std::vector<verte
 void plain_star_store::make_star(vertex_index w, double distance, std::vector<vertex_index>& near,
                                  std::uint64_t& looked_at) {
   constexpr double diameters = 2.1, first_reach = 2.2;
+  constexpr double margin = 1.02, least_growth = 1.25;
   // Fewer do not surround a site.
   constexpr std::size_t least_neighbours = 3;
   // Reaches double, so that they leave the range of doubles, or the box, long before.
   constexpr int most_attempts = 64;
   const double ordinary = first_reach * distance;
   double reach = std::min(ordinary, first_reach_among_dense(w, distance));
-  for (int attempt = 1; attempt <= most_attempts; ++attempt, reach *= 2) {
+  for (int attempt = 1; attempt <= most_attempts; ++attempt) {
     const bool all = find_near(w, reach, near, looked_at);
-    if (near.size() < least_neighbours && !all) continue;
+    if (near.size() < least_neighbours && !all) {
+      reach *= 2;
+      continue;
+    }
     stars_[w] = build_plain_star(sites_->all(), w, near);
-    const bool is_wide_enough = diameters * farthest_vertex(w, attempt >= 2) <= reach;
-    if (all || is_wide_enough || is_hopeless(w, attempt, reach >= ordinary, near.size())) return;
+    const double wanted = diameters * farthest_vertex(w, attempt >= 2);
+    if (all || wanted <= reach || is_hopeless(w, attempt, reach >= ordinary, near.size())) return;
+    reach = std::clamp(margin * wanted, least_growth * reach, 2 * reach);
   }
 }
 

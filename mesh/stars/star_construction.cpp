@@ -104,7 +104,16 @@ std::optional<star> ring_star(const site_oracle& oracle, vertex_index v,
   return s;
 }
 
+// True if no subsegment comes near the box around the star.
+bool is_clear_of_subsegments(const site_oracle& oracle, vertex_index v, const star& s) {
+  bounding_box around{oracle.sites()[v].position, oracle.sites()[v].position};
+  for (const sector& part : s.sectors)
+    for (const vertex_index u : part.neighbours) around.include(oracle.sites()[u].position);
+  return oracle.near()->subsegments().visit(around, [](std::uint32_t) { return false; });
+}
+
 bool sees_neighbours(const site_oracle& oracle, vertex_index v, const star& s) {
+  if (is_clear_of_subsegments(oracle, v, s)) return true;
   for (const sector& part : s.sectors)
     for (std::size_t i = 0; i < part.size(); ++i)
       if (!part.is_forced(i) && !oracle.visible(v, part.neighbours[i])) return false;
