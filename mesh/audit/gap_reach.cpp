@@ -19,9 +19,7 @@ constexpr double down = 1 - 0x1p-20, up = 1 + 0x1p-20, step = 0x1p-46;
 struct sized {
   double value, size;
 
-  bool is_known() const {
-    return value > 0x1p-20 * size && value > 0x1p-300 && size < 0x1p300;
-  }
+  bool is_known() const { return value > 0x1p-20 * size && value > 0x1p-300 && size < 0x1p300; }
   double below() const { return value - step * size; }
 };
 

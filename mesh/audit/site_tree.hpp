@@ -116,6 +116,9 @@ class site_tree {
   // Returns the square of a distance from v beyond which no site of the node matters, whatever its
   // direction, though nearer ones may not either; infinite where none is known.
   static double far_squared(const node& n, const centre& v);
+  // True if all of the node's box is certainly farther than that from the one star v, as one of the
+  // axes shows.
+  static bool is_beside(const node& n, const centre& v, double far_squared);
   // True if |d|^2 is certainly more than that, d as the metric measures.
   static bool is_farther(const point& d, const metric_tensor& m, double far_squared);
   template <class Visit>
@@ -154,6 +157,7 @@ template <class Visit>
 void site_tree::visit_leaf(const node& n, const centre& v, std::size_t from,
                            const Visit& visit) const {
   const double far = far_squared(n, v);
+  if (is_beside(n, v, far)) return;
   for (std::size_t i = n.first < from ? from : n.first; i < n.last; ++i) {
     const point d{places_[i].x - v.low.x, places_[i].y - v.low.y};
     if (is_farther(d, v.metric, far)) continue;

@@ -113,7 +113,7 @@ struct fan_gap {
   vertex_index x = 0, y = 0;
   bool is_skipped = false;  // x -> y is a subsegment, beyond which nothing is seen, or left open
   double reach = 0;         // how far from v sites matter to it
-  mutable std::optional<star_gap> prepared;       // made for the first question, if it may be shared
+  mutable std::optional<star_gap> prepared;  // made for the first question, if it may be shared
   mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
 };
 
@@ -284,7 +284,8 @@ class star_check {
     }
   }
 
-  // Returns how far the gap reaches: most do not need to be prepared for that, nor for any question.
+  // Returns how far the gap reaches: most do not need to be prepared for that, nor for any
+  // question.
   double reach_of(vertex_index v, const fan_gap& gap) const {
     const double quick = quick_reach(at(v), at(gap.x), at(gap.y));
     if (is_finite(quick)) return quick;

@@ -145,8 +145,8 @@ bool is_in_range(double size) { return size > 0x1p-800 && size < 0x1p800; }
 double distortion_allowed(const pair_measures& known, double distance_below) {
   constexpr double down = 1 - 0x1p-28;
   const double left = 1 - known.variation_above * distance_below;
-  const double t = left > 0x1p-20 ? std::min(known.distortion_above, down / left)
-                                  : known.distortion_above;
+  const double t =
+      left > 0x1p-20 ? std::min(known.distortion_above, down / left) : known.distortion_above;
   return t > 1 && t < 0x1p20 ? t : 0;
 }
 
@@ -154,7 +154,8 @@ double distortion_allowed(const pair_measures& known, double distance_below) {
 // 2^-44 of the magnitudes.
 bool is_clearly_within(const pair_measures& known, const site& p, const site& q) {
   const point d = plain_between(p, q);
-  const plain_value from_p = plain_square_norm(p.metric, d), from_q = plain_square_norm(q.metric, d);
+  const plain_value from_p = plain_square_norm(p.metric, d),
+                    from_q = plain_square_norm(q.metric, d);
   const double least = std::min(from_p.below(), from_q.below()),
                apart = known.larger_distance_below * known.larger_distance_below;
   if (!(is_in_range(from_p.size) && is_in_range(from_q.size) && least > 0)) return false;

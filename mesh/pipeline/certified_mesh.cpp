@@ -54,8 +54,8 @@ audit_report audit_if_possible(const mesh& subject, const audit_options& asked) 
   }
 }
 
-// True if the mesher took the mesh in the metric wanted to be complete, and the audit refuses one of
-// its stars: the mesher itself may find that before.
+// True if the mesher took the mesh in the metric wanted to be complete, and the audit refuses one
+// of its stars: the mesher itself may find that before.
 bool may_be_confirmed(const certified_mesh& judged, const mesh_options& options) {
   const mesh_outcome& outcome = judged.outcome;
   if (!outcome.complete || outcome.delivered || outcome.one_metric || options.improve_passes > 0)

@@ -177,7 +177,8 @@ class ways_to_mesh {
 
   // Makes one with so much of the work that stars may take, in the frame.
   result<mesh_outcome> mesh_in_metric_wanted(const mesh_options& options, double share) {
-    return mesh_domain({stars_on_, image_.shape(), image_.field(), options, progress_, share, confirmed_});
+    return mesh_domain(
+        {stars_on_, image_.shape(), image_.field(), options, progress_, share, confirmed_});
   }
 
   // Leaves curves out: without demands, chords stay straight.
@@ -239,9 +240,9 @@ result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
 result<mesh_outcome> internal::make_unconfirmed_mesh(const domain& d, const metric_field& field,
                                                      const mesh_options& options,
                                                      const progress_listener& progress) {
-  return make(d, field, options, progress,
-              options.improve_passes > 0 ? star_confirmation::by_mesher
-                                         : star_confirmation::by_auditor);
+  return make(
+      d, field, options, progress,
+      options.improve_passes > 0 ? star_confirmation::by_mesher : star_confirmation::by_auditor);
 }
 
 }  // namespace asterism

@@ -128,7 +128,7 @@ class star_set {
   double work_share_ = 1;
   std::size_t candidates_ = 0;
   touched_stars touched_;
-  const neighbour_lists* guesses_ = nullptr;  // while all stars are made
+  const neighbour_lists* guesses_ = nullptr;                    // while all stars are made
   star_confirmation confirmed_ = star_confirmation::by_mesher;  // the guesses
   std::vector<star> stars_;
   std::vector<condition> condition_;
