@@ -85,9 +85,30 @@ point plain_between(const site& from, const site& to) {
   return {to.position.x - from.position.x, to.position.y - from.position.y};
 }
 
-// Returns the centre of the circle that the sum of the three metrics sees through the corners, as
-// a place of the triangle; beyond an edge the middle of that edge. Never outside, and not trusted
-// for anything else. Both vectors are from the first corner.
+point covector(const metric_tensor& m, const point& u) {
+  return {m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
+}
+
+// Returns x, from the first corner, after one step of Newton's method towards where all three
+// corners are equally far.
+point nearer_to_vertex(const std::array<site, 3>& t, const point& to_b, const point& to_c,
+                       const point& x) {
+  const point from_b{x.x - to_b.x, x.y - to_b.y}, from_c{x.x - to_c.x, x.y - to_c.y};
+  const point a = covector(t[0].metric, x), b = covector(t[1].metric, from_b),
+              c = covector(t[2].metric, from_c);
+  const double square = x.x * a.x + x.y * a.y;
+  const double excess_b = 0.5 * (square - (from_b.x * b.x + from_b.y * b.y)),
+               excess_c = 0.5 * (square - (from_c.x * c.x + from_c.y * c.y));
+  const point slope_b{b.x - a.x, b.y - a.y}, slope_c{c.x - a.x, c.y - a.y};
+  const double inverse = 1 / (slope_b.x * slope_c.y - slope_b.y * slope_c.x);
+  return {x.x + inverse * (excess_b * slope_c.y - excess_c * slope_b.y),
+          x.y + inverse * (excess_c * slope_b.x - excess_b * slope_c.x)};
+}
+
+// Returns about where all three corners are equally far: a step from the centre of the circle that
+// the sum of their metrics sees through them, as a place of the triangle; beyond an edge the middle
+// of that edge. Never outside, and not trusted for anything else. Both vectors are from the first
+// corner.
 place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const point& to_c) {
   constexpr double all_but = 1 - 0x1p-40;
   metric_tensor m{0, 0, 0};
@@ -97,7 +118,12 @@ place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const 
   };
   const double bb = product(to_b, to_b), bc = product(to_b, to_c), cc = product(to_c, to_c);
   const double half_inverse = 0.5 / (bb * cc - bc * bc);
-  const place p{cc * (bb - bc) * half_inverse, bb * (cc - bc) * half_inverse};
+  const double second = cc * (bb - bc) * half_inverse, third = bb * (cc - bc) * half_inverse;
+  const point x = nearer_to_vertex(
+      t, to_b, to_c, {second * to_b.x + third * to_c.x, second * to_b.y + third * to_c.y});
+  const double inverse_area = 1 / (to_b.x * to_c.y - to_b.y * to_c.x);
+  const place p{(x.x * to_c.y - x.y * to_c.x) * inverse_area,
+                (to_b.x * x.y - to_b.y * x.x) * inverse_area};
   if (!(std::abs(p.second) < infinity && std::abs(p.third) < infinity)) return {1.0 / 3, 1.0 / 3};
   if (p.second < 0) return {0, 0.5};
   if (p.third < 0) return {0.5, 0};

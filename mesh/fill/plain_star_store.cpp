@@ -106,11 +106,28 @@ void plain_star_store::renew_disturbed(const std::vector<disturbed>& pairs) {
       for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
       for (std::size_t j = starts[i]; j < starts[i + 1]; ++j) candidates.push_back(pairs[j].by);
       looked_at += candidates.size();
-      stars_[v] = build_plain_star(sites_->all(), v, candidates, stars_[v]);
+      stars_[v] = build_plain_star(
+          sites_->all(), v, candidates, stars_[v],
+          [&](plain_gap& gap, vertex_index next) { return take_from_new(v, gap, next); });
     }
     work_->count_candidates(looked_at);
   });
   for (std::size_t i = 0; i + 1 < starts.size(); ++i) changed_.push_back(pairs[starts[i]].star);
+}
+
+// Takes the vertex of a gap of an older site v from the star of a new one beside the gap, if that
+// has the same triangle. Stars of new sites do not change while others are renewed.
+bool plain_star_store::take_from_new(vertex_index v, plain_gap& gap, vertex_index next) const {
+  const auto take = [&](vertex_index w, vertex_index first, vertex_index second) {
+    if (w < finished_) return false;
+    const plain_star& star = stars_[w];
+    for (std::size_t i = 0; i < star.size(); ++i)
+      if (star[i].neighbour == first)
+        return star[following(star, i)].neighbour == second &&
+               take_vertex(sites_->all(), v, gap, next, w, star[i]);
+    return false;
+  };
+  return take(gap.neighbour, next, v) || take(next, v, gap.neighbour);
 }
 
 bool plain_star_store::is_enough(std::size_t i) const {
