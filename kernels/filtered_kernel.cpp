@@ -8,6 +8,7 @@
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 #include "asterism/kernels/predicate_kernel.hpp"
+#include "asterism/kernels/segment_witness.hpp"
 #include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/kernels/star_gap.hpp"
 
@@ -85,6 +86,7 @@ uncertain_bool ask_directions(const site& v, const site& w, const site& x, const
 }
 
 uncertain_bool ask_doubles(const site& v, const site& w, const site& x, const site& y) {
+  if (segment_shows_edge(v, w, x, y)) return true;
   const uncertain_bool by_gaps = ask_gaps(v, w, x, y);
   return by_gaps.certain() ? by_gaps : ask_directions(v, w, x, y);
 }

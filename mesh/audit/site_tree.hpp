@@ -51,10 +51,11 @@ class site_tree {
   // metrics much the same.
   bool gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves,
               std::size_t from = 0) const;
-  // Visits as the function without leaves does, for one of the stars they were gathered for.
+  // Visits as the function without leaves does, for one of the stars they were gathered for, from a
+  // place in the order on.
   template <class Visit>
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
-                  const Visit& visit) const;
+                  const Visit& visit, std::size_t from = 0) const;
 
   // True if w is certainly too far from v.
   static bool is_too_far(const site& v, double reach, const site& w);
@@ -115,10 +116,13 @@ class site_tree {
   // Returns the square of a distance from v beyond which no site of the node matters, whatever its
   // direction, though nearer ones may not either; infinite where none is known.
   static double far_squared(const node& n, const centre& v);
+  // True if all of the node's box is certainly farther than that from the one star v, as one of the
+  // axes shows.
+  static bool is_beside(const node& n, const centre& v, double far_squared);
   // True if |d|^2 is certainly more than that, d as the metric measures.
   static bool is_farther(const point& d, const metric_tensor& m, double far_squared);
   template <class Visit>
-  void visit_leaf(const node& n, const centre& v, const Visit& visit) const;
+  void visit_leaf(const node& n, const centre& v, std::size_t from, const Visit& visit) const;
   // Calls visit(leaf) for each that is not too far and does not end before `from` in the order.
   template <class Visit>
   void visit_leaves(const centre& c, std::size_t from, const Visit& visit) const;
@@ -150,9 +154,11 @@ void site_tree::visit_leaves(const centre& c, std::size_t from, const Visit& vis
 }
 
 template <class Visit>
-void site_tree::visit_leaf(const node& n, const centre& v, const Visit& visit) const {
+void site_tree::visit_leaf(const node& n, const centre& v, std::size_t from,
+                           const Visit& visit) const {
   const double far = far_squared(n, v);
-  for (std::size_t i = n.first; i < n.last; ++i) {
+  if (is_beside(n, v, far)) return;
+  for (std::size_t i = n.first < from ? from : n.first; i < n.last; ++i) {
     const point d{places_[i].x - v.low.x, places_[i].y - v.low.y};
     if (is_farther(d, v.metric, far)) continue;
     if (!too_far(d, sites_[order_[i]].metric, inverse_determinants_[i], v)) visit(order_[i]);
@@ -162,15 +168,15 @@ void site_tree::visit_leaf(const node& n, const centre& v, const Visit& visit) c
 template <class Visit>
 void site_tree::visit_near(const site& v, double reach, const Visit& visit) const {
   const centre c = centre_of(v, reach);
-  visit_leaves(c, 0, [&](std::size_t leaf) { visit_leaf(nodes_[leaf], c, visit); });
+  visit_leaves(c, 0, [&](std::size_t leaf) { visit_leaf(nodes_[leaf], c, 0, visit); });
 }
 
 template <class Visit>
 void site_tree::visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
-                           const Visit& visit) const {
+                           const Visit& visit, std::size_t from) const {
   const centre c = centre_of(v, reach);
   for (const std::size_t leaf : leaves)
-    if (!too_far(nodes_[leaf], c)) visit_leaf(nodes_[leaf], c, visit);
+    if (nodes_[leaf].last > from) visit_leaf(nodes_[leaf], c, from, visit);
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -8,6 +8,7 @@
 // on the ray of a neighbour is farther than it, and a site in a gap is beyond the gap's edge.
 // Source: the thesis, section 3.3 (INSERTIONTEST) and definition 9.
 //
+// How far a gap reaches takes few operations (audit/gap_reach.hpp); most are asked about no site.
 // Nearly every question is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
 // for a gap; what it does not know by the auditor's own filter of wider range, and then edge_test.
 // The mesher asks prepared gaps too. Where the two are not to share that, as in verify(), they are
@@ -29,6 +30,7 @@
 #include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/audit/audit_work.hpp"
 #include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/gap_reach.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
 #include "asterism/mesh/audit/subsegment_tree.hpp"
@@ -111,7 +113,7 @@ struct fan_gap {
   vertex_index x = 0, y = 0;
   bool is_skipped = false;  // x -> y is a subsegment, beyond which nothing is seen, or left open
   double reach = 0;         // how far from v sites matter to it
-  std::optional<star_gap> prepared;               // unless on the boundary, or not to be shared
+  mutable std::optional<star_gap> prepared;  // made for the first question, if it may be shared
   mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
 };
 
@@ -272,7 +274,7 @@ class star_check {
       gap.y = fan.link[(i + 1) % n];
       gap.is_skipped = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
       if (gap.is_skipped) continue;
-      gap.reach = prepare(v, gap);
+      gap.reach = reach_of(v, gap);
       if (context_.leaves_open && !is_finite(gap.reach) && around_.concerns(v, gap.x, gap.y)) {
         leave_open(v, v, gap.x, gap.y, open_question::about::gap);
         gap.is_skipped = true;
@@ -282,14 +284,25 @@ class star_check {
     }
   }
 
-  double prepare(vertex_index v, fan_gap& gap) const {
-    gap.prepared.reset();
-    if (!context_.options.own_filter_alone) {
-      gap.prepared.emplace(at(v), at(gap.x), at(gap.y));
-      const double reach = gap.prepared->reach();
-      if (reach < std::numeric_limits<double>::infinity()) return reach;
-    }
-    return gap.filter.emplace(at(v), at(gap.x), at(gap.y)).reach();
+  // Returns how far the gap reaches: most do not need to be prepared for that, nor for any
+  // question.
+  double reach_of(vertex_index v, const fan_gap& gap) const {
+    const double quick = quick_reach(at(v), at(gap.x), at(gap.y));
+    if (is_finite(quick)) return quick;
+    if (const star_gap* prepared = prepared_gap(v, gap); prepared != nullptr)
+      if (const double reach = prepared->reach(); is_finite(reach)) return reach;
+    return filter_of(v, gap).reach();
+  }
+
+  // Returns the kernel's gap, made when it is first asked for; null where it is not to be shared.
+  const star_gap* prepared_gap(vertex_index v, const fan_gap& gap) const {
+    if (context_.options.own_filter_alone) return nullptr;
+    if (!gap.prepared) gap.prepared.emplace(at(v), at(gap.x), at(gap.y));
+    return &*gap.prepared;
+  }
+  const star_gap_filter& filter_of(vertex_index v, const fan_gap& gap) const {
+    if (!gap.filter) gap.filter.emplace(at(v), at(gap.x), at(gap.y));
+    return *gap.filter;
   }
 
   vector2<double> to(vertex_index v, vertex_index w) const {
@@ -335,14 +348,14 @@ class star_check {
   }
 
   bool is_accepted(vertex_index v, vertex_index w, const fan_gap& gap) {
-    if (gap.prepared) {
-      const uncertain_bool by_v = gap.prepared->accepts(at(w));
+    const star_gap* prepared = prepared_gap(v, gap);
+    if (prepared != nullptr) {
+      const uncertain_bool by_v = prepared->accepts(at(w));
       if (by_v.certain()) return by_v.value();
     }
     // Made once for a gap, and cheaper than a gap of w's.
-    if (!gap.filter) gap.filter.emplace(at(v), at(gap.x), at(gap.y));
-    if (gap.filter->excludes(at(w))) return false;
-    if (gap.prepared) {
+    if (filter_of(v, gap).excludes(at(w))) return false;
+    if (prepared != nullptr) {
       // The question is the same to w, who often sees it more clearly.
       const uncertain_bool by_w = star_gap(at(w), at(gap.y), at(gap.x)).accepts(at(v));
       if (by_w.certain()) return by_w.value();

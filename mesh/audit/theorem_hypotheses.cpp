@@ -53,26 +53,37 @@ struct measured_part {
 
 std::string vertex_name(vertex_index v) { return "vertex " + std::to_string(v + 1); }
 
+// A chunk's covering radius needs no measuring where the quick ones are below what another chunk
+// has already: so the triangle of each that is likely to have the greatest is measured before the
+// rest.
 double covering_radius(const mesh& m) {
+  const auto radius_of = [&](std::size_t i) {
+    const triangle& t = m.triangles[i];
+    return theorem::covering_radius_above({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]});
+  };
+  std::vector<double> quick(m.triangles.size());
+  const auto widest = collect_chunks<double>(
+      m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<double>& out) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const triangle& t = m.triangles[i];
+          quick[i] =
+              theorem::quick_covering_radius_above({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]});
+        }
+        const auto first = quick.begin();
+        const auto greatest = std::max_element(first + static_cast<std::ptrdiff_t>(begin),
+                                               first + static_cast<std::ptrdiff_t>(end));
+        out.push_back(radius_of(static_cast<std::size_t>(greatest - first)));
+      });
+  double known = 0;
+  for (const double part : widest) known = greatest_bound(known, part);
   const auto parts = collect_chunks<double>(
       m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<double>& out) {
-        const auto corners = [&](std::size_t i) {
-          const triangle& t = m.triangles[i];
-          return std::array<site, 3>{m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]};
-        };
-        std::vector<double> quick;
+        double radius = known;
         for (std::size_t i = begin; i < end; ++i)
-          quick.push_back(theorem::quick_covering_radius_above(corners(i)));
-        // Begins with the triangle that is likely to have the greatest.
-        const auto widest = std::max_element(quick.begin(), quick.end());
-        double radius = theorem::covering_radius_above(
-            corners(begin + static_cast<std::size_t>(widest - quick.begin())));
-        for (std::size_t i = begin; i < end; ++i)
-          if (!(quick[i - begin] < radius))
-            radius = greatest_bound(radius, theorem::covering_radius_above(corners(i)));
+          if (!(quick[i] < radius)) radius = greatest_bound(radius, radius_of(i));
         out.push_back(radius);
       });
-  double radius = 0;
+  double radius = known;
   for (const double part : parts) radius = greatest_bound(radius, part);
   return radius;
 }
@@ -142,27 +153,45 @@ void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t f
     };
     if (!part.failure.empty()) return;
     if (gathered)
-      sites.tree.visit_near(leaves, m.sites[v], radius, measure);
+      sites.tree.visit_near(leaves, m.sites[v], radius, measure, i + 1);
     else
       sites.tree.visit_near(m.sites[v], radius, measure);
   }
 }
 
-void check_subsegment(const mesh& m, const site_tree& tree, const boundary_edge& subsegment,
-                      audit_patience& patience, measured_part& part) {
-  const site &a = m.sites[subsegment.a], &b = m.sites[subsegment.b];
-  const double length =
-      greatest_bound(theorem::distance_above(a, b), theorem::distance_above(b, a));
-  part.longest_subsegment = greatest_bound(part.longest_subsegment, length);
-  tree.visit_near(a, length, [&](vertex_index w) {
-    patience.count(a_look);
-    if (w == subsegment.a || w == subsegment.b || !part.failure.empty() || patience.is_over())
-      return;
-    if (!audit_detail::is_certainly_farther_than_nearer_end(a, b, m.sites[w]))
-      part.failure = vertex_name(w) + " may be as near to a point of the boundary edge from " +
-                     vertex_name(subsegment.a) + " to " + vertex_name(subsegment.b) +
-                     " as its ends";
-  });
+// Holds the site w against a subsegment.
+void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w,
+                  audit_patience& patience, measured_part& part) {
+  patience.count(a_look);
+  if (w == subsegment.a || w == subsegment.b || !part.failure.empty() || patience.is_over()) return;
+  if (!audit_detail::is_certainly_farther_than_nearer_end(m.sites[subsegment.a],
+                                                          m.sites[subsegment.b], m.sites[w]))
+    part.failure = vertex_name(w) + " may be as near to a point of the boundary edge from " +
+                   vertex_name(subsegment.a) + " to " + vertex_name(subsegment.b) + " as its ends";
+}
+
+// Checks some subsegments, of which neighbours in the list are often neighbours in the plane: what
+// is near all of them is looked for once.
+void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, std::size_t last,
+                       audit_patience& patience, measured_part& part) {
+  std::vector<site_tree::reaching> starts;
+  for (std::size_t i = first; i < last; ++i) {
+    const site &a = m.sites[m.boundary[i].a], &b = m.sites[m.boundary[i].b];
+    const double length =
+        greatest_bound(theorem::distance_above(a, b), theorem::distance_above(b, a));
+    part.longest_subsegment = greatest_bound(part.longest_subsegment, length);
+    starts.push_back({a, length});
+  }
+  std::vector<std::size_t> leaves;
+  const bool gathered = tree.gather(starts, leaves);
+  for (std::size_t i = first; i < last; ++i) {
+    const auto& [a, length] = starts[i - first];
+    const auto check = [&](vertex_index w) { check_beside(m, m.boundary[i], w, patience, part); };
+    if (gathered)
+      tree.visit_near(leaves, a, length, check);
+    else
+      tree.visit_near(a, length, check);
+  }
 }
 
 // Measures `count` items, so many at a time, and puts them together in order. Sets `unfinished` of
@@ -238,11 +267,11 @@ theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_
   asked.stop = [&stop] { return stop.told(); };
   audit_context context(subject, asked, counted);
   const site_tree tree(subject.sites);
-  const measured_part subsegments =
-      measure_all(context, subject.boundary.size(), 1,
-                  [&](std::size_t i, std::size_t, audit_patience& patience, measured_part& part) {
-                    check_subsegment(subject, tree, subject.boundary[i], patience, part);
-                  });
+  const measured_part subsegments = measure_all(
+      context, subject.boundary.size(), looked_for_together,
+      [&](std::size_t first, std::size_t last, audit_patience& patience, measured_part& part) {
+        check_subsegments(subject, tree, first, last, patience, part);
+      });
   h.longest_subsegment = subsegments.longest_subsegment;
   const ordered_sites sites(tree);
   const double radius = radius_that_matters(subject, h.covering_radius);

@@ -85,9 +85,30 @@ point plain_between(const site& from, const site& to) {
   return {to.position.x - from.position.x, to.position.y - from.position.y};
 }
 
-// Returns the centre of the circle that the sum of the three metrics sees through the corners, as
-// a place of the triangle; beyond an edge the middle of that edge. Never outside, and not trusted
-// for anything else. Both vectors are from the first corner.
+point covector(const metric_tensor& m, const point& u) {
+  return {m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
+}
+
+// Returns x, from the first corner, after one step of Newton's method towards where all three
+// corners are equally far.
+point nearer_to_vertex(const std::array<site, 3>& t, const point& to_b, const point& to_c,
+                       const point& x) {
+  const point from_b{x.x - to_b.x, x.y - to_b.y}, from_c{x.x - to_c.x, x.y - to_c.y};
+  const point a = covector(t[0].metric, x), b = covector(t[1].metric, from_b),
+              c = covector(t[2].metric, from_c);
+  const double square = x.x * a.x + x.y * a.y;
+  const double excess_b = 0.5 * (square - (from_b.x * b.x + from_b.y * b.y)),
+               excess_c = 0.5 * (square - (from_c.x * c.x + from_c.y * c.y));
+  const point slope_b{b.x - a.x, b.y - a.y}, slope_c{c.x - a.x, c.y - a.y};
+  const double inverse = 1 / (slope_b.x * slope_c.y - slope_b.y * slope_c.x);
+  return {x.x + inverse * (excess_b * slope_c.y - excess_c * slope_b.y),
+          x.y + inverse * (excess_c * slope_b.x - excess_b * slope_c.x)};
+}
+
+// Returns about where all three corners are equally far: a step from the centre of the circle that
+// the sum of their metrics sees through them, as a place of the triangle; beyond an edge the middle
+// of that edge. Never outside, and not trusted for anything else. Both vectors are from the first
+// corner.
 place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const point& to_c) {
   constexpr double all_but = 1 - 0x1p-40;
   metric_tensor m{0, 0, 0};
@@ -97,7 +118,12 @@ place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const 
   };
   const double bb = product(to_b, to_b), bc = product(to_b, to_c), cc = product(to_c, to_c);
   const double half_inverse = 0.5 / (bb * cc - bc * bc);
-  const place p{cc * (bb - bc) * half_inverse, bb * (cc - bc) * half_inverse};
+  const double second = cc * (bb - bc) * half_inverse, third = bb * (cc - bc) * half_inverse;
+  const point x = nearer_to_vertex(
+      t, to_b, to_c, {second * to_b.x + third * to_c.x, second * to_b.y + third * to_c.y});
+  const double inverse_area = 1 / (to_b.x * to_c.y - to_b.y * to_c.x);
+  const place p{(x.x * to_c.y - x.y * to_c.x) * inverse_area,
+                (to_b.x * x.y - to_b.y * x.x) * inverse_area};
   if (!(std::abs(p.second) < infinity && std::abs(p.third) < infinity)) return {1.0 / 3, 1.0 / 3};
   if (p.second < 0) return {0, 0.5};
   if (p.third < 0) return {0.5, 0};
@@ -119,6 +145,57 @@ double plain_distance_above(const metric_tensor& m, const point& p, const point&
       (m.m11 * extent.x + 2 * std::abs(m.m12) * extent.y) * extent.x + m.m22 * extent.y * extent.y;
   const bool in_range = size > 0x1p-800 && size < 0x1p800 && extent.x + extent.y > 0x1p-400;
   return in_range ? std::sqrt(square + 0x1p-47 * size) * (1 + 0x1p-50) : infinity;
+}
+
+// A value, and at least the sum of its absolute monomials; 2^-48 of that is more than its error.
+struct plain_value {
+  double value, size;
+
+  double below() const { return value - 0x1p-46 * size; }
+};
+
+plain_value plain_square_norm(const metric_tensor& m, const point& u) {
+  const double unmixed = m.m11 * (u.x * u.x) + m.m22 * (u.y * u.y), mixed = m.m12 * (u.x * u.y);
+  return {unmixed + 2 * mixed, 2 * unmixed};
+}
+
+plain_value plain_determinant(const metric_tensor& m) {
+  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
+  return {product - square, product + square};
+}
+
+bool is_in_range(double size) { return size > 0x1p-800 && size < 0x1p800; }
+
+// Returns a bound on tau that keeps both measures of a pair at this distance within what is known;
+// 0 where none is sure. 1 - sigma d is off by a part of 2^-30 at most where it is not small.
+double distortion_allowed(const pair_measures& known, double distance_below) {
+  constexpr double down = 1 - 0x1p-28;
+  const double left = 1 - known.variation_above * distance_below;
+  const double t =
+      left > 0x1p-20 ? std::min(known.distortion_above, down / left) : known.distortion_above;
+  return t > 1 && t < 0x1p20 ? t : 0;
+}
+
+// Does what is_within() does where the answer is clear: what is compared here is off by at most
+// 2^-44 of the magnitudes.
+bool is_clearly_within(const pair_measures& known, const site& p, const site& q) {
+  const point d = plain_between(p, q);
+  const plain_value from_p = plain_square_norm(p.metric, d),
+                    from_q = plain_square_norm(q.metric, d);
+  const double least = std::min(from_p.below(), from_q.below()),
+               apart = known.larger_distance_below * known.larger_distance_below;
+  if (!(is_in_range(from_p.size) && is_in_range(from_q.size) && least > 0)) return false;
+  if (!(std::max(from_p.below(), from_q.below()) > apart * (1 + 0x1p-40))) return false;
+  const double t = distortion_allowed(known, std::sqrt(least)), c = t * t;
+  const metric_tensor &m = p.metric, &n = q.metric;
+  const plain_value own = plain_determinant(m), other = plain_determinant(n);
+  if (!(t > 0 && is_in_range(own.size) && is_in_range(other.size))) return false;
+  const double diagonal = m.m11 * n.m22 + m.m22 * n.m11, mixed = 2 * (m.m12 * n.m12);
+  const double sum = diagonal - mixed, linear = c * sum, square = c * c, twice = 2 * c;
+  const double error =
+      0x1p-44 * (c * (diagonal + std::abs(mixed)) + (1 + square) * (own.size + other.size));
+  return linear + error < square * own.value + other.value && sum + error < twice * own.value &&
+         linear + error < square * other.value + own.value && sum + error < twice * other.value;
 }
 
 }  // namespace
@@ -196,6 +273,7 @@ pair_measures measure_pair(const site& p, const site& q) {
 // when c^2 |M_p| - c S + |M_q| > 0 and 2 c |M_p| > S, S the trace times |M_p|. sigma d <= s d when
 // tau <= 1 / (1 - s d).
 bool is_within(const pair_measures& known, const site& p, const site& q) {
+  if (is_clearly_within(known, p, q)) return true;
   const offset d = between(p.position, q.position);
   const tensor<bounded> m = tensor_of_doubles(p.metric), n = tensor_of_doubles(q.metric);
   const bounded from_p = square_norm(m, d), from_q = square_norm(n, d);

@@ -106,11 +106,28 @@ void plain_star_store::renew_disturbed(const std::vector<disturbed>& pairs) {
       for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
       for (std::size_t j = starts[i]; j < starts[i + 1]; ++j) candidates.push_back(pairs[j].by);
       looked_at += candidates.size();
-      stars_[v] = build_plain_star(sites_->all(), v, candidates, stars_[v]);
+      stars_[v] = build_plain_star(
+          sites_->all(), v, candidates, stars_[v],
+          [&](plain_gap& gap, vertex_index next) { return take_from_new(v, gap, next); });
     }
     work_->count_candidates(looked_at);
   });
   for (std::size_t i = 0; i + 1 < starts.size(); ++i) changed_.push_back(pairs[starts[i]].star);
+}
+
+// Takes the vertex of a gap of an older site v from the star of a new one beside the gap, if that
+// has the same triangle. Stars of new sites do not change while others are renewed.
+bool plain_star_store::take_from_new(vertex_index v, plain_gap& gap, vertex_index next) const {
+  const auto take = [&](vertex_index w, vertex_index first, vertex_index second) {
+    if (w < finished_) return false;
+    const plain_star& star = stars_[w];
+    for (std::size_t i = 0; i < star.size(); ++i)
+      if (star[i].neighbour == first)
+        return star[following(star, i)].neighbour == second &&
+               take_vertex(sites_->all(), v, gap, next, w, star[i]);
+    return false;
+  };
+  return take(gap.neighbour, next, v) || take(next, v, gap.neighbour);
 }
 
 bool plain_star_store::is_enough(std::size_t i) const {
@@ -147,18 +164,23 @@ bool plain_star_store::find_near(vertex_index w, double reach, std::vector<verte
 void plain_star_store::make_star(vertex_index w, double distance, std::vector<vertex_index>& near,
                                  std::uint64_t& looked_at) {
   constexpr double diameters = 2.1, first_reach = 2.2;
+  constexpr double margin = 1.02, least_growth = 1.25;
   // Fewer do not surround a site.
   constexpr std::size_t least_neighbours = 3;
   // Reaches double, so that they leave the range of doubles, or the box, long before.
   constexpr int most_attempts = 64;
   const double ordinary = first_reach * distance;
   double reach = std::min(ordinary, first_reach_among_dense(w, distance));
-  for (int attempt = 1; attempt <= most_attempts; ++attempt, reach *= 2) {
+  for (int attempt = 1; attempt <= most_attempts; ++attempt) {
     const bool all = find_near(w, reach, near, looked_at);
-    if (near.size() < least_neighbours && !all) continue;
+    if (near.size() < least_neighbours && !all) {
+      reach *= 2;
+      continue;
+    }
     stars_[w] = build_plain_star(sites_->all(), w, near);
-    const bool is_wide_enough = diameters * farthest_vertex(w, attempt >= 2) <= reach;
-    if (all || is_wide_enough || is_hopeless(w, attempt, reach >= ordinary, near.size())) return;
+    const double wanted = diameters * farthest_vertex(w, attempt >= 2);
+    if (all || wanted <= reach || is_hopeless(w, attempt, reach >= ordinary, near.size())) return;
+    reach = std::clamp(margin * wanted, least_growth * reach, 2 * reach);
   }
 }
 

@@ -54,6 +54,7 @@ class plain_star_store {
 
   std::vector<disturbed> make_stars(std::size_t first, std::size_t last, double distance);
   void renew_disturbed(const std::vector<disturbed>& pairs);
+  bool take_from_new(vertex_index v, plain_gap& gap, vertex_index next) const;
   void make_star(vertex_index w, double distance, std::vector<vertex_index>& near,
                  std::uint64_t& looked_at);
   bool find_near(vertex_index w, double reach, std::vector<vertex_index>& near,

@@ -95,6 +95,22 @@ void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, v
   gap.vertex = round.outward(gap.vertex);
 }
 
+bool take_vertex(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next,
+                 vertex_index w, const plain_gap& found) {
+  const site& s = sites[v];
+  if (!(found.squared_radius < infinity) || is_thin(s.metric) || is_thin(sites[w].metric))
+    return false;
+  const auto to_w = between(s.position, sites[w].position);
+  const displacement<double> vertex{to_w.x + found.vertex.x, to_w.y + found.vertex.y};
+  const auto seen = apply(s.metric, vertex);
+  if (!(dot(seen, between(s.position, sites[gap.neighbour].position)) > 0 &&
+        dot(seen, between(s.position, sites[next].position)) > 0))
+    return false;
+  gap.vertex = {vertex.x, vertex.y};
+  gap.squared_radius = dot(seen, vertex);
+  return true;
+}
+
 bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_gap& gap,
                   vertex_index next) {
   if (gap.squared_radius < infinity) return false;
@@ -105,7 +121,8 @@ bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_ga
 }
 
 plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
-                            const std::vector<vertex_index>& candidates, const plain_star& before) {
+                            const std::vector<vertex_index>& candidates, const plain_star& before,
+                            const known_vertex& known) {
   const std::vector<candidate>& all = order_candidates(sites, v, candidates);
   thread_local std::vector<const candidate*> hull;
   hull.clear();
@@ -122,7 +139,7 @@ plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
     const std::size_t next = following(star, i), then = hull[i]->number;
     if (then < before.size() && hull[next]->number == following(before, then))
       star[i] = before[then];
-    else
+    else if (!known || !known(star[i], star[next].neighbour))
       close_gap(sites, v, star[i], star[next].neighbour);
   }
   return star;

@@ -16,6 +16,7 @@
 
 #include <boost/container/small_vector.hpp>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "asterism/core/site.hpp"
@@ -39,12 +40,21 @@ inline std::size_t following(const plain_star& star, std::size_t i) {
   return i + 1 < star.size() ? i + 1 : 0;
 }
 
+// Fills in the vertex of a gap that is known from elsewhere, given the site after it, or returns
+// false.
+using known_vertex = std::function<bool(plain_gap& gap, vertex_index next)>;
+
 // Returns the star of v among the candidates; v itself and repetitions are passed over. `before`
 // may be an earlier star of v whose neighbours are the first candidates, in its order: gaps that
-// are in both are taken from there.
+// are in both are taken from there. `known`, where given, is asked before a vertex is computed.
 plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
                             const std::vector<vertex_index>& candidates,
-                            const plain_star& before = {});
+                            const plain_star& before = {}, const known_vertex& known = {});
+
+// Fills in the vertex of a gap of v's star between gap.neighbour and `next`, which the star of w,
+// one of these two, has as `found`. False where that one is not known, or not one of v's.
+bool take_vertex(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next,
+                 vertex_index w, const plain_gap& found);
 
 // Fills in the vertex of a gap of v's star between gap.neighbour and `next`.
 void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next);

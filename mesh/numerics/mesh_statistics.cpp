@@ -131,12 +131,16 @@ double distortion(const metric_tensor& p, const metric_tensor& q) {
   const double trace = p.m11 + p.m22;
   if (!(trace > 0 && std::isfinite(trace))) return infinity;
   if (identical(p, q)) return 1;
-  const int exponent = -std::ilogb(trace);
+  constexpr double ordinary = 0x1p200;
+  const double other = q.m11 + q.m22;
+  const bool is_ordinary =
+      std::max(trace, other) < ordinary && std::min(trace, other) * ordinary > 1;
+  const int exponent = is_ordinary ? 0 : -std::ilogb(trace);
   const auto scaled = [exponent](const metric_tensor& m) {
     return metric_tensor{std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent),
                          std::scalbn(m.m22, exponent)};
   };
-  metric_tensor a = scaled(p), b = scaled(q);
+  metric_tensor a = is_ordinary ? p : scaled(p), b = is_ordinary ? q : scaled(q);
   if (is_thin(a)) {
     const round_coordinates round({}, a);
     a = round.inward({{}, a}).metric;

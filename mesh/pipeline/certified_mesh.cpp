@@ -7,6 +7,7 @@
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/make_mesh.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
+#include "asterism/mesh/pipeline/unconfirmed_mesh.hpp"
 
 namespace asterism {
 namespace {
@@ -53,6 +54,18 @@ audit_report audit_if_possible(const mesh& subject, const audit_options& asked) 
   }
 }
 
+// True if the mesher took the mesh in the metric wanted to be complete, and the audit refuses one
+// of its stars: the mesher itself may find that before.
+bool may_be_confirmed(const certified_mesh& judged, const mesh_options& options) {
+  const mesh_outcome& outcome = judged.outcome;
+  if (!outcome.complete || outcome.delivered || outcome.one_metric || options.improve_passes > 0)
+    return false;
+  const auto found = [&](finding_kind kind) {
+    return judged.report.found[static_cast<std::size_t>(kind)] > 0;
+  };
+  return found(finding_kind::star_neighbour_rejected) || found(finding_kind::star_site_missing);
+}
+
 }  // namespace
 
 certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_options& options) {
@@ -79,10 +92,14 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
 result<certified_mesh> make_certified_mesh(const domain& d, const metric_field& field,
                                            const mesh_options& options,
                                            const progress_listener& progress) {
-  auto made = make_mesh(d, field, options, progress);
-  if (!made) return made.failure();
-  if (progress) progress({.phase = mesh_phase::auditing, .sites = made.value().sites});
-  return judge_outcome(std::move(made).value(), d, options);
+  const auto judge = [&](result<mesh_outcome> made) -> result<certified_mesh> {
+    if (!made) return made.failure();
+    if (progress) progress({.phase = mesh_phase::auditing, .sites = made.value().sites});
+    return judge_outcome(std::move(made).value(), d, options);
+  };
+  auto judged = judge(internal::make_unconfirmed_mesh(d, field, options, progress));
+  if (!judged || !may_be_confirmed(judged.value(), options)) return judged;
+  return judge(make_mesh(d, field, options, progress));
 }
 
 }  // namespace asterism

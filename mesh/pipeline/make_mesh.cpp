@@ -9,6 +9,7 @@
 #include "asterism/mesh/pipeline/adaptation.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "asterism/mesh/pipeline/last_resort.hpp"
+#include "asterism/mesh/pipeline/unconfirmed_mesh.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
@@ -102,13 +103,14 @@ class ways_to_mesh {
  public:
   // All must outlive it. Takes all work there is, of work_for_ways() ways.
   ways_to_mesh(const domain& d, const metric_field& field, const mesh_options& options,
-               const progress_listener& progress)
+               const progress_listener& progress, star_confirmation confirmed)
       : domain_(d),
         progress_(progress),
         options_(with_part_of_work(options, 1 / work_for_ways(options))),
         delivering_(with_part_of_work(options_, for_delivery)),
         going_on_(with_part_of_work(options, for_metric_wanted / work_for_ways(options))),
         field_(field),
+        confirmed_(confirmed),
         delivery_(d, field, delivering_),
         image_(d, field, options_),
         is_first_(may_adapt(options) && delivery_.is_first_choice()) {}
@@ -175,7 +177,8 @@ class ways_to_mesh {
 
   // Makes one with so much of the work that stars may take, in the frame.
   result<mesh_outcome> mesh_in_metric_wanted(const mesh_options& options, double share) {
-    return mesh_domain({stars_on_, image_.shape(), image_.field(), options, progress_, share});
+    return mesh_domain(
+        {stars_on_, image_.shape(), image_.field(), options, progress_, share, confirmed_});
   }
 
   // Leaves curves out: without demands, chords stay straight.
@@ -194,6 +197,7 @@ class ways_to_mesh {
   mesh_options delivering_;      // with a part of it
   const mesh_options going_on_;  // in the metric wanted, where another way was tried
   const metric_field& field_;
+  const star_confirmation confirmed_;  // in the metric wanted
   metric_delivery delivery_;
   const unit_image image_;
   const bool is_first_;         // is a metric delivered what is tried first?
@@ -214,17 +218,31 @@ void note_stop(const cancellation& stop, mesh_outcome& made) {
   made.ended.stopped_because = *why + ", while a mesh without faults was being improved";
 }
 
-}  // namespace
-
-result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
-                               const mesh_options& options, const progress_listener& progress) {
+result<mesh_outcome> make(const domain& d, const metric_field& field, const mesh_options& options,
+                          const progress_listener& progress, star_confirmation confirmed) {
   if (auto refused = check_options(d, options)) return *refused;
   mesh_options bounded = options;
   bounded.stop = with_run_work(options.stop, work_for_ways(options));
   bounded.stop.expect(d.vertices.size());
-  auto outcome = ways_to_mesh(d, field, bounded, progress).run();
+  auto outcome = ways_to_mesh(d, field, bounded, progress, confirmed).run();
   if (outcome) note_stop(options.stop, outcome.value());
   return outcome;
+}
+
+}  // namespace
+
+result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
+                               const mesh_options& options, const progress_listener& progress) {
+  return make(d, field, options, progress, star_confirmation::by_mesher);
+}
+
+// What an improvement starts from is confirmed: it compares meshes, and keeps one.
+result<mesh_outcome> internal::make_unconfirmed_mesh(const domain& d, const metric_field& field,
+                                                     const mesh_options& options,
+                                                     const progress_listener& progress) {
+  return make(
+      d, field, options, progress,
+      options.improve_passes > 0 ? star_confirmation::by_mesher : star_confirmation::by_auditor);
 }
 
 }  // namespace asterism

@@ -33,9 +33,9 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
   return state;
 }
 
-void refine_state::construct_stars() {
+void refine_state::construct_stars(star_confirmation confirmed) {
   stars_.bound_work(given_, work_share_);
-  stars_.construct_all(oracle(), guesses_);
+  stars_.construct_all(oracle(), guesses_, confirmed);
   guesses_ = {};
   has_stars_ = true;
 }

@@ -69,9 +69,9 @@ class refine_state {
   // Returns the subsegments a site at this place would encroach on.
   std::vector<std::size_t> encroached_by(const site& s) const;
 
-  // Makes all stars. Until then subsegments may be split, and nothing else may be asked or done
-  // that is about stars.
-  void construct_stars();
+  // Makes all stars; by_auditor, those that the fill guessed are not held against all sites. Until
+  // then subsegments may be split, and nothing else may be asked or done that is about stars.
+  void construct_stars(star_confirmation confirmed);
 
   // Adds a site with its star. Requires a site strictly inside the domain and distinct from the
   // others, and !is_full().

@@ -57,6 +57,7 @@ class refinement_loop {
                   const std::set<vertex_index>& spared)
       : options_(job.options),
         spared_(spared),
+        confirmed_(job.confirmed),
         progress_(job.progress),
         given_(static_cast<vertex_index>(job.shape.vertices.size())),
         state_(std::move(state)),
@@ -74,7 +75,7 @@ class refinement_loop {
     const bool cleared = prepare_segments();
     if (cleared)
       if (auto whole = triangulated_at_once()) return *std::move(whole);
-    state_.construct_stars();
+    state_.construct_stars(confirmed_);
     std::optional<ending> ended;
     while (!ended) ended = step();
     if (state_.field_failure()) return *state_.field_failure();
@@ -146,7 +147,7 @@ class refinement_loop {
   // Improves exempt corners, then settles and repairs stars, when nothing is bad; ends when there
   // is nothing to do.
   std::optional<ending> polish() {
-    if (arcs_.insert_at_exempt_corners() || stars_.rebuild_all() || stars_.repair()) return go_on;
+    if (arcs_.insert_at_exempt_corners() || stars_.rebuild_all() || repair()) return go_on;
     // Stars that were never made have no triangles that could be bad.
     if (state_.stars().stars_missing() > 0) return ending::overworked;
     if (queue_.collateral() == 0) return ending::complete;
@@ -154,6 +155,9 @@ class refinement_loop {
     mend_collateral();
     return go_on;
   }
+
+  // Holds every star against all sites, unless that is left to the auditor.
+  bool repair() { return confirmed_ == star_confirmation::by_mesher && stars_.repair(); }
 
   // Demands of triangles beside sharp corners what the auditor does. That may call for ever smaller
   // ones, so the mesh made so far is kept, and few sites are allowed: of the wedges of 0.1 to 19
@@ -284,6 +288,7 @@ class refinement_loop {
 
   const mesh_options& options_;
   const std::set<vertex_index>& spared_;
+  star_confirmation confirmed_;
   std::set<vertex_index> hopeless_;
   progress_listener progress_;
   vertex_index given_;

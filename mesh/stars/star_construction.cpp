@@ -104,7 +104,16 @@ std::optional<star> ring_star(const site_oracle& oracle, vertex_index v,
   return s;
 }
 
+// True if no subsegment comes near the box around the star.
+bool is_clear_of_subsegments(const site_oracle& oracle, vertex_index v, const star& s) {
+  bounding_box around{oracle.sites()[v].position, oracle.sites()[v].position};
+  for (const sector& part : s.sectors)
+    for (const vertex_index u : part.neighbours) around.include(oracle.sites()[u].position);
+  return oracle.near()->subsegments().visit(around, [](std::uint32_t) { return false; });
+}
+
 bool sees_neighbours(const site_oracle& oracle, vertex_index v, const star& s) {
+  if (is_clear_of_subsegments(oracle, v, s)) return true;
   for (const sector& part : s.sectors)
     for (std::size_t i = 0; i < part.size(); ++i)
       if (!part.is_forced(i) && !oracle.visible(v, part.neighbours[i])) return false;
@@ -120,12 +129,17 @@ std::optional<star> standing_star(const site_oracle& oracle, vertex_index v,
   return s;
 }
 
-// Returns the star with these neighbours if exact tests confirm it at once against all sites.
-std::optional<constructed_star> final_star(const site_oracle& oracle, vertex_index v,
-                                           std::span<const vertex_index> ring) {
+// Returns the star with these neighbours if they stand and, by_mesher, exact tests confirm it at
+// once against all sites.
+std::optional<constructed_star> guessed_star(const site_oracle& oracle, vertex_index v,
+                                             std::span<const vertex_index> ring,
+                                             star_confirmation confirmed) {
   if (ring.empty()) return std::nullopt;
   auto s = standing_star(oracle, v, ring);
-  const auto reach = s ? final_reach(oracle, v, *s) : std::nullopt;
+  if (!s) return std::nullopt;
+  if (confirmed == star_confirmation::by_auditor)
+    return constructed_star{*std::move(s), true, false, {}};
+  const auto reach = final_reach(oracle, v, *s);
   if (!reach) return std::nullopt;
   return constructed_star{*std::move(s), true, false, reach};
 }
@@ -360,10 +374,10 @@ double farthest_vertex(const site_oracle& oracle, vertex_index v, const star& s)
 }
 
 constructed_star construct_star(const site_oracle& oracle, vertex_index v, star_search search,
-                                std::span<const vertex_index> guess) {
+                                std::span<const vertex_index> guess, star_confirmation confirmed) {
   if (oracle.near() == nullptr)
     return settle(oracle, v, empty_star(oracle.edges(), v), all_sites(oracle, v));
-  if (auto known = final_star(oracle, v, guess)) return std::move(*known);
+  if (auto known = guessed_star(oracle, v, guess, confirmed)) return std::move(*known);
   local_star made = construct_near(oracle, v);
   if (search == star_search::near) return std::move(made.built);
   return construct_thoroughly(oracle, v, std::move(made));

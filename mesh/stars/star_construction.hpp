@@ -23,6 +23,7 @@
 #include <span>
 
 #include "asterism/mesh/stars/star.hpp"
+#include "asterism/mesh/stars/star_confirmation.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
 
 namespace asterism::internal {
@@ -43,10 +44,12 @@ enum class star_search { near, thorough };
 
 // Constructs the star of v. Deterministic: a function of the sites, the boundary, v, the search and
 // the guess alone. `guess` has the neighbours that the star is likely to have, counter-clockwise:
-// they are the star if exact tests confirm them against all sites, and else not used.
+// they are the star if exact tests find that each stands and, by_mesher, confirm them against all
+// sites; else they are not used.
 constructed_star construct_star(const site_oracle& oracle, vertex_index v,
                                 star_search search = star_search::thorough,
-                                std::span<const vertex_index> guess = {});
+                                std::span<const vertex_index> guess = {},
+                                star_confirmation confirmed = star_confirmation::by_mesher);
 
 // Returns the distance from v to the farthest Voronoi vertex of the star's gaps, as v measures;
 // infinite when a gap has none. In doubles, for choosing how far to look.

@@ -87,7 +87,8 @@ star_set::star_set(std::vector<star> stars, const std::vector<vertex_index>& uns
   for (const vertex_index v : unsettled) condition_[v] = condition::unsettled;
 }
 
-void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& guesses) {
+void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& guesses,
+                             star_confirmation confirmed) {
   stars_.clear();
   condition_.clear();
   final_.clear();
@@ -99,6 +100,7 @@ void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& g
   std::vector<vertex_index> all(oracle.size());
   std::iota(all.begin(), all.end(), vertex_index{0});
   guesses_ = &guesses;
+  confirmed_ = confirmed;
   construct(oracle, all, star_search::near);
   guesses_ = nullptr;
 }
@@ -230,7 +232,8 @@ std::optional<constructed_star> star_set::remake(const site_oracle& oracle, vert
   if (latest != nullptr && condition_[v] == condition::settled && confirm(oracle, v, *latest))
     return std::nullopt;
   constructed_star built = construct_star(
-      oracle, v, search, guesses_ == nullptr ? std::span<const vertex_index>() : (*guesses_)[v]);
+      oracle, v, search, guesses_ == nullptr ? std::span<const vertex_index>() : (*guesses_)[v],
+      confirmed_);
   if (is_news(v, built)) return built;
   condition_[v] = condition::settled;
   note_final(v, oracle.size(), built.final_reach);

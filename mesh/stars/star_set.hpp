@@ -55,8 +55,10 @@ class star_set {
   bool is_unsettled(vertex_index v) const { return condition_[v] == condition::unsettled; }
 
   // Replaces everything by one star per site of the oracle, each constructed by itself. `guesses`
-  // has the neighbours that some of them are likely to have, counter-clockwise.
-  void construct_all(const site_oracle& oracle, const neighbour_lists& guesses = {});
+  // has the neighbours that some of them are likely to have, counter-clockwise; by_auditor, those
+  // that stand are not held against all sites.
+  void construct_all(const site_oracle& oracle, const neighbour_lists& guesses = {},
+                     star_confirmation confirmed = star_confirmation::by_mesher);
   // Adds the oracle's last site: offers it to the other stars and constructs its own. If it splits
   // a boundary subsegment, call split_subsegment instead.
   void add_last(const site_oracle& oracle);
@@ -126,7 +128,8 @@ class star_set {
   double work_share_ = 1;
   std::size_t candidates_ = 0;
   touched_stars touched_;
-  const neighbour_lists* guesses_ = nullptr;  // while all stars are made
+  const neighbour_lists* guesses_ = nullptr;                    // while all stars are made
+  star_confirmation confirmed_ = star_confirmation::by_mesher;  // the guesses
   std::vector<star> stars_;
   std::vector<condition> condition_;
   std::vector<finality> final_;

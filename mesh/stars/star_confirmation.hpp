@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+//
+// Who holds stars against all sites before a mesh is called complete.
+#pragma once
+
+namespace asterism::internal {
+
+// The auditor asks of every finished star, from the mesh alone, what `by_mesher` asks of it before.
+// So where an audit follows at once the mesher need not, but for stars in doubt: nearly always all
+// are final. Where the audit finds that one is not, the mesh is to be made once more, by_mesher.
+enum class star_confirmation { by_mesher, by_auditor };
+
+}  // namespace asterism::internal
