@@ -71,16 +71,20 @@ bool restoration::give(vertex_index v) {
   constexpr double short_way = 0.01;
   const bool is_short = !(log_distortion(now, wanted_[v]) > short_way);
   clearances_.clear();
-  for_edges_around(v, [this](double clearance) {
-    clearances_.push_back(clearance);
-    return true;
-  });
   for (const double share : {1.0, 0.5, 0.2}) {
     if (share < 1 && is_short) break;
     const metric_tensor tried = share < 1 ? between(now, wanted_[v], share) : wanted_[v];
     if (!is_metric(tried)) continue;
     m_.set_metric(v, tried);
-    if (agrees_around(v)) return true;
+    if (has_low_around(v)) continue;
+    // Angles alone refuse most nodes where few can be given anything: what the edges keep is
+    // measured only after that.
+    if (clearances_.empty()) {
+      m_.set_metric(v, now);
+      measure_clearances(v);
+      m_.set_metric(v, tried);
+    }
+    if (have_room_around(v)) return true;
   }
   m_.set_metric(v, now);
   return false;
@@ -108,15 +112,24 @@ bool restoration::for_edges_around(vertex_index v, const Tell& tell) const {
   return true;
 }
 
-// True if no angle at the faces around v is low, and each edge has the room wanted, or at least
-// half of what it had.
-bool restoration::agrees_around(vertex_index v) const {
-  if (has_angles_) {
-    face_list at;
-    m_.around(v, at);
-    for (const vertex_index t : at)
-      if (tests_.is_low(t) && !tests_.is_exempt(t)) return false;
-  }
+// True if an angle at the faces around v is low that is to be none.
+bool restoration::has_low_around(vertex_index v) const {
+  if (!has_angles_) return false;
+  face_list at;
+  m_.around(v, at);
+  return std::any_of(at.begin(), at.end(),
+                     [this](vertex_index t) { return tests_.is_low(t) && !tests_.is_exempt(t); });
+}
+
+void restoration::measure_clearances(vertex_index v) {
+  for_edges_around(v, [this](double clearance) {
+    clearances_.push_back(clearance);
+    return true;
+  });
+}
+
+// True if each edge around v has the room wanted, or at least half of what it had.
+bool restoration::have_room_around(vertex_index v) const {
   std::size_t edge = 0;
   return for_edges_around(v, [&](double clearance) {
     const double before = clearances_[edge++];

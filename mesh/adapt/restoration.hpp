@@ -38,7 +38,9 @@ class restoration {
   double clearance_across(vertex_index t, std::size_t i) const;
   template <class Tell>
   bool for_edges_around(vertex_index v, const Tell& tell) const;
-  bool agrees_around(vertex_index v) const;
+  bool has_low_around(vertex_index v) const;
+  void measure_clearances(vertex_index v);
+  bool have_room_around(vertex_index v) const;
   void list_disagreeing(vertex_index v, std::vector<vertex_index>& out) const;
   void wake_around(vertex_index v);
 
@@ -47,7 +49,7 @@ class restoration {
   bool has_angles_;
   std::vector<metric_tensor> wanted_, before_;  // before_: or what they were made alike to since
   std::vector<char> awake_, kept_;
-  std::vector<double> clearances_;  // around a node, before it is given anything
+  std::vector<double> clearances_;  // around a node, before it is given anything; or none yet
 };
 
 }  // namespace asterism::internal::adapting

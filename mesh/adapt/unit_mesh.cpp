@@ -102,6 +102,10 @@ void unit_mesher::seed(const std::vector<point>& seeds) {
 // the nodes measures: with as many faces, equilateral and alike.
 void unit_mesher::measure_unit() {
   if (options_.count == 0) return;
+  std::vector<double> logarithms;  // of the nodes' densities
+  logarithms.reserve(m_.nodes().size());
+  for (const node& n : m_.nodes())
+    logarithms.push_back(n.kind == node_kind::gone ? 0 : elementary::log(n.root));
   double area = 0;
   std::size_t faces = 0;
   constexpr std::size_t as_faces = 3;  // of the time that a face in a list takes
@@ -114,8 +118,7 @@ void unit_mesher::measure_unit() {
     // Densities are interpolated geometrically, as the metric is. Their mean would count the peak
     // of a density that a coarse face has at one corner in the whole face.
     area += twice / 2 *
-            elementary::exp(
-                (elementary::log(a.root) + elementary::log(b.root) + elementary::log(c.root)) / 3);
+            elementary::exp((logarithms[f.v[0]] + logarithms[f.v[1]] + logarithms[f.v[2]]) / 3);
     ++faces;
   }
   // Twice the nodes less the faces is what the boundary makes it (Euler).

@@ -74,9 +74,49 @@ site_tree::site_tree(const std::vector<site>& sites) : sites_(sites), order_(sit
   groups_.push_back(sites.size());
   places_.reserve(sites.size());
   inverse_determinants_.reserve(sites.size());
+  lengths_.reserve(sites.size());
   for (const vertex_index w : order_) {
     places_.push_back(sites[w].position);
     inverse_determinants_.push_back(inverse_determinant_above(sites[w].metric));
+    lengths_.push_back(lengths_of(sites[w].metric, inverse_determinants_.back()));
+  }
+  // Children follow their parents.
+  for (std::size_t i = nodes_.size(); i-- > 0;) bound_covectors(i);
+}
+
+// |g|^2 in M is g M^-1 g, the adjugate's value times the inverse determinant. The three monomials
+// of the adjugate's meet two roundings each; underflow takes less than what is added.
+site_tree::by_covector site_tree::lengths_of(const metric_tensor& m, double inverse_determinant) {
+  const double sum = m.m11 + m.m22, mixed = 2 * m.m12;
+  const auto length = [&](double adjugate) {
+    return std::sqrt((adjugate + step * sum) * inverse_determinant + 0x1p-300) * up;
+  };
+  return {length(m.m22), length(m.m11), length(sum - mixed), length(sum + mixed)};
+}
+
+void site_tree::bound_covectors(std::size_t self) {
+  node& n = nodes_[self];
+  n.least.fill(infinity);
+  n.greatest.fill(-infinity);
+  n.length.fill(0);
+  const auto take = [&n](const by_covector& least, const by_covector& greatest,
+                         const by_covector& length) {
+    for (std::size_t k = 0; k < n.length.size(); ++k) {
+      n.least[k] = std::min(n.least[k], least[k]);
+      n.greatest[k] = std::max(n.greatest[k], greatest[k]);
+      n.length[k] = std::max(n.length[k], length[k]);
+    }
+  };
+  if (n.right != 0) {
+    for (const std::size_t child : {self + 1, n.right})
+      take(nodes_[child].least, nodes_[child].greatest, nodes_[child].length);
+    return;
+  }
+  for (std::size_t i = n.first; i < n.last; ++i) {
+    const point& q = places_[i];
+    const double x = q.x, y = q.y, lost = step * (std::abs(x) + std::abs(y));
+    take({x - lost, y - lost, x + y - lost, x - y - lost},
+         {x + lost, y + lost, x + y + lost, x - y + lost}, lengths_[i]);
   }
 }
 
@@ -156,7 +196,20 @@ void site_tree::build(std::size_t first, std::size_t last) {
 }
 
 site_tree::centre site_tree::centre_of(const site& v, double reach) {
-  return {v.position, v.position, v.metric, reach, 1};
+  centre one;
+  one.low = one.high = v.position;
+  one.metric = v.metric;
+  one.reach = reach;
+  return one;
+}
+
+site_tree::centre site_tree::centre_with_covectors(const site& v, double reach) {
+  centre one = centre_of(v, reach);
+  one.length = lengths_of(v.metric, inverse_determinant_above(v.metric));
+  const double x = v.position.x, y = v.position.y;
+  one.value = {x, y, x + y, x - y};
+  one.lost = step * (std::abs(x) + std::abs(y));
+  return one;
 }
 
 // With B the first star's metric and tau^2 the spread, |g|_v <= tau |g|_B: the lemma holds with

@@ -7,7 +7,8 @@
 //   g . (w - v) > (|g|_v + max(|g|_v, |g|_w)) reach
 // is accepted in no gap of the star (docs/math/certificate.md, section 4.3). A box bounds the left
 // side from below and the right one from above for all its sites at once; rounding only ever keeps
-// a site. The covector is a free choice: two are tried.
+// a site. The covector is a free choice: two are tried, and before them, as that is cheap, four
+// that are the same for all stars: x, y, x + y and x - y.
 //
 // The mesher has an index with the same descent by a lemma of the same kind (mesh/search/
 // site_index). The two are apart deliberately: the auditor must share no code with what it judges.
@@ -16,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -63,6 +65,10 @@ class site_tree {
  private:
   static constexpr std::size_t leaf_size = 8;
   static constexpr std::size_t most_depth = 64;  // nodes are halved
+  static constexpr double beyond_all = std::numeric_limits<double>::infinity();
+
+  // Numbers that belong to the covectors x, y, x + y and x - y.
+  using by_covector = std::array<double, 4>;
 
   // The sites order_[first .. last), in a box. Every metric M_w among them is at least
   // inverse^-1 / spread_squared, as quadratic forms.
@@ -72,6 +78,7 @@ class site_tree {
     double spread_squared = 0;  // infinite where not known
     std::size_t first = 0, last = 0;
     std::size_t right = 0;  // the left child follows its parent; no right child: a leaf
+    by_covector least, greatest, length;  // at most, at least and at least that of each site
   };
   // One star, or several: their places are in the box, the metric M of each is at least `metric` /
   // spread_squared and at most spread_squared `metric`. `reach` is that of all, each in the star's
@@ -80,6 +87,10 @@ class site_tree {
     point low, high;
     metric_tensor metric;
     double reach = 0, spread_squared = 1;
+    // Of one star: at least how long its metric finds each covector, the covectors' values at its
+    // place, and by how much these are off at most. Not known of several.
+    by_covector length{beyond_all, beyond_all, beyond_all, beyond_all}, value{};
+    double lost = 0;
   };
   // All w - v.
   struct offset_box {
@@ -101,7 +112,19 @@ class site_tree {
   void build(std::size_t first, std::size_t last);
   void bound_leaf(node& n) const;
   void bound_parent(node& n, const node& left, const node& right) const;
+  void bound_covectors(std::size_t self);
+  static by_covector lengths_of(const metric_tensor& m, double inverse_determinant);
   static centre centre_of(const site& v, double reach);
+  static centre centre_with_covectors(const site& v, double reach);
+  // True if all sites of the node, or one at d, are too far by one of the four covectors.
+  static bool are_beyond(const node& n, const centre& v);
+  static bool is_beyond(const point& d, const by_covector& length, const centre& v);
+  // Returns g . (w - v) from which on a site is too far that finds the covector at most so long.
+  static double bound_along(const centre& v, std::size_t covector, double length) {
+    constexpr double roundings = 1 + 0x1p-47, underflow = 0x1p-900;
+    const double own = v.length[covector];
+    return v.reach * (own + (own > length ? own : length)) * roundings + underflow;
+  }
   static std::optional<centre> centre_of(const std::vector<reaching>& stars);
   static separation separation_along(const point& h, const offset_box& to, const centre& v,
                                      const inverse_bound& inverse);
@@ -132,6 +155,7 @@ class site_tree {
   std::vector<std::size_t> groups_;
   std::vector<point> places_;                 // in that order
   std::vector<double> inverse_determinants_;  // upper bounds, in that order
+  std::vector<by_covector> lengths_;          // at least those of the covectors, in that order
   std::vector<node> nodes_;
 };
 
@@ -143,7 +167,7 @@ void site_tree::visit_leaves(const centre& c, std::size_t from, const Visit& vis
   while (waiting > 0) {
     const std::size_t self = open[--waiting];
     const node& n = nodes_[self];
-    if (n.last <= from || too_far(n, c)) continue;
+    if (n.last <= from || are_beyond(n, c) || too_far(n, c)) continue;
     if (n.right == 0) {
       visit(self);
       continue;
@@ -160,23 +184,40 @@ void site_tree::visit_leaf(const node& n, const centre& v, std::size_t from,
   if (is_beside(n, v, far)) return;
   for (std::size_t i = n.first < from ? from : n.first; i < n.last; ++i) {
     const point d{places_[i].x - v.low.x, places_[i].y - v.low.y};
-    if (is_farther(d, v.metric, far)) continue;
+    if (is_beyond(d, lengths_[i], v) || is_farther(d, v.metric, far)) continue;
     if (!too_far(d, sites_[order_[i]].metric, inverse_determinants_[i], v)) visit(order_[i]);
   }
 }
 
 template <class Visit>
 void site_tree::visit_near(const site& v, double reach, const Visit& visit) const {
-  const centre c = centre_of(v, reach);
+  const centre c = centre_with_covectors(v, reach);
   visit_leaves(c, 0, [&](std::size_t leaf) { visit_leaf(nodes_[leaf], c, 0, visit); });
 }
 
 template <class Visit>
 void site_tree::visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
                            const Visit& visit, std::size_t from) const {
-  const centre c = centre_of(v, reach);
+  const centre c = centre_with_covectors(v, reach);
   for (const std::size_t leaf : leaves)
-    if (nodes_[leaf].last > from) visit_leaf(nodes_[leaf], c, from, visit);
+    if (nodes_[leaf].last > from && !are_beyond(nodes_[leaf], c) && !too_far(nodes_[leaf], c))
+      visit_leaf(nodes_[leaf], c, from, visit);
+}
+
+inline bool site_tree::is_beyond(const point& d, const by_covector& length, const centre& v) {
+  constexpr double step = 0x1p-48;
+  const double x = std::abs(d.x), y = std::abs(d.y), lost = step * (x + y);
+  return x - lost > bound_along(v, 0, length[0]) || y - lost > bound_along(v, 1, length[1]) ||
+         std::abs(d.x + d.y) - lost > bound_along(v, 2, length[2]) ||
+         std::abs(d.x - d.y) - lost > bound_along(v, 3, length[3]);
+}
+
+inline bool site_tree::are_beyond(const node& n, const centre& v) {
+  for (std::size_t k = 0; k < n.length.size(); ++k) {
+    const double bound = bound_along(v, k, n.length[k]) + v.lost;
+    if (n.least[k] - v.value[k] > bound || v.value[k] - n.greatest[k] > bound) return true;
+  }
+  return false;
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -111,8 +111,9 @@ struct star_surroundings {
 // One gap of a fan, from x counter-clockwise to y.
 struct fan_gap {
   vertex_index x = 0, y = 0;
-  bool is_skipped = false;  // x -> y is a subsegment, beyond which nothing is seen, or left open
-  double reach = 0;         // how far from v sites matter to it
+  bool is_skipped = false;   // x -> y is a subsegment, beyond which nothing is seen, or left open
+  bool is_concerned = true;  // or else changed sites alone are to be held against it
+  double reach = 0;          // how far from v sites matter to it
   mutable std::optional<star_gap> prepared;  // made for the first question, if it may be shared
   mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
 };
@@ -124,8 +125,10 @@ struct prepared_fan {
   std::vector<vertex_index> neighbours;  // of all fans of v
   std::vector<vector2<double>> rays;
   std::vector<fan_gap> gaps;
-  double reach = 0;          // how far from v sites matter to one of the gaps
-  bool is_concerned = true;  // or else changed sites alone are to be held against it
+  double reach = 0;            // how far from v sites matter to one of the gaps
+  double reach_concerned = 0;  // to one of those that are concerned
+  bool has_concerned = false;  // gaps that all sites are to be held against
+  bool has_others = false;
 };
 
 class star_check {
@@ -153,23 +156,15 @@ class star_check {
     if (neighbours_alone) return;
     reaching_.clear();
     for (std::size_t i = 0; i < used_; ++i)
-      if (prepared_[i].is_concerned && is_finite(prepared_[i].reach))
-        reaching_.push_back({at(prepared_[i].v), prepared_[i].reach});
+      if (prepared_[i].has_concerned && is_finite(prepared_[i].reach_concerned))
+        reaching_.push_back({at(prepared_[i].v), prepared_[i].reach_concerned});
     const bool gathered = around_.sites->gather(reaching_, leaves_);
     for (std::size_t i = 0; i < used_; ++i) {
       const prepared_fan& p = prepared_[i];
-      const double a_look = unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size());
-      const auto look = [&](vertex_index w) {
-        patience_.count(a_look);
-        if (w != p.v && !is_neighbour(p, w) && !patience_.is_over()) check_other(p, w);
-      };
-      if (!p.is_concerned)
-        around_.changed_sites.visit_near(at(p.v), p.reach,
-                                         [&](vertex_index nth) { look((*context_.changed)[nth]); });
-      else if (gathered && is_finite(p.reach))
-        around_.sites->visit_near(leaves_, at(p.v), p.reach, look);
-      else
-        around_.sites->visit_near(at(p.v), p.reach, look);
+      if (p.has_concerned) hold_all(p, gathered);
+      if (p.has_others)
+        around_.changed_sites.visit_near(
+            at(p.v), p.reach, [&](vertex_index nth) { look(p, (*context_.changed)[nth], false); });
     }
   }
 
@@ -180,6 +175,20 @@ class star_check {
   }
 
   static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
+
+  // Holds all sites in reach against the gaps that are concerned.
+  void hold_all(const prepared_fan& p, bool gathered) {
+    const auto look_at = [&](vertex_index w) { look(p, w, true); };
+    if (gathered && is_finite(p.reach_concerned))
+      around_.sites->visit_near(leaves_, at(p.v), p.reach_concerned, look_at);
+    else
+      around_.sites->visit_near(at(p.v), p.reach_concerned, look_at);
+  }
+
+  void look(const prepared_fan& p, vertex_index w, bool at_concerned) {
+    patience_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
+    if (w != p.v && !is_neighbour(p, w) && !patience_.is_over()) check_other(p, w, at_concerned);
+  }
 
   static bool is_neighbour(const prepared_fan& p, vertex_index w) {
     return std::find(p.neighbours.begin(), p.neighbours.end(), w) != p.neighbours.end();
@@ -260,7 +269,8 @@ class star_check {
     p.v = v;
     p.fan = &fan;
     p.reach = 0;
-    p.is_concerned = concerns(v, fan);
+    p.reach_concerned = 0;
+    p.has_concerned = p.has_others = false;
     p.neighbours.clear();
     for (const vertex_fan& each : context_.fans[v])
       p.neighbours.insert(p.neighbours.end(), each.link.begin(), each.link.end());
@@ -274,13 +284,16 @@ class star_check {
       gap.y = fan.link[(i + 1) % n];
       gap.is_skipped = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
       if (gap.is_skipped) continue;
+      gap.is_concerned = around_.concerns(v, gap.x, gap.y);
       gap.reach = reach_of(v, gap);
-      if (context_.leaves_open && !is_finite(gap.reach) && around_.concerns(v, gap.x, gap.y)) {
+      if (context_.leaves_open && !is_finite(gap.reach) && gap.is_concerned) {
         leave_open(v, v, gap.x, gap.y, open_question::about::gap);
         gap.is_skipped = true;
         continue;
       }
       p.reach = greatest_bound(p.reach, gap.reach);
+      (gap.is_concerned ? p.has_concerned : p.has_others) = true;
+      if (gap.is_concerned) p.reach_concerned = greatest_bound(p.reach_concerned, gap.reach);
     }
   }
 
@@ -334,9 +347,10 @@ class star_check {
     return nullptr;
   }
 
-  void check_other(const prepared_fan& p, vertex_index w) {
+  // Holds w against the gap it is in, if that is one of those asked about.
+  void check_other(const prepared_fan& p, vertex_index w, bool at_concerned) {
     const fan_gap* gap = gap_of(p, w);
-    if (gap == nullptr || gap->is_skipped || !around_.concerns(p.v, w, gap->x, gap->y)) return;
+    if (gap == nullptr || gap->is_skipped || gap->is_concerned != at_concerned) return;
     if (gap->reach < p.reach && site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
     ++tally_.part.star_pairs;
     if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/giving_back.hpp"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/adapt/restoration.hpp"
 
 namespace asterism::internal {
@@ -14,12 +16,56 @@ constexpr int most_audits = 40;
 // Most times that tensors are made alike between those.
 constexpr int most_made_alike = 8;
 
+// True if it is not known how far the gap of the face at its corner i reaches, so that the star
+// would be held against all sites.
+bool sees_all(const adapting::working_mesh& m, const adapting::face& f, std::size_t i) {
+  if (f.segment[i] != adapting::none) return false;
+  const auto at = [&m](vertex_index v) { return site{m.at(v).position, m.at(v).metric}; };
+  const star_gap gap(at(f.v[i]), at(f.v[adapting::after(i)]), at(f.v[adapting::before(i)]));
+  return !std::isfinite(gap.reach());
+}
+
+// Takes back what was given to one node of such a gap after the other, until it is none, or has
+// nothing left; of the star's centre first.
+void take_back_at(adapting::working_mesh& m, adapting::restoration& giving, vertex_index t,
+                  node_list& taken) {
+  const adapting::face f = m.faces()[t];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const vertex_index v : {f.v[i], f.v[adapting::after(i)], f.v[adapting::before(i)]}) {
+      if (!sees_all(m, f, i)) break;
+      giving.take_back({v}, taken);
+    }
+}
+
+// Takes back what leaves gaps of which no reach is known: the first audit would leave them open,
+// and another one follow. Each node is taken back once, so this ends.
+void take_back_unbounded(adapting::working_mesh& m, adapting::restoration& giving,
+                         const cancellation& stop) {
+  constexpr std::size_t as_faces = 20;  // of the time that a face in a list takes
+  node_list faces, taken;
+  for (vertex_index t = 0; t < m.faces().size(); ++t)
+    if (m.faces()[t].exists()) faces.push_back(t);
+  while (!faces.empty() && !stop.is_requested()) {
+    taken.clear();
+    m.note_looked_at(as_faces * faces.size());
+    for (const vertex_index t : faces) take_back_at(m, giving, t, taken);
+    faces.clear();
+    adapting::face_list at;
+    for (const vertex_index v : taken) {
+      m.around(v, at);
+      faces.insert(faces.end(), at.begin(), at.end());
+    }
+    m.charge_work(stop);
+  }
+}
+
 }  // namespace
 
 bool give_back(adapting::working_mesh& m, std::vector<metric_tensor> wanted,
                const mesh_options& options, audited_mesh& audited) {
   adapting::restoration giving(m, options.angle_bound, std::move(wanted));
   giving.run(options.stop);
+  take_back_unbounded(m, giving, options.stop);
   audited.take(m);
   audited.judge_quickly();
   int made_alike = 0;
