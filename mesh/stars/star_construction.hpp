@@ -43,10 +43,12 @@ enum class star_search { near, thorough };
 
 // Constructs the star of v. Deterministic: a function of the sites, the boundary, v, the search and
 // the guess alone. `guess` has the neighbours that the star is likely to have, counter-clockwise:
-// they are the star if exact tests confirm them against all sites, and else not used.
+// they are the star if exact tests confirm them against all sites, and else not used. `others` are
+// offered to it besides what is near.
 constructed_star construct_star(const site_oracle& oracle, vertex_index v,
                                 star_search search = star_search::thorough,
-                                std::span<const vertex_index> guess = {});
+                                std::span<const vertex_index> guess = {},
+                                std::span<const vertex_index> others = {});
 
 // Returns the distance from v to the farthest Voronoi vertex of the star's gaps, as v measures;
 // infinite when a gap has none. In doubles, for choosing how far to look.
