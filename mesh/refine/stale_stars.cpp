@@ -5,11 +5,14 @@
 #include <numeric>
 #include <utility>
 
+#include "asterism/mesh/support/sort_unique.hpp"
+
 namespace asterism::internal {
 
 bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   const star_set& stars = state_.stars();
   std::vector<vertex_index> stale, unconfirmed;
+  std::vector<triangle> disagreeing;
   // So many looks at a neighbour take as long as one look at a triangle, a third of a microsecond
   // each where metrics are the same, else one.
   constexpr std::size_t as_neighbours = 110;
@@ -18,6 +21,7 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
     state_.count_neighbours_looked_at(as_neighbours);
     // At a jump of the metric most sites are in reach of most others.
     if (steep_.is_given_up(b.where) || steep_.gives_up(b)) continue;
+    if (exchanged_.count(b.where) == 0) disagreeing.push_back(b.where);
     for (const vertex_index v : b.where) {
       if (stars.is_stale(v)) stale.push_back(v);
       if (!stars.is_confirmed(v) && !stars.is_unsettled(v)) unconfirmed.push_back(v);
@@ -25,10 +29,39 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   }
   if (steep_.awaits_other_metric()) return false;
   if (rebuild(std::move(stale), star_search::near)) return true;
+  if (exchange(disagreeing)) return true;
   // All sites are in reach where metrics vary much, so this waits until there are a tenth more.
   if (10 * state_.sites().size() < 11 * confirmed_at_) return false;
   confirmed_at_ = state_.sites().size();
   return rebuild(std::move(unconfirmed), star_search::thorough);
+}
+
+// Offers each corner of these triangles what the others have as neighbours: a site that a search of
+// what is near has missed is in the star of another corner, as a rule. Once for each triangle.
+bool stale_stars::exchange(const std::vector<triangle>& disagreeing) {
+  const star_set& stars = state_.stars();
+  std::vector<std::pair<vertex_index, vertex_index>> offers;  // to whom, and what
+  for (const triangle& t : disagreeing) {
+    exchanged_.insert(t);
+    for (const vertex_index v : t) {
+      if (stars.is_confirmed(v) || stars.is_unsettled(v)) continue;
+      for (const vertex_index u : t) {
+        if (u == v) continue;
+        offers.emplace_back(v, u);
+        for (const sector& s : stars[u].sectors)
+          for (const vertex_index w : s.neighbours) offers.emplace_back(v, w);
+      }
+    }
+  }
+  sort_unique(offers);
+  std::vector<vertex_index> which;
+  neighbour_lists others;
+  for (std::size_t i = 0; i < offers.size(); ++i) {
+    if (which.empty() || which.back() != offers[i].first) which.push_back(offers[i].first);
+    others.add(offers[i].second);
+    if (i + 1 == offers.size() || offers[i + 1].first != which.back()) others.end_list();
+  }
+  return !state_.stars().exchange(state_.oracle(), which, others).empty();
 }
 
 bool stale_stars::rebuild_all() {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 #include "asterism/mesh/refine/bad_triangle_queue.hpp"
@@ -36,9 +37,12 @@ class stale_stars {
 
  private:
   bool rebuild(std::vector<vertex_index> stale, star_search search);
+  bool exchange(const std::vector<triangle>& disagreeing);
 
   refine_state& state_;
   steepness& steep_;
+  std::set<triangle>
+      exchanged_;  // triangles whose corners were asked about each other's neighbours
   std::size_t repairs_ = 0;
   std::size_t repaired_at_ = 0, confirmed_at_ = 0;  // numbers of sites
 };

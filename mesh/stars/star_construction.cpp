@@ -166,13 +166,16 @@ star begun_star(const site_oracle& oracle, vertex_index v, const plain_star& gue
 }
 
 // Returns the star guessed in plain doubles if exact tests confirm it: at once against all sites
-// there are, or else against the given ones.
+// there are, or else against the given ones. A search of what is near leaves gaps to which far
+// sites matter to a thorough one: where they are many, most stars with them are soon changed.
 std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, vertex_index v,
-                                                const plain_star& guess,
+                                                star_search search, const plain_star& guess,
                                                 const std::vector<vertex_index>& order) {
   auto s = standing_star(oracle, v, ring_of(guess));
   if (!s) return std::nullopt;
-  if (const auto reach = final_reach(oracle, v, *s))
+  const auto unbounded =
+      search == star_search::near ? unbounded_gaps::give_up : unbounded_gaps::ask_all;
+  if (const auto reach = final_reach(oracle, v, *s, unbounded))
     return constructed_star{*std::move(s), true, false, reach};
   for (const vertex_index w : order)
     if (oracle.is_over() || (!s->contains(w) && would_accept(oracle, v, *s, w)))
@@ -260,9 +263,10 @@ gathered gather(const site_oracle& oracle, vertex_index v, double reach) {
 }
 
 // Constructs the star of v from these sites. `guess` is their star in plain doubles.
-constructed_star construct_from(const site_oracle& oracle, vertex_index v, const plain_star& guess,
-                                const std::vector<vertex_index>& order) {
-  if (auto confirmed = confirmed_guess(oracle, v, guess, order)) return std::move(*confirmed);
+constructed_star construct_from(const site_oracle& oracle, vertex_index v, star_search search,
+                                const plain_star& guess, const std::vector<vertex_index>& order) {
+  if (auto confirmed = confirmed_guess(oracle, v, search, guess, order))
+    return std::move(*confirmed);
   return settle(oracle, v, begun_star(oracle, v, guess), order);
 }
 
@@ -297,7 +301,7 @@ star_extent extent_of(const site_oracle& oracle, vertex_index v, const plain_sta
 // have no vertex however far one looks, and what is far away is refused there only after long
 // questions; then the sites of a third look, at little more each, have to do, until a thorough
 // search. With five looks the square in swirl:24 with 1,000 triangles takes 3.5 times as long.
-local_star construct_near(const site_oracle& oracle, vertex_index v) {
+local_star construct_near(const site_oracle& oracle, vertex_index v, star_search search) {
   constexpr double spacings = 2.2, infinity = std::numeric_limits<double>::infinity();
   constexpr std::size_t fewest = 6;
   constexpr int enough_attempts = 3, most_attempts = 5;
@@ -317,7 +321,7 @@ local_star construct_near(const site_oracle& oracle, vertex_index v) {
       const star_extent guessed = extent_of(oracle, v, guess);
       if (interior) found = guessed;
       if (!interior || will_do(guessed)) {
-        constructed_star built = construct_from(oracle, v, guess, among.order);
+        constructed_star built = construct_from(oracle, v, search, guess, among.order);
         found = extent_of(oracle, v, built.content);
         if (built.final_reach || will_do(found)) return {std::move(built), std::move(among), found};
       }
@@ -342,27 +346,36 @@ std::vector<vertex_index> others_in_reach(const site_oracle& oracle, vertex_inde
   return others;
 }
 
+// Makes the star anew with those of the other sites that it would accept; false if there are none,
+// or the patience is over.
+bool take_missed(const site_oracle& oracle, vertex_index v, star_search search,
+                 std::span<const vertex_index> others, local_star& from) {
+  std::vector<vertex_index> missed;
+  for (const vertex_index w : others) {
+    if (oracle.is_over()) {
+      from.built.settled = false;
+      return false;
+    }
+    if (w != v && !from.built.content.contains(w) && would_accept(oracle, v, from.built.content, w))
+      missed.push_back(w);
+  }
+  if (missed.empty()) return false;
+  std::vector<candidate> all;
+  for (const auto* list : {&from.among.order, &missed})
+    for (const vertex_index w : *list) all.push_back({oracle.squared_distance(v, w), w});
+  from.among.order = from_near_to_far(oracle, std::move(all));
+  from.built = construct_from(
+      oracle, v, search, build_plain_star(oracle.sites(), v, from.among.order), from.among.order);
+  from.built.repaired = true;
+  from.extent = extent_of(oracle, v, from.built.content);
+  return true;
+}
+
 constructed_star construct_thoroughly(const site_oracle& oracle, vertex_index v, local_star from) {
   if (from.built.final_reach) return from.built;
-  for (std::size_t round = 0; round < most_rounds && !from.among.everything; ++round) {
-    std::vector<vertex_index> missed;
-    for (const vertex_index w : others_in_reach(oracle, v, from)) {
-      if (oracle.is_over()) {
-        from.built.settled = false;
-        return from.built;
-      }
-      if (would_accept(oracle, v, from.built.content, w)) missed.push_back(w);
-    }
-    if (missed.empty()) return from.built;
-    std::vector<candidate> all;
-    for (const auto* list : {&from.among.order, &missed})
-      for (const vertex_index w : *list) all.push_back({oracle.squared_distance(v, w), w});
-    from.among.order = from_near_to_far(oracle, std::move(all));
-    from.built = construct_from(oracle, v, build_plain_star(oracle.sites(), v, from.among.order),
-                                from.among.order);
-    from.built.repaired = true;
-    from.extent = extent_of(oracle, v, from.built.content);
-  }
+  for (std::size_t round = 0; round < most_rounds && !from.among.everything; ++round)
+    if (!take_missed(oracle, v, star_search::thorough, others_in_reach(oracle, v, from), from))
+      return from.built;
   if (!from.among.everything) from.built.settled = false;
   return from.built;
 }
@@ -374,11 +387,13 @@ double farthest_vertex(const site_oracle& oracle, vertex_index v, const star& s)
 }
 
 constructed_star construct_star(const site_oracle& oracle, vertex_index v, star_search search,
-                                std::span<const vertex_index> guess, star_confirmation confirmed) {
+                                const star_proposal& proposed) {
   if (oracle.near() == nullptr)
     return settle(oracle, v, empty_star(oracle.edges(), v), all_sites(oracle, v));
-  if (auto known = guessed_star(oracle, v, guess, confirmed)) return std::move(*known);
-  local_star made = construct_near(oracle, v);
+  if (auto known = guessed_star(oracle, v, proposed.guess, proposed.confirmed))
+    return std::move(*known);
+  local_star made = construct_near(oracle, v, search);
+  take_missed(oracle, v, search, proposed.others, made);
   if (search == star_search::near) return std::move(made.built);
   return construct_thoroughly(oracle, v, std::move(made));
 }

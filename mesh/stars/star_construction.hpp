@@ -42,14 +42,20 @@ struct constructed_star {
 
 enum class star_search { near, thorough };
 
+// What is known of a star before it is made; nothing by default.
+struct star_proposal {
+  // The neighbours that it is likely to have, counter-clockwise. They are the star if exact tests
+  // find that each stands and, by_mesher, confirm them against all sites; else they are not used.
+  std::span<const vertex_index> guess = {};
+  star_confirmation confirmed = star_confirmation::by_mesher;
+  std::span<const vertex_index> others = {};  // offered to it besides what is near
+};
+
 // Constructs the star of v. Deterministic: a function of the sites, the boundary, v, the search and
-// the guess alone. `guess` has the neighbours that the star is likely to have, counter-clockwise:
-// they are the star if exact tests find that each stands and, by_mesher, confirm them against all
-// sites; else they are not used.
+// the proposal alone.
 constructed_star construct_star(const site_oracle& oracle, vertex_index v,
                                 star_search search = star_search::thorough,
-                                std::span<const vertex_index> guess = {},
-                                star_confirmation confirmed = star_confirmation::by_mesher);
+                                const star_proposal& proposed = {});
 
 // Returns the distance from v to the farthest Voronoi vertex of the star's gaps, as v measures;
 // infinite when a gap has none. In doubles, for choosing how far to look.

@@ -126,7 +126,8 @@ class prepared_sector {
 
 }  // namespace
 
-std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, const star& s) {
+std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, const star& s,
+                                  unbounded_gaps unbounded) {
   std::vector<prepared_sector> sectors;
   sectors.reserve(s.sectors.size());
   double reach = 0, finite = 0;
@@ -137,6 +138,7 @@ std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, con
     finite = std::max(finite, sectors.back().finite_reach());
     at_boundary = at_boundary || sectors.back().is_at_boundary();
   }
+  if (reach == infinity && unbounded == unbounded_gaps::give_up) return std::nullopt;
   const auto refused = [&](vertex_index w) {
     if (w == v || s.contains(w)) return true;
     if (oracle.is_over()) return false;

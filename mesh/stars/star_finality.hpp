@@ -14,10 +14,15 @@
 
 namespace asterism::internal {
 
+// What to do about a gap without a bound, to which all sites between its rays matter.
+enum class unbounded_gaps { ask_all, give_up };
+
 // Returns R of the lemma, in v's metric, if the star of v is final; none if a site would be
-// accepted. R is the greatest of its gaps' (star_gap::reach). It is infinite if it is not known,
-// and for a star at a subsegment of the boundary, which may be split. A site that comes later and
-// is certainly out of that reach cannot change the star. Requires a neighbourhood.
-std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, const star& s);
+// accepted, or where a gap without a bound is given up. R is the greatest of its gaps'
+// (star_gap::reach). It is infinite if it is not known, and for a star at a subsegment of the
+// boundary, which may be split. A site that comes later and is certainly out of that reach cannot
+// change the star. Requires a neighbourhood.
+std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, const star& s,
+                                  unbounded_gaps unbounded = unbounded_gaps::ask_all);
 
 }  // namespace asterism::internal

@@ -231,13 +231,39 @@ std::optional<constructed_star> star_set::remake(const site_oracle& oracle, vert
                                                  star_search search, const site_index* latest) {
   if (latest != nullptr && condition_[v] == condition::settled && confirm(oracle, v, *latest))
     return std::nullopt;
-  constructed_star built = construct_star(
-      oracle, v, search, guesses_ == nullptr ? std::span<const vertex_index>() : (*guesses_)[v],
-      confirmed_);
+  const std::span<const vertex_index> others = exchanged_.of(v);
+  if (exchanged_.which != nullptr && !accepts_any(oracle, v, others)) return std::nullopt;
+  star_proposal proposed;
+  if (guesses_ != nullptr) proposed.guess = (*guesses_)[v];
+  proposed.confirmed = confirmed_;
+  proposed.others = others;
+  constructed_star built = construct_star(oracle, v, search, proposed);
   if (is_news(v, built)) return built;
   condition_[v] = condition::settled;
   note_final(v, oracle.size(), built.final_reach);
   return std::nullopt;
+}
+
+std::span<const vertex_index> star_set::exchanged::of(vertex_index v) const {
+  if (which == nullptr) return {};
+  const auto at = std::lower_bound(which->begin(), which->end(), v);
+  return (*others)[static_cast<std::size_t>(at - which->begin())];
+}
+
+bool star_set::accepts_any(const site_oracle& oracle, vertex_index v,
+                           std::span<const vertex_index> others) const {
+  return std::any_of(others.begin(), others.end(), [&](vertex_index w) {
+    return w != v && !stars_[v].contains(w) && would_accept(oracle, v, stars_[v], w);
+  });
+}
+
+std::vector<vertex_index> star_set::exchange(const site_oracle& oracle,
+                                             const std::vector<vertex_index>& which,
+                                             const neighbour_lists& others) {
+  exchanged_ = {&which, &others};
+  std::vector<vertex_index> changed = construct(oracle, which, star_search::near);
+  exchanged_ = {};
+  return changed;
 }
 
 // True if the settled star of v is final against all sites; notes it.

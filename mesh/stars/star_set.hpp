@@ -76,6 +76,13 @@ class star_set {
   std::vector<vertex_index> construct(const site_oracle& oracle,
                                       const std::vector<vertex_index>& which, star_search search);
 
+  // Offers each of `which` the sites listed for it, list by list in the same order, and constructs
+  // those anew that would accept one, from these and what is near. Returns what construct() does.
+  // Requires `which` sorted.
+  std::vector<vertex_index> exchange(const site_oracle& oracle,
+                                     const std::vector<vertex_index>& which,
+                                     const neighbour_lists& others);
+
   // Returns how many stars sites were looked at for that were added one by one. Where metrics vary
   // wildly these are all there are, each time.
   std::size_t candidates_looked_at() const { return candidates_; }
@@ -110,6 +117,8 @@ class star_set {
                                          const site_index* latest, std::size_t in_all);
   std::optional<constructed_star> remake(const site_oracle& oracle, vertex_index v,
                                          star_search search, const site_index* latest);
+  bool accepts_any(const site_oracle& oracle, vertex_index v,
+                   std::span<const vertex_index> others) const;
   bool confirm(const site_oracle& oracle, vertex_index v, const site_index& latest);
   void remove_hidden(const site_oracle& oracle, vertex_index a, vertex_index b);
   bool is_news(vertex_index v, const constructed_star& built) const;
@@ -130,6 +139,12 @@ class star_set {
   touched_stars touched_;
   const neighbour_lists* guesses_ = nullptr;                    // while all stars are made
   star_confirmation confirmed_ = star_confirmation::by_mesher;  // the guesses
+  // What exchange() was given, while it is at work.
+  struct exchanged {
+    const std::vector<vertex_index>* which = nullptr;
+    const neighbour_lists* others = nullptr;
+    std::span<const vertex_index> of(vertex_index v) const;
+  } exchanged_;
   std::vector<star> stars_;
   std::vector<condition> condition_;
   std::vector<finality> final_;

@@ -193,11 +193,11 @@ TEST_CASE("a right guess is the star at once, and a wrong one changes nothing") 
       with_itself.push_back(v);
       for (const auto& guess : {ring, shorter, backwards, twice, with_itself, {ring[0], ring[1]}}) {
         INFO("star of site " << v << ", guess of " << guess.size());
-        const constructed_star made = construct_star(oracle, v, star_search::thorough, guess);
+        const constructed_star made = construct_star(oracle, v, star_search::thorough, {guess});
         CHECK(ring_of(made.content) == ring_of(without.content));
         CHECK(made.settled);
       }
-      const constructed_star near = construct_star(oracle, v, star_search::near, ring);
+      const constructed_star near = construct_star(oracle, v, star_search::near, {ring});
       ++(near.final_reach ? taken : refused);
     }
   }
