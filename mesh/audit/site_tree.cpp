@@ -74,14 +74,11 @@ site_tree::site_tree(const std::vector<site>& sites) : sites_(sites), order_(sit
   groups_.push_back(sites.size());
   places_.reserve(sites.size());
   inverse_determinants_.reserve(sites.size());
-  lengths_.reserve(sites.size());
   for (const vertex_index w : order_) {
     places_.push_back(sites[w].position);
     inverse_determinants_.push_back(inverse_determinant_above(sites[w].metric));
-    lengths_.push_back(lengths_of(sites[w].metric, inverse_determinants_.back()));
   }
-  // Children follow their parents.
-  for (std::size_t i = nodes_.size(); i-- > 0;) bound_covectors(i);
+  if (sites.size() <= most_with_covectors) bound_covectors();
 }
 
 // |g|^2 in M is g M^-1 g, the adjugate's value times the inverse determinant. The three monomials
@@ -94,30 +91,40 @@ site_tree::by_covector site_tree::lengths_of(const metric_tensor& m, double inve
   return {length(m.m22), length(m.m11), length(sum - mixed), length(sum + mixed)};
 }
 
-void site_tree::bound_covectors(std::size_t self) {
-  node& n = nodes_[self];
-  n.least.fill(infinity);
-  n.greatest.fill(-infinity);
-  n.length.fill(0);
-  const auto take = [&n](const by_covector& least, const by_covector& greatest,
-                         const by_covector& length) {
-    for (std::size_t k = 0; k < n.length.size(); ++k) {
-      n.least[k] = std::min(n.least[k], least[k]);
-      n.greatest[k] = std::max(n.greatest[k], greatest[k]);
-      n.length[k] = std::max(n.length[k], length[k]);
+void site_tree::bound_covectors() {
+  lengths_.reserve(order_.size());
+  for (std::size_t i = 0; i < order_.size(); ++i)
+    lengths_.push_back(lengths_of(sites_[order_[i]].metric, inverse_determinants_[i]));
+  covector_bounds_.resize(nodes_.size());
+  // Children follow their parents.
+  for (std::size_t i = nodes_.size(); i-- > 0;) covector_bounds_[i] = bounds_of(i);
+}
+
+site_tree::covector_bounds site_tree::bounds_of(std::size_t self) const {
+  covector_bounds all;
+  all.least.fill(infinity);
+  all.greatest.fill(-infinity);
+  all.length.fill(0);
+  const auto take = [&all](const covector_bounds& some) {
+    for (std::size_t k = 0; k < all.length.size(); ++k) {
+      all.least[k] = std::min(all.least[k], some.least[k]);
+      all.greatest[k] = std::max(all.greatest[k], some.greatest[k]);
+      all.length[k] = std::max(all.length[k], some.length[k]);
     }
   };
+  const node& n = nodes_[self];
   if (n.right != 0) {
-    for (const std::size_t child : {self + 1, n.right})
-      take(nodes_[child].least, nodes_[child].greatest, nodes_[child].length);
-    return;
+    for (const std::size_t child : {self + 1, n.right}) take(covector_bounds_[child]);
+    return all;
   }
   for (std::size_t i = n.first; i < n.last; ++i) {
     const point& q = places_[i];
     const double x = q.x, y = q.y, lost = step * (std::abs(x) + std::abs(y));
-    take({x - lost, y - lost, x + y - lost, x - y - lost},
-         {x + lost, y + lost, x + y + lost, x - y + lost}, lengths_[i]);
+    take({{x - lost, y - lost, x + y - lost, x - y - lost},
+          {x + lost, y + lost, x + y + lost, x - y + lost},
+          lengths_[i]});
   }
+  return all;
 }
 
 // With B = `inverse`: the eigenvalues of M_w^-1 B^-1 are the inverses of those of B M_w, and the

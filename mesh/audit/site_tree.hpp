@@ -65,6 +65,9 @@ class site_tree {
  private:
   static constexpr std::size_t leaf_size = 8;
   static constexpr std::size_t most_depth = 64;  // nodes are halved
+  // Sites of a tree that keeps what it finds by covectors: 60 bytes a site, worth while where
+  // metrics vary much from site to site, which those of a large mesh do not.
+  static constexpr std::size_t most_with_covectors = 100'000;
   static constexpr double beyond_all = std::numeric_limits<double>::infinity();
 
   // Numbers that belong to the covectors x, y, x + y and x - y.
@@ -78,6 +81,9 @@ class site_tree {
     double spread_squared = 0;  // infinite where not known
     std::size_t first = 0, last = 0;
     std::size_t right = 0;  // the left child follows its parent; no right child: a leaf
+  };
+  // What bounds the sites of a node by covectors.
+  struct covector_bounds {
     by_covector least, greatest, length;  // at most, at least and at least that of each site
   };
   // One star, or several: their places are in the box, the metric M of each is at least `metric` /
@@ -112,12 +118,15 @@ class site_tree {
   void build(std::size_t first, std::size_t last);
   void bound_leaf(node& n) const;
   void bound_parent(node& n, const node& left, const node& right) const;
-  void bound_covectors(std::size_t self);
+  void bound_covectors();
+  // Returns what bounds the sites of the node, its children's being known.
+  covector_bounds bounds_of(std::size_t self) const;
   static by_covector lengths_of(const metric_tensor& m, double inverse_determinant);
   static centre centre_of(const site& v, double reach);
   static centre centre_with_covectors(const site& v, double reach);
   // True if all sites of the node, or one at d, are too far by one of the four covectors.
-  static bool are_beyond(const node& n, const centre& v);
+  // True if the sites of the node with this number are certainly too far by one covector.
+  bool are_beyond(std::size_t self, const centre& v) const;
   static bool is_beyond(const point& d, const by_covector& length, const centre& v);
   // Returns g . (w - v) from which on a site is too far that finds the covector at most so long.
   static double bound_along(const centre& v, std::size_t covector, double length) {
@@ -155,7 +164,9 @@ class site_tree {
   std::vector<std::size_t> groups_;
   std::vector<point> places_;                 // in that order
   std::vector<double> inverse_determinants_;  // upper bounds, in that order
-  std::vector<by_covector> lengths_;          // at least those of the covectors, in that order
+  // Empty in large trees. At least those of the covectors, in that order; and of each node.
+  std::vector<by_covector> lengths_;
+  std::vector<covector_bounds> covector_bounds_;
   std::vector<node> nodes_;
 };
 
@@ -167,7 +178,7 @@ void site_tree::visit_leaves(const centre& c, std::size_t from, const Visit& vis
   while (waiting > 0) {
     const std::size_t self = open[--waiting];
     const node& n = nodes_[self];
-    if (n.last <= from || are_beyond(n, c) || too_far(n, c)) continue;
+    if (n.last <= from || are_beyond(self, c) || too_far(n, c)) continue;
     if (n.right == 0) {
       visit(self);
       continue;
@@ -184,7 +195,8 @@ void site_tree::visit_leaf(const node& n, const centre& v, std::size_t from,
   if (is_beside(n, v, far)) return;
   for (std::size_t i = n.first < from ? from : n.first; i < n.last; ++i) {
     const point d{places_[i].x - v.low.x, places_[i].y - v.low.y};
-    if (is_beyond(d, lengths_[i], v) || is_farther(d, v.metric, far)) continue;
+    if (!lengths_.empty() && is_beyond(d, lengths_[i], v)) continue;
+    if (is_farther(d, v.metric, far)) continue;
     if (!too_far(d, sites_[order_[i]].metric, inverse_determinants_[i], v)) visit(order_[i]);
   }
 }
@@ -200,7 +212,7 @@ void site_tree::visit_near(const std::vector<std::size_t>& leaves, const site& v
                            const Visit& visit, std::size_t from) const {
   const centre c = centre_with_covectors(v, reach);
   for (const std::size_t leaf : leaves)
-    if (nodes_[leaf].last > from && !are_beyond(nodes_[leaf], c) && !too_far(nodes_[leaf], c))
+    if (nodes_[leaf].last > from && !are_beyond(leaf, c) && !too_far(nodes_[leaf], c))
       visit_leaf(nodes_[leaf], c, from, visit);
 }
 
@@ -212,10 +224,12 @@ inline bool site_tree::is_beyond(const point& d, const by_covector& length, cons
          std::abs(d.x - d.y) - lost > bound_along(v, 3, length[3]);
 }
 
-inline bool site_tree::are_beyond(const node& n, const centre& v) {
-  for (std::size_t k = 0; k < n.length.size(); ++k) {
-    const double bound = bound_along(v, k, n.length[k]) + v.lost;
-    if (n.least[k] - v.value[k] > bound || v.value[k] - n.greatest[k] > bound) return true;
+inline bool site_tree::are_beyond(std::size_t self, const centre& v) const {
+  if (covector_bounds_.empty()) return false;
+  const covector_bounds& all = covector_bounds_[self];
+  for (std::size_t k = 0; k < all.length.size(); ++k) {
+    const double bound = bound_along(v, k, all.length[k]) + v.lost;
+    if (all.least[k] - v.value[k] > bound || v.value[k] - all.greatest[k] > bound) return true;
   }
   return false;
 }
