@@ -88,6 +88,7 @@ double reach_beside(const site& v, const site& z, const point& d, const point& u
 
 double quick_reach(const site& v, const site& x, const site& y) {
   const point to_x = between(v, x), to_y = between(v, y);
+  if (!(cross(to_x, to_y) > 0)) return infinity;
   const point u = towards_vertex(v, x, y, to_x, to_y);
   const sized u_squared = length_squared(v.metric, u), det_v = determinant(v.metric);
   if (!(u_squared.is_known() && det_v.is_known())) return infinity;

@@ -8,6 +8,7 @@
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/star_gap.hpp"
+#include "asterism/mesh/audit/gap_reach.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
 #include "fixtures/audit_meshes.hpp"
@@ -391,6 +392,9 @@ TEST_CASE("the quick exclusions, one by one and by distance, are never wrong") {
     bool far = true;
     audit_detail::site_tree(alone).visit_near(v, filter.reach(),
                                               [&](asterism::vertex_index) { far = false; });
+    bool quickly_far = true;
+    audit_detail::site_tree(alone).visit_near(v, audit_detail::quick_reach(v, x, y),
+                                              [&](asterism::vertex_index) { quickly_far = false; });
     const double reach = star_gap(v, x, y).reach();
     bool beyond = true;
     audit_detail::site_tree(alone).visit_near(v, reach,
@@ -399,8 +403,9 @@ TEST_CASE("the quick exclusions, one by one and by distance, are never wrong") {
     REQUIRE_FALSE((accepts && beyond));
     REQUIRE_FALSE((accepts && excludes));
     REQUIRE_FALSE((accepts && far));
+    REQUIRE_FALSE((accepts && quickly_far));
     excluded += excludes;
-    distant += far && beyond;
+    distant += far && beyond && quickly_far;
     accepted += accepts;
   }
   CAPTURE(cases, excluded, distant, accepted);
@@ -408,4 +413,45 @@ TEST_CASE("the quick exclusions, one by one and by distance, are never wrong") {
   CHECK(accepted > 200);
   CHECK(excluded > 300);
   CHECK(distant > 100);
+}
+
+TEST_CASE("the quick reach of a gap is about that of the prepared one where metrics vary little") {
+  splitmix64 random(21);
+  int known = 0, asked = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const metric_tensor base = random_metric(random, 2);
+    const double scale = std::exp2(random.real(-60, 60));
+    const auto at = [&](double px, double py) {
+      const double factor = random.real(0.97, 1.03);
+      return site{{scale * px, scale * py}, {factor * base.m11, base.m12, base.m22}};
+    };
+    const site v = at(0, 0), x = at(1, random.real(-0.2, 0.2)),
+               y = at(random.real(0.2, 0.8), random.real(0.7, 1.1));
+    const double wanted = star_gap(v, x, y).reach(), quick = audit_detail::quick_reach(v, x, y);
+    CAPTURE(i);
+    if (!std::isfinite(wanted)) continue;
+    ++asked;
+    if (!std::isfinite(quick)) continue;
+    const auto half = [&](const site& z) {
+      return 0.4999 * std::sqrt(squared_length(v.metric, between(v.position, z.position)));
+    };
+    CHECK(quick >= std::max(half(x), half(y)));
+    known += quick <= 1.25 * wanted;
+  }
+  CAPTURE(asked, known);
+  CHECK(asked > 500);
+  CHECK(known > 0.8 * asked);
+}
+
+TEST_CASE("no quick reach is known of a gap that doubles cannot tell") {
+  const metric_tensor round{1, 0, 1};
+  const site v{{0, 0}, round}, x{{1, 0}, round}, y{{0.5, 0.8}, round};
+  REQUIRE(std::isfinite(audit_detail::quick_reach(v, x, y)));
+  const auto in = [](site s, const metric_tensor& m) { return site{s.position, m}; };
+  const metric_tensor thin{1, 1 - 0x1p-40, 1}, large{0x1p320, 0, 0x1p320}, small{0x1p-320, 0, 1};
+  for (const metric_tensor& m : {thin, large, small})
+    CHECK(std::isinf(audit_detail::quick_reach(in(v, m), in(x, m), in(y, m))));
+  const site across{{-1, 0}, round};  // half a turn, and more
+  CHECK(std::isinf(audit_detail::quick_reach(v, x, across)));
+  CHECK(std::isinf(audit_detail::quick_reach(v, x, {{-0.5, -0.8}, round})));
 }
