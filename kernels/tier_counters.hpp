@@ -54,6 +54,8 @@ struct tier_counters {
   // Work of the exact answers about sites, in products of two 64-bit limbs (core/integer.hpp). One
   // takes from hundreds to hundreds of millions.
   std::uint64_t limb_products = 0;
+  // Items that were looked at to find out what to ask about: subsegments near a line of sight.
+  std::uint64_t looked_at = 0;
 
   std::uint64_t& at(predicate p, tier t) {
     return decided[static_cast<std::size_t>(p)][static_cast<std::size_t>(t)];
@@ -65,6 +67,7 @@ struct tier_counters {
     for (std::size_t p = 0; p < predicate_count; ++p)
       for (std::size_t t = 0; t < tier_count; ++t) decided[p][t] += other.decided[p][t];
     limb_products += other.limb_products;
+    looked_at += other.looked_at;
     return *this;
   }
 };

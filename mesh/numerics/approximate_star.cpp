@@ -145,27 +145,84 @@ plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
   return star;
 }
 
+namespace {
+
+// Directions from the centre of a star to its neighbours, in their order.
+class star_directions {
+ public:
+  star_directions(const std::vector<site>& sites, vertex_index v, const plain_star& star)
+      : sites_(sites), star_(star), centre_(sites[v].position) {}
+
+  displacement<double> operator[](std::size_t i) const {
+    return between(centre_, sites_[star_[i].neighbour].position);
+  }
+
+  // True if the gap after neighbour i is half a turn or more, or d lies in it: on its first side,
+  // and not on its last.
+  bool holds(std::size_t i, const displacement<double>& d) const {
+    return holds((*this)[i], (*this)[following(star_, i)], d);
+  }
+
+  // Returns the first gap that holds d; the number of gaps if there is none.
+  std::size_t first_that_holds(const displacement<double>& d) const {
+    constexpr std::size_t few = 16;
+    if (star_.size() > few) {
+      const std::size_t i = last_not_beyond(d);
+      if (holds(i, d)) return i;
+    }
+    auto before = (*this)[0];
+    for (std::size_t i = 0; i < star_.size(); ++i) {
+      const auto after = (*this)[following(star_, i)];
+      if (holds(before, after, d)) return i;
+      before = after;
+    }
+    return star_.size();
+  }
+
+ private:
+  static bool holds(const displacement<double>& before, const displacement<double>& after,
+                    const displacement<double>& d) {
+    const bool wide = !(cross(before, after) > 0);
+    const bool past = cross(before, d) >= 0, not_beyond = cross(d, after) > 0;
+    return wide ? past || not_beyond : past && not_beyond;
+  }
+
+  // Halves the star until one neighbour is left: the last one, counter-clockwise from the first,
+  // that d is not before. Stars where metrics vary wildly have hundreds.
+  std::size_t last_not_beyond(const displacement<double>& d) const {
+    const auto first = (*this)[0];
+    const auto in_first_half = [&first](const displacement<double>& e) {
+      const double side = cross(first, e);
+      return side > 0 || (side == 0 && dot(first, e) > 0);
+    };
+    const bool d_in_first = in_first_half(d);
+    std::size_t low = 0, high = star_.size();
+    while (high - low > 1) {
+      const std::size_t middle = low + (high - low) / 2;
+      const auto e = (*this)[middle];
+      const bool e_in_first = in_first_half(e);
+      const bool is_before = d_in_first != e_in_first ? d_in_first : cross(e, d) < 0;
+      (is_before ? high : low) = middle;
+    }
+    return low;
+  }
+
+  const std::vector<site>& sites_;
+  const plain_star& star_;
+  const point& centre_;
+};
+
+}  // namespace
+
 bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star,
               vertex_index w) {
   if (star.size() < 3) return true;
-  const site& s = sites[v];
-  const auto to_w = between(s.position, sites[w].position);
-  auto before = between(s.position, sites[star.front().neighbour].position);
-  const auto first = before;
-  for (std::size_t i = 0; i < star.size(); ++i) {
-    const auto after =
-        i + 1 < star.size() ? between(s.position, sites[star[i + 1].neighbour].position) : first;
-    const bool wide = !(cross(before, after) > 0);
-    const bool past = cross(before, to_w) >= 0, not_beyond = cross(to_w, after) > 0;
-    if (wide ? past || not_beyond : past && not_beyond) {
-      if (star[i].squared_radius == infinity) return true;
-      const point& vertex = star[i].vertex;
-      return squared_length(sites[w].metric, point{vertex.x - to_w.x, vertex.y - to_w.y}) <
-             star[i].squared_radius;
-    }
-    before = after;
-  }
-  return true;
+  const auto to_w = between(sites[v].position, sites[w].position);
+  const std::size_t i = star_directions(sites, v, star).first_that_holds(to_w);
+  if (i == star.size() || star[i].squared_radius == infinity) return true;
+  const point& vertex = star[i].vertex;
+  return squared_length(sites[w].metric, point{vertex.x - to_w.x, vertex.y - to_w.y}) <
+         star[i].squared_radius;
 }
 
 }  // namespace asterism::internal

@@ -112,11 +112,19 @@ bool is_clear_of_subsegments(const site_oracle& oracle, vertex_index v, const st
   return oracle.near()->subsegments().visit(around, [](std::uint32_t) { return false; });
 }
 
+// True if enough was done. Asked now and then on the way through the neighbours of one star, which
+// may be tens of thousands, with as many subsegments in the way of each.
+bool is_over_at(const site_oracle& oracle, std::size_t neighbour) {
+  constexpr std::size_t at_a_time = 16;
+  return neighbour % at_a_time == at_a_time - 1 && oracle.is_over();
+}
+
 bool sees_neighbours(const site_oracle& oracle, vertex_index v, const star& s) {
   if (is_clear_of_subsegments(oracle, v, s)) return true;
   for (const sector& part : s.sectors)
     for (std::size_t i = 0; i < part.size(); ++i)
-      if (!part.is_forced(i) && !oracle.visible(v, part.neighbours[i])) return false;
+      if (is_over_at(oracle, i) || (!part.is_forced(i) && !oracle.visible(v, part.neighbours[i])))
+        return false;
   return true;
 }
 
@@ -158,7 +166,7 @@ star begun_star(const site_oracle& oracle, vertex_index v, const plain_star& gue
   auto s = ring_star(oracle, v, ring_of(guess));
   if (!s) return empty_star(oracle.edges(), v);
   for (sector& part : s->sectors)
-    for (std::size_t i = part.size(); i-- > 0;)
+    for (std::size_t i = part.size(); i-- > 0 && !is_over_at(oracle, i);)
       if (!part.is_forced(i) && !oracle.visible(v, part.neighbours[i]))
         part.neighbours.erase(part.neighbours.begin() + static_cast<std::ptrdiff_t>(i));
   prune(oracle, v, *s);

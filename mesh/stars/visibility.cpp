@@ -2,6 +2,7 @@
 #include "asterism/mesh/stars/visibility.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace asterism::internal {
 namespace {
@@ -34,7 +35,9 @@ bool properly_cross(const star_predicates& kernel, const point& p, const point& 
 bool sees(const boundary& b, const std::vector<site>& sites, const star_predicates& kernel,
           vertex_index v, vertex_index w, const neighbourhood* near) {
   const point &p = sites[v].position, &q = sites[w].position;
+  std::uint64_t looked_at = 0;
   const auto lets_through = [&](const boundary_edge& subsegment) {
+    ++looked_at;
     const point &r = sites[subsegment.a].position, &s = sites[subsegment.b].position;
     if (boxes_apart(p, q, r, s)) return true;
     // Looks at the starts alone: every boundary vertex starts a subsegment.
@@ -43,10 +46,13 @@ bool sees(const boundary& b, const std::vector<site>& sites, const star_predicat
         subsegment.a == v || subsegment.a == w || subsegment.b == v || subsegment.b == w;
     return shares_end || !properly_cross(kernel, p, q, r, s);
   };
-  if (near == nullptr)
-    return std::all_of(b.subsegments().begin(), b.subsegments().end(), lets_through);
-  return near->subsegments().visit(
-      box_of(p, q), [&](std::uint32_t i) { return lets_through(b.subsegments()[i]); });
+  const bool seen = near == nullptr
+                        ? std::all_of(b.subsegments().begin(), b.subsegments().end(), lets_through)
+                        : near->subsegments().visit(box_of(p, q), [&](std::uint32_t i) {
+                            return lets_through(b.subsegments()[i]);
+                          });
+  kernel.counters().looked_at += looked_at;
+  return seen;
 }
 
 }  // namespace asterism::internal
