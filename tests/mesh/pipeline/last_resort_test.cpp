@@ -31,7 +31,7 @@ namespace {
 
 // Makes the mesh as make_mesh does, but for the metric delivered.
 mesh_outcome mesh_at_last_of(const domain& d, const metric_field& field,
-                             const mesh_options& options) {
+                             const mesh_options& options, bool may_take_one_metric = true) {
   using namespace asterism::internal;
   tier_counters decided;
   const star_predicates_on<filtered_kernel> stars_on(decided);
@@ -39,7 +39,8 @@ mesh_outcome mesh_at_last_of(const domain& d, const metric_field& field,
   auto made = mesh_domain({stars_on, image.shape(), image.field(), options});
   REQUIRE(made.ok());
   image.outward(made.value());
-  if (wants_other_metric(made.value(), options) && options.metric_tolerance != 0.0)
+  if (may_take_one_metric && wants_other_metric(made.value(), options) &&
+      options.metric_tolerance != 0.0)
     made = refine_in_one_metric({stars_on, d, field, options}, std::move(made).value());
   REQUIRE(made.ok());
   assign_regions(made.value().result, d);
@@ -256,15 +257,13 @@ TEST_CASE("last resort: a stop is kept to in one metric for all") {
   const domain d = accepted(square());
   std::size_t asked = 0;
   mesh_options options = with_size();
-  options.metric_tolerance = 0;
   options.stop = [&asked]() -> std::optional<std::string> {
     ++asked;
     return std::nullopt;
   };
-  mesh_at_last_of(d, checkerboard(0.52, 0.8), options);
+  mesh_at_last_of(d, checkerboard(0.52, 0.8), options, false);
   const std::size_t without = asked;
   asked = 0;
-  options.metric_tolerance.reset();
   options.stop = [&]() -> std::optional<std::string> {
     if (++asked <= without) return std::nullopt;
     return "enough";
@@ -291,11 +290,9 @@ TEST_CASE("last resort: the field was asked for a minute after the run was stopp
     if (at_stop == 0) at_stop = evaluations;
     return "enough";
   };
-  options.metric_tolerance = 0;
-  mesh_at_last_of(d, field, options);
+  mesh_at_last_of(d, field, options, false);
   most = asked + 1;
   asked = 0;
-  options.metric_tolerance.reset();
   const mesh_outcome made = mesh_at_last_of(d, field, options);
   INFO(ending_text(made));
   CHECK(made.stopped);
