@@ -20,8 +20,9 @@ class stale_stars {
   // Both references must outlive the object.
   stale_stars(refine_state& state, steepness& steep) : state_(state), steep_(steep) {}
 
-  // Makes the stars in disagreeing triangles anew, and holds them against all sites, before a site
-  // is inserted there. Coarse stars keep neighbours they should not, and near searches miss some.
+  // Makes the stars in disagreeing triangles anew, offers their corners each other's neighbours,
+  // and holds them against all sites, before a site is inserted there. Coarse stars keep neighbours
+  // they should not, and near searches miss some.
   bool rebuild_disagreeing(const bad_triangle_queue& queue);
   bool rebuild_all();
   // Holds every star against all sites that are not certainly out of its reach, since a local

@@ -47,17 +47,17 @@ class site_index {
   // Returns about how far sites are apart near v, as v measures; 0 where that cannot be told.
   double spacing_near(const site& v) const;
 
-  // Calls visit(w) for each site not certainly outside the closed cone at v from the ray through y
-  // counter-clockwise to the ray through x. Requires that it is less than half a turn.
-  template <class Visit>
-  bool visit_cone(const std::vector<site>& sites, const point& v, const point& y, const point& x,
-                  Visit&& visit) const;
-
   // Calls visit(w) for each site not certainly out of reach of v, with R = reach in v's metric,
   // infinite where nothing is known; v itself may be among them.
   template <class Visit>
   bool visit_reach(const std::vector<site>& sites, const site& v, double reach,
                    Visit&& visit) const;
+  // Calls visit(w) for each site in reach, as above, that is not certainly outside the closed cone
+  // at v from the ray through y counter-clockwise to the ray through x either. Requires that it is
+  // less than half a turn.
+  template <class Visit>
+  bool visit_cone(const std::vector<site>& sites, const site& v, double reach, const point& y,
+                  const point& x, Visit&& visit) const;
 
  private:
   static constexpr int leaf_capacity = 8;
@@ -116,6 +116,9 @@ class site_index {
   void split(const std::vector<site>& sites, std::uint32_t at, const cell& whole);
   template <class Visit>
   bool visit_leaf(const node& n, Visit&& visit) const;
+  template <class Outside, class Visit>
+  bool visit_reach_within(const std::vector<site>& sites, const site& v, double reach,
+                          const Outside& is_outside, Visit&& visit) const;
 
   std::vector<node> nodes_;  // the root first; no node but the root has index 0
   std::vector<std::vector<vertex_index>> overflow_{1};
@@ -182,40 +185,36 @@ bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) co
 }
 
 template <class Visit>
-bool site_index::visit_cone(const std::vector<site>& sites, const point& v, const point& y,
-                            const point& x, Visit&& visit) const {
-  const auto is_outside = [&](const bounding_box& box) {
-    return is_right_of(box, v, y) || is_right_of(box, x, v);
-  };
-  std::array<std::uint32_t, 3 * most_levels + 4> open;
-  std::size_t waiting = 0;
-  if (!nodes_.empty()) open[waiting++] = 0;
-  while (waiting > 0) {
-    const node& n = nodes_[open[--waiting]];
-    if (n.count == 0 || is_outside(n.box)) continue;
-    if (n.first_child != none) {
-      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
-      continue;
-    }
-    const bool on = visit_leaf(n, [&](vertex_index w) {
-      const point& q = sites[w].position;
-      return is_outside({q, q}) || visit(w);
-    });
-    if (!on) return false;
-  }
-  return true;
+bool site_index::visit_reach(const std::vector<site>& sites, const site& v, double reach,
+                             Visit&& visit) const {
+  const auto nothing_else = [](const bounding_box&) { return false; };
+  return visit_reach_within(sites, v, reach, nothing_else, visit);
 }
 
 template <class Visit>
-bool site_index::visit_reach(const std::vector<site>& sites, const site& v, double reach,
-                             Visit&& visit) const {
+bool site_index::visit_cone(const std::vector<site>& sites, const site& v, double reach,
+                            const point& y, const point& x, Visit&& visit) const {
+  const auto is_outside = [&](const bounding_box& box) {
+    return is_right_of(box, v.position, y) || is_right_of(box, x, v.position);
+  };
+  const auto visit_inside = [&](vertex_index w) {
+    const point& q = sites[w].position;
+    return is_outside({q, q}) || visit(w);
+  };
+  return visit_reach_within(sites, v, reach, is_outside, visit_inside);
+}
+
+// Passes over nodes of which is_outside(box) is true as well.
+template <class Outside, class Visit>
+bool site_index::visit_reach_within(const std::vector<site>& sites, const site& v, double reach,
+                                    const Outside& is_outside, Visit&& visit) const {
   const centre c = centre_of(v, reach);
   std::array<std::uint32_t, 3 * most_levels + 4> open;
   std::size_t waiting = 0;
   if (!nodes_.empty()) open[waiting++] = 0;
   while (waiting > 0) {
     const node& n = nodes_[open[--waiting]];
-    if (n.count == 0 || out_of_reach(n, c)) continue;
+    if (n.count == 0 || out_of_reach(n, c) || is_outside(n.box)) continue;
     if (n.first_child != none) {
       for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
       continue;

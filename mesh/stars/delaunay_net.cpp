@@ -319,4 +319,36 @@ bool delaunay_net::settle() {
   return true;
 }
 
+// Flips one edge of the face that is to be; false if there is none. Leaves the faces on both sides
+// in open_.
+bool delaunay_net::improve(std::uint32_t at, const comparison& is_better) {
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const face& f = faces_[at];
+    if (f.across[i] == none || f.fixed[i]) continue;
+    const place back = other_side({at, i});
+    const vertex_index c = f.corner[i], a = f.corner[after(i)], b = f.corner[before(i)],
+                       d = faces_[back.face].corner[back.corner];
+    if (!is_better(a, b, c, d) || turn(c, a, d) != sign::positive ||
+        turn(c, d, b) != sign::positive)
+      continue;
+    flip({at, i});
+    open_.push_back(back.face);
+    open_.push_back(at);
+    return true;
+  }
+  return false;
+}
+
+void delaunay_net::flip_towards(const comparison& is_better, std::size_t most) {
+  std::size_t flips = 0;
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    open_.assign({f});
+    while (!open_.empty() && flips < most) {
+      const std::uint32_t at = open_.back();
+      open_.pop_back();
+      if (improve(at, is_better)) ++flips;
+    }
+  }
+}
+
 }  // namespace asterism::internal

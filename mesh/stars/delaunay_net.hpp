@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -53,6 +54,12 @@ class delaunay_net {
   bool insert_segment(vertex_index a, vertex_index b);
   // Flips edges until all are Delaunay but those that stay; to be called after the last segment.
   bool settle();
+  // Flips edges while is_better(a, b, c, d) says that the edge from c to d is to take the place of
+  // that from a to b, at most so many times. What comes out is a triangulation with the edges that
+  // stay, and in general not the Delaunay one: to be called last.
+  using comparison =
+      std::function<bool(vertex_index a, vertex_index b, vertex_index c, vertex_index d)>;
+  void flip_towards(const comparison& is_better, std::size_t most);
   // Returns the face to the left of the edge from a to b, with the corner that is not on it; none
   // where there is no such edge, or too many steps were taken.
   std::optional<place> find_edge(vertex_index a, vertex_index b);
@@ -93,6 +100,7 @@ class delaunay_net {
   void split_edge(const place& p, vertex_index v);
   void flip(const place& p);
   bool flip_around(vertex_index v);
+  bool improve(std::uint32_t face, const comparison& is_better);
   bool cross(vertex_index a, vertex_index b, std::vector<std::pair<vertex_index, vertex_index>>&);
   bool clear_way(vertex_index a, vertex_index b,
                  std::vector<std::pair<vertex_index, vertex_index>> crossing);

@@ -9,69 +9,14 @@
 #include <limits>
 #include <utility>
 
-#include "asterism/mesh/data/site_box.hpp"
-#include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/stars/consistency.hpp"
-#include "asterism/mesh/stars/delaunay_net.hpp"
+#include "asterism/mesh/stars/site_triangulation.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Returns the order in which sites are put in: in rounds, each four times as many as all before and
-// drawn as if at random, so that no arrangement of sites makes many long flips; along a curve
-// within each, so that the way to the next is short. Source: Amenta, Choi and Rote, Incremental
-// constructions con BRIO, 2003.
-std::vector<vertex_index> insertion_order(const site_oracle& oracle) {
-  constexpr std::size_t most_rounds = 16;
-  const auto round_of = [](vertex_index v) {
-    std::uint64_t bits = (std::uint64_t{v} + 1) * 0x9e3779b97f4a7c15U;
-    bits = (bits ^ bits >> 31) * 0xbf58476d1ce4e5b9U;
-    std::size_t round = 0;
-    for (bits ^= bits >> 29; round + 1 < most_rounds && (bits & 3U) == 0; bits >>= 2) ++round;
-    return round;
-  };
-  std::array<std::vector<vertex_index>, most_rounds> rounds;
-  const std::vector<vertex_index> along_curve =
-      oracle.near() != nullptr ? oracle.near()->order()
-                               : order_along_curve(oracle.sites(), box_of_sites(oracle.sites()));
-  for (const vertex_index v : along_curve) rounds[round_of(v)].push_back(v);
-  std::vector<vertex_index> order;
-  order.reserve(oracle.size());
-  for (std::size_t round = most_rounds; round-- > 0;)
-    order.insert(order.end(), rounds[round].begin(), rounds[round].end());
-  return order;
-}
-
-// Knows the sites in the order in which they were put in.
-struct triangulated {
-  delaunay_net net;
-  std::vector<vertex_index> original;  // by number in the net
-  std::vector<vertex_index> numbers;   // in the net, by original number
-};
-
-std::optional<triangulated> triangulate(const site_oracle& oracle, const cancellation& cancelled) {
-  std::vector<vertex_index> order = insertion_order(oracle);
-  std::vector<vertex_index> numbers(order.size());
-  std::vector<site> sites;
-  sites.reserve(order.size() + 4);
-  for (const vertex_index v : order) {
-    numbers[v] = static_cast<vertex_index>(sites.size());
-    sites.push_back(oracle.sites()[v]);
-  }
-  delaunay_net net(std::move(sites), oracle.kernel());
-  constexpr vertex_index polled_after = 1024;
-  for (vertex_index v = 0; v < order.size(); ++v) {
-    if (v % polled_after == 0 && cancelled.is_requested()) return std::nullopt;
-    if (!net.insert(v)) return std::nullopt;
-  }
-  for (const boundary_edge& e : oracle.edges().subsegments())
-    if (!net.insert_segment(numbers[e.a], numbers[e.b])) return std::nullopt;
-  if (!net.settle()) return std::nullopt;
-  return triangulated{std::move(net), std::move(order), std::move(numbers)};
-}
 
 // Returns the radius of the circle around a triangle in its metric, from above: the product of its
 // sides over four times its area. A length is off by at most 2^-46 of its monomials, an area by
@@ -100,7 +45,8 @@ double circumradius_above(const site& v, const point& q, const point& r) {
 // Reads stars from the triangulation; each notes the faces it is the first to have, for the proof.
 class star_reader {
  public:
-  star_reader(const site_oracle& oracle, const triangulated& from, const star_predicates& kernel)
+  star_reader(const site_oracle& oracle, const site_triangulation& from,
+              const star_predicates& kernel)
       : oracle_(oracle), from_(from), kernel_(kernel) {}
 
   // Returns the star of v; none if something is not as it must be.
@@ -180,7 +126,7 @@ class star_reader {
   }
 
   const site_oracle& oracle_;
-  const triangulated& from_;
+  const site_triangulation& from_;
   const star_predicates& kernel_;
   std::vector<vertex_index> ring_;
   double reach_ = 0;
@@ -193,7 +139,7 @@ bool have_one_metric(const std::vector<site>& sites) {
 
 // Marks the faces in the domain: those left of a subsegment, and all that are joined to them by
 // edges that may go. Empty where a subsegment is no edge.
-std::vector<char> faces_inside(triangulated& from, const boundary& edges) {
+std::vector<char> faces_inside(site_triangulation& from, const boundary& edges) {
   std::vector<char> inside(from.net.faces().size(), 0);
   std::vector<std::uint32_t> open;
   const auto enter = [&](std::uint32_t f) {
@@ -216,7 +162,7 @@ std::vector<char> faces_inside(triangulated& from, const boundary& edges) {
 
 // Collects the faces inside as triangles by the sites' own numbers; fewer where one is not sound or
 // reaches out of the domain.
-std::vector<triangle> sound_triangles(const site_oracle& oracle, const triangulated& from,
+std::vector<triangle> sound_triangles(const site_oracle& oracle, const site_triangulation& from,
                                       const std::vector<char>& inside) {
   constexpr std::size_t chunk = 2048;
   std::vector<tier_counters> counts(chunk_count(inside.size(), chunk));
@@ -264,7 +210,7 @@ bool use_all(const std::vector<triangle>& triangles, std::size_t sites) {
 std::optional<std::vector<triangle>> triangles_of_equal_metrics(const site_oracle& oracle,
                                                                 const cancellation& cancelled) {
   if (oracle.size() < 3 || !have_one_metric(oracle.sites())) return std::nullopt;
-  auto from = triangulate(oracle, cancelled);
+  auto from = triangulate(oracle, oracle.sites().front().metric, oracle.kernel(), cancelled);
   if (!from) return std::nullopt;
   const std::vector<char> inside = faces_inside(*from, oracle.edges());
   const auto count = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), char{1}));
@@ -276,7 +222,7 @@ std::optional<std::vector<triangle>> triangles_of_equal_metrics(const site_oracl
 std::optional<std::vector<constructed_star>> stars_of_equal_metrics(const site_oracle& oracle,
                                                                     const cancellation& cancelled) {
   if (oracle.size() < 3 || !have_one_metric(oracle.sites())) return std::nullopt;
-  const auto from = triangulate(oracle, cancelled);
+  const auto from = triangulate(oracle, oracle.sites().front().metric, oracle.kernel(), cancelled);
   if (!from) return std::nullopt;
   constexpr std::size_t chunk = 1024;
   std::vector<tier_counters> counts(chunk_count(oracle.size(), chunk));

@@ -215,8 +215,8 @@ struct star_extent {
     const double reach = is_wide ? radius : std::max(finite, longest);
     if (!near.visit_reach(sites, sites[v], reach, visit)) return false;
     return is_wide || std::all_of(open.begin(), open.end(), [&](const open_gap& gap) {
-             return near.visit_cone(sites, sites[v].position, sites[gap.y].position,
-                                    sites[gap.x].position, visit);
+             return near.visit_cone(sites, sites[v], std::numeric_limits<double>::infinity(),
+                                    sites[gap.y].position, sites[gap.x].position, visit);
            });
   }
 };
@@ -392,6 +392,11 @@ constructed_star construct_thoroughly(const site_oracle& oracle, vertex_index v,
 
 double farthest_vertex(const site_oracle& oracle, vertex_index v, const star& s) {
   return extent_of(oracle, v, s).radius;
+}
+
+double farthest_known_vertex(const site_oracle& oracle, vertex_index v, const star& s) {
+  const star_extent extent = extent_of(oracle, v, s);
+  return extent.is_wide ? extent.radius : std::max(extent.finite, extent.longest);
 }
 
 constructed_star construct_star(const site_oracle& oracle, vertex_index v, star_search search,

@@ -60,5 +60,8 @@ constructed_star construct_star(const site_oracle& oracle, vertex_index v,
 // Returns the distance from v to the farthest Voronoi vertex of the star's gaps, as v measures;
 // infinite when a gap has none. In doubles, for choosing how far to look.
 double farthest_vertex(const site_oracle& oracle, vertex_index v, const star& s);
+// Returns that distance, or that of the farthest neighbour if it is more, and passes over gaps of
+// less than half a turn that have no vertex: where metrics vary fast, no distance would do.
+double farthest_known_vertex(const site_oracle& oracle, vertex_index v, const star& s);
 
 }  // namespace asterism::internal

@@ -2,6 +2,7 @@
 #include "asterism/mesh/stars/star_finality.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <limits>
 #include <vector>
 
@@ -54,25 +55,32 @@ class prepared_sector {
     return reach;
   }
 
-  // Returns the greatest reach that is finite.
-  double finite_reach() const {
-    double reach = 0;
+  // Returns a reach that most gaps are within: no more than `times` that of the one in the middle.
+  double common_reach(double times) const {
+    boost::container::small_vector<double, 16> all;
     for (const prepared_gap& gap : gaps_)
-      if (gap.reach() < infinity) reach = std::max(reach, gap.reach());
+      if (!gap.on_boundary) all.push_back(gap.reach());
+    if (all.empty()) return 0;
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    const double most = times * *middle;
+    double reach = 0;
+    for (const double r : all)
+      if (r <= most && r < infinity) reach = std::max(reach, r);
     return reach;
   }
 
-  // Calls visit(w) for each site not certainly outside the gaps whose reach is infinite, or for all
-  // sites if one of them is half a turn or more.
+  // Calls visit(w) for each site that is not certainly outside of the gaps that reach beyond this,
+  // and in their reach, or for all sites if one of them is half a turn or more.
   template <class Visit>
-  bool visit_open_gaps(const Visit& visit) const {
+  bool visit_gaps_beyond(double common, const Visit& visit) const {
     const site_index& near = oracle_->near()->sites();
     const auto is_wide = [](const prepared_gap& gap) { return !gap.on_boundary && !gap.content; };
     if (gaps_.empty() || std::any_of(gaps_.begin(), gaps_.end(), is_wide))
       return near.visit_reach(oracle_->sites(), at(v_), infinity, visit);
     return std::all_of(gaps_.begin(), gaps_.end(), [&](const prepared_gap& gap) {
-      return gap.reach() < infinity ||
-             near.visit_cone(oracle_->sites(), at(v_).position, at(gap.y).position,
+      return gap.reach() <= common ||
+             near.visit_cone(oracle_->sites(), at(v_), gap.reach(), at(gap.y).position,
                              at(gap.x).position, visit);
     });
   }
@@ -130,12 +138,15 @@ std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, con
                                   unbounded_gaps unbounded) {
   std::vector<prepared_sector> sectors;
   sectors.reserve(s.sectors.size());
-  double reach = 0, finite = 0;
+  // A site matters to the gap alone that it is in, or to those on both sides of its ray: gaps that
+  // reach much farther than the others need not make more sites matter to these.
+  constexpr double much = 1.5;
+  double reach = 0, common = 0;
   bool at_boundary = false;
   for (const sector& part : s.sectors) {
     sectors.emplace_back(oracle, v, part);
     reach = std::max(reach, sectors.back().reach());
-    finite = std::max(finite, sectors.back().finite_reach());
+    common = std::max(common, sectors.back().common_reach(much));
     at_boundary = at_boundary || sectors.back().is_at_boundary();
   }
   if (reach == infinity && unbounded == unbounded_gaps::give_up) return std::nullopt;
@@ -146,13 +157,11 @@ std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, con
                        [w](const prepared_sector& p) { return p.certainly_refuses(w); }) ||
            !would_accept(oracle, v, s, w);
   };
-  // A site matters to the gap alone that it is in, or to those on both sides of its ray: gaps
-  // without a bound need not make all sites matter to the others.
-  if (!oracle.near()->sites().visit_reach(oracle.sites(), oracle.sites()[v], finite, refused))
+  if (common > 0 &&
+      !oracle.near()->sites().visit_reach(oracle.sites(), oracle.sites()[v], common, refused))
     return std::nullopt;
-  if (reach == infinity)
-    for (const prepared_sector& p : sectors)
-      if (!p.visit_open_gaps(refused)) return std::nullopt;
+  for (const prepared_sector& p : sectors)
+    if (!p.visit_gaps_beyond(common, refused)) return std::nullopt;
   // The reach is infinite at the boundary, as a split of a subsegment opens the gap it closed.
   return at_boundary ? infinity : reach;
 }

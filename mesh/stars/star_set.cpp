@@ -10,6 +10,7 @@
 
 #include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/stars/equal_metric_stars.hpp"
+#include "asterism/mesh/stars/guessed_neighbours.hpp"
 #include "asterism/mesh/stars/star_finality.hpp"
 #include "asterism/mesh/stars/star_insertion.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
@@ -22,6 +23,8 @@ namespace {
 // Most work, as a part of the bound on refinement's. More than 1, as refinement ends with these
 // stars.
 constexpr double most_work = 1.1;
+// Fewest sites for which guesses are made.
+constexpr vertex_index worth_guessing = 100;
 
 // Returns the stars that a new site is offered to: about those it will be a neighbour in are those
 // it has as neighbours. A thorough search finds what this local one misses
@@ -33,8 +36,9 @@ std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_inde
   constexpr double reach_of_candidates = 2.2;
   std::vector<vertex_index> candidates;
   const neighbourhood* near = oracle.near();
-  const double reach = near == nullptr ? std::numeric_limits<double>::infinity()
-                                       : reach_of_candidates * farthest_vertex(oracle, w, own);
+  const double reach = near == nullptr
+                           ? std::numeric_limits<double>::infinity()
+                           : reach_of_candidates * farthest_known_vertex(oracle, w, own);
   if (near == nullptr || !(reach < std::numeric_limits<double>::infinity())) {
     for (vertex_index v = 0; v < oracle.size(); ++v)
       if (v != w) candidates.push_back(v);
@@ -97,10 +101,18 @@ void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& g
     for (vertex_index v = 0; v < oracle.size(); ++v) accept(oracle, v, std::move((*made)[v]));
     return;
   }
-  std::vector<vertex_index> all(oracle.size());
-  std::iota(all.begin(), all.end(), vertex_index{0});
-  guesses_ = &guesses;
-  confirmed_ = confirmed;
+  std::vector<vertex_index> all;
+  if (oracle.near() != nullptr) {
+    all = oracle.near()->order();
+  } else {
+    all.resize(oracle.size());
+    std::iota(all.begin(), all.end(), vertex_index{0});
+  }
+  const bool guess =
+      guesses.size() == 0 && oracle.size() >= worth_guessing && oracle.near() != nullptr;
+  const neighbour_lists own = guess ? guess_neighbours(oracle, cancelled_) : neighbour_lists();
+  guesses_ = guess ? &own : &guesses;
+  confirmed_ = guess ? star_confirmation::by_mesher : confirmed;
   construct(oracle, all, star_search::near);
   guesses_ = nullptr;
 }

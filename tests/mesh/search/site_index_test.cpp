@@ -7,6 +7,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -253,17 +254,26 @@ TEST_CASE("a cone leaves out only sites outside of it") {
     INFO(c.name);
     site_index index(box_of_sites(c.sites));
     for (vertex_index w = 0; w < c.sites.size(); ++w) index.insert(c.sites, w);
-    const auto any = [&] { return c.sites[random.bits() % c.sites.size()].position; };
+    const auto any = [&]() -> const site& { return c.sites[random.bits() % c.sites.size()]; };
     for (int round = 0; round < 200; ++round) {
-      const point v = any(), y = any(), x = any();
+      const site& centre = any();
+      const point &v = centre.position, &y = any().position, &x = any().position;
       if (kernel.orientation(v, y, x) != sign::positive) continue;
       std::vector<char> seen(c.sites.size(), 0);
-      CHECK(index.visit_cone(c.sites, v, y, x, [&](vertex_index w) { return seen[w] = 1; }));
+      constexpr double everywhere = std::numeric_limits<double>::infinity();
+      CHECK(index.visit_cone(c.sites, centre, everywhere, y, x,
+                             [&](vertex_index w) { return seen[w] = 1; }));
+      const double reach = std::sqrt(squared_distance(centre, x)) / 2;
+      std::vector<char> near(c.sites.size(), 0), both(c.sites.size(), 0);
+      index.visit_reach(c.sites, centre, reach, [&](vertex_index w) { return near[w] = 1; });
+      index.visit_cone(c.sites, centre, reach, y, x, [&](vertex_index w) { return both[w] = 1; });
       for (vertex_index w = 0; w < c.sites.size(); ++w) {
         const point& q = c.sites[w].position;
         const bool is_inside = kernel.orientation(v, y, q) != sign::negative &&
                                kernel.orientation(v, x, q) != sign::positive;
         if (is_inside) REQUIRE(seen[w] != 0);
+        if (is_inside) REQUIRE(both[w] == near[w]);
+        REQUIRE(both[w] <= near[w]);
         outside += is_inside ? 0 : 1;
         left_out += seen[w] == 0 ? 1 : 0;
       }

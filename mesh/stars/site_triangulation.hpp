@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Triangulates all sites of a mesh in one metric, with its subsegments.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "asterism/mesh/stars/delaunay_net.hpp"
+#include "asterism/mesh/stars/star_oracle.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
+
+namespace asterism::internal {
+
+// Knows the sites in the order in which they were put in.
+struct site_triangulation {
+  delaunay_net net;
+  std::vector<vertex_index> original;  // by number in the net
+  std::vector<vertex_index> numbers;   // in the net, by original number
+};
+
+// Returns the constrained Delaunay triangulation of the oracle's sites as this metric measures
+// them; none where it takes too many steps, a segment goes through a site, or it is cancelled. The
+// kernel, which is asked and counts, must outlive it.
+std::optional<site_triangulation> triangulate(const site_oracle& oracle,
+                                              const metric_tensor& metric,
+                                              const star_predicates& kernel,
+                                              const cancellation& cancelled);
+
+}  // namespace asterism::internal
