@@ -177,23 +177,6 @@ void exits_from(const site& v, const site& w, std::vector<point>& exits) {
 
 }  // namespace
 
-double inner_product(const metric_tensor& m, const point& u, const point& w) {
-  return m.m11 * (u.x * w.x) + m.m12 * (u.x * w.y + u.y * w.x) + m.m22 * (u.y * w.y);
-}
-
-double squared_length(const metric_tensor& m, const point& u) {
-  const double first = m.m11 * (u.x * u.x), last = m.m22 * (u.y * u.y);
-  const double plain = first + m.m12 * (u.x * u.y + u.y * u.x) + last;
-  constexpr double part = 0x1p-14;  // what is left when as much cancels as in is_thin
-  const double magnitude = first + last;
-  if (plain > part * magnitude || !(magnitude < 0x1p960)) return plain;
-  return squared_length_of_thin(m, u.x, u.y);
-}
-
-double squared_distance(const site& s, const point& q) {
-  return squared_length(s.metric, q - s.position);
-}
-
 std::vector<point> voronoi_vertices(const site& a, const site& b, const site& c) {
   std::array<site, 3> s{a, b, c};
   std::sort(s.begin(), s.end(), [](const site& p, const site& q) {

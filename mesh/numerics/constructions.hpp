@@ -12,15 +12,29 @@
 #include <vector>
 
 #include "asterism/core/site.hpp"
+#include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 
 namespace asterism::internal {
 
 // Returns u^T M w.
-double inner_product(const metric_tensor& metric, const point& u, const point& w);
+inline double inner_product(const metric_tensor& m, const point& u, const point& w) {
+  return m.m11 * (u.x * w.x) + m.m12 * (u.x * w.y + u.y * w.x) + m.m22 * (u.y * w.y);
+}
+
 // Returns u^T M u to about 1e-11, however thin the metric is (numerics/ill_conditioned_metric.hpp).
-double squared_length(const metric_tensor& metric, const point& u);
+inline double squared_length(const metric_tensor& m, const point& u) {
+  const double first = m.m11 * (u.x * u.x), last = m.m22 * (u.y * u.y);
+  const double plain = first + m.m12 * (u.x * u.y + u.y * u.x) + last;
+  constexpr double part = 0x1p-14;  // what is left when as much cancels as in is_thin
+  const double magnitude = first + last;
+  if (plain > part * magnitude || !(magnitude < 0x1p960)) return plain;
+  return squared_length_of_thin(m, u.x, u.y);
+}
+
 // Returns f_s(q), the squared distance from s to q as s measures it.
-double squared_distance(const site& s, const point& q);
+inline double squared_distance(const site& s, const point& q) {
+  return squared_length(s.metric, {q.x - s.position.x, q.y - s.position.y});
+}
 
 // Returns the real points with f_a = f_b = f_c, at most four, each once, nearest (as measured by
 // the three) first. Points at infinity are left out; of infinitely many (three sites with one

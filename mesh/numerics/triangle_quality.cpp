@@ -41,15 +41,35 @@ metric_tensor in_range(const metric_tensor& m) {
   return {std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent), std::scalbn(m.m22, exponent)};
 }
 
-bool corner_is_low(const metric_tensor& given, const point& a, const point& b, double cotangent) {
-  const metric_tensor m = in_range(given);
-  const double left = inner_product(m, a, b) + 8 * epsilon * inner_product_magnitude(m, a, b);
+// A metric, in range, and the root of a lower bound on its determinant; 0 where doubles know none.
+struct measuring_metric {
+  explicit measuring_metric(const metric_tensor& given) : m(in_range(given)) {
+    const double product = m.m11 * m.m22, square = m.m12 * m.m12;
+    const double det = product - square - 4 * epsilon * (product + square);
+    if (det > 0) root = std::sqrt(det);
+  }
+
+  metric_tensor m;
+  double root = 0;
+};
+
+// A corner's sides, and a lower bound on what they span.
+struct corner_sides {
+  corner_sides(const point& first, const point& second)
+      : a(first),
+        b(second),
+        area(cross(a, b) - 8 * epsilon * (std::abs(a.x * b.y) + std::abs(a.y * b.x))) {}
+
+  point a, b;
+  double area;
+};
+
+bool corner_is_low(const measuring_metric& by, const corner_sides& c, double cotangent) {
+  const double left =
+      inner_product(by.m, c.a, c.b) + 8 * epsilon * inner_product_magnitude(by.m, c.a, c.b);
   if (left <= 0) return false;
-  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
-  const double det = product - square - 4 * epsilon * (product + square);
-  const double area = cross(a, b) - 8 * epsilon * (std::abs(a.x * b.y) + std::abs(a.y * b.x));
-  if (!(det > 0) || !(area > 0)) return true;  // too thin to be sure of in doubles
-  return !(left <= cotangent * std::sqrt(det) * area * (1 - 4 * epsilon));
+  if (!(by.root > 0) || !(c.area > 0)) return true;  // too thin to be sure of in doubles
+  return !(left <= cotangent * by.root * c.area * (1 - 4 * epsilon));
 }
 
 // Tests a corner in a thin metric, in twice the precision. Differences of doubles are exact there;
@@ -99,12 +119,14 @@ angle_requirement::angle_requirement(double degrees)
 
 bool angle_requirement::is_low(const triangle_sites& t, const angle_set& left_out) const {
   if (degrees_ == 0) return false;
+  const std::array<measuring_metric, 3> by = {
+      measuring_metric(t[0].metric), measuring_metric(t[1].metric), measuring_metric(t[2].metric)};
   for (std::size_t i = 0; i < 3; ++i) {
-    const point a = difference(t[(i + 1) % 3].position, t[i].position);
-    const point b = difference(t[(i + 2) % 3].position, t[i].position);
+    const corner_sides sides(difference(t[(i + 1) % 3].position, t[i].position),
+                             difference(t[(i + 2) % 3].position, t[i].position));
     for (std::size_t j = 0; j < 3; ++j) {
       const metric_tensor& m = t[j].metric;
-      if (!left_out.which[i][j] && corner_is_low(m, a, b, cotangent_) &&
+      if (!left_out.which[i][j] && corner_is_low(by[j], sides, cotangent_) &&
           !(is_thin(m) &&
             !thin_corner_is_low(
                 m, {t[i].position, t[(i + 1) % 3].position, t[(i + 2) % 3].position}, cotangent_)))
