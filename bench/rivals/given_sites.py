@@ -79,7 +79,8 @@ def main():
         at_random = ["square", "--random-points", str(count), "--max-sites", str(10 * count)]
         rows.append(bench.row(f"{count} at random", "identity", 0, at_random))
         if count <= 100000:
-            rows.append(bench.row(f"{count} at random", "swirl:12", 0, at_random))
+            for bound in (0, 20):
+                rows.append(bench.row(f"{count} at random", "swirl:12", bound, at_random))
     ring = asked.work / "ring.poly"
     noisy_ring(ring, 50000)
     rows.append(bench.row("a noisy ring of 50000", "identity", 20, [str(ring), "--max-sites", "1000000"]))

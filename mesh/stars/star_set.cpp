@@ -46,7 +46,7 @@ std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_inde
   }
   const bounding_box box = box_around(oracle.sites()[w], reach);
   near->sites().visit_box(oracle.sites(), box.low, box.high, [&](vertex_index v) {
-    if (v != w) candidates.push_back(v);
+    if (v != w && oracle.squared_distance(w, v) <= reach * reach) candidates.push_back(v);
     return true;
   });
   for (const sector& part : own.sectors)
