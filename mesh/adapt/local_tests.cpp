@@ -12,28 +12,14 @@
 namespace asterism::internal::adapting {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // Degrees to spare above the angle bound, which rounding cannot turn.
 constexpr double degrees_to_spare = 0.05;
 
-// Voronoi vertex of a face, relative to its first node.
-struct centre {
-  double x = 0, y = 0, squared_radius = -1;
-};
-
-centre find_centre(const node& a, const node& b, const node& c) {
+face_centre find_centre(const node& a, const node& b, const node& c) {
   const auto near = numeric::voronoi_vertex_near({a.position, a.metric}, {b.position, b.metric},
                                                  {c.position, c.metric});
   if (!near) return {};
-  return {near->x, near->y, squared(a.metric, near->x, near->y)};
-}
-
-// Returns how much farther d is than the three, as a part of the squared radius.
-double clearance(const node& a, const node& b, const node& c, const node& d) {
-  const centre x = find_centre(a, b, c);
-  if (!(x.squared_radius > 0)) return -infinity;
-  const double dx = a.position.x + x.x - d.position.x, dy = a.position.y + x.y - d.position.y;
-  return squared(d.metric, dx, dy) / x.squared_radius - 1;
+  return {{a.position.x + near->x, a.position.y + near->y}, squared(a.metric, near->x, near->y)};
 }
 
 // Returns the cotangent of the angle at a.
@@ -72,7 +58,12 @@ edge_quad local_tests::quad_at(vertex_index t, std::size_t i) const {
 
 double local_tests::worst_clearance(const edge_quad& q) const {
   const node &a = m_.at(q.a), &b = m_.at(q.b), &c = m_.at(q.c), &d = m_.at(q.d);
-  return std::min(clearance(c, a, b, d), clearance(d, b, a, c));
+  return std::min(clearance(find_centre(c, a, b), d), clearance(find_centre(d, b, a), c));
+}
+
+face_centre local_tests::centre_of(vertex_index t) const {
+  const face& f = m_.faces()[t];
+  return find_centre(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]));
 }
 
 bool local_tests::is_low(vertex_index t) const {

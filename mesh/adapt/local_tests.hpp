@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "asterism/mesh/adapt/working_mesh.hpp"
 
@@ -23,6 +24,20 @@ struct edge_quad {
   vertex_index a, b, c, d;
 };
 
+// Voronoi vertex of a face, and its squared distance from the face's sites; not positive where
+// there is none.
+struct face_centre {
+  point at;
+  double squared_radius = -1;
+};
+
+// Returns how much farther a site is from it than the face's own: a part of the squared radius,
+// minus infinity where there is no Voronoi vertex.
+inline double clearance(const face_centre& c, const node& d) {
+  if (!(c.squared_radius > 0)) return -std::numeric_limits<double>::infinity();
+  return squared(d.metric, c.at.x - d.position.x, c.at.y - d.position.y) / c.squared_radius - 1;
+}
+
 // Returns the greatest cotangent of the three angles as the metric measures them.
 double greatest_cotangent(const metric_tensor& m, const node& a, const node& b, const node& c);
 double cotangent_of(double degrees);
@@ -34,6 +49,7 @@ class local_tests {
 
   // Edge i of face t must have a face beyond it.
   edge_quad quad_at(vertex_index t, std::size_t i) const;
+  face_centre centre_of(vertex_index t) const;
   // Returns how much farther the sites across are than the faces' own, for the worse of the two
   // faces: a part of the squared radius, minus infinity where a face has no Voronoi vertex.
   double worst_clearance(const edge_quad& q) const;

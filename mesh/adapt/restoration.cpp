@@ -17,6 +17,8 @@ namespace {
 // only the auditor sees; with much of it little can be given (docs/design/adaptation.md).
 constexpr double room = 0.15;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 // Returns the tensor that is `share` of the way from a to b, by logarithms.
 metric_tensor between(const metric_tensor& a, const metric_tensor& b, double share) {
   const tensor_logarithm from = logarithm(a), to = logarithm(b);
@@ -71,6 +73,7 @@ bool restoration::give(vertex_index v) {
   constexpr double short_way = 0.01;
   const bool is_short = !(log_distortion(now, wanted_[v]) > short_way);
   clearances_.clear();
+  beyond_.clear();
   for (const double share : {1.0, 0.5, 0.2}) {
     if (share < 1 && is_short) break;
     const metric_tensor tried = share < 1 ? between(now, wanted_[v], share) : wanted_[v];
@@ -90,24 +93,47 @@ bool restoration::give(vertex_index v) {
   return false;
 }
 
-double restoration::clearance_across(vertex_index t, std::size_t i) const {
-  const face& f = m_.faces()[t];
-  if (f.next[i] == none || f.segment[i] != none) return std::numeric_limits<double>::infinity();
-  constexpr std::size_t as_faces = 8;  // of the time that a face in a list takes
-  m_.note_looked_at(as_faces);
-  return tests_.worst_clearance(tests_.quad_at(t, i));
+// Returns the centre of a face around the node at hand, found once.
+const face_centre& restoration::centre_at(std::vector<known_centre>& known, std::size_t nth,
+                                          vertex_index t) const {
+  known_centre& c = known[nth];
+  if (!c.is_known) {
+    constexpr std::size_t as_faces = 6;  // of the time that a face in a list takes
+    m_.note_looked_at(as_faces);
+    c = {tests_.centre_of(t), true};
+  }
+  return c.centre;
 }
 
-// Tells the clearance of each edge that has v at an end or across, while the answer is true;
-// returns the last answer. Of the edges at v each face has one to tell; the other one is the next
-// face's.
+// Tells the clearance of each edge that has v at an end or across, infinite at segments, while the
+// answer is true; returns the last answer. Of the edges at v each face has one to tell, which is
+// shared with the next face.
 template <class Tell>
-bool restoration::for_edges_around(vertex_index v, const Tell& tell) const {
+bool restoration::for_edges_around(vertex_index v, const Tell& tell) {
   face_list at;
   m_.around(v, at);
-  for (const vertex_index t : at) {
-    const std::size_t i = m_.faces()[t].corner_of(v);
-    if (!tell(clearance_across(t, i)) || !tell(clearance_across(t, after(i)))) return false;
+  own_.assign(at.size(), {});
+  beyond_.resize(at.size());
+  const auto is_end = [](std::size_t i, const face& f) {
+    return f.next[i] == none || f.segment[i] != none;
+  };
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const face& f = m_.faces()[at[k]];
+    const std::size_t i = f.corner_of(v), next = k + 1 < at.size() ? k + 1 : 0;
+    double clear = infinity;
+    if (!is_end(i, f)) {
+      const node& d = m_.at(tests_.quad_at(at[k], i).d);
+      clear = std::min(clearance(centre_at(own_, k, at[k]), d),
+                       clearance(centre_at(beyond_, k, f.next[i]), m_.at(v)));
+    }
+    if (!tell(clear)) return false;
+    clear = infinity;
+    if (!is_end(after(i), f)) {
+      const edge_quad q = tests_.quad_at(at[k], after(i));
+      clear = std::min(clearance(centre_at(own_, k, at[k]), m_.at(q.d)),
+                       clearance(centre_at(own_, next, at[next]), m_.at(q.c)));
+    }
+    if (!tell(clear)) return false;
   }
   return true;
 }
@@ -129,7 +155,7 @@ void restoration::measure_clearances(vertex_index v) {
 }
 
 // True if each edge around v has the room wanted, or at least half of what it had.
-bool restoration::have_room_around(vertex_index v) const {
+bool restoration::have_room_around(vertex_index v) {
   std::size_t edge = 0;
   return for_edges_around(v, [&](double clearance) {
     const double before = clearances_[edge++];
@@ -147,8 +173,11 @@ void restoration::list_disagreeing(vertex_index v, std::vector<vertex_index>& ou
       out.insert(out.end(), f.v.begin(), f.v.end());
     const std::size_t i = f.corner_of(v);
     for (const std::size_t e : {i, after(i)}) {
-      if (clearance_across(t, e) > least_clearance) continue;
+      if (f.next[e] == none || f.segment[e] != none) continue;
+      constexpr std::size_t as_faces = 8;  // of the time that a face in a list takes
+      m_.note_looked_at(as_faces);
       const edge_quad q = tests_.quad_at(t, e);
+      if (tests_.worst_clearance(q) > least_clearance) continue;
       out.insert(out.end(), {q.a, q.b, q.c, q.d});
     }
   }

@@ -35,12 +35,18 @@ class restoration {
 
  private:
   bool give(vertex_index v);
-  double clearance_across(vertex_index t, std::size_t i) const;
+  struct known_centre {
+    face_centre centre;
+    bool is_known = false;
+  };
+
+  const face_centre& centre_at(std::vector<known_centre>& known, std::size_t nth,
+                               vertex_index t) const;
   template <class Tell>
-  bool for_edges_around(vertex_index v, const Tell& tell) const;
+  bool for_edges_around(vertex_index v, const Tell& tell);
   bool has_low_around(vertex_index v) const;
   void measure_clearances(vertex_index v);
-  bool have_room_around(vertex_index v) const;
+  bool have_room_around(vertex_index v);
   void list_disagreeing(vertex_index v, std::vector<vertex_index>& out) const;
   void wake_around(vertex_index v);
 
@@ -50,6 +56,9 @@ class restoration {
   std::vector<metric_tensor> wanted_, before_;  // before_: or what they were made alike to since
   std::vector<char> awake_, kept_;
   std::vector<double> clearances_;  // around a node, before it is given anything; or none yet
+  // Of the faces around the node at hand, and of those across from it, which its tensor does not
+  // change.
+  std::vector<known_centre> own_, beyond_;
 };
 
 }  // namespace asterism::internal::adapting

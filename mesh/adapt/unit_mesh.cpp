@@ -191,4 +191,9 @@ void unit_mesher::refit(metric_at field) {
   fit(rounds, sweeps);
 }
 
+void unit_mesher::meet_count(metric_at field) {
+  field_ = std::move(field);
+  if (options_.count > 0) meet_count();
+}
+
 }  // namespace asterism::internal::adapting

@@ -43,6 +43,8 @@ class unit_mesher {
   void run(metric_at field, const std::vector<point>& seeds);
   // Changes the mesh there is as another metric wants it.
   void refit(metric_at field);
+  // Splits the longest edges, or merges the shortest, until there are as many nodes as are wanted.
+  void meet_count(metric_at field);
   // Splits edges that are much too long in this metric, where the one of the mesh does not object,
   // the longest first, up to so many nodes. Returns how many.
   std::size_t split_left_long(metric_at wanted, std::size_t most_nodes);

@@ -187,12 +187,18 @@ std::size_t unit_mesher::split_long(double longest, std::size_t most) {
 }
 
 bool unit_mesher::merge_if_good(vertex_index v, vertex_index w, double longest) {
-  if (!m_.can_merge(v, w)) return false;
+  if (m_.at(v).kind == node_kind::given) return false;
   face_list at;
-  m_.neighbours(v, at);
-  for (const vertex_index u : at)
-    if (u != w && m_.length(w, u) > longest) return false;
   m_.around(v, at);
+  const auto is_far = [&](vertex_index u) { return u != w && m_.length(w, u) > longest; };
+  for (const vertex_index t : at) {
+    const face& f = m_.faces()[t];
+    if (is_far(f.v[after(f.corner_of(v))])) return false;
+  }
+  // At the boundary the last face has one more.
+  const face& last = m_.faces()[at.back()];
+  if (is_far(last.v[before(last.corner_of(v))])) return false;
+  if (!m_.can_merge(v, w)) return false;
   double worst_before = 0, worst = 0;
   for (const vertex_index t : at) {
     const face& f = m_.faces()[t];

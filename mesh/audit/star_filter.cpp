@@ -2,6 +2,7 @@
 #include "asterism/mesh/audit/star_filter.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace asterism::internal::audit_detail {
@@ -14,28 +15,45 @@ vector2<bounded> offset_of(const site& v, const site& z) {
 
 vector2<bounded> quarter_turn(const vector2<bounded>& a) { return {-a.y, a.x}; }
 
+// A gap's side in plain doubles.
+struct plain_side {
+  explicit plain_side(const gap_side& z)
+      : offset{z.offset.x.value(), z.offset.y.value()},
+        covector{z.covector.x.value(), z.covector.y.value()},
+        inverse_length(z.inverse_length.value()),
+        bend(z.bend) {}
+
+  double bound(const vector2<double>& u, double length_squared) const {
+    const double turned = u.x * offset.y - u.y * offset.x;
+    const double radicand = std::max(0.0, length_squared - bend * turned * turned);
+    return u.x * covector.x + u.y * covector.y + std::sqrt(radicand) * inverse_length;
+  }
+
+  vector2<double> offset, covector;
+  double inverse_length, bend;
+};
+
 // Returns the direction in which the lower bounds of both sides are about equal, in plain doubles:
 // any direction is a valid choice, a good one makes the filter strong. Between x and y the
 // difference of the bounds changes sign once; the secant through both ends is refined by bisection.
-vector2<double> balanced_direction(const gap_side& x, const gap_side& y,
-                                   const tensor<bounded>& metric) {
-  const auto difference = [&](double t) {
-    // Ends scaled to about unit length, so that t moves evenly.
-    const double x_scale = x.inverse_length.value(), y_scale = y.inverse_length.value();
-    const vector2<bounded> u = {
-        bounded((1 - t) * x.offset.x.value() * x_scale + t * y.offset.x.value() * y_scale),
-        bounded((1 - t) * x.offset.y.value() * x_scale + t * y.offset.y.value() * y_scale)};
-    const bounded length_squared = dot(u, metric * u);
-    return std::pair{u, x.bound(u, length_squared).value() - y.bound(u, length_squared).value()};
+vector2<double> balanced_direction(const gap_side& x_side, const gap_side& y_side,
+                                   const metric_tensor& m) {
+  const plain_side x(x_side), y(y_side);
+  // Ends scaled to about unit length, so that t moves evenly.
+  const auto direction = [&](double t) {
+    const double at_x = (1 - t) * x.inverse_length, at_y = t * y.inverse_length;
+    return vector2<double>{at_x * x.offset.x + at_y * y.offset.x,
+                           at_x * x.offset.y + at_y * y.offset.y};
   };
   // Obtuse triangles have their Voronoi vertex beyond x or y.
   double low = -1, high = 2;
   for (int i = 0; i < 20; ++i) {
     const double t = (low + high) / 2;
-    (difference(t).second > 0 ? low : high) = t;
+    const vector2<double> u = direction(t);
+    const double length_squared = u.x * (m.m11 * u.x + 2 * m.m12 * u.y) + m.m22 * u.y * u.y;
+    (x.bound(u, length_squared) > y.bound(u, length_squared) ? low : high) = t;
   }
-  const vector2<bounded> u = difference((low + high) / 2).first;
-  return {u.x.value(), u.y.value()};
+  return direction((low + high) / 2);
 }
 
 }  // namespace
@@ -71,7 +89,7 @@ double gap_side::reach_along_edge() const {
 star_gap_filter::star_gap_filter(const site& v, const site& x, const site& y)
     : v_(v), x_(v, x), y_(v, y) {
   const tensor<bounded> metric = tensor_of_doubles(v.metric);
-  const vector2<double> u = balanced_direction(x_, y_, metric);
+  const vector2<double> u = balanced_direction(x_, y_, v.metric);
   middle_ = {bounded(u.x), bounded(u.y)};
   middle_length_squared_ = dot(middle_, metric * middle_);
   middle_bound_x_ = x_.bound(middle_, middle_length_squared_);

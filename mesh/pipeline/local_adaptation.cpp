@@ -31,8 +31,13 @@ using namespace adapting;
 // to agreement.
 struct strictness {
   double background, mesh;
+  // In place of `mesh` where that changes nearly all tensors, or stars want so many more edges than
+  // the unit mesh has that nodes have to go again: the metric turns fast, and stars agree about
+  // less.
+  double turning;
 };
-constexpr std::array<strictness, 4> ladder = {{{4, 2}, {3, 1.7}, {1.8, 1.4}, {1.25, 1.15}}};
+constexpr std::array<strictness, 4> ladder = {
+    {{4, 2.5, 2}, {3, 1.7, 1.7}, {1.8, 1.4, 1.4}, {1.25, 1.15, 1.15}}};
 // Most audits of one mesh, each after what the one before had found was mended.
 constexpr int most_audits = 12;
 constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
@@ -175,17 +180,18 @@ class adaptation {
     making.stop = options_.stop;
     unit_mesher maker(m, making);
     maker.run(field_by(background, m), seeds_);
-    // Splits add nodes, more where the metric turns fast. Where they are too many the mesh is
-    // fitted again, before anything exact is asked of it; fewer are left to split then, and no more
-    // are split than are wanted. Where many are given, as ends of chords are, they may be nearer to
-    // each other than the metric wants: they need as many beside them as splits add.
+    // Splits add nodes, more where the metric turns fast. Where they are too many the shortest
+    // edges of the mesh are merged, in the metric that its nodes have. Where many are given, as
+    // ends of chords are, they may be nearer to each other than the metric wants: they need as many
+    // beside them as splits add.
     constexpr double tolerable = 0.015;
-    if (!fit_to_own(m, maker, how.mesh, making.most_nodes)) return false;
-    constexpr std::size_t part = 64;
-    const std::size_t most = count_ + count_ / part;
-    if (off_count(m.count(), count_) > tolerable && !stop_reason() && !are_many_given(m) &&
-        !fit_to_own(m, maker, how.mesh, most))
-      return false;
+    if (!fit_to_own(m, maker, how, making.most_nodes)) return false;
+    if (off_count(m.count(), count_) > tolerable && !stop_reason() && !are_many_given(m)) {
+      const nodal_field own = field_of(m);
+      maker.meet_count(field_by(own, m));
+      if (is_overworked() || !take_wanted(m)) return false;
+      grade_mesh(m, how.turning, maker.unit(), options_.stop);
+    }
     length_factor_ = maker.unit();
     if (is_overworked()) return false;
     deliver(m);
@@ -200,15 +206,31 @@ class adaptation {
     return part * given > static_cast<std::ptrdiff_t>(m.count());
   }
 
+  // Grades the nodes' tensors on the mesh's graph. Returns the distortion that it has to be.
+  double grade_as_needed(working_mesh& m, const strictness& how, double unit) const {
+    constexpr double changed = 0.1;        // log distortion: lengths by a tenth
+    constexpr std::size_t nearly_all = 4;  // all but one in so many
+    const std::vector<node> before = m.nodes();
+    grade_mesh(m, how.mesh, unit, options_.stop);
+    std::size_t alike = 0;
+    for (vertex_index v = 0; v < before.size(); ++v)
+      if (before[v].kind != node_kind::gone &&
+          !(log_distortion(before[v].metric, m.at(v).metric) > changed))
+        ++alike;
+    if (nearly_all * alike > m.count()) return how.mesh;
+    grade_mesh(m, how.turning, unit, options_.stop);
+    return how.turning;
+  }
+
   // Fits the mesh to the metric wanted as its own graph grades it, and splits what that leaves
   // long. Returns false where the metric wanted fails, or not with the work that is left.
-  bool fit_to_own(working_mesh& m, unit_mesher& maker, double distortion,
+  bool fit_to_own(working_mesh& m, unit_mesher& maker, const strictness& how,
                   std::size_t most_nodes) const {
     if (is_field_itself_)
       take_interpolated(m);
     else if (!take_wanted(m))
       return false;
-    grade_mesh(m, distortion, maker.unit(), options_.stop);
+    const double distortion = grade_as_needed(m, how, maker.unit());
     const nodal_field own = field_of(m);
     maker.refit(field_by(own, m));
     if (is_overworked() || !take_wanted(m)) return false;
@@ -231,6 +253,7 @@ class adaptation {
     agreement_options agree = asked_of_agreement(maker.unit());
     // Enough to see which edges stars want; the rest is mended when the mesh is delivered.
     agree.most_rounds = 12;
+    agree.angle_bound = 0;  // low angles are mended then, too
     constexpr int rounds = 3;
     const metric_at wanted = [this](const point& q, vertex_index& hint) {
       return wanted_.at(q, hint);
