@@ -135,19 +135,20 @@ bool plain_star_store::is_enough(std::size_t i) const {
   return i % at_a_time == 0 && options_->stop.is_requested();
 }
 
-// Finds the sites within `reach` of w, as w measures; if that is about all the box, all of them.
-// Returns whether it is.
-bool plain_star_store::find_near(vertex_index w, double reach, std::vector<vertex_index>& near,
-                                 std::uint64_t& looked_at) const {
+// Adds the sites within `reach` of w, as w measures, that are not within `known` of it; if the
+// reach is about all the box, all that are not. Returns whether it is.
+bool plain_star_store::find_near(vertex_index w, double known, double reach,
+                                 std::vector<vertex_index>& near, std::uint64_t& looked_at) const {
   const site& s = (*sites_)[w];
-  near.clear();
   const bounding_box box = box_around(s, reach);
   const bool all = box.low.x <= box_.low.x && box.low.y <= box_.low.y &&
                    box.high.x >= box_.high.x && box.high.y >= box_.high.y;
+  const double squared_known = known < 0 ? known : known * known;
   sites_->index().visit_box(sites_->all(), box.low, box.high, [&](vertex_index u) {
     ++looked_at;
-    if (u != w && (all || squared_distance(s, (*sites_)[u].position) <= reach * reach))
-      near.push_back(u);
+    if (u == w) return true;
+    const double squared = squared_distance(s, (*sites_)[u].position);
+    if (!(squared <= squared_known) && (all || squared <= reach * reach)) near.push_back(u);
     return true;
   });
   return all;
@@ -171,17 +172,34 @@ void plain_star_store::make_star(vertex_index w, double distance, std::vector<ve
   constexpr int most_attempts = 64;
   const double ordinary = first_reach * distance;
   double reach = std::min(ordinary, first_reach_among_dense(w, distance));
+  near.clear();
+  double known = -1;  // nothing
   for (int attempt = 1; attempt <= most_attempts; ++attempt) {
-    const bool all = find_near(w, reach, near, looked_at);
+    const std::size_t before = near.size();
+    const bool all = find_near(w, known, reach, near, looked_at);
+    known = reach;
     if (near.size() < least_neighbours && !all) {
       reach *= 2;
       continue;
     }
-    stars_[w] = build_plain_star(sites_->all(), w, near);
+    if (stars_[w].empty())
+      stars_[w] = build_plain_star(sites_->all(), w, near);
+    else
+      extend_star(w, std::span(near).subspan(before));
     const double wanted = diameters * farthest_vertex(w, attempt >= 2);
     if (all || wanted <= reach || is_hopeless(w, attempt, reach >= ordinary, near.size())) return;
     reach = std::clamp(margin * wanted, least_growth * reach, 2 * reach);
   }
+}
+
+// Makes the star of w anew with more sites. What it did not take of those it was made from, it does
+// not take now.
+void plain_star_store::extend_star(vertex_index w, std::span<const vertex_index> more) {
+  std::vector<vertex_index> candidates;
+  candidates.reserve(stars_[w].size() + more.size());
+  for (const plain_gap& gap : stars_[w]) candidates.push_back(gap.neighbour);
+  candidates.insert(candidates.end(), more.begin(), more.end());
+  stars_[w] = build_plain_star(sites_->all(), w, candidates, stars_[w]);
 }
 
 // Returns how far the vertices of w's star are; infinite where a gap has none, unless it is less

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "asterism/core/site.hpp"
@@ -57,8 +58,9 @@ class plain_star_store {
   bool take_from_new(vertex_index v, plain_gap& gap, vertex_index next) const;
   void make_star(vertex_index w, double distance, std::vector<vertex_index>& near,
                  std::uint64_t& looked_at);
-  bool find_near(vertex_index w, double reach, std::vector<vertex_index>& near,
+  bool find_near(vertex_index w, double known, double reach, std::vector<vertex_index>& near,
                  std::uint64_t& looked_at) const;
+  void extend_star(vertex_index w, std::span<const vertex_index> more);
   double farthest_vertex(vertex_index w, bool leaves_out) const;
   bool is_enough(std::size_t i) const;
   bool is_hopeless(vertex_index w, int attempt, bool is_ordinary, std::size_t looked_at) const;
