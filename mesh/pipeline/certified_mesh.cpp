@@ -54,9 +54,9 @@ audit_report audit_if_possible(const mesh& subject, const audit_options& asked) 
   }
 }
 
-// True if the mesher took the mesh in the metric wanted to be complete, and the audit refuses one
-// of its stars: the mesher itself may find that before.
-bool may_be_confirmed(const certified_mesh& judged, const mesh_options& options) {
+}  // namespace
+
+bool internal::may_be_confirmed(const certified_mesh& judged, const mesh_options& options) {
   const mesh_outcome& outcome = judged.outcome;
   if (!outcome.complete || outcome.delivered || outcome.one_metric || options.improve_passes > 0)
     return false;
@@ -65,8 +65,6 @@ bool may_be_confirmed(const certified_mesh& judged, const mesh_options& options)
   };
   return found(finding_kind::star_neighbour_rejected) || found(finding_kind::star_site_missing);
 }
-
-}  // namespace
 
 certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_options& options) {
   audit_options asked = questions_for(outcome, d, options);
@@ -98,7 +96,7 @@ result<certified_mesh> make_certified_mesh(const domain& d, const metric_field& 
     return judge_outcome(std::move(made).value(), d, options);
   };
   auto judged = judge(internal::make_unconfirmed_mesh(d, field, options, progress));
-  if (!judged || !may_be_confirmed(judged.value(), options)) return judged;
+  if (!judged || !internal::may_be_confirmed(judged.value(), options)) return judged;
   return judge(make_mesh(d, field, options, progress));
 }
 

@@ -8,6 +8,7 @@
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/pipeline/certified_mesh.hpp"
 
 namespace asterism::internal {
 
@@ -17,5 +18,9 @@ namespace asterism::internal {
 result<mesh_outcome> make_unconfirmed_mesh(const domain& d, const metric_field& field,
                                            const mesh_options& options,
                                            const progress_listener& progress);
+
+// True if the mesher took the mesh, in the metric wanted, to be complete, and the audit refuses one
+// of its stars: make_mesh itself may find that before.
+bool may_be_confirmed(const certified_mesh& judged, const mesh_options& options);
 
 }  // namespace asterism::internal

@@ -12,6 +12,39 @@
 
 using namespace asterism;
 
+namespace {
+
+// True if c lies clearly on the left of the way from a to b.
+bool is_left(const mesh& m, vertex_index a, vertex_index b, vertex_index c) {
+  const point &p = m.sites[a].position, &q = m.sites[b].position, &r = m.sites[c].position;
+  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) > 1e-6;
+}
+
+// Replaces the i-th edge of t, if u has it too, by the other diagonal of their quadrilateral, if
+// that is strictly convex.
+bool turn_edge(const mesh& m, triangle& t, triangle& u, std::size_t i) {
+  const vertex_index a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
+  for (std::size_t j = 0; j < 3; ++j) {
+    const vertex_index e = u[(j + 2) % 3];
+    if (u[j] != b || u[(j + 1) % 3] != a) continue;
+    if (!is_left(m, a, e, c) || !is_left(m, e, b, c)) return false;
+    t = {a, e, c};
+    u = {e, b, c};
+    return true;
+  }
+  return false;
+}
+
+bool turn_first_edge(mesh& m) {
+  for (triangle& t : m.triangles)
+    for (triangle& u : m.triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (turn_edge(m, t, u, i)) return true;
+  return false;
+}
+
+}  // namespace
+
 TEST_CASE("leaving the last look at stars to the audit changes no mesh") {
   const domain shapes[] = {square(), airfoil().value(), add_random_points(square(), 50, 1).value()};
   for (const domain& d : shapes)
@@ -51,4 +84,28 @@ TEST_CASE("a run that is improved is confirmed before") {
   REQUIRE(made);
   CHECK(made.value().counters.decided == confirmed.value().counters.decided);
   CHECK(made.value().result.triangles == confirmed.value().result.triangles);
+}
+
+TEST_CASE("a mesh that the audit refuses for a star is to be made once more, and no other") {
+  const domain d = square();
+  const auto field = make_metric_field("swirl:6", d.box(), 0.3);
+  REQUIRE(field);
+  mesh_options options;
+  options.angle_bound = 0;
+  options.limit_size = true;
+  const auto made = internal::make_unconfirmed_mesh(d, *field.value(), options, {});
+  REQUIRE(made);
+  const auto may_be_confirmed = [&](const mesh_outcome& outcome) {
+    return internal::may_be_confirmed(judge_outcome(outcome, d, options), options);
+  };
+  CHECK_FALSE(may_be_confirmed(made.value()));
+
+  mesh_outcome turned = made.value();
+  REQUIRE(turn_first_edge(turned.result));
+  CHECK(may_be_confirmed(turned));
+  turned.complete = false;
+  CHECK_FALSE(may_be_confirmed(turned));
+  turned.complete = true;
+  options.improve_passes = 1;
+  CHECK_FALSE(may_be_confirmed(turned));
 }
