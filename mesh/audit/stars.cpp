@@ -297,13 +297,24 @@ class star_check {
     }
   }
 
+  // True if so far as this is no more than a few edges of the gap: nothing better is worth its
+  // cost.
+  bool is_short(double reach, vertex_index v, const fan_gap& gap) const {
+    constexpr double edges = 2;
+    const metric_tensor& m = at(v).metric;
+    const double longest = std::max(squared_length(m, between(at(v).position, at(gap.x).position)),
+                                    squared_length(m, between(at(v).position, at(gap.y).position)));
+    return reach * reach <= edges * edges * longest;
+  }
+
   // Returns how far the gap reaches: most do not need to be prepared for that, nor for any
   // question.
   double reach_of(vertex_index v, const fan_gap& gap) const {
     const double quick = quick_reach(at(v), at(gap.x), at(gap.y));
-    if (is_finite(quick)) return quick;
+    if (is_short(quick, v, gap)) return quick;
     if (const star_gap* prepared = prepared_gap(v, gap); prepared != nullptr)
-      if (const double reach = prepared->reach(); is_finite(reach)) return reach;
+      if (const double reach = prepared->reach(); is_finite(reach)) return std::min(quick, reach);
+    if (is_finite(quick)) return quick;
     return filter_of(v, gap).reach();
   }
 

@@ -119,7 +119,9 @@ void plain_star_store::renew_disturbed(const std::vector<disturbed>& pairs) {
 // has the same triangle. Stars of new sites do not change while others are renewed.
 bool plain_star_store::take_from_new(vertex_index v, plain_gap& gap, vertex_index next) const {
   const auto take = [&](vertex_index w, vertex_index first, vertex_index second) {
-    if (w < finished_) return false;
+    // A large star, as where lengths differ by large factors, is not gone through for one gap.
+    constexpr std::size_t most_gaps = 16;
+    if (w < finished_ || stars_[w].size() > most_gaps) return false;
     const plain_star& star = stars_[w];
     for (std::size_t i = 0; i < star.size(); ++i)
       if (star[i].neighbour == first)
