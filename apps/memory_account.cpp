@@ -23,7 +23,7 @@ std::atomic<bool> is_counting = false;
 std::atomic<std::int64_t> held = 0, most = no_limit;
 std::atomic<std::int64_t> next_look = no_limit;  // when this much is held
 
-// What is resident, in bytes; 0 where the system does not tell.
+// Says what is resident, in bytes; 0 where the system does not tell.
 struct residence {
   double all = 0, of_files = 0;  // of files: code, and constants of the program and its libraries
 };
@@ -42,9 +42,9 @@ residence read_residence() {
   return {static_cast<double>(pages) * page, static_cast<double>(shared) * page};
 }
 
-// What may be held follows what is resident besides, which differs between machines: code, as it
-// comes to be used, and blocks that were given back and the allocator keeps. There is a look each
-// time that another megabyte is held.
+// Bounds what may be held by what is resident besides, which differs between machines: code, as it
+// comes to be used, and blocks that were given back and the allocator keeps. Looks each time that
+// another megabyte is held.
 class allowance {
  public:
   void begin(double bytes) {

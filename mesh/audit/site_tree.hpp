@@ -82,7 +82,7 @@ class site_tree {
     std::size_t first = 0, last = 0;
     std::size_t right = 0;  // the left child follows its parent; no right child: a leaf
   };
-  // What bounds the sites of a node by covectors.
+  // Bounds the sites of a node by covectors.
   struct covector_bounds {
     by_covector least, greatest, length;  // at most, at least and at least that of each site
   };

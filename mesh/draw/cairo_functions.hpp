@@ -10,7 +10,7 @@
 
 #include "asterism/core/result.hpp"
 
-// Those that are used, without the prefix `cairo_` that they all have.
+// Lists those that are used, without the prefix `cairo_` that they all have.
 // clang-format off
 #define ASTERISM_CAIRO_FUNCTIONS(apply)                                                           \
   apply(arc) apply(close_path) apply(create) apply(destroy) apply(fill) apply(fill_preserve)      \

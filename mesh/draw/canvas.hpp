@@ -22,7 +22,7 @@ struct colour {
   double red, green, blue, alpha = 1;
 };
 
-// What is drawn on. Keeps a path, as cairo does: move_to, line_to and the like extend it; fill and
+// Draws. Keeps a path, as cairo does: move_to, line_to and the like extend it; fill and
 // stroke draw it and forget it. Lines have round ends and corners. Lengths are pixels or points;
 // y goes downwards.
 class canvas {
