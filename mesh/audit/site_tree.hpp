@@ -93,8 +93,8 @@ class site_tree {
     point low, high;
     metric_tensor metric;
     double reach = 0, spread_squared = 1;
-    // Of one star: at least how long its metric finds each covector, the covectors' values at its
-    // place, and by how much these are off at most. Not known of several.
+    // Known of one star: at least how long its metric finds each covector, the covectors' values at
+    // its place, and by how much these are off at most. Not known of several.
     by_covector length{beyond_all, beyond_all, beyond_all, beyond_all}, value{};
     double lost = 0;
   };

@@ -236,7 +236,7 @@ result<mesh_outcome> make_mesh(const domain& d, const metric_field& field,
   return make(d, field, options, progress, star_confirmation::by_mesher);
 }
 
-// What an improvement starts from is confirmed: it compares meshes, and keeps one.
+// Confirms what an improvement starts from: it compares meshes, and keeps one.
 result<mesh_outcome> internal::make_unconfirmed_mesh(const domain& d, const metric_field& field,
                                                      const mesh_options& options,
                                                      const progress_listener& progress) {

@@ -42,7 +42,7 @@ struct constructed_star {
 
 enum class star_search { near, thorough };
 
-// What is known of a star before it is made; nothing by default.
+// Says what is known of a star before it is made; nothing by default.
 struct star_proposal {
   // The neighbours that it is likely to have, counter-clockwise. They are the star if exact tests
   // find that each stands and, by_mesher, confirm them against all sites; else they are not used.

@@ -14,7 +14,7 @@
 
 namespace asterism::internal {
 
-// What to do about a gap without a bound, to which all sites between its rays matter.
+// Says what to do about a gap without a bound, to which all sites between its rays matter.
 enum class unbounded_gaps { ask_all, give_up };
 
 // Returns R of the lemma, in v's metric, if the star of v is final; none if a site would be

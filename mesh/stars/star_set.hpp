@@ -139,7 +139,7 @@ class star_set {
   touched_stars touched_;
   const neighbour_lists* guesses_ = nullptr;                    // while all stars are made
   star_confirmation confirmed_ = star_confirmation::by_mesher;  // the guesses
-  // What exchange() was given, while it is at work.
+  // Holds what exchange() was given, while it is at work.
   struct exchanged {
     const std::vector<vertex_index>* which = nullptr;
     const neighbour_lists* others = nullptr;
