@@ -10,18 +10,17 @@
 #include <cmath>
 #include <limits>
 
+#include "asterism/mesh/audit/sized_value.hpp"
+
 namespace asterism::internal::audit_detail {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double down = 1 - 0x1p-20, up = 1 + 0x1p-20, step = 0x1p-46;
 
-struct sized {
-  double value, size;
-
-  bool is_known() const { return value > 0x1p-20 * size && value > 0x1p-300 && size < 0x1p300; }
-  double below() const { return value - step * size; }
-};
+bool is_known(const sized_value& v) {
+  return v.value > 0x1p-20 * v.size && v.value > 0x1p-300 && v.size < 0x1p300;
+}
 
 double cross(const point& a, const point& b) { return a.x * b.y - a.y * b.x; }
 
@@ -33,17 +32,7 @@ point apply(const metric_tensor& m, const point& u) {
   return {m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
 }
 
-sized length_squared(const metric_tensor& m, const point& u) {
-  const double unmixed = m.m11 * (u.x * u.x) + m.m22 * (u.y * u.y), mixed = m.m12 * (u.x * u.y);
-  return {unmixed + 2 * mixed, 2 * unmixed};
-}
-
-sized determinant(const metric_tensor& m) {
-  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
-  return {product - square, product + square};
-}
-
-sized inner_product(const metric_tensor& m, const point& u, const point& d) {
+sized_value inner_product(const metric_tensor& m, const point& u, const point& d) {
   const point dual = apply(m, d);
   return {u.x * dual.x + u.y * dual.y,
           (std::abs(u.x) + std::abs(u.y)) * ((std::abs(d.x) + std::abs(d.y)) * (m.m11 + m.m22))};
@@ -65,10 +54,10 @@ point towards_vertex(const site& v, const site& x, const site& y, const point& t
 // Returns the greatest of what z contributes to R, for the direction u of length |u|_v; infinite
 // where the bound of 4.2 is not certainly positive, or u not certainly within a right angle of z.
 double reach_beside(const site& v, const site& z, const point& d, const point& u,
-                    const sized& u_squared, const sized& det_v) {
-  const sized own = length_squared(v.metric, d), c = length_squared(z.metric, d),
-              det_z = determinant(z.metric);
-  if (!(own.is_known() && c.is_known() && det_z.is_known())) return infinity;
+                    const sized_value& u_squared, const sized_value& det_v) {
+  const sized_value own = sized_square_norm(v.metric, d), c = sized_square_norm(z.metric, d),
+                    det_z = sized_determinant(z.metric);
+  if (!(is_known(own) && is_known(c) && is_known(det_z))) return infinity;
   if (!(inner_product(v.metric, u, d).below() > 0)) return infinity;
   const double inverse_c = 1 / c.value, root_own = std::sqrt(own.value),
                inverse_root_c = std::sqrt(inverse_c);
@@ -90,8 +79,8 @@ double quick_reach(const site& v, const site& x, const site& y) {
   const point to_x = between(v, x), to_y = between(v, y);
   if (!(cross(to_x, to_y) > 0)) return infinity;
   const point u = towards_vertex(v, x, y, to_x, to_y);
-  const sized u_squared = length_squared(v.metric, u), det_v = determinant(v.metric);
-  if (!(u_squared.is_known() && det_v.is_known())) return infinity;
+  const sized_value u_squared = sized_square_norm(v.metric, u), det_v = sized_determinant(v.metric);
+  if (!(is_known(u_squared) && is_known(det_v))) return infinity;
   const double beside_x = reach_beside(v, x, to_x, u, u_squared, det_v),
                beside_y = reach_beside(v, y, to_y, u, u_squared, det_v);
   return beside_x > beside_y ? beside_x : beside_y;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "asterism/mesh/audit/number.hpp"
+#include "asterism/mesh/audit/sized_value.hpp"
 #include "asterism/mesh/audit/voronoi_arc.hpp"
 
 namespace asterism::internal::theorem {
@@ -147,23 +148,6 @@ double plain_distance_above(const metric_tensor& m, const point& p, const point&
   return in_range ? std::sqrt(square + 0x1p-47 * size) * (1 + 0x1p-50) : infinity;
 }
 
-// A value, and at least the sum of its absolute monomials; 2^-48 of that is more than its error.
-struct plain_value {
-  double value, size;
-
-  double below() const { return value - 0x1p-46 * size; }
-};
-
-plain_value plain_square_norm(const metric_tensor& m, const point& u) {
-  const double unmixed = m.m11 * (u.x * u.x) + m.m22 * (u.y * u.y), mixed = m.m12 * (u.x * u.y);
-  return {unmixed + 2 * mixed, 2 * unmixed};
-}
-
-plain_value plain_determinant(const metric_tensor& m) {
-  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
-  return {product - square, product + square};
-}
-
 bool is_in_range(double size) { return size > 0x1p-800 && size < 0x1p800; }
 
 // Returns a bound on tau that keeps both measures of a pair at this distance within what is known;
@@ -180,15 +164,15 @@ double distortion_allowed(const pair_measures& known, double distance_below) {
 // 2^-44 of the magnitudes.
 bool is_clearly_within(const pair_measures& known, const site& p, const site& q) {
   const point d = plain_between(p, q);
-  const plain_value from_p = plain_square_norm(p.metric, d),
-                    from_q = plain_square_norm(q.metric, d);
+  const sized_value from_p = sized_square_norm(p.metric, d),
+                    from_q = sized_square_norm(q.metric, d);
   const double least = std::min(from_p.below(), from_q.below()),
                apart = known.larger_distance_below * known.larger_distance_below;
   if (!(is_in_range(from_p.size) && is_in_range(from_q.size) && least > 0)) return false;
   if (!(std::max(from_p.below(), from_q.below()) > apart * (1 + 0x1p-40))) return false;
   const double t = distortion_allowed(known, std::sqrt(least)), c = t * t;
   const metric_tensor &m = p.metric, &n = q.metric;
-  const plain_value own = plain_determinant(m), other = plain_determinant(n);
+  const sized_value own = sized_determinant(m), other = sized_determinant(n);
   if (!(t > 0 && is_in_range(own.size) && is_in_range(other.size))) return false;
   const double diagonal = m.m11 * n.m22 + m.m22 * n.m11, mixed = 2 * (m.m12 * n.m12);
   const double sum = diagonal - mixed, linear = c * sum, square = c * c, twice = 2 * c;
