@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "asterism/mesh/audit/number.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -69,15 +70,22 @@ double inverse_determinant_above(const metric_tensor& m) {
 
 site_tree::site_tree(const std::vector<site>& sites) : sites_(sites), order_(sites.size()) {
   std::iota(order_.begin(), order_.end(), vertex_index{0});
-  nodes_.reserve(4 * sites.size() / leaf_size + 1);
-  if (!sites.empty()) build(0, sites.size());
-  groups_.push_back(sites.size());
-  places_.reserve(sites.size());
-  inverse_determinants_.reserve(sites.size());
-  for (const vertex_index w : order_) {
-    places_.push_back(sites[w].position);
-    inverse_determinants_.push_back(inverse_determinant_above(sites[w].metric));
+  if (!sites.empty()) {
+    nodes_.resize(node_count(sites.size()));
+    build(0, 0, sites.size());
   }
+  for (const node& n : nodes_)
+    if (n.right == 0) groups_.push_back(n.first);
+  groups_.push_back(sites.size());
+  places_.resize(sites.size());
+  inverse_determinants_.resize(sites.size());
+  constexpr std::size_t chunk = 1024;
+  parallel_chunks(sites.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      places_[i] = sites[order_[i]].position;
+      inverse_determinants_[i] = inverse_determinant_above(sites[order_[i]].metric);
+    }
+  });
   if (sites.size() <= most_with_covectors) bound_covectors();
 }
 
@@ -166,9 +174,18 @@ void site_tree::bound_parent(node& n, const node& left, const node& right) const
   }
 }
 
-void site_tree::build(std::size_t first, std::size_t last) {
-  const std::size_t self = nodes_.size();
-  nodes_.emplace_back();
+// After d halvings all parts hold the d-th half of `sites`, rounded down or up. Where that is 8 or
+// 9, those of 9 are halved once more.
+std::size_t site_tree::node_count(std::size_t sites) {
+  std::size_t parts = 1;
+  while (sites / parts > leaf_size) parts *= 2;
+  const bool some_are_halved = sites / parts == leaf_size;
+  const std::size_t leaves = some_are_halved ? parts + sites % parts : parts;
+  return 2 * leaves - 1;
+}
+
+// Builds the node with this number, and all below it: halves of many sites side by side.
+void site_tree::build(std::size_t self, std::size_t first, std::size_t last) {
   node n;
   n.first = first;
   n.last = last;
@@ -181,7 +198,6 @@ void site_tree::build(std::size_t first, std::size_t last) {
   }
   if (last - first <= leaf_size) {
     bound_leaf(n);
-    groups_.push_back(first);
     nodes_[self] = n;
     return;
   }
@@ -195,9 +211,18 @@ void site_tree::build(std::size_t first, std::size_t last) {
     if (wide) return lexicographically_less(p, q);
     return p.y < q.y || (p.y == q.y && p.x < q.x);
   });
-  build(first, middle);
-  n.right = nodes_.size();
-  build(middle, last);
+  n.right = self + 1 + node_count(middle - first);
+  const auto build_half = [&](std::size_t half) {
+    if (half == 0)
+      build(self + 1, first, middle);
+    else
+      build(n.right, middle, last);
+  };
+  constexpr std::size_t worth_a_task = 4096;
+  if (last - first >= worth_a_task)
+    parallel_for(2, build_half);
+  else
+    for (std::size_t half = 0; half < 2; ++half) build_half(half);
   bound_parent(n, nodes_[self + 1], nodes_[n.right]);
   nodes_[self] = n;
 }

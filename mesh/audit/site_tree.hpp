@@ -115,7 +115,9 @@ class site_tree {
     bool is_beyond(double reach) const;
   };
 
-  void build(std::size_t first, std::size_t last);
+  // Returns how many nodes a tree of so many sites has, at least one.
+  static std::size_t node_count(std::size_t sites);
+  void build(std::size_t self, std::size_t first, std::size_t last);
   void bound_leaf(node& n) const;
   void bound_parent(node& n, const node& left, const node& right) const;
   void bound_covectors();

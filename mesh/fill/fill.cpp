@@ -17,6 +17,7 @@
 #include "asterism/mesh/fill/work_meter.hpp"
 #include "asterism/mesh/metric/field_sampler.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -184,12 +185,24 @@ class filling {
     for (vertex_index i = 0; i < order.size(); ++i) number[order[i]] = i;
     neighbour_lists lists;
     lists.reserve(order.size());
-    for (const vertex_index v : order) {
-      if (stars_.agrees_with_neighbours(v))
-        for (const plain_gap& gap : stars_[v]) lists.add(number[gap.neighbour]);
+    const std::vector<char> agrees = which_agree(order);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (agrees[i] != 0)
+        for (const plain_gap& gap : stars_[order[i]]) lists.add(number[gap.neighbour]);
       lists.end_list();
     }
     return lists;
+  }
+
+  // Tells of each star in that order whether it agrees with those of its neighbours.
+  std::vector<char> which_agree(const std::vector<vertex_index>& order) const {
+    constexpr std::size_t chunk = 256;
+    std::vector<char> agrees(order.size());
+    parallel_chunks(order.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        agrees[i] = stars_.agrees_with_neighbours(order[i]) ? 1 : 0;
+    });
+    return agrees;
   }
 
   const domain& domain_;

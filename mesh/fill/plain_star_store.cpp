@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/fill/plain_star_store.hpp"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,7 +42,7 @@ bool plain_star_store::renew(double distance) {
     at = end;
     if (work_->is_overworked(count)) return false;
   }
-  std::sort(pairs.begin(), pairs.end(), [](const disturbed& a, const disturbed& b) {
+  tbb::parallel_sort(pairs.begin(), pairs.end(), [](const disturbed& a, const disturbed& b) {
     return a.star != b.star ? a.star < b.star : a.by < b.by;
   });
   changed_.clear();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/fill/site_proposals.hpp"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -160,7 +162,7 @@ void site_proposals::place(std::vector<site_proposal> proposals, double distance
   std::vector<std::pair<int, std::uint32_t>> order;  // the band, negative, and the number
   order.reserve(proposals.size());
   for (std::uint32_t i = 0; i < proposals.size(); ++i) order.emplace_back(-band(proposals[i]), i);
-  std::sort(order.begin(), order.end());
+  tbb::parallel_sort(order.begin(), order.end());
   site_index chosen(parts_.box);
   std::uint64_t looked_at = 0;
   for (const auto& [negative, i] : order) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/search/hilbert_order.hpp"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <utility>
+
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -39,15 +43,17 @@ std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
 
 void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<site>& sites,
                       const bounding_box& box) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
-  places.reserve(which.size());
-  for (std::size_t i = 0; i < which.size(); ++i) {
-    const point& q = sites[which[i]].position;
-    places.emplace_back(
-        place_on_curve(cell(q.x, box.low.x, box.high.x), cell(q.y, box.low.y, box.high.y)),
-        static_cast<std::uint32_t>(i));
-  }
-  std::sort(places.begin(), places.end());
+  constexpr std::size_t chunk = 1024;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> places(which.size());
+  parallel_chunks(which.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const point& q = sites[which[i]].position;
+      places[i] = {
+          place_on_curve(cell(q.x, box.low.x, box.high.x), cell(q.y, box.low.y, box.high.y)),
+          static_cast<std::uint32_t>(i)};
+    }
+  });
+  tbb::parallel_sort(places.begin(), places.end());
   for (auto& [place, i] : places) i = which[i];
   for (std::size_t i = 0; i < which.size(); ++i) which[i] = places[i].second;
 }

@@ -36,37 +36,39 @@ site_index::site_index(const bounding_box& box)
   root_.middle = {box.low.x + root_.half.x, box.low.y + root_.half.y};
 }
 
+site_index::inverse_range site_index::inverse_range_of(const metric_tensor& m) {
+  const range det = determinant(m);
+  if (!(det.low > smallest && det.high < largest))
+    return {infinity, infinity, 0, -infinity, infinity};
+  const double a = -m.m12 / det.low, b = -m.m12 / det.high, lost = std::abs(a) * 0x1p-47;
+  return {m.m22 / det.low * up, m.m11 / det.low * up, 1 / det.high * down, std::min(a, b) - lost,
+          std::max(a, b) + lost};
+}
+
 // An empty node has count 0 and an inverted box, which is apart from everything.
-void site_index::cover(node& n, const site& s) const {
+void site_index::cover(node& n, const point& q, const inverse_range& inverse) {
   if (n.count == 0) {
-    n.box = {s.position, s.position};
-    n.inverse12_low = infinity;
-    n.inverse12_high = -infinity;
-    n.inverse_determinant = infinity;
-  }
-  n.box.include(s.position);
-  const range det = determinant(s.metric);
-  if (!(det.low > smallest && det.high < largest)) {
-    n.inverse11 = n.inverse22 = n.inverse12_high = infinity;
-    n.inverse12_low = -infinity;
-    n.inverse_determinant = 0;
+    n.box = {q, q};
+    n.inverse = inverse;
     return;
   }
-  n.inverse11 = std::max(n.inverse11, s.metric.m22 / det.low * up);
-  n.inverse22 = std::max(n.inverse22, s.metric.m11 / det.low * up);
-  const double a = -s.metric.m12 / det.low, b = -s.metric.m12 / det.high;
-  n.inverse12_low = std::min(n.inverse12_low, std::min(a, b) - std::abs(a) * 0x1p-47);
-  n.inverse12_high = std::max(n.inverse12_high, std::max(a, b) + std::abs(a) * 0x1p-47);
-  n.inverse_determinant = std::min(n.inverse_determinant, 1 / det.high * down);
+  n.box.include(q);
+  inverse_range& all = n.inverse;
+  all.m11 = std::max(all.m11, inverse.m11);
+  all.m22 = std::max(all.m22, inverse.m22);
+  all.determinant = std::min(all.determinant, inverse.determinant);
+  all.m12_low = std::min(all.m12_low, inverse.m12_low);
+  all.m12_high = std::max(all.m12_high, inverse.m12_high);
 }
 
 void site_index::insert(const std::vector<site>& sites, vertex_index w) {
   const site& s = sites[w];
+  const inverse_range inverse = inverse_range_of(s.metric);
   std::uint32_t at = 0;
   cell here = root_;
   int level = 0;
   for (;; ++level) {
-    cover(nodes_[at], s);
+    cover(nodes_[at], s.position, inverse);
     if (nodes_[at].first_child == none) {
       if (nodes_[at].count < leaf_capacity || level >= most_levels) break;
       split(sites, at, here);
@@ -100,7 +102,7 @@ void site_index::split(const std::vector<site>& sites, std::uint32_t at, const c
   nodes_[at].first_child = first;
   for (const vertex_index w : moved) {
     node& child = nodes_[first + whole.quadrant(sites[w].position)];
-    cover(child, sites[w]);
+    cover(child, sites[w].position, inverse_range_of(sites[w].metric));
     child.leaf[child.count++] = w;
   }
 }
@@ -137,8 +139,8 @@ site_index::centre site_index::centre_of(const site& v, double reach) {
 double site_index::half_trace_above(const node& n, const centre& c) {
   if (!(c.determinant_below > 0)) return infinity;
   const metric_tensor& m = c.v->metric;
-  const double off_diagonal = 2 * (m.m12 > 0 ? n.inverse12_high : n.inverse12_low) * m.m12;
-  const double diagonal = n.inverse11 * m.m11 + n.inverse22 * m.m22;
+  const double off_diagonal = 2 * (m.m12 > 0 ? n.inverse.m12_high : n.inverse.m12_low) * m.m12;
+  const double diagonal = n.inverse.m11 * m.m11 + n.inverse.m22 * m.m22;
   const double t = (diagonal + off_diagonal + 0x1p-47 * (diagonal + std::abs(off_diagonal))) / 2;
   return t < 0x1p500 ? t : infinity;  // infinite if not a number
 }
@@ -148,7 +150,7 @@ double site_index::half_trace_above(const node& n, const centre& c) {
 double site_index::limit(const node& n, const centre& c) {
   const double t = half_trace_above(n, c);
   if (t == infinity) return infinity;
-  const double d = n.inverse_determinant * c.determinant_below * down;
+  const double d = n.inverse.determinant * c.determinant_below * down;
   const double sigma =
       std::sqrt((t + std::sqrt(std::max(0.0, (t * up) * (t * up) - d)) * up) * up) * up;
   return (1 + (sigma > 1 ? sigma : 1)) * c.reach * up;

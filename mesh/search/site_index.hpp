@@ -64,10 +64,14 @@ class site_index {
   static constexpr int most_levels = 60;  // deeper, distinct doubles of one box need not separate
   static constexpr std::uint32_t none = 0;
 
+  // Bounds the inverses of some tensors.
+  struct inverse_range {
+    double m11 = 0, m22 = 0, determinant = 0;  // above, above, below
+    double m12_low = 0, m12_high = 0;
+  };
   struct node {
-    bounding_box box;                                              // tight around the sites below
-    double inverse11 = 0, inverse22 = 0, inverse_determinant = 0;  // above, above, below
-    double inverse12_low = 0, inverse12_high = 0;
+    bounding_box box;  // tight around the sites below
+    inverse_range inverse;
     std::uint32_t first_child = none;
     std::uint32_t count = 0;                         // of the sites below
     std::array<vertex_index, leaf_capacity> leaf{};  // the first sites, without children
@@ -112,7 +116,8 @@ class site_index {
     }
   };
   static bool is_right_of(const bounding_box& box, const point& from, const point& to);
-  void cover(node& n, const site& s) const;
+  static inverse_range inverse_range_of(const metric_tensor& m);
+  static void cover(node& n, const point& q, const inverse_range& inverse);
   void split(const std::vector<site>& sites, std::uint32_t at, const cell& whole);
   template <class Visit>
   bool visit_leaf(const node& n, Visit&& visit) const;
@@ -173,8 +178,8 @@ bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) co
   while (waiting > 0) {
     const node& n = nodes_[open[--waiting]];
     const double reach = distance * (1 + 0x1p-40);
-    if (n.count == 0 || beyond(q.x, n.box.low.x, n.box.high.x) > reach * std::sqrt(n.inverse11) ||
-        beyond(q.y, n.box.low.y, n.box.high.y) > reach * std::sqrt(n.inverse22))
+    if (n.count == 0 || beyond(q.x, n.box.low.x, n.box.high.x) > reach * std::sqrt(n.inverse.m11) ||
+        beyond(q.y, n.box.low.y, n.box.high.y) > reach * std::sqrt(n.inverse.m22))
       continue;
     if (n.first_child != none)
       for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;

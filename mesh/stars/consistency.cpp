@@ -2,7 +2,10 @@
 #include "asterism/mesh/stars/consistency.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 
+#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
@@ -61,6 +64,16 @@ class checker {
   consistency_report report_;
 };
 
+// Calls visit(t) for each triangle of v's star of which v is the first corner.
+template <class Visit>
+void visit_own_triangles(const star_set& stars, vertex_index v, const Visit& visit) {
+  for (const sector& s : stars[v].sectors)
+    for (std::size_t gap = 0; gap < s.gaps(); ++gap) {
+      const vertex_index y = s.neighbours[gap], x = s.neighbours[s.after(gap)];
+      if (v < y && v < x) visit(triangle{v, y, x});
+    }
+}
+
 }  // namespace
 
 triangle canonical(const triangle& t) {
@@ -70,18 +83,22 @@ triangle canonical(const triangle& t) {
 }
 
 std::vector<triangle> triangles_of_consistent(const star_set& stars) {
-  constexpr std::size_t for_each = 2;  // about so many triangles to a site
-  std::vector<triangle> all;
-  all.reserve(for_each * stars.size());
-  for (vertex_index v = 0; v < stars.size(); ++v) {
-    const auto first = static_cast<std::ptrdiff_t>(all.size());
-    for (const sector& s : stars[v].sectors)
-      for (std::size_t gap = 0; gap < s.gaps(); ++gap) {
-        const vertex_index y = s.neighbours[gap], x = s.neighbours[s.after(gap)];
-        if (v < y && v < x) all.push_back({v, y, x});
-      }
-    std::sort(all.begin() + first, all.end());
-  }
+  constexpr std::size_t chunk = 1024;
+  std::vector<std::size_t> first(chunk_count(stars.size(), chunk) + 1, 0);
+  parallel_chunks(stars.size(), chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<vertex_index>(begin); v < end; ++v)
+      visit_own_triangles(stars, v, [&](const triangle&) { ++first[i + 1]; });
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<triangle> all(first.back());
+  parallel_chunks(stars.size(), chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    auto next = all.begin() + static_cast<std::ptrdiff_t>(first[i]);
+    for (auto v = static_cast<vertex_index>(begin); v < end; ++v) {
+      const auto first_of_star = next;
+      visit_own_triangles(stars, v, [&](const triangle& t) { *next++ = t; });
+      std::sort(first_of_star, next);
+    }
+  });
   return all;
 }
 
