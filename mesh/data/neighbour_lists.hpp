@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "asterism/mesh/data/domain.hpp"
@@ -13,10 +15,23 @@ namespace asterism::internal {
 
 class neighbour_lists {
  public:
+  neighbour_lists() = default;
+  // Makes lists of as many vertices as `lengths` says, all of them vertex 0.
+  explicit neighbour_lists(std::vector<std::size_t> lengths) : ends_(std::move(lengths)) {
+    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+    if (!ends_.empty()) all_.resize(ends_.back());
+  }
+
   std::size_t size() const { return ends_.size(); }
   // Returns list i; empty beyond the last.
   std::span<const vertex_index> operator[](std::size_t i) const {
     if (i >= ends_.size()) return {};
+    const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
+    return std::span(all_).subspan(begin, ends_[i] - begin);
+  }
+
+  // Returns list i, which there must be, to be filled in.
+  std::span<vertex_index> list(std::size_t i) {
     const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
     return std::span(all_).subspan(begin, ends_[i] - begin);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -181,28 +182,25 @@ class filling {
   // Returns the neighbours of the sites in that order, in its numbers. Those of a star that
   // disagrees with another are wrong in one of the two, and left out.
   neighbour_lists stars_in_order(const std::vector<vertex_index>& order) const {
-    std::vector<vertex_index> number(sites_.size());
-    for (vertex_index i = 0; i < order.size(); ++i) number[order[i]] = i;
-    neighbour_lists lists;
-    lists.reserve(order.size());
-    const std::vector<char> agrees = which_agree(order);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (agrees[i] != 0)
-        for (const plain_gap& gap : stars_[order[i]]) lists.add(number[gap.neighbour]);
-      lists.end_list();
-    }
-    return lists;
-  }
-
-  // Tells of each star in that order whether it agrees with those of its neighbours.
-  std::vector<char> which_agree(const std::vector<vertex_index>& order) const {
     constexpr std::size_t chunk = 256;
-    std::vector<char> agrees(order.size());
+    std::vector<vertex_index> number(sites_.size());
+    std::vector<std::size_t> sizes(order.size());
     parallel_chunks(order.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        agrees[i] = stars_.agrees_with_neighbours(order[i]) ? 1 : 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const vertex_index v = order[i];
+        number[v] = static_cast<vertex_index>(i);
+        sizes[i] = stars_.agrees_with_neighbours(v) ? stars_[v].size() : 0;
+      }
     });
-    return agrees;
+    neighbour_lists lists(std::move(sizes));
+    parallel_chunks(order.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::span<vertex_index> list = lists.list(i);
+        for (std::size_t k = 0; k < list.size(); ++k)
+          list[k] = number[stars_[order[i]][k].neighbour];
+      }
+    });
+    return lists;
   }
 
   const domain& domain_;

@@ -10,6 +10,7 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/search/site_index.hpp"
+#include "asterism/mesh/support/parallel_for.hpp"
 
 namespace asterism::internal {
 
@@ -48,11 +49,24 @@ class placed_sites {
   bool is_exhausted() const { return exhausted_; }
 
   vertex_index place(const site& s, bool on_segment) {
+    const vertex_index w = place_later(s, on_segment);
+    index_.insert(sites_, w);
+    return w;
+  }
+  // Places a site that index() does not find before find_from().
+  vertex_index place_later(const site& s, bool on_segment) {
     const auto w = static_cast<vertex_index>(sites_.size());
     sites_.push_back(s);
     on_segment_.push_back(on_segment ? 1 : 0);
-    index_.insert(sites_, w);
     return w;
+  }
+  // Adds the sites from that number on to the index, and to another one unless it is null.
+  void find_from(vertex_index first, site_index* another) {
+    const auto add_to = [this, first](site_index& to) {
+      for (vertex_index w = first; w < sites_.size(); ++w) to.insert(sites_, w);
+    };
+    if (another == nullptr) return add_to(index_);
+    parallel_for(2, [&](std::size_t i) { add_to(i == 0 ? index_ : *another); });
   }
 
  private:

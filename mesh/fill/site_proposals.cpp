@@ -153,7 +153,8 @@ bool site_proposals::has_room(const site_index& among, const site& s, double dis
 }
 
 // Places in bands, so that neighbours in memory stay neighbours; four for each doubling of the
-// radius.
+// radius. Those of a block are held against the blocks before side by side, and then against each
+// other in turn: the same are placed as if all were gone through in turn.
 void site_proposals::place(std::vector<site_proposal> proposals, double distance) {
   constexpr double bands_in_doubled_square = 2;
   const auto band = [squared = distance * distance](const site_proposal& p) {
@@ -163,15 +164,48 @@ void site_proposals::place(std::vector<site_proposal> proposals, double distance
   order.reserve(proposals.size());
   for (std::uint32_t i = 0; i < proposals.size(); ++i) order.emplace_back(-band(proposals[i]), i);
   tbb::parallel_sort(order.begin(), order.end());
+  constexpr std::size_t block = 8192;
+  site_index placed(parts_.box);  // of the blocks before
+  for (std::size_t begin = 0; begin < order.size(); begin += block) {
+    std::vector<const site_proposal*> ready;
+    for (std::size_t i = begin; i < std::min(order.size(), begin + block); ++i)
+      ready.push_back(&proposals[order[i].second]);
+    if (begin > 0) leave_out_crowded(ready, placed, distance);
+    const auto first = static_cast<vertex_index>(parts_.sites.size());
+    const bool goes_on = place_in_turn(ready, distance) && begin + block < order.size();
+    parts_.sites.find_from(first, goes_on ? &placed : nullptr);
+    if (!goes_on) return;
+  }
+}
+
+// Leaves out those that have no room beside the sites placed so far.
+void site_proposals::leave_out_crowded(std::vector<const site_proposal*>& ready,
+                                       const site_index& placed, double distance) {
+  ready = collect_chunks<const site_proposal*>(
+      ready.size(), chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<const site_proposal*>& out) {
+        std::uint64_t looked_at = 0;
+        for (std::size_t i = begin; i < end; ++i)
+          if (has_room(placed, ready[i]->where, distance, looked_at)) out.push_back(ready[i]);
+        parts_.work.count_candidates(looked_at);
+      });
+}
+
+// Places those that have room beside each other, the first ones first. False if there may be no
+// more sites.
+bool site_proposals::place_in_turn(const std::vector<const site_proposal*>& ready,
+                                   double distance) {
   site_index chosen(parts_.box);
   std::uint64_t looked_at = 0;
-  for (const auto& [negative, i] : order) {
-    const site_proposal& p = proposals[i];
-    if (!has_room(chosen, p.where, distance, looked_at)) continue;
-    if (!parts_.sites.admits_another()) break;
-    chosen.insert(parts_.sites.all(), parts_.sites.place(p.where, false));
+  bool admitted = true;
+  for (const site_proposal* p : ready) {
+    if (!has_room(chosen, p->where, distance, looked_at)) continue;
+    admitted = parts_.sites.admits_another();
+    if (!admitted) break;
+    chosen.insert(parts_.sites.all(), parts_.sites.place_later(p->where, false));
   }
   parts_.work.count_candidates(looked_at);
+  return admitted;
 }
 
 }  // namespace asterism::internal
