@@ -9,12 +9,26 @@
 
 namespace asterism::apps {
 
-void give_back_large_blocks() {
+namespace {
+
+// Has blocks of so many bytes and more given back when they are freed.
+void give_back_from([[maybe_unused]] int bytes) {
 #ifdef __GLIBC__
-  constexpr int large = 128 << 10;  // bytes; where the library begins by itself
-  mallopt(M_MMAP_THRESHOLD, large);
-  mallopt(M_TRIM_THRESHOLD, large);
+  mallopt(M_MMAP_THRESHOLD, bytes);
+  mallopt(M_TRIM_THRESHOLD, bytes);
 #endif
+}
+
+}  // namespace
+
+void give_back_large_blocks() {
+  constexpr int large = 128 << 10;  // where the library begins by itself
+  give_back_from(large);
+}
+
+void keep_freed_blocks() {
+  constexpr int large = 4 << 20;
+  give_back_from(large);
 }
 
 void give_back_small_blocks() {

@@ -204,8 +204,13 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_in
   options.keep_if_complete = is_mesh(job);
   options.stop = [&limits] { return limits.reason(); };
   progress_line line(!job.quiet);
+  constexpr std::size_t many = 100'000;
+  bool keeps_blocks = !job.max_megabytes;
+  if (keeps_blocks) keep_freed_blocks();
   return make_certified_mesh(input.shape, *input.field, options,
                              [&](const mesh_progress& progress) {
+                               if (progress.sites > many && std::exchange(keeps_blocks, false))
+                                 give_back_large_blocks();
                                limits.expect(progress.sites);
                                line.show(progress);
                              });

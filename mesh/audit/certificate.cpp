@@ -2,6 +2,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "asterism/core/version.h"
@@ -9,13 +10,23 @@
 namespace asterism {
 namespace {
 
+constexpr std::uint64_t fnv_prime = 0x100000001b3U;
+
+// What so many bytes that are 0 multiply a hash by: powers of the prime.
+constexpr std::array<std::uint64_t, 9> fnv_powers = [] {
+  std::array<std::uint64_t, 9> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * fnv_prime;
+  return powers;
+}();
+
+// Hashes words byte by byte, the lowest first. The highest ones that are 0, most bytes of an index,
+// are hashed at once.
 class fnv1a {
  public:
   void add(std::uint64_t word) {
-    for (int i = 0; i < 8; ++i) {
-      hash_ = (hash_ ^ (word & 0xff)) * 0x100000001b3U;
-      word >>= 8;
-    }
+    std::size_t left = 8;
+    for (; word != 0; word >>= 8, --left) hash_ = (hash_ ^ (word & 0xff)) * fnv_prime;
+    hash_ *= fnv_powers[left];
   }
   void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
   std::uint64_t value() const { return hash_; }

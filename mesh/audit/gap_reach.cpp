@@ -24,18 +24,14 @@ bool is_known(const sized_value& v) {
 
 double cross(const point& a, const point& b) { return a.x * b.y - a.y * b.x; }
 
-point between(const site& from, const site& to) {
-  return {to.position.x - from.position.x, to.position.y - from.position.y};
-}
-
 point apply(const metric_tensor& m, const point& u) {
   return {m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
 }
 
-sized_value inner_product(const metric_tensor& m, const point& u, const point& d) {
-  const point dual = apply(m, d);
-  return {u.x * dual.x + u.y * dual.y,
-          (std::abs(u.x) + std::abs(u.y)) * ((std::abs(d.x) + std::abs(d.y)) * (m.m11 + m.m22))};
+// Returns the product of u with the dual by a metric, of this trace, of a way of this extent, and
+// at least the sum of its absolute monomials.
+sized_value inner_product(const point& u, const point& dual, double extent, double trace) {
+  return {u.x * dual.x + u.y * dual.y, (std::abs(u.x) + std::abs(u.y)) * (extent * trace)};
 }
 
 // Returns the centre, from v, of the circle that the sum of the three metrics sees through all of
@@ -51,38 +47,62 @@ point towards_vertex(const site& v, const site& x, const site& y, const point& t
   return {long_x * dual_y.y - long_y * dual_x.y, long_y * dual_x.x - long_x * dual_y.x};
 }
 
-// Returns the greatest of what z contributes to R, for the direction u of length |u|_v; infinite
-// where the bound of 4.2 is not certainly positive, or u not certainly within a right angle of z.
-double reach_beside(const site& v, const site& z, const point& d, const point& u,
-                    const sized_value& u_squared, const sized_value& det_v) {
-  const sized_value own = sized_square_norm(v.metric, d), c = sized_square_norm(z.metric, d),
-                    det_z = sized_determinant(z.metric);
-  if (!(is_known(own) && is_known(c) && is_known(det_z))) return infinity;
-  if (!(inner_product(v.metric, u, d).below() > 0)) return infinity;
-  const double inverse_c = 1 / c.value, root_own = std::sqrt(own.value),
-               inverse_root_c = std::sqrt(inverse_c);
-  const double bend = std::max(det_z.value * inverse_c, det_v.value / own.value) * up;
+// A direction, with the square of its length as v measures.
+struct direction {
+  point u;
+  sized_value squared;
+};
+
+// Returns the greatest of what z contributes to R; infinite where the bound of 4.2 is not certainly
+// positive, or u not certainly within a right angle of z.
+double reach_beside(const site& v, const measured_ray& z, const direction& to) {
+  const point &u = to.u, &d = z.way;
+  const metric_tensor &own = v.metric, &other = z.end->metric;
+  if (!(inner_product(u, z.dual, z.extent, own.m11 + own.m22).below() > 0)) return infinity;
   const double turned = std::abs(cross(u, d)) + step * (std::abs(u.x * d.y) + std::abs(u.y * d.x));
-  const double radicand = u_squared.value * down - bend * (turned * turned) * up;
+  const double radicand = to.squared.value * down - z.bend * (turned * turned) * up;
   if (!(radicand > 0)) return infinity;
-  const double along = inner_product(z.metric, u, d).below() * inverse_c;
+  const double along =
+      inner_product(u, apply(other, d), z.extent, other.m11 + other.m22).below() * z.inverse_c;
   const double bound =
-      along - 0x1p-20 * std::abs(along) + std::sqrt(radicand) * inverse_root_c * down;
+      along - 0x1p-20 * std::abs(along) + std::sqrt(radicand) * z.inverse_root_c * down;
   if (!(bound > 0)) return infinity;
-  const double on_edge = root_own / (1 + root_own * inverse_root_c);
-  return std::max({std::sqrt(u_squared.value) / bound, on_edge, 0.5 * root_own}) * (up * up);
+  return std::max(std::sqrt(to.squared.value) / bound, z.on_edge) * (up * up);
 }
 
 }  // namespace
 
-double quick_reach(const site& v, const site& x, const site& y) {
-  const point to_x = between(v, x), to_y = between(v, y);
-  if (!(cross(to_x, to_y) > 0)) return infinity;
-  const point u = towards_vertex(v, x, y, to_x, to_y);
-  const sized_value u_squared = sized_square_norm(v.metric, u), det_v = sized_determinant(v.metric);
-  if (!(is_known(u_squared) && is_known(det_v))) return infinity;
-  const double beside_x = reach_beside(v, x, to_x, u, u_squared, det_v),
-               beside_y = reach_beside(v, y, to_y, u, u_squared, det_v);
+quick_reaches::quick_reaches(const site& v) : v_(v) {
+  const sized_value determinant = sized_determinant(v.metric);
+  determinant_ = determinant.value;
+  is_known_ = is_known(determinant);
+}
+
+measured_ray quick_reaches::ray_to(const site& neighbour) const {
+  measured_ray ray;
+  ray.end = &neighbour;
+  ray.way = {neighbour.position.x - v_.position.x, neighbour.position.y - v_.position.y};
+  const sized_value own = sized_square_norm(v_.metric, ray.way),
+                    c = sized_square_norm(neighbour.metric, ray.way),
+                    determinant = sized_determinant(neighbour.metric);
+  if (!(is_known_ && is_known(own) && is_known(c) && is_known(determinant))) return ray;
+  ray.is_known = true;
+  ray.dual = apply(v_.metric, ray.way);
+  ray.extent = std::abs(ray.way.x) + std::abs(ray.way.y);
+  ray.length = std::sqrt(own.value);
+  ray.inverse_c = 1 / c.value;
+  ray.inverse_root_c = std::sqrt(ray.inverse_c);
+  ray.bend = std::max(determinant.value * ray.inverse_c, determinant_ / own.value) * up;
+  ray.on_edge = std::max(ray.length / (1 + ray.length * ray.inverse_root_c), 0.5 * ray.length);
+  return ray;
+}
+
+double quick_reaches::between(const measured_ray& x, const measured_ray& y) const {
+  if (!(x.is_known && y.is_known && cross(x.way, y.way) > 0)) return infinity;
+  const point u = towards_vertex(v_, *x.end, *y.end, x.way, y.way);
+  const direction to{u, sized_square_norm(v_.metric, u)};
+  if (!is_known(to.squared)) return infinity;
+  const double beside_x = reach_beside(v_, x, to), beside_y = reach_beside(v_, y, to);
   return beside_x > beside_y ? beside_x : beside_y;
 }
 

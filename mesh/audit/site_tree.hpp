@@ -227,7 +227,7 @@ inline bool site_tree::is_beyond(const point& d, const by_covector& length, cons
 }
 
 inline bool site_tree::are_beyond(std::size_t self, const centre& v) const {
-  if (covector_bounds_.empty()) return false;
+  if (covector_bounds_.empty() || !(v.length.front() < beyond_all)) return false;
   const covector_bounds& all = covector_bounds_[self];
   for (std::size_t k = 0; k < all.length.size(); ++k) {
     const double bound = bound_along(v, k, all.length[k]) + v.lost;

@@ -275,7 +275,12 @@ class star_check {
     for (const vertex_fan& each : context_.fans[v])
       p.neighbours.insert(p.neighbours.end(), each.link.begin(), each.link.end());
     p.rays.clear();
-    for (const vertex_index r : fan.link) p.rays.push_back(to(v, r));
+    const quick_reaches reaches(at(v));
+    measured_.clear();
+    for (const vertex_index r : fan.link) {
+      p.rays.push_back(to(v, r));
+      measured_.push_back(reaches.ray_to(at(r)));
+    }
     p.gaps.clear();
     const std::size_t n = fan.link.size();
     for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
@@ -285,7 +290,7 @@ class star_check {
       gap.is_skipped = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
       if (gap.is_skipped) continue;
       gap.is_concerned = around_.concerns(v, gap.x, gap.y);
-      gap.reach = reach_of(v, gap);
+      gap.reach = reach_of(v, gap, reaches, measured_[i], measured_[(i + 1) % n]);
       if (context_.leaves_open && !is_finite(gap.reach) && gap.is_concerned) {
         leave_open(v, v, gap.x, gap.y, open_question::about::gap);
         gap.is_skipped = true;
@@ -297,21 +302,13 @@ class star_check {
     }
   }
 
-  // True if so far as this is no more than a few edges of the gap: nothing better is worth its
-  // cost.
-  bool is_short(double reach, vertex_index v, const fan_gap& gap) const {
-    constexpr double edges = 2;
-    const metric_tensor& m = at(v).metric;
-    const double longest = std::max(squared_length(m, between(at(v).position, at(gap.x).position)),
-                                    squared_length(m, between(at(v).position, at(gap.y).position)));
-    return reach * reach <= edges * edges * longest;
-  }
-
   // Returns how far the gap reaches: most do not need to be prepared for that, nor for any
-  // question.
-  double reach_of(vertex_index v, const fan_gap& gap) const {
-    const double quick = quick_reach(at(v), at(gap.x), at(gap.y));
-    if (is_short(quick, v, gap)) return quick;
+  // question. Nothing better than a few edges of the gap is worth its cost.
+  double reach_of(vertex_index v, const fan_gap& gap, const quick_reaches& reaches,
+                  const measured_ray& to_x, const measured_ray& to_y) const {
+    constexpr double edges = 2;
+    const double quick = reaches.between(to_x, to_y);
+    if (quick <= edges * std::max(to_x.length, to_y.length)) return quick;
     if (const star_gap* prepared = prepared_gap(v, gap); prepared != nullptr)
       if (const double reach = prepared->reach(); is_finite(reach)) return std::min(quick, reach);
     if (is_finite(quick)) return quick;
@@ -425,6 +422,7 @@ class star_check {
   std::size_t used_ = 0;
   std::vector<site_tree::reaching> reaching_;
   std::vector<std::size_t> leaves_;
+  std::vector<measured_ray> measured_;
 };
 
 // True if nothing was found, and nothing left open, so far.
