@@ -137,29 +137,6 @@ bool have_one_metric(const std::vector<site>& sites) {
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
 
-// Marks the faces in the domain: those left of a subsegment, and all that are joined to them by
-// edges that may go. Empty where a subsegment is no edge.
-std::vector<char> faces_inside(site_triangulation& from, const boundary& edges) {
-  std::vector<char> inside(from.net.faces().size(), 0);
-  std::vector<std::uint32_t> open;
-  const auto enter = [&](std::uint32_t f) {
-    if (inside[f] == 0) open.push_back(f);
-    inside[f] = 1;
-  };
-  for (const boundary_edge& e : edges.subsegments()) {
-    const auto left = from.net.find_edge(from.numbers[e.a], from.numbers[e.b]);
-    if (!left) return {};
-    enter(left->face);
-    while (!open.empty()) {
-      const delaunay_net::face& f = from.net.faces()[open.back()];
-      open.pop_back();
-      for (std::size_t i = 0; i < 3; ++i)
-        if (!f.fixed[i] && f.across[i] != delaunay_net::none) enter(f.across[i]);
-    }
-  }
-  return inside;
-}
-
 // Collects the faces inside as triangles by the sites' own numbers; fewer where one is not sound or
 // reaches out of the domain.
 std::vector<triangle> sound_triangles(const site_oracle& oracle, const site_triangulation& from,

@@ -63,4 +63,26 @@ std::optional<site_triangulation> triangulate(const site_oracle& oracle,
   return site_triangulation{std::move(net), std::move(order), std::move(numbers)};
 }
 
+// Goes from each subsegment over the edges that may go.
+std::vector<char> faces_inside(site_triangulation& from, const boundary& edges) {
+  std::vector<char> inside(from.net.faces().size(), 0);
+  std::vector<std::uint32_t> open;
+  const auto enter = [&](std::uint32_t f) {
+    if (inside[f] == 0) open.push_back(f);
+    inside[f] = 1;
+  };
+  for (const boundary_edge& e : edges.subsegments()) {
+    const auto left = from.net.find_edge(from.numbers[e.a], from.numbers[e.b]);
+    if (!left) return {};
+    enter(left->face);
+    while (!open.empty()) {
+      const delaunay_net::face& f = from.net.faces()[open.back()];
+      open.pop_back();
+      for (std::size_t i = 0; i < 3; ++i)
+        if (!f.fixed[i] && f.across[i] != delaunay_net::none) enter(f.across[i]);
+    }
+  }
+  return inside;
+}
+
 }  // namespace asterism::internal
