@@ -3,7 +3,9 @@
 // Holds the state that the checks of one audit share; inside the auditor alone.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,7 +39,43 @@ struct directed_subsegment {
 // with the same neighbour.
 struct vertex_fan {
   bool closed = false;
-  std::vector<vertex_index> link;
+  std::span<const vertex_index> link;  // in the list the fan is from
+};
+
+// Keeps the fans of many vertices in few blocks. A block is written by one thread.
+class fan_lists {
+ public:
+  static constexpr std::size_t vertices_of_a_block = 1024;
+
+  struct block {
+    struct fan {
+      bool closed = false;
+      std::uint32_t end = 0;  // of its part of `links`
+    };
+    std::vector<vertex_index> links;
+    std::vector<fan> fans;
+    std::vector<std::uint32_t> ends;  // in `fans`, by vertex
+  };
+
+  // Makes a block for each so many vertices, in order.
+  void resize(std::size_t vertices) { blocks_.resize(chunk_count(vertices, vertices_of_a_block)); }
+  block& block_of(vertex_index v) { return blocks_[v / vertices_of_a_block]; }
+  // Calls take(fan) for each fan of v.
+  template <class Take>
+  void visit(vertex_index v, const Take& take) const {
+    const block& from = blocks_[v / vertices_of_a_block];
+    const std::size_t nth = v % vertices_of_a_block;
+    const std::uint32_t first = nth == 0 ? 0 : from.ends[nth - 1];
+    std::uint32_t begin = first == 0 ? 0 : from.fans[first - 1].end;
+    for (std::uint32_t i = first; i < from.ends[nth]; ++i) {
+      const auto& [closed, end] = from.fans[i];
+      take(vertex_fan{closed, std::span(from.links).subspan(begin, end - begin)});
+      begin = end;
+    }
+  }
+
+ private:
+  std::vector<block> blocks_;
 };
 
 // Findings and counts of one part of a check, run by one thread. `part` holds findings,
@@ -96,7 +134,7 @@ struct audit_context {
   bool unfinished = false;
   double share_of_work = 1;  // of the most that an audit may do
   // Filled by check_fans, only when the edges match.
-  std::vector<std::vector<vertex_fan>> fans;
+  fan_lists fans;
 
   const point& at(vertex_index v) const { return subject.sites[v].position; }
   sign orientation(vertex_index a, vertex_index b, vertex_index c) const {
