@@ -105,7 +105,7 @@ class refinement_loop {
   std::optional<mesh_outcome> triangulated_at_once() {
     if (angle_.degrees() > 0 || options_.limit_size) return std::nullopt;
     report_progress();
-    auto triangles = triangles_of_equal_metrics(state_.oracle(), options_.stop);
+    auto triangles = triangles_of_equal_metrics(state_.oracle(), options_.stop, confirmed_);
     state_.is_overworked();  // charges the run's account
     if (!triangles || interruption()) return std::nullopt;
     consistency_report all_agree;

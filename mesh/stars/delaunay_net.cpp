@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 
 namespace asterism::internal {
@@ -47,8 +48,12 @@ bool delaunay_net::stays(const place& p, const star_predicates& kernel) const {
   const vertex_index apex = f.corner[p.corner], a = f.corner[after(p.corner)],
                      b = f.corner[before(p.corner)];
   const place q = other_side(p);
-  return kernel.edge_test(sites_[a], sites_[b], sites_[apex],
-                          sites_[faces_[q.face].corner[q.corner]]);
+  const site &at_a = sites_[a], &at_b = sites_[b], &left = sites_[apex],
+             &right = sites_[faces_[q.face].corner[q.corner]];
+  const uncertain_bool quick = semi_static::insertion_test_equal_metrics(at_a, at_b, left, right);
+  if (!quick.certain()) return kernel.edge_test(at_a, at_b, left, right);
+  ++kernel.counters().at(predicate::edge_test, tier::semi_static);
+  return quick.value();
 }
 
 bool delaunay_net::is_sound(std::uint32_t at, const star_predicates& kernel) const {
@@ -202,21 +207,21 @@ void delaunay_net::split_edge(const place& p, vertex_index v) {
 // Replaces the edge across from the corner v by that from v to the corner d on the other side; v
 // comes first in both faces.
 void delaunay_net::flip(const place& p) {
-  turn_to_front(p);
-  const std::uint32_t f = p.face, o = faces_[f].across[0];
-  const face first = faces_[f];
-  const auto [v, a, b] = first.corner;
-  turn_to_front({o, before(corner_of(faces_[o], b))});
-  const face second = faces_[o];  // d, b, a
-  const vertex_index d = second.corner[0];
-  put(f, {{v, a, d},
-          {second.across[1], o, first.across[2]},
-          {second.fixed[1], false, first.fixed[2]}});
-  put(o, {{v, d, b},
-          {second.across[2], first.across[1], f},
-          {second.fixed[2], first.fixed[1], false}});
-  relink(second.across[1], o, f);
-  relink(first.across[1], f, o);
+  const std::uint32_t f = p.face, i = p.corner, o = faces_[f].across[i];
+  const face first = faces_[f], second = faces_[o];
+  const vertex_index v = first.corner[i], a = first.corner[after(i)], b = first.corner[before(i)];
+  const std::uint32_t j = before(corner_of(second, b));
+  const vertex_index d = second.corner[j];  // before b and a
+  faces_[f] = {{v, a, d},
+               {second.across[after(j)], o, first.across[before(i)]},
+               {second.fixed[after(j)], false, first.fixed[before(i)]}};
+  faces_[o] = {{v, d, b},
+               {second.across[before(j)], first.across[after(i)], f},
+               {second.fixed[before(j)], first.fixed[after(i)], false}};
+  face_at_[a] = f;
+  face_at_[v] = face_at_[d] = face_at_[b] = o;
+  relink(second.across[after(j)], o, f);
+  relink(first.across[after(i)], f, o);
 }
 
 // Makes the edges around the faces in open_, which all have v first, Delaunay.

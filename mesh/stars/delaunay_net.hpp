@@ -107,7 +107,8 @@ class delaunay_net {
   sign turn(vertex_index a, vertex_index b, const point& q) const {
     return kernel_->orientation(sites_[a].position, sites_[b].position, q);
   }
-  // True if the edge across from the corner is not to be flipped.
+  // True if the edge across from the corner is not to be flipped. Asks the first tier itself: all
+  // metrics are the same, and it decides nearly always.
   bool stays(const place& p, const star_predicates& kernel) const;
   bool take_step() { return ++steps_ <= most_steps_; }
   std::optional<place> locate(vertex_index v, bool& on_edge);

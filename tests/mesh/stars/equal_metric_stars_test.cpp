@@ -135,9 +135,11 @@ TEST_CASE("triangles made all at once in one metric are those of the stars") {
       star_set stars;
       stars.construct_all(now.oracle());
       REQUIRE(check_consistency(now.oracle(), stars).consistent());
-      const auto made = triangles_of_equal_metrics(now.oracle(), {});
-      REQUIRE(made);
-      CHECK(*made == triangles_of_consistent(stars));
+      for (const auto by : {star_confirmation::by_mesher, star_confirmation::by_auditor}) {
+        const auto made = triangles_of_equal_metrics(now.oracle(), {}, by);
+        REQUIRE(made);
+        CHECK(*made == triangles_of_consistent(stars));
+      }
     }
 }
 
@@ -146,13 +148,13 @@ TEST_CASE("stars are not made all at once where metrics differ, or sites coincid
   scatter(d, 10, 0.9, 7);
   indexed_setting now(accepted(d), identity_field());
   REQUIRE(stars_of_equal_metrics(now.oracle(), {}));
-  REQUIRE(triangles_of_equal_metrics(now.oracle(), {}));
+  REQUIRE(triangles_of_equal_metrics(now.oracle(), {}, star_confirmation::by_auditor));
   now.sites[9].metric.m11 = 1 + 0x1p-52;
   CHECK_FALSE(stars_of_equal_metrics(now.oracle(), {}));
-  CHECK_FALSE(triangles_of_equal_metrics(now.oracle(), {}));
+  CHECK_FALSE(triangles_of_equal_metrics(now.oracle(), {}, star_confirmation::by_auditor));
   now.sites[9] = now.sites[8];
   CHECK_FALSE(stars_of_equal_metrics(now.oracle(), {}));
-  CHECK_FALSE(triangles_of_equal_metrics(now.oracle(), {}));
+  CHECK_FALSE(triangles_of_equal_metrics(now.oracle(), {}, star_confirmation::by_auditor));
 }
 
 TEST_CASE("a net refuses a segment through a site, and one across another") {
