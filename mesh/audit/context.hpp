@@ -16,6 +16,7 @@
 #include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism::internal::audit_detail {
 
@@ -135,6 +136,18 @@ struct audit_context {
   double share_of_work = 1;  // of the most that an audit may do
   // Filled by check_fans, only when the edges match.
   fan_lists fans;
+
+  // Asks for the sites of one of `triangles`, or of the edges that leave v, to be read soon.
+  void prefetch_corners(std::size_t nth) const {
+    if (nth >= triangles.size()) return;
+    for (const vertex_index v : subject.triangles[triangles[nth]]) prefetch(&subject.sites[v]);
+  }
+  void prefetch_around(std::size_t v) const {
+    if (v + 1 >= edge_start.size()) return;
+    prefetch(&subject.sites[v]);
+    for (std::size_t i = edge_start[v]; i < edge_start[v + 1]; ++i)
+      prefetch(&subject.sites[edges[i].b]);
+  }
 
   const point& at(vertex_index v) const { return subject.sites[v].position; }
   sign orientation(vertex_index a, vertex_index b, vertex_index c) const {

@@ -135,6 +135,7 @@ void check_fans(audit_context& context) {
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     std::vector<fan_step> steps;
     for (std::size_t v = begin; v < end; ++v) {
+      context.prefetch_around(v + sites_ahead);
       const auto at = static_cast<vertex_index>(v);
       const std::size_t first = context.edge_start[v], last = context.edge_start[v + 1];
       fan_lists::block& to = context.fans.block_of(at);

@@ -143,14 +143,16 @@ class star_check {
   bool is_over() { return patience_.is_over(); }
 
   // Checks vertices near each other: the sites around are looked for once for all of them. Needs
-  // the tree unless neighbours alone are asked about.
-  void run(const vertex_index* begin, const vertex_index* end, bool neighbours_alone) {
+  // the tree unless neighbours alone are asked about. The order of all vertices ends at `last`.
+  void run(const vertex_index* begin, const vertex_index* end, const vertex_index* last,
+           bool neighbours_alone) {
     used_ = 0;
     for (const vertex_index* v = begin; v != end; ++v) {
       if (!neighbours_alone) {
         prepare(*v);
         continue;
       }
+      if (last - v > std::ptrdiff_t{sites_ahead}) context_.prefetch_around(v[sites_ahead]);
       context_.fans.visit(*v, [&](const vertex_fan& fan) { check_neighbours(*v, fan); });
     }
     if (neighbours_alone) return;
@@ -464,7 +466,8 @@ bool check_in_turn(audit_context& context, const star_surroundings& around,
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     star_check part(context, tally, around);
     for (std::size_t i = begin; i < end && !part.is_over(); ++i)
-      part.run(order.data() + groups[i], order.data() + groups[i + 1], neighbours_alone);
+      part.run(order.data() + groups[i], order.data() + groups[i + 1], order.data() + order.size(),
+               neighbours_alone);
   };
   const auto is_refused = [&] { return context.report.total_found() - before > most; };
   if (check_in_parts(context, groups.size() - 1, check, is_refused)) return true;

@@ -13,6 +13,7 @@
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -93,6 +94,8 @@ sums sums_over(const mesh& m) {
       m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<sums>& out) {
         out.emplace_back();
         for (std::size_t i = begin; i < end; ++i) {
+          if (i + triangles_ahead < end)
+            for (const vertex_index v : m.triangles[i + triangles_ahead]) prefetch(&m.sites[v]);
           const triangle& t = m.triangles[i];
           add_triangle({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}, thresholds, out.back());
         }

@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -47,7 +48,9 @@ std::optional<site_triangulation> triangulate(const site_oracle& oracle,
   std::vector<vertex_index> numbers(order.size());
   std::vector<site> sites;
   sites.reserve(order.size() + 4);
-  for (const vertex_index v : order) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i + triangles_ahead < order.size()) prefetch(&oracle.sites()[order[i + triangles_ahead]]);
+    const vertex_index v = order[i];
     numbers[v] = static_cast<vertex_index>(sites.size());
     sites.push_back({oracle.sites()[v].position, metric});
   }
