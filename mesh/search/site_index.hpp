@@ -41,9 +41,14 @@ class site_index {
   template <class Visit>
   bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
                  Visit&& visit) const;
-  // Calls visit(w) for each site w that may see q within the distance: |q - w|_w <= distance.
+  // Calls visit(w) for each site w that may see a point q of the box within the distance:
+  // |q - w|_w <= distance.
   template <class Visit>
-  bool visit_seeing(const point& q, double distance, Visit&& visit) const;
+  bool visit_seeing(const bounding_box& box, double distance, Visit&& visit) const;
+  template <class Visit>
+  bool visit_seeing(const point& q, double distance, Visit&& visit) const {
+    return visit_seeing(bounding_box{q, q}, distance, visit);
+  }
 
   // Calls visit(v, w) once for each two sites that may be within the distance of each other as
   // either measures it. The distance is looked at anew each time, and may shrink meanwhile.
@@ -179,9 +184,9 @@ bool site_index::visit_box(const std::vector<site>& sites, const point& low, con
 
 // |dx| <= distance sqrt(M^-1_11) wherever |d|_M <= distance; the margin covers the roundings.
 template <class Visit>
-bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) const {
-  const auto beyond = [](double x, double low, double high) {
-    return x < low ? low - x : x > high ? x - high : 0;
+bool site_index::visit_seeing(const bounding_box& box, double distance, Visit&& visit) const {
+  const auto beyond = [](double from, double to, double low, double high) {
+    return to < low ? low - to : from > high ? from - high : 0;
   };
   std::array<std::uint32_t, 3 * most_levels + 4> open;
   std::size_t waiting = 0;
@@ -189,8 +194,9 @@ bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) co
   while (waiting > 0) {
     const node& n = nodes_[open[--waiting]];
     const double reach = distance * (1 + 0x1p-40);
-    if (n.count == 0 || beyond(q.x, n.box.low.x, n.box.high.x) > reach * std::sqrt(n.inverse11) ||
-        beyond(q.y, n.box.low.y, n.box.high.y) > reach * std::sqrt(n.inverse22))
+    if (n.count == 0 ||
+        beyond(box.low.x, box.high.x, n.box.low.x, n.box.high.x) > reach * std::sqrt(n.inverse11) ||
+        beyond(box.low.y, box.high.y, n.box.low.y, n.box.high.y) > reach * std::sqrt(n.inverse22))
       continue;
     if (n.first_child != none)
       for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
