@@ -120,7 +120,7 @@ neighbour_lists refine_plainly(refine_state& state, const angle_requirement& ang
   auto net = mean_metric_net::make(state.oracle(), cancelled);
   if (!net) return {};
   plain_refinement(state, angle, tolerance, cancelled, *net).run();
-  return net->neighbours();
+  return net->settled_neighbours();
 }
 
 }  // namespace asterism::internal

@@ -356,11 +356,11 @@ bool delaunay_net::may_flip(const place& p, const comparison& is_better) const {
 }
 
 // Flips one edge of the face that is to be; false if there is none. Leaves the faces on both sides
-// in open_.
-bool delaunay_net::improve(std::uint32_t at, const comparison& is_better) {
+// in open_. Leaves out edges to faces before `first`.
+bool delaunay_net::improve(std::uint32_t at, std::uint32_t first, const comparison& is_better) {
   for (std::uint32_t i = 0; i < 3; ++i) {
-    if (!may_flip({at, i}, is_better)) continue;
     const std::uint32_t other = faces_[at].across[i];
+    if (other < first || !may_flip({at, i}, is_better)) continue;
     flip({at, i});
     open_.push_back(other);
     open_.push_back(at);
@@ -371,12 +371,14 @@ bool delaunay_net::improve(std::uint32_t at, const comparison& is_better) {
 
 void delaunay_net::flip_towards(const comparison& is_better, std::size_t most) {
   std::size_t flips = 0;
-  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-    open_.assign({f});
+  // Edges to faces before f were asked about from there, and again after each change.
+  for (std::uint32_t f = 0; f < faces_.size() && flips < most; ++f) {
+    open_.clear();
+    if (improve(f, f, is_better)) ++flips;
     while (!open_.empty() && flips < most) {
       const std::uint32_t at = open_.back();
       open_.pop_back();
-      if (improve(at, is_better)) ++flips;
+      if (improve(at, 0, is_better)) ++flips;
     }
   }
 }

@@ -126,7 +126,7 @@ class delaunay_net {
   void flip(const place& p);
   bool flip_around(vertex_index v);
   bool may_flip(const place& p, const comparison& is_better) const;
-  bool improve(std::uint32_t face, const comparison& is_better);
+  bool improve(std::uint32_t face, std::uint32_t first, const comparison& is_better);
   bool cross(vertex_index a, vertex_index b, std::vector<std::pair<vertex_index, vertex_index>>&);
   bool clear_way(vertex_index a, vertex_index b,
                  std::vector<std::pair<vertex_index, vertex_index>> crossing);

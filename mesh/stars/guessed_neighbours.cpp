@@ -6,8 +6,8 @@
 namespace asterism::internal {
 
 neighbour_lists guess_neighbours(const site_oracle& oracle, const cancellation& cancelled) {
-  const auto net = mean_metric_net::make(oracle, cancelled);
-  return net ? net->neighbours() : neighbour_lists();
+  auto net = mean_metric_net::make(oracle, cancelled);
+  return net ? net->settled_neighbours() : neighbour_lists();
 }
 
 }  // namespace asterism::internal

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "asterism/core/plane_algebra.hpp"
+#include "asterism/kernels/filtered_edge_test.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/stars/consistency.hpp"
 
@@ -59,9 +60,8 @@ triangle mean_metric_net::corners(std::uint32_t face) const {
   return canonical({from_.original[a], from_.original[b], from_.original[c]});
 }
 
-// The angles at c and d are more than half a turn together. A tie by roundings stays as it is.
-bool mean_metric_net::is_better(vertex_index a, vertex_index b, vertex_index c,
-                                vertex_index d) const {
+double mean_metric_net::excess(vertex_index a, vertex_index b, vertex_index c,
+                               vertex_index d) const {
   const site &at_a = sites_[a], &at_b = sites_[b], &at_c = sites_[c], &at_d = sites_[d];
   metric_tensor m{0, 0, 0};
   for (const site* s : {&at_a, &at_b, &at_c, &at_d})
@@ -70,8 +70,30 @@ bool mean_metric_net::is_better(vertex_index a, vertex_index b, vertex_index c,
   const auto da = between(at_d.position, at_a.position), db = between(at_d.position, at_b.position);
   const double one = cross(ca, cb) * dot(apply(m, da), db),
                other = cross(db, da) * dot(apply(m, ca), cb);
+  return -(one + other) / (std::abs(one) + std::abs(other));
+}
+
+// A tie by roundings stays as it is.
+bool mean_metric_net::is_better(vertex_index a, vertex_index b, vertex_index c,
+                                vertex_index d) const {
   constexpr double tie = 0x1p-30;
-  return one + other < -tie * (std::abs(one) + std::abs(other));
+  return excess(a, b, c, d) > tie;
+}
+
+// Asks where the mean is not clear, and no exact numbers: what is undecided stays as it is.
+bool mean_metric_net::is_better_in_stars(vertex_index a, vertex_index b, vertex_index c,
+                                         vertex_index d) {
+  constexpr double clear = 0.5;
+  for (const vertex_index v : {a, b, c, d})
+    if (from_.net.is_frame(v)) return false;
+  if (excess(a, b, c, d) < -clear) return false;
+  const auto ask = [&](vertex_index v, vertex_index w, vertex_index x, vertex_index y) {
+    return filtered_edge_test(sites_[v], sites_[w], sites_[x], sites_[y], questions_->counted);
+  };
+  const uncertain_bool stays = ask(a, b, c, d);
+  if (!stays.certain() || stays.value()) return false;
+  const uncertain_bool comes = ask(c, d, a, b);
+  return comes.certain() && comes.value();
 }
 
 void mean_metric_net::insert(const site& s, const delaunay_net::location& at,
@@ -118,7 +140,10 @@ void mean_metric_net::collect_ring(vertex_index v, std::vector<vertex_index>& ri
   std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(nearest), ring.end());
 }
 
-neighbour_lists mean_metric_net::neighbours() const {
+neighbour_lists mean_metric_net::settled_neighbours() {
+  from_.net.flip_towards([this](vertex_index a, vertex_index b, vertex_index c,
+                                vertex_index d) { return is_better_in_stars(a, b, c, d); },
+                         from_.numbers.size());
   neighbour_lists lists;
   lists.reserve(from_.numbers.size());
   std::vector<vertex_index> ring;

@@ -4,8 +4,8 @@
 // at the four sites around wants them.
 //
 // It begins as one in a metric for all. Where metrics vary little over an edge, stars are about
-// those of this triangulation. Flips go by doubles, and nothing may rely on them; that it is a
-// triangulation with all subsegments is exact.
+// those of this triangulation. Nothing may rely on its edges; that it is a triangulation with all
+// subsegments is exact.
 #pragma once
 
 #include <cstddef>
@@ -43,8 +43,9 @@ class mean_metric_net {
   // `around`.
   void insert(const site& s, const delaunay_net::location& at, std::vector<std::uint32_t>& around);
 
-  // Returns the neighbours of each site, counter-clockwise from the nearest.
-  neighbour_lists neighbours() const;
+  // Flips edges as the sites at both ends want it, where these and the mean of the metrics may
+  // differ, then returns the neighbours of each site, counter-clockwise from the nearest.
+  neighbour_lists settled_neighbours();
 
  private:
   // What is asked, and where that is counted; here so that the net finds it when this is moved.
@@ -56,9 +57,13 @@ class mean_metric_net {
   mean_metric_net(std::unique_ptr<asked> questions, site_triangulation from,
                   std::vector<char> inside);
 
-  // Says of an edge from a to b, with c on its left and d on its right, whether that from c to d is
-  // the Delaunay one in the mean of the four metrics.
+  // Says of an edge from a to b, with c on its left and d on its right, how much more than half a
+  // turn the angles at c and d are together, in the mean of the four metrics: from -1 to 1, above 0
+  // where the edge from c to d is the Delaunay one.
+  double excess(vertex_index a, vertex_index b, vertex_index c, vertex_index d) const;
   bool is_better(vertex_index a, vertex_index b, vertex_index c, vertex_index d) const;
+  // Says whether the stars refuse the edge from a to b and accept that from c to d.
+  bool is_better_in_stars(vertex_index a, vertex_index b, vertex_index c, vertex_index d);
   // Collects the neighbours of a site by their numbers, the nearest first.
   void collect_ring(vertex_index v, std::vector<vertex_index>& ring) const;
 

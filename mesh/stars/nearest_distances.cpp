@@ -65,16 +65,17 @@ double nearest_other(const std::vector<site>& sites, const site_index& near, ver
   return nearest;
 }
 
-// Returns the least squared distance of two sites, at most `least`, as either measures it. Looks
-// twice as far as needed, so that what is not seen is certainly farther, whatever the roundings.
+// Returns the least squared distance of two sites, at most `least`, as either measures it. Looks a
+// little farther, so that what is not seen is farther, whatever the roundings of a distance.
 double least_of_pairs(const std::vector<site>& sites, const site_index& near, double least) {
-  double look = 2 * std::sqrt(least);
+  constexpr double margin = 1 + 0x1p-20;
+  double look = margin * std::sqrt(least);
   near.visit_pairs(look, [&](vertex_index v, vertex_index w) {
     const double nearer = std::min(squared_distance(sites[v], sites[w].position),
                                    squared_distance(sites[w], sites[v].position));
     if (!(nearer < least)) return;
     least = nearer;
-    look = 2 * std::sqrt(least);
+    look = margin * std::sqrt(least);
   });
   return least;
 }
