@@ -233,7 +233,10 @@ void check_angles(audit_context& context) {
   }
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     angle_check part(context, tally, wanted);
-    for (std::size_t i = begin; i < end; ++i) part.run(context.triangles[i]);
+    for (std::size_t i = begin; i < end; ++i) {
+      context.prefetch_corners(i + triangles_ahead);
+      part.run(context.triangles[i]);
+    }
   };
   check_in_parallel(context, context.triangles.size(), check);
 }

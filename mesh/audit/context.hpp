@@ -3,7 +3,9 @@
 // Holds the state that the checks of one audit share; inside the auditor alone.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism::internal::audit_detail {
 
@@ -37,7 +40,43 @@ struct directed_subsegment {
 // with the same neighbour.
 struct vertex_fan {
   bool closed = false;
-  std::vector<vertex_index> link;
+  std::span<const vertex_index> link;  // in the list the fan is from
+};
+
+// Keeps the fans of many vertices in few blocks. A block is written by one thread.
+class fan_lists {
+ public:
+  static constexpr std::size_t vertices_of_a_block = 1024;
+
+  struct block {
+    struct fan {
+      bool closed = false;
+      std::uint32_t end = 0;  // of its part of `links`
+    };
+    std::vector<vertex_index> links;
+    std::vector<fan> fans;
+    std::vector<std::uint32_t> ends;  // in `fans`, by vertex
+  };
+
+  // Makes a block for each so many vertices, in order.
+  void resize(std::size_t vertices) { blocks_.resize(chunk_count(vertices, vertices_of_a_block)); }
+  block& block_of(vertex_index v) { return blocks_[v / vertices_of_a_block]; }
+  // Calls take(fan) for each fan of v.
+  template <class Take>
+  void visit(vertex_index v, const Take& take) const {
+    const block& from = blocks_[v / vertices_of_a_block];
+    const std::size_t nth = v % vertices_of_a_block;
+    const std::uint32_t first = nth == 0 ? 0 : from.ends[nth - 1];
+    std::uint32_t begin = first == 0 ? 0 : from.fans[first - 1].end;
+    for (std::uint32_t i = first; i < from.ends[nth]; ++i) {
+      const auto& [closed, end] = from.fans[i];
+      take(vertex_fan{closed, std::span(from.links).subspan(begin, end - begin)});
+      begin = end;
+    }
+  }
+
+ private:
+  std::vector<block> blocks_;
 };
 
 // Findings and counts of one part of a check, run by one thread. `part` holds findings,
@@ -96,7 +135,19 @@ struct audit_context {
   bool unfinished = false;
   double share_of_work = 1;  // of the most that an audit may do
   // Filled by check_fans, only when the edges match.
-  std::vector<std::vector<vertex_fan>> fans;
+  fan_lists fans;
+
+  // Asks for the sites of one of `triangles`, or of the edges that leave v, to be read soon.
+  void prefetch_corners(std::size_t nth) const {
+    if (nth >= triangles.size()) return;
+    for (const vertex_index v : subject.triangles[triangles[nth]]) prefetch(&subject.sites[v]);
+  }
+  void prefetch_around(std::size_t v) const {
+    if (v + 1 >= edge_start.size()) return;
+    prefetch(&subject.sites[v]);
+    for (std::size_t i = edge_start[v]; i < edge_start[v + 1]; ++i)
+      prefetch(&subject.sites[edges[i].b]);
+  }
 
   const point& at(vertex_index v) const { return subject.sites[v].position; }
   sign orientation(vertex_index a, vertex_index b, vertex_index c) const {

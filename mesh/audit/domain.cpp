@@ -86,6 +86,7 @@ void check_straight(audit_context& context, const std::vector<vertex_index>& alo
   const vertex_index start = along.front(), end = along.back();
   const point& a = context.at(start);
   const point& b = context.at(end);
+  if (along.size() == 2 && !(a == b)) return;  // one subsegment, which is the segment
   const vector2<rational> along_segment = difference<rational>(b, a);
   const double reach = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   const double ulp = unit_in_last_place(reach);

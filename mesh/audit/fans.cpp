@@ -30,54 +30,52 @@ bool starts_fan(const audit_context& context, vertex_index v, vertex_index to) {
   return find_subsegment(context, v, to) != context.subject.boundary.size();
 }
 
-// Ends where no triangle follows, or at an internal edge.
-vertex_fan follow(const audit_context& context, vertex_index v, std::vector<fan_step>& steps,
-                  fan_step& start) {
-  vertex_fan fan;
-  fan.link.reserve(steps.size() + 1);
+// Adds the fan to the block. Ends where no triangle follows, or at an internal edge.
+void follow(const audit_context& context, vertex_index v, std::vector<fan_step>& steps,
+            fan_step& start, fan_lists::block& to) {
+  const auto end_fan = [&to](bool closed) {
+    to.fans.push_back({closed, static_cast<std::uint32_t>(to.links.size())});
+  };
   fan_step* step = &start;
   while (true) {
     step->used = true;
-    fan.link.push_back(step->from);
-    const vertex_index to = step->to;
+    to.links.push_back(step->from);
+    const vertex_index last = step->to;
     const auto next =
-        std::lower_bound(steps.begin(), steps.end(), to,
+        std::lower_bound(steps.begin(), steps.end(), last,
                          [](const fan_step& s, vertex_index other) { return s.from < other; });
-    if (next == steps.end() || next->from != to || starts_fan(context, v, to)) {
-      fan.link.push_back(to);
-      return fan;
+    if (next == steps.end() || next->from != last || starts_fan(context, v, last)) {
+      to.links.push_back(last);
+      return end_fan(false);
     }
-    if (next->used) {
-      fan.closed = true;
-      return fan;
-    }
+    if (next->used) return end_fan(true);
     step = &*next;
   }
 }
 
-// `steps` is scratch. At a vertex that no boundary edge leaves all steps are one fan nearly always,
-// which the first one finds.
-std::vector<vertex_fan> fans_around(const audit_context& context, vertex_index v, std::size_t first,
-                                    std::size_t last, std::vector<fan_step>& steps) {
+// Adds the fans around v to the block; `steps` is scratch. At a vertex that no boundary edge leaves
+// all steps are one fan nearly always, which the first one finds.
+void list_fans(const audit_context& context, vertex_index v, std::size_t first, std::size_t last,
+               std::vector<fan_step>& steps, fan_lists::block& to) {
   list_steps(context, first, last, steps);
   if (context.side_start[v] == context.side_start[v + 1]) {
-    std::vector<vertex_fan> one(1);
-    one[0] = follow(context, v, steps, steps[0]);
-    if (one[0].closed && one[0].link.size() == steps.size()) return one;
+    const std::size_t fans = to.fans.size(), links = to.links.size();
+    follow(context, v, steps, steps[0], to);
+    if (to.fans.back().closed && to.links.size() - links == steps.size()) return;
+    to.fans.resize(fans);
+    to.links.resize(links);
     for (fan_step& s : steps) s.used = false;
   }
   std::vector<vertex_index> arrivals;
   arrivals.reserve(steps.size());
   for (const fan_step& s : steps) arrivals.push_back(s.to);
   std::sort(arrivals.begin(), arrivals.end());
-  std::vector<vertex_fan> fans;
   for (fan_step& s : steps)
     if (!std::binary_search(arrivals.begin(), arrivals.end(), s.from) ||
         starts_fan(context, v, s.from))
-      fans.push_back(follow(context, v, steps, s));
+      follow(context, v, steps, s, to);
   for (fan_step& s : steps)
-    if (!s.used) fans.push_back(follow(context, v, steps, s));
-  return fans;
+    if (!s.used) follow(context, v, steps, s, to);
 }
 
 bool in_lower_half(const point& v, const point& p) {
@@ -111,10 +109,8 @@ bool overturned(const audit_context& context, const filtered_kernel& kernel, ver
 
 void check_vertex(const audit_context& context, audit_tally& tally, vertex_index v) {
   const std::size_t leaving = context.side_start[v + 1] - context.side_start[v];
-  const auto& fans = context.fans[v];
-  const auto closed = static_cast<std::size_t>(
-      std::count_if(fans.begin(), fans.end(), [](const auto& fan) { return fan.closed; }));
-  const std::size_t open = fans.size() - closed;
+  std::size_t closed = 0, open = 0;
+  context.fans.visit(v, [&](const vertex_fan& fan) { ++(fan.closed ? closed : open); });
   if (open != leaving || closed != (leaving == 0 ? 1U : 0U)) {
     tally.found(finding_kind::broken_fan,
                 "the triangles at " + vertex_text(context, v) + " form " + std::to_string(closed) +
@@ -125,10 +121,11 @@ void check_vertex(const audit_context& context, audit_tally& tally, vertex_index
   const auto comes_back = [](const vertex_fan& fan) {
     return fan.closed || fan.link.front() == fan.link.back();
   };
-  for (const vertex_fan& fan : fans)
+  context.fans.visit(v, [&](const vertex_fan& fan) {
     if (comes_back(fan) ? turns(context, v, fan) != 1 : overturned(context, tally.kernel(), v, fan))
       tally.found(finding_kind::broken_fan,
                   "the triangles at " + vertex_text(context, v) + " turn around it more than once");
+  });
 }
 
 }  // namespace
@@ -138,13 +135,16 @@ void check_fans(audit_context& context) {
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     std::vector<fan_step> steps;
     for (std::size_t v = begin; v < end; ++v) {
+      context.prefetch_around(v + sites_ahead);
+      const auto at = static_cast<vertex_index>(v);
       const std::size_t first = context.edge_start[v], last = context.edge_start[v + 1];
-      if (first == last) continue;
-      context.fans[v] = fans_around(context, static_cast<vertex_index>(v), first, last, steps);
-      check_vertex(context, tally, static_cast<vertex_index>(v));
+      fan_lists::block& to = context.fans.block_of(at);
+      if (first != last) list_fans(context, at, first, last, steps, to);
+      to.ends.push_back(static_cast<std::uint32_t>(to.fans.size()));
+      if (first != last) check_vertex(context, tally, at);
     }
   };
-  check_in_parallel(context, context.fans.size(), check);
+  check_in_parallel(context, context.subject.sites.size(), check, fan_lists::vertices_of_a_block);
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -121,7 +121,7 @@ struct fan_gap {
 // One fan of v's star, made ready to be asked about other sites.
 struct prepared_fan {
   vertex_index v = 0;
-  const vertex_fan* fan = nullptr;
+  std::span<const vertex_index> link;
   std::vector<vertex_index> neighbours;  // of all fans of v
   std::vector<vector2<double>> rays;
   std::vector<fan_gap> gaps;
@@ -143,15 +143,17 @@ class star_check {
   bool is_over() { return patience_.is_over(); }
 
   // Checks vertices near each other: the sites around are looked for once for all of them. Needs
-  // the tree unless neighbours alone are asked about.
-  void run(const vertex_index* begin, const vertex_index* end, bool neighbours_alone) {
+  // the tree unless neighbours alone are asked about. The order of all vertices ends at `last`.
+  void run(const vertex_index* begin, const vertex_index* end, const vertex_index* last,
+           bool neighbours_alone) {
     used_ = 0;
     for (const vertex_index* v = begin; v != end; ++v) {
       if (!neighbours_alone) {
         prepare(*v);
         continue;
       }
-      for (const vertex_fan& fan : context_.fans[*v]) check_neighbours(*v, fan);
+      if (last - v > std::ptrdiff_t{sites_ahead}) context_.prefetch_around(v[sites_ahead]);
+      context_.fans.visit(*v, [&](const vertex_fan& fan) { check_neighbours(*v, fan); });
     }
     if (neighbours_alone) return;
     reaching_.clear();
@@ -238,14 +240,14 @@ class star_check {
     double none = 0;
     double& known = context_.memory == nullptr ? none : context_.memory->reaches[v];
     double reach = 0;
-    for (const vertex_fan& fan : context_.fans[v]) {
+    context_.fans.visit(v, [&](const vertex_fan& fan) {
       if (!concerns(v, fan) && !is_reached(v, known)) {
         reach = greatest_bound(reach, known);
-        continue;
+        return;
       }
       prepare(v, fan);
       reach = greatest_bound(reach, prepared_[used_ - 1].reach);
-    }
+    });
     known = reach;
   }
 
@@ -267,13 +269,14 @@ class star_check {
     if (used_ == prepared_.size()) prepared_.emplace_back();
     prepared_fan& p = prepared_[used_++];
     p.v = v;
-    p.fan = &fan;
+    p.link = fan.link;
     p.reach = 0;
     p.reach_concerned = 0;
     p.has_concerned = p.has_others = false;
     p.neighbours.clear();
-    for (const vertex_fan& each : context_.fans[v])
+    context_.fans.visit(v, [&p](const vertex_fan& each) {
       p.neighbours.insert(p.neighbours.end(), each.link.begin(), each.link.end());
+    });
     p.rays.clear();
     const quick_reaches reaches(at(v));
     measured_.clear();
@@ -339,7 +342,7 @@ class star_check {
     const double turned = left - right, size = std::abs(left) + std::abs(right);
     if (std::abs(turned) > 0x1p-49 * size && size > 0x1p-900 && size < 0x1p1000)
       return turned > 0 ? sign::positive : sign::negative;
-    return turn(p.v, p.fan->link[i], w);
+    return turn(p.v, p.link[i], w);
   }
 
   // Returns the gap strictly between whose rays w lies; none on a ray or outside an open fan.
@@ -461,7 +464,8 @@ bool check_in_turn(audit_context& context, const star_surroundings& around,
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     star_check part(context, tally, around);
     for (std::size_t i = begin; i < end && !part.is_over(); ++i)
-      part.run(order.data() + groups[i], order.data() + groups[i + 1], neighbours_alone);
+      part.run(order.data() + groups[i], order.data() + groups[i + 1], order.data() + order.size(),
+               neighbours_alone);
   };
   const auto is_refused = [&] { return context.report.total_found() - before > most; };
   if (check_in_parts(context, groups.size() - 1, check, is_refused)) return true;

@@ -156,6 +156,7 @@ void check_values(audit_context& context) {
 void check_orientations(audit_context& context) {
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      context.prefetch_corners(i + triangles_ahead);
       const vertex_index t = context.triangles[i];
       const triangle& c = context.subject.triangles[t];
       const sign turn =

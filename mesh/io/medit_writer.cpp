@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,29 +25,41 @@ using text = std::back_insert_iterator<std::string>;
 
 // Returns the given vertices at which the boundary is not one straight line.
 std::vector<vertex_index> corners(const mesh& m) {
-  std::vector<std::vector<const boundary_edge*>> arriving(m.given), leaving(m.given);
+  struct ends {
+    vertex_index from = 0, to = 0;  // the last ones seen
+    std::size_t arriving = 0, leaving = 0;
+  };
+  std::map<vertex_index, ends> at;
   for (const boundary_edge& e : m.boundary) {
     if (e.a >= m.sites.size() || e.b >= m.sites.size()) continue;
-    if (e.a < m.given) leaving[e.a].push_back(&e);
-    if (e.b < m.given) arriving[e.b].push_back(&e);
+    if (e.a < m.given) {
+      at[e.a].to = e.b;
+      ++at[e.a].leaving;
+    }
+    if (e.b < m.given) {
+      at[e.b].from = e.a;
+      ++at[e.b].arriving;
+    }
   }
   const filtered_kernel kernel;
   std::vector<vertex_index> found;
-  for (vertex_index v = 0; v < m.given; ++v) {
-    if (leaving[v].empty() && arriving[v].empty()) continue;
-    const bool simple = leaving[v].size() == 1 && arriving[v].size() == 1;
-    if (simple && kernel.orientation(m.sites[arriving[v][0]->a].position, m.sites[v].position,
-                                     m.sites[leaving[v][0]->b].position) == sign::zero)
+  for (const auto& [v, beside] : at) {
+    const bool simple = beside.leaving == 1 && beside.arriving == 1;
+    if (simple && kernel.orientation(m.sites[beside.from].position, m.sites[v].position,
+                                     m.sites[beside.to].position) == sign::zero)
       continue;
     found.push_back(v);
   }
   return found;
 }
 
-void write_list(text out, const char* keyword, const std::vector<vertex_index>& numbers) {
+void write_list(std::string& to, const char* keyword, const std::vector<vertex_index>& numbers) {
   if (numbers.empty()) return;
-  fmt::format_to(out, "\n{}\n{}\n", keyword, numbers.size());
-  for (const vertex_index v : numbers) fmt::format_to(out, "{}\n", v + 1);
+  fmt::format_to(text(to), "\n{}\n{}\n", keyword, numbers.size());
+  for (const vertex_index v : numbers) {
+    append_integer(to, v + 1);
+    to += '\n';
+  }
 }
 
 // Comments of at most 80 characters: some readers take lines in subsegments of a fixed length.
@@ -103,10 +116,10 @@ void write_medit_mesh(const mesh& m, const byte_sink& put) {
   std::string end;
   const text out(end);
   write_boundary(out, m);
-  write_list(out, "Corners", corners(m));
+  write_list(end, "Corners", corners(m));
   std::vector<vertex_index> given(m.given);
   for (vertex_index v = 0; v < m.given; ++v) given[v] = v;
-  write_list(out, "RequiredVertices", given);
+  write_list(end, "RequiredVertices", given);
   put(end += "\nEnd\n");
 }
 

@@ -13,6 +13,7 @@
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -42,12 +43,15 @@ struct sums {
 
 // Both ends measure the same where their metrics are the same, bit for bit.
 void add_edge(const site& p, const site& q, sums& s) {
-  const double length =
-      identical(p.metric, q.metric) ? metric_distance(p, q.position) : edge_length(p, q);
+  const bool is_one = identical(p.metric, q.metric);
+  const double length = is_one ? metric_distance(p, q.position) : edge_length(p, q);
   s.half_edges += 1;
   s.lengths += length;
   if (is_unit_length(length)) s.unit += 1;
-  s.sigma = std::max(s.sigma, variation(p, q));
+  // The variation is 0 then, if these are lengths at all.
+  const bool is_even = is_one && length > 0 && length < std::numeric_limits<double>::infinity() &&
+                       p.metric.m11 + p.metric.m22 > 0;
+  if (!is_even) s.sigma = std::max(s.sigma, variation(p, q));
 }
 
 // Measures a triangle that is in round coordinates.
@@ -79,7 +83,7 @@ void add_triangle(const triangle_sites& given, const low_angles& thresholds, sum
   s.below_20 += below_20 ? 1 : 0;
   s.below_30 += below_30 ? 1 : 0;
   s.area += area;
-  s.eps = std::max(s.eps, metric_circumradius(t));
+  s.eps = std::max(s.eps, circumradius_in_round(t));
 }
 
 // Adds up chunk by chunk, so that sums are the same for any number of threads.
@@ -90,6 +94,8 @@ sums sums_over(const mesh& m) {
       m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<sums>& out) {
         out.emplace_back();
         for (std::size_t i = begin; i < end; ++i) {
+          if (i + triangles_ahead < end)
+            for (const vertex_index v : m.triangles[i + triangles_ahead]) prefetch(&m.sites[v]);
           const triangle& t = m.triangles[i];
           add_triangle({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]}, thresholds, out.back());
         }

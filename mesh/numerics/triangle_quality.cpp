@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/plane_algebra.hpp"
@@ -177,6 +178,23 @@ struct measured_angles {
   bool all_turn = true;  // no angle is flat or turned over
 };
 
+// Returns measured_angles::greatest of three equal metrics; none where they are not, or an angle is
+// flat or turned over.
+std::optional<double> greatest_cotangent_in_one_metric(const triangle_sites& t) {
+  const metric_tensor& m = t[0].metric;
+  if (!identical(m, t[1].metric) || !identical(m, t[2].metric)) return std::nullopt;
+  const double root = root_of_determinant(m);
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const angle_sides angle =
+        sides_of_angle(root, m, difference(t[(i + 1) % 3].position, t[i].position),
+                       difference(t[(i + 2) % 3].position, t[i].position));
+    if (!(angle.across > 0)) return std::nullopt;
+    greatest = std::max(greatest, angle.along / angle.across);
+  }
+  return greatest;
+}
+
 // Takes the arctangent of what is within a few roundings of the greatest cotangent.
 double smallest_of(const measured_angles& m) {
   const double nearly = m.greatest - 0x1p-40 * (1 + std::abs(m.greatest));
@@ -199,17 +217,25 @@ angle_threshold::angle_threshold(double wanted)
 
 // Near the threshold, where roundings of the angle and of its cotangent might tell it differently,
 // the angle itself is compared.
-std::array<bool, 2> smallest_angle_is_below(const triangle_sites& given,
+std::array<bool, 2> smallest_angle_is_below(const triangle_sites& t,
                                             const std::array<angle_threshold, 2>& thresholds) {
   constexpr double margin = 1e-9;
-  const measured_angles m(in_round_coordinates(given));
+  const auto is_near = [&](double greatest, const angle_threshold& threshold) {
+    return !(std::abs(greatest - threshold.cotangent) >
+             margin * (1 + std::abs(threshold.cotangent)));
+  };
+  const auto is_clear = [&](double greatest) {
+    return !is_near(greatest, thresholds[0]) && !is_near(greatest, thresholds[1]);
+  };
+  const auto one = greatest_cotangent_in_one_metric(t);
+  if (one && is_clear(*one))
+    return {*one > thresholds[0].cotangent, *one > thresholds[1].cotangent};
+  const measured_angles m(t);
   std::array<bool, 2> below{};
-  for (std::size_t i = 0; i < below.size(); ++i) {
-    const auto& [degrees, cotangent] = thresholds[i];
-    const bool is_clear =
-        m.all_turn && std::abs(m.greatest - cotangent) > margin * (1 + std::abs(cotangent));
-    below[i] = is_clear ? m.greatest > cotangent : smallest_of(m) < degrees;
-  }
+  for (std::size_t i = 0; i < below.size(); ++i)
+    below[i] = m.all_turn && !is_near(m.greatest, thresholds[i])
+                   ? m.greatest > thresholds[i].cotangent
+                   : smallest_of(m) < thresholds[i].degrees;
   return below;
 }
 
@@ -221,7 +247,10 @@ double corner_angle(const site& corner, const point& first, const point& last) {
 }
 
 double metric_circumradius(const triangle_sites& given) {
-  const triangle_sites t = in_round_coordinates(given);
+  return circumradius_in_round(in_round_coordinates(given));
+}
+
+double circumradius_in_round(const triangle_sites& t) {
   // Newton's method from the centre of the mean circle finds the near vertex of nearly every
   // triangle at a tenth of the cost.
   if (const auto near = numeric::voronoi_vertex_near(t[0], t[1], t[2])) {

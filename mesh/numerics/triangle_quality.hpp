@@ -53,7 +53,8 @@ struct angle_threshold {
   double degrees, cotangent;
 };
 
-// Returns of each threshold whether smallest_angle() is below it, at a part of the cost.
+// Returns of each threshold whether smallest_angle() is below it, at a part of the cost. Requires
+// round coordinates.
 std::array<bool, 2> smallest_angle_is_below(const triangle_sites& t,
                                             const std::array<angle_threshold, 2>& thresholds);
 
@@ -74,5 +75,7 @@ inline constexpr double longest_subsegment_of_fill = 0.9;
 // Returns the distance from the three sites to the nearest point all three are equally far from;
 // infinite when there is none.
 double metric_circumradius(const triangle_sites& t);
+// The same; requires round coordinates.
+double circumradius_in_round(const triangle_sites& t);
 
 }  // namespace asterism::internal

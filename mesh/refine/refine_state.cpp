@@ -34,8 +34,16 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
 }
 
 void refine_state::construct_stars(star_confirmation confirmed) {
+  construct_stars(guesses_, confirmed);
+}
+
+void refine_state::construct_stars(const neighbour_lists& likely) {
+  construct_stars(likely, star_confirmation::by_mesher);
+}
+
+void refine_state::construct_stars(const neighbour_lists& likely, star_confirmation confirmed) {
   stars_.bound_work(given_, work_share_);
-  stars_.construct_all(oracle(), guesses_, confirmed);
+  stars_.construct_all(oracle(), likely, confirmed);
   guesses_ = {};
   has_stars_ = true;
 }

@@ -11,6 +11,7 @@
 #include "asterism/mesh/refine/arc_insertion.hpp"
 #include "asterism/mesh/refine/bad_triangle_queue.hpp"
 #include "asterism/mesh/refine/insertion_tolerance.hpp"
+#include "asterism/mesh/refine/plain_refinement.hpp"
 #include "asterism/mesh/refine/poisson_darts.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
 #include "asterism/mesh/refine/stale_stars.hpp"
@@ -75,7 +76,7 @@ class refinement_loop {
     const bool cleared = prepare_segments();
     if (cleared)
       if (auto whole = triangulated_at_once()) return *std::move(whole);
-    state_.construct_stars(confirmed_);
+    construct_stars();
     std::optional<ending> ended;
     while (!ended) ended = step();
     if (state_.field_failure()) return *state_.field_failure();
@@ -104,12 +105,27 @@ class refinement_loop {
   std::optional<mesh_outcome> triangulated_at_once() {
     if (angle_.degrees() > 0 || options_.limit_size) return std::nullopt;
     report_progress();
-    auto triangles = triangles_of_equal_metrics(state_.oracle(), options_.stop);
+    auto triangles = triangles_of_equal_metrics(state_.oracle(), options_.stop, confirmed_);
     state_.is_overworked();  // charges the run's account
     if (!triangles || interruption()) return std::nullopt;
     consistency_report all_agree;
     all_agree.agreeing = *std::move(triangles);
     return outcome_with(ending::complete, std::move(all_agree));
+  }
+
+  // Makes all stars; where angles are demanded of many sites that are given, not before most of
+  // what is low was mended without them.
+  void construct_stars() {
+    constexpr vertex_index many = 1000;
+    const bool is_plain = options_.strategy == refinement_strategy::fill && !options_.limit_size &&
+                          angle_.degrees() > 0 && given_ >= many;
+    const neighbour_lists likely =
+        is_plain ? refine_plainly(state_, angle_, tolerance_.start, options_.stop)
+                 : neighbour_lists();
+    if (likely.size() > 0)
+      state_.construct_stars(likely);
+    else
+      state_.construct_stars(confirmed_);
   }
 
   // Takes one step; returns how refinement ended, or go_on. The steps come to an end, because each

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
@@ -39,6 +40,20 @@ bounding_box disk_box(const site& a, const site& b) {
   box.include(a.position);
   box.include(b.position);
   return box;
+}
+
+// Returns how near a site sees some point of the subsegment if it encroaches, from above: nowhere
+// on it are both ends farther than this (refine/encroachment_filter.cpp).
+double reach_of_encroachers(const site& a, const site& b) {
+  constexpr double room = 1 + 0x1p-20;
+  const double from_a = std::sqrt(squared_distance(a, b.position)),
+               from_b = std::sqrt(squared_distance(b, a.position));
+  const double reach = room * (from_a * from_b / (from_a + from_b));
+  return reach > 0 ? reach : std::numeric_limits<double>::infinity();
+}
+
+bool contains(const bounding_box& box, const point& q) {
+  return box.low.x <= q.x && q.x <= box.high.x && box.low.y <= q.y && q.y <= box.high.y;
 }
 
 // Returns the power of two nearest to half the length, as a ratio: within a factor sqrt(2) of it.
@@ -185,18 +200,43 @@ std::vector<std::size_t> split_boundary::encroached_by(const star_predicates& ke
   return found;
 }
 
+// Calls visit(w) for each site of the subsegment's box that may be near enough to encroach.
+template <class Visit>
+void split_boundary::visit_near(const boundary_edge& p, const Visit& visit) const {
+  const site &a = sites()[p.a], &b = sites()[p.b];
+  if (sites_->has_one_metric()) {
+    const bounding_box box = disk_box(a, b);
+    near().sites().visit_box(sites(), box.low, box.high, visit);
+    return;
+  }
+  const bounding_box box = influence_box(a, b);
+  near().sites().visit_seeing(
+      box_of(a.position, b.position), reach_of_encroachers(a, b),
+      [&](vertex_index w) { return !contains(box, sites()[w].position) || visit(w); });
+}
+
 // Returns a site that encroaches. Where it matters which, because its distance from the corner of a
 // wedge does, that is the first one, so that the answer does not depend on how they were found.
+// Otherwise what doubles do not decide waits until none is found that they do.
 std::optional<vertex_index> split_boundary::find_encroacher(std::size_t subsegment) const {
   const boundary_edge& p = edges_.subsegments()[subsegment];
-  const bounding_box box = sites_->has_one_metric() ? disk_box(sites()[p.a], sites()[p.b])
-                                                    : influence_box(sites()[p.a], sites()[p.b]);
   const bool any_will_do = !wedges_.has_wedge(p.segment);
   std::optional<vertex_index> first;
-  near().sites().visit_box(sites(), box.low, box.high, [&](vertex_index w) {
-    if ((!first || w < *first) && is_encroached(*kernel_, subsegment, sites()[w], w)) first = w;
+  std::vector<vertex_index> undecided;
+  visit_near(p, [&](vertex_index w) {
+    if (first && w > *first) return true;
+    const site& s = sites()[w];
+    if (any_will_do && w != p.a && w != p.b &&
+        !encroaches_quickly(sites()[p.a], sites()[p.b], s).certain()) {
+      undecided.push_back(w);
+      return true;
+    }
+    if (is_encroached(*kernel_, subsegment, s, w)) first = w;
     return !(first && any_will_do);
   });
+  for (std::size_t i = 0; i < undecided.size() && !first; ++i)
+    if (is_encroached(*kernel_, subsegment, sites()[undecided[i]], undecided[i]))
+      first = undecided[i];
   return first;
 }
 

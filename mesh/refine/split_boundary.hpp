@@ -103,6 +103,8 @@ class split_boundary {
   bool is_encroached(const star_predicates& kernel, std::size_t subsegment, const site& s,
                      std::optional<vertex_index> self) const;
   bool is_excused(const boundary_edge& subsegment, vertex_index w) const;
+  template <class Visit>
+  void visit_near(const boundary_edge& p, const Visit& visit) const;
   std::optional<vertex_index> find_encroacher(std::size_t subsegment) const;
   const domain_corner* sharp_corner(vertex_index v, const boundary_edge& subsegment) const;
   bool has_sharp_end(const boundary_edge& subsegment, vertex_index v) const;

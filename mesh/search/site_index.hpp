@@ -16,6 +16,7 @@
 // deliberately: it must share no code with what it judges.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -40,9 +41,26 @@ class site_index {
   template <class Visit>
   bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
                  Visit&& visit) const;
-  // Calls visit(w) for each site w that may see q within the distance: |q - w|_w <= distance.
+  // Calls visit(w) for each site w that may see a point q of the box within the distance:
+  // |q - w|_w <= distance.
   template <class Visit>
-  bool visit_seeing(const point& q, double distance, Visit&& visit) const;
+  bool visit_seeing(const bounding_box& box, double distance, Visit&& visit) const;
+  template <class Visit>
+  bool visit_seeing(const point& q, double distance, Visit&& visit) const {
+    return visit_seeing(bounding_box{q, q}, distance, visit);
+  }
+
+  // Calls visit(v, w) once for each two sites that may be within the distance of each other as
+  // either measures it. The distance is looked at anew each time, and may shrink meanwhile.
+  template <class Visit>
+  void visit_pairs(const double& distance, Visit&& visit) const {
+    if (!nodes_.empty()) visit_pairs(nodes_[0], nodes_[0], distance, visit);
+  }
+  // Calls visit(box, extent, each) for each few sites that are near each other: the box around
+  // them, the half extents of a box around what any of them may see within distance 1, and what
+  // calls its argument with each of them.
+  template <class Visit>
+  void visit_groups(Visit&& visit) const;
 
   // Returns about how far sites are apart near v, as v measures; 0 where that cannot be told.
   double spacing_near(const site& v) const;
@@ -121,6 +139,9 @@ class site_index {
   void split(const std::vector<site>& sites, std::uint32_t at, const cell& whole);
   template <class Visit>
   bool visit_leaf(const node& n, Visit&& visit) const;
+  template <class Visit>
+  void visit_pairs(const node& a, const node& b, const double& distance, Visit& visit) const;
+  static bool farther_apart(const node& a, const node& b, double distance);
   template <class Outside, class Visit>
   bool visit_reach_within(const std::vector<site>& sites, const site& v, double reach,
                           const Outside& is_outside, Visit&& visit) const;
@@ -168,9 +189,9 @@ bool site_index::visit_box(const std::vector<site>& sites, const point& low, con
 
 // |dx| <= distance sqrt(M^-1_11) wherever |d|_M <= distance; the margin covers the roundings.
 template <class Visit>
-bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) const {
-  const auto beyond = [](double x, double low, double high) {
-    return x < low ? low - x : x > high ? x - high : 0;
+bool site_index::visit_seeing(const bounding_box& box, double distance, Visit&& visit) const {
+  const auto beyond = [](double from, double to, double low, double high) {
+    return to < low ? low - to : from > high ? from - high : 0;
   };
   std::array<std::uint32_t, 3 * most_levels + 4> open;
   std::size_t waiting = 0;
@@ -178,8 +199,10 @@ bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) co
   while (waiting > 0) {
     const node& n = nodes_[open[--waiting]];
     const double reach = distance * (1 + 0x1p-40);
-    if (n.count == 0 || beyond(q.x, n.box.low.x, n.box.high.x) > reach * std::sqrt(n.inverse.m11) ||
-        beyond(q.y, n.box.low.y, n.box.high.y) > reach * std::sqrt(n.inverse.m22))
+    if (n.count == 0 ||
+        beyond(box.low.x, box.high.x, n.box.low.x, n.box.high.x) >
+            reach * std::sqrt(n.inverse.m11) ||
+        beyond(box.low.y, box.high.y, n.box.low.y, n.box.high.y) > reach * std::sqrt(n.inverse.m22))
       continue;
     if (n.first_child != none)
       for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
@@ -187,6 +210,59 @@ bool site_index::visit_seeing(const point& q, double distance, Visit&& visit) co
       return false;
   }
   return true;
+}
+
+// Two boxes are apart by the gap between them in either direction; the margin covers the roundings.
+inline bool site_index::farther_apart(const node& a, const node& b, double distance) {
+  const auto gap = [](double low_a, double high_a, double low_b, double high_b) {
+    return std::max({low_b - high_a, low_a - high_b, 0.0});
+  };
+  const double x = gap(a.box.low.x, a.box.high.x, b.box.low.x, b.box.high.x),
+               y = gap(a.box.low.y, a.box.high.y, b.box.low.y, b.box.high.y);
+  const double squared = distance * distance * (1 + 0x1p-40);
+  return x * x > squared * std::max(a.inverse.m11, b.inverse.m11) ||
+         y * y > squared * std::max(a.inverse.m22, b.inverse.m22);
+}
+
+template <class Visit>
+void site_index::visit_pairs(const node& a, const node& b, const double& distance,
+                             Visit& visit) const {
+  if (a.count == 0 || b.count == 0 || farther_apart(a, b, distance)) return;
+  const auto child = [this](const node& n, std::uint32_t i) -> const node& {
+    return nodes_[n.first_child + i];
+  };
+  if (&a == &b && a.first_child != none) {
+    for (std::uint32_t i = 0; i < 4; ++i)
+      for (std::uint32_t j = 0; j <= i; ++j) visit_pairs(child(a, i), child(a, j), distance, visit);
+  } else if (a.first_child != none && (b.first_child == none || a.count >= b.count)) {
+    for (std::uint32_t i = 0; i < 4; ++i) visit_pairs(child(a, i), b, distance, visit);
+  } else if (b.first_child != none) {
+    for (std::uint32_t i = 0; i < 4; ++i) visit_pairs(a, child(b, i), distance, visit);
+  } else {
+    visit_leaf(a, [&](vertex_index v) {
+      return visit_leaf(b,
+                        [&](vertex_index w) {
+                          if (&a == &b && w == v)
+                            return false;  // those that follow come with it in turn
+                          visit(v, w);
+                          return true;
+                        }) ||
+             true;
+    });
+  }
+}
+
+template <class Visit>
+void site_index::visit_groups(Visit&& visit) const {
+  for (const node& n : nodes_)
+    if (n.first_child == none && n.count > 0)
+      visit(n.box, point{std::sqrt(n.inverse.m11), std::sqrt(n.inverse.m22)},
+            [&](const auto& take) {
+              visit_leaf(n, [&](vertex_index w) {
+                take(w);
+                return true;
+              });
+            });
 }
 
 template <class Visit>

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 
 namespace asterism::internal {
 
 delaunay_net::delaunay_net(std::vector<site> sites, const star_predicates& kernel)
-    : sites_(std::move(sites)), kernel_(&kernel) {
+    : sites_(std::move(sites)), frame_(static_cast<vertex_index>(sites_.size())), kernel_(&kernel) {
   // Sites in a good order take about 20 steps each. These many are ten microseconds a site, less
   // than stars made one by one take.
   constexpr std::size_t at_least = 100'000, for_each = 400;
@@ -26,7 +27,7 @@ bool delaunay_net::add_frame() {
   const metric_tensor metric = sites_.front().metric;
   for (const point& q : {low, point{high.x, low.y}, high, point{low.x, high.y}})
     sites_.push_back({q, metric});
-  const auto n = static_cast<vertex_index>(sites());
+  const vertex_index n = frame_;
   face_at_.assign(sites_.size(), none);
   faces_.reserve(2 * sites_.size() + 2);
   faces_.resize(2);
@@ -41,18 +42,18 @@ bool delaunay_net::add_frame() {
   return true;
 }
 
-sign delaunay_net::turn(vertex_index a, vertex_index b, vertex_index c) const {
-  return kernel_->orientation(sites_[a].position, sites_[b].position, sites_[c].position);
-}
-
 bool delaunay_net::stays(const place& p, const star_predicates& kernel) const {
   const face& f = faces_[p.face];
   if (f.across[p.corner] == none || f.fixed[p.corner]) return true;
   const vertex_index apex = f.corner[p.corner], a = f.corner[after(p.corner)],
                      b = f.corner[before(p.corner)];
   const place q = other_side(p);
-  return kernel.edge_test(sites_[a], sites_[b], sites_[apex],
-                          sites_[faces_[q.face].corner[q.corner]]);
+  const site &at_a = sites_[a], &at_b = sites_[b], &left = sites_[apex],
+             &right = sites_[faces_[q.face].corner[q.corner]];
+  const uncertain_bool quick = semi_static::insertion_test_equal_metrics(at_a, at_b, left, right);
+  if (!quick.certain()) return kernel.edge_test(at_a, at_b, left, right);
+  ++kernel.counters().at(predicate::edge_test, tier::semi_static);
+  return quick.value();
 }
 
 bool delaunay_net::is_sound(std::uint32_t at, const star_predicates& kernel) const {
@@ -121,28 +122,51 @@ void delaunay_net::turn_to_front(const place& p) {
   std::rotate(f.fixed.begin(), f.fixed.begin() + by, f.fixed.end());
 }
 
+delaunay_net::way delaunay_net::way_to(const point& q, std::uint32_t at, std::uint32_t from) const {
+  const face& f = faces_[at];
+  way found;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    if (f.across[i] == from && from != none) continue;  // q is on this side of it
+    const sign side = turn(f.corner[after(i)], f.corner[before(i)], q);
+    if (side == sign::negative) return {true, i, 0};
+    if (side != sign::zero) continue;
+    ++found.touched;
+    found.edge = i;
+  }
+  return found;
+}
+
 // Walks towards v from the last face. In a Delaunay triangulation that comes to an end whichever
 // edge is crossed.
 std::optional<delaunay_net::place> delaunay_net::locate(vertex_index v, bool& on_edge) {
   std::uint32_t at = last_, from = none;
   while (take_step()) {
+    const way next = way_to(sites_[v].position, at, from);
+    if (!next.goes_on) {
+      on_edge = next.touched == 1;
+      if (next.touched > 1) return std::nullopt;  // v is at a corner
+      return place{at, next.edge};
+    }
+    from = std::exchange(at, faces_[at].across[next.edge]);
+    if (at == none) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<delaunay_net::location> delaunay_net::locate_near(const point& q,
+                                                                std::uint32_t from) const {
+  constexpr int most_steps = 64;
+  std::uint32_t at = from, last = none;
+  for (int step = 0; step < most_steps; ++step) {
+    const way next = way_to(q, at, last);
     const face& f = faces_[at];
-    std::uint32_t next = at, touched = 0, edge = 0;
-    for (std::uint32_t i = 0; i < 3 && next == at; ++i) {
-      if (f.across[i] == from && from != none) continue;  // v is on this side of it
-      const sign side = turn(f.corner[after(i)], f.corner[before(i)], v);
-      if (side == sign::negative) next = f.across[i];
-      if (side != sign::zero) continue;
-      ++touched;
-      edge = i;
+    if (!next.goes_on) {
+      if (next.touched > 1 || (next.touched == 1 && f.fixed[next.edge])) return std::nullopt;
+      return location{{at, next.edge}, next.touched == 1};
     }
-    if (next == at) {
-      on_edge = touched == 1;
-      if (touched > 1) return std::nullopt;  // v is at a corner
-      return place{at, edge};
-    }
-    if (next == none) return std::nullopt;
-    from = std::exchange(at, next);
+    if (f.fixed[next.edge]) return std::nullopt;
+    last = std::exchange(at, f.across[next.edge]);
+    if (at == none) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -153,9 +177,9 @@ void delaunay_net::split_face(std::uint32_t f, vertex_index v) {
   const auto [a, b, c] = corner;
   const auto g = static_cast<std::uint32_t>(faces_.size()), h = g + 1;
   faces_.resize(faces_.size() + 2);
-  put(f, {{v, a, b}, {across[2], g, h}, {}});
-  put(g, {{v, b, c}, {across[0], h, f}, {}});
-  put(h, {{v, c, a}, {across[1], f, g}, {}});
+  put(f, {{v, a, b}, {across[2], g, h}, {fixed[2], false, false}});
+  put(g, {{v, b, c}, {across[0], h, f}, {fixed[0], false, false}});
+  put(h, {{v, c, a}, {across[1], f, g}, {fixed[1], false, false}});
   relink(across[0], f, g);
   relink(across[1], f, h);
   open_.assign({f, g, h});
@@ -171,10 +195,10 @@ void delaunay_net::split_edge(const place& p, vertex_index v) {
   const vertex_index d = second.corner[0];
   const auto g = static_cast<std::uint32_t>(faces_.size()), h = g + 1;
   faces_.resize(faces_.size() + 2);
-  put(f, {{v, a, b}, {first.across[2], h, g}, {}});
-  put(g, {{v, c, a}, {first.across[1], f, o}, {}});
-  put(o, {{v, d, c}, {second.across[2], g, h}, {}});
-  put(h, {{v, b, d}, {second.across[1], o, f}, {}});
+  put(f, {{v, a, b}, {first.across[2], h, g}, {first.fixed[2], false, false}});
+  put(g, {{v, c, a}, {first.across[1], f, o}, {first.fixed[1], false, false}});
+  put(o, {{v, d, c}, {second.across[2], g, h}, {second.fixed[2], false, false}});
+  put(h, {{v, b, d}, {second.across[1], o, f}, {second.fixed[1], false, false}});
   relink(first.across[1], f, g);
   relink(second.across[1], o, h);
   open_.assign({f, g, o, h});
@@ -183,21 +207,21 @@ void delaunay_net::split_edge(const place& p, vertex_index v) {
 // Replaces the edge across from the corner v by that from v to the corner d on the other side; v
 // comes first in both faces.
 void delaunay_net::flip(const place& p) {
-  turn_to_front(p);
-  const std::uint32_t f = p.face, o = faces_[f].across[0];
-  const face first = faces_[f];
-  const auto [v, a, b] = first.corner;
-  turn_to_front({o, before(corner_of(faces_[o], b))});
-  const face second = faces_[o];  // d, b, a
-  const vertex_index d = second.corner[0];
-  put(f, {{v, a, d},
-          {second.across[1], o, first.across[2]},
-          {second.fixed[1], false, first.fixed[2]}});
-  put(o, {{v, d, b},
-          {second.across[2], first.across[1], f},
-          {second.fixed[2], first.fixed[1], false}});
-  relink(second.across[1], o, f);
-  relink(first.across[1], f, o);
+  const std::uint32_t f = p.face, i = p.corner, o = faces_[f].across[i];
+  const face first = faces_[f], second = faces_[o];
+  const vertex_index v = first.corner[i], a = first.corner[after(i)], b = first.corner[before(i)];
+  const std::uint32_t j = before(corner_of(second, b));
+  const vertex_index d = second.corner[j];  // before b and a
+  faces_[f] = {{v, a, d},
+               {second.across[after(j)], o, first.across[before(i)]},
+               {second.fixed[after(j)], false, first.fixed[before(i)]}};
+  faces_[o] = {{v, d, b},
+               {second.across[before(j)], first.across[after(i)], f},
+               {second.fixed[before(j)], first.fixed[after(i)], false}};
+  face_at_[a] = f;
+  face_at_[v] = face_at_[d] = face_at_[b] = o;
+  relink(second.across[after(j)], o, f);
+  relink(first.across[after(i)], f, o);
 }
 
 // Makes the edges around the faces in open_, which all have v first, Delaunay.
@@ -319,20 +343,26 @@ bool delaunay_net::settle() {
   return true;
 }
 
+// True if the edge across from the corner may go, is not to stay, and the faces on both sides are a
+// convex quadrangle.
+bool delaunay_net::may_flip(const place& p, const comparison& is_better) const {
+  const face& f = faces_[p.face];
+  if (f.across[p.corner] == none || f.fixed[p.corner]) return false;
+  const place back = other_side(p);
+  const vertex_index c = f.corner[p.corner], a = f.corner[after(p.corner)],
+                     b = f.corner[before(p.corner)], d = faces_[back.face].corner[back.corner];
+  return is_better(a, b, c, d) && turn(c, a, d) == sign::positive &&
+         turn(c, d, b) == sign::positive;
+}
+
 // Flips one edge of the face that is to be; false if there is none. Leaves the faces on both sides
-// in open_.
-bool delaunay_net::improve(std::uint32_t at, const comparison& is_better) {
+// in open_. Leaves out edges to faces before `first`.
+bool delaunay_net::improve(std::uint32_t at, std::uint32_t first, const comparison& is_better) {
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const face& f = faces_[at];
-    if (f.across[i] == none || f.fixed[i]) continue;
-    const place back = other_side({at, i});
-    const vertex_index c = f.corner[i], a = f.corner[after(i)], b = f.corner[before(i)],
-                       d = faces_[back.face].corner[back.corner];
-    if (!is_better(a, b, c, d) || turn(c, a, d) != sign::positive ||
-        turn(c, d, b) != sign::positive)
-      continue;
+    const std::uint32_t other = faces_[at].across[i];
+    if (other < first || !may_flip({at, i}, is_better)) continue;
     flip({at, i});
-    open_.push_back(back.face);
+    open_.push_back(other);
     open_.push_back(at);
     return true;
   }
@@ -341,14 +371,41 @@ bool delaunay_net::improve(std::uint32_t at, const comparison& is_better) {
 
 void delaunay_net::flip_towards(const comparison& is_better, std::size_t most) {
   std::size_t flips = 0;
-  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-    open_.assign({f});
+  // Edges to faces before f were asked about from there, and again after each change.
+  for (std::uint32_t f = 0; f < faces_.size() && flips < most; ++f) {
+    open_.clear();
+    if (improve(f, f, is_better)) ++flips;
     while (!open_.empty() && flips < most) {
       const std::uint32_t at = open_.back();
       open_.pop_back();
-      if (improve(at, is_better)) ++flips;
+      if (improve(at, 0, is_better)) ++flips;
     }
   }
+}
+
+// Only edges across from the new site are looked at: each flip leaves two more.
+vertex_index delaunay_net::insert_towards(const site& s, const location& at,
+                                          const comparison& is_better, std::size_t most) {
+  const auto v = static_cast<vertex_index>(sites_.size());
+  sites_.push_back(s);
+  face_at_.push_back(none);
+  if (at.on_edge)
+    split_edge(at.where, v);
+  else
+    split_face(at.where.face, v);
+  std::size_t flips = 0;
+  while (!open_.empty() && flips < most) {
+    const std::uint32_t f = open_.back();
+    open_.pop_back();
+    const place p{f, corner_of(faces_[f], v)};
+    if (!may_flip(p, is_better)) continue;
+    const std::uint32_t other = faces_[f].across[p.corner];
+    flip(p);
+    ++flips;
+    open_.push_back(f);
+    open_.push_back(other);
+  }
+  return v;
 }
 
 }  // namespace asterism::internal

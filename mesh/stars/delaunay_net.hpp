@@ -60,13 +60,26 @@ class delaunay_net {
   using comparison =
       std::function<bool(vertex_index a, vertex_index b, vertex_index c, vertex_index d)>;
   void flip_towards(const comparison& is_better, std::size_t most);
+  // Returns the face that q is in, or on an edge of, on a way from this face; the corner is the one
+  // across from that edge. None where the way crosses an edge that stays, or is long.
+  struct location {
+    place where;
+    bool on_edge = false;
+  };
+  std::optional<location> locate_near(const point& q, std::uint32_t from) const;
+  // Puts one more site in, at a place found for it, and flips edges as flip_towards() does around
+  // it, at most so many times: all faces that are new or changed are at it. Returns its number,
+  // which is not the next one: the frame is in between. Requires that it is on no edge that stays.
+  vertex_index insert_towards(const site& s, const location& at, const comparison& is_better,
+                              std::size_t most);
   // Returns the face to the left of the edge from a to b, with the corner that is not on it; none
   // where there is no such edge, or too many steps were taken.
   std::optional<place> find_edge(vertex_index a, vertex_index b);
 
-  std::size_t sites() const { return sites_.size() - frame_size; }
+  // Returns the number of sites it was made of, which is that of the first corner of the frame.
+  std::size_t sites() const { return frame_; }
   const std::vector<site>& all_sites() const { return sites_; }
-  bool is_frame(vertex_index v) const { return v >= sites(); }
+  bool is_frame(vertex_index v) const { return v >= frame_ && v < frame_ + frame_size; }
   const std::vector<face>& faces() const { return faces_; }
   // Returns one face at v, with v's corner.
   place at(vertex_index v) const { return {face_at_[v], corner_of(faces_[face_at_[v]], v)}; }
@@ -78,7 +91,7 @@ class delaunay_net {
   bool is_sound(std::uint32_t face, const star_predicates& kernel) const;
 
  private:
-  static constexpr std::size_t frame_size = 4;
+  static constexpr vertex_index frame_size = 4;
 
   static std::uint32_t corner_of(const face& f, vertex_index v) {
     return f.corner[0] == v ? 0 : f.corner[1] == v ? 1 : 2;
@@ -88,11 +101,23 @@ class delaunay_net {
 
   bool add_frame();
   place other_side(const place& p) const;
-  sign turn(vertex_index a, vertex_index b, vertex_index c) const;
-  // True if the edge across from the corner is not to be flipped.
+  sign turn(vertex_index a, vertex_index b, vertex_index c) const {
+    return turn(a, b, sites_[c].position);
+  }
+  sign turn(vertex_index a, vertex_index b, const point& q) const {
+    return kernel_->orientation(sites_[a].position, sites_[b].position, q);
+  }
+  // True if the edge across from the corner is not to be flipped. Asks the first tier itself: all
+  // metrics are the same, and it decides nearly always.
   bool stays(const place& p, const star_predicates& kernel) const;
   bool take_step() { return ++steps_ <= most_steps_; }
   std::optional<place> locate(vertex_index v, bool& on_edge);
+  // Of one face on the way to q: the edge to cross, or, where q is in it, how many edges it is on.
+  struct way {
+    bool goes_on = false;
+    std::uint32_t edge = 0, touched = 0;
+  };
+  way way_to(const point& q, std::uint32_t at, std::uint32_t from) const;
   void put(std::uint32_t f, const face& what);
   void relink(std::uint32_t neighbour, std::uint32_t old_face, std::uint32_t new_face);
   void turn_to_front(const place& p);
@@ -100,14 +125,16 @@ class delaunay_net {
   void split_edge(const place& p, vertex_index v);
   void flip(const place& p);
   bool flip_around(vertex_index v);
-  bool improve(std::uint32_t face, const comparison& is_better);
+  bool may_flip(const place& p, const comparison& is_better) const;
+  bool improve(std::uint32_t face, std::uint32_t first, const comparison& is_better);
   bool cross(vertex_index a, vertex_index b, std::vector<std::pair<vertex_index, vertex_index>>&);
   bool clear_way(vertex_index a, vertex_index b,
                  std::vector<std::pair<vertex_index, vertex_index>> crossing);
   void suspect(const face& f);
   bool fix(vertex_index a, vertex_index b);
 
-  std::vector<site> sites_;  // the frame last
+  std::vector<site> sites_;  // the frame after those it was made of, and before more
+  vertex_index frame_ = 0;
   const star_predicates* kernel_;
   std::vector<face> faces_;
   std::vector<std::uint32_t> face_at_;                           // by site

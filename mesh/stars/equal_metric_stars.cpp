@@ -137,33 +137,11 @@ bool have_one_metric(const std::vector<site>& sites) {
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
 
-// Marks the faces in the domain: those left of a subsegment, and all that are joined to them by
-// edges that may go. Empty where a subsegment is no edge.
-std::vector<char> faces_inside(site_triangulation& from, const boundary& edges) {
-  std::vector<char> inside(from.net.faces().size(), 0);
-  std::vector<std::uint32_t> open;
-  const auto enter = [&](std::uint32_t f) {
-    if (inside[f] == 0) open.push_back(f);
-    inside[f] = 1;
-  };
-  for (const boundary_edge& e : edges.subsegments()) {
-    const auto left = from.net.find_edge(from.numbers[e.a], from.numbers[e.b]);
-    if (!left) return {};
-    enter(left->face);
-    while (!open.empty()) {
-      const delaunay_net::face& f = from.net.faces()[open.back()];
-      open.pop_back();
-      for (std::size_t i = 0; i < 3; ++i)
-        if (!f.fixed[i] && f.across[i] != delaunay_net::none) enter(f.across[i]);
-    }
-  }
-  return inside;
-}
-
-// Collects the faces inside as triangles by the sites' own numbers; fewer where one is not sound or
-// reaches out of the domain.
+// Collects the faces inside as triangles by the sites' own numbers; fewer where one reaches out of
+// the domain, or, by_mesher, is not sound.
 std::vector<triangle> sound_triangles(const site_oracle& oracle, const site_triangulation& from,
-                                      const std::vector<char>& inside) {
+                                      const std::vector<char>& inside,
+                                      star_confirmation confirmed) {
   constexpr std::size_t chunk = 2048;
   std::vector<tier_counters> counts(chunk_count(inside.size(), chunk));
   std::vector<triangle> all = collect_chunks<triangle>(
@@ -174,7 +152,9 @@ std::vector<triangle> sound_triangles(const site_oracle& oracle, const site_tria
           const auto& corner = from.net.faces()[f].corner;
           const bool framed = std::any_of(corner.begin(), corner.end(),
                                           [&](vertex_index v) { return from.net.is_frame(v); });
-          if (framed || !from.net.is_sound(static_cast<std::uint32_t>(f), *kernel)) return;
+          const bool is_sound = confirmed == star_confirmation::by_auditor ||
+                                from.net.is_sound(static_cast<std::uint32_t>(f), *kernel);
+          if (framed || !is_sound) return;
           out.push_back(canonical(
               {from.original[corner[0]], from.original[corner[1]], from.original[corner[2]]}));
         }
@@ -208,13 +188,14 @@ bool use_all(const std::vector<triangle>& triangles, std::size_t sites) {
 }  // namespace
 
 std::optional<std::vector<triangle>> triangles_of_equal_metrics(const site_oracle& oracle,
-                                                                const cancellation& cancelled) {
+                                                                const cancellation& cancelled,
+                                                                star_confirmation confirmed) {
   if (oracle.size() < 3 || !have_one_metric(oracle.sites())) return std::nullopt;
   auto from = triangulate(oracle, oracle.sites().front().metric, oracle.kernel(), cancelled);
   if (!from) return std::nullopt;
   const std::vector<char> inside = faces_inside(*from, oracle.edges());
   const auto count = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), char{1}));
-  const std::vector<triangle> all = sound_triangles(oracle, *from, inside);
+  const std::vector<triangle> all = sound_triangles(oracle, *from, inside, confirmed);
   if (all.size() != count || !use_all(all, oracle.size())) return std::nullopt;
   return in_order(all, oracle.size());
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/stars/star_confirmation.hpp"
 #include "asterism/mesh/stars/star_construction.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
@@ -21,9 +22,11 @@
 namespace asterism::internal {
 
 // Returns the triangles of all these stars, which agree, in the order of triangles_of_consistent();
-// none where stars_of_equal_metrics() has none.
+// none where stars_of_equal_metrics() has none. By_auditor, the triangulation is taken as exact
+// flips left it, and its edges are not asked about once more.
 std::optional<std::vector<triangle>> triangles_of_equal_metrics(const site_oracle& oracle,
-                                                                const cancellation& cancelled);
+                                                                const cancellation& cancelled,
+                                                                star_confirmation confirmed);
 
 // Returns the star of each site, all settled and final; none where metrics differ, or where the
 // triangulation was not finished or not proved: then stars are to be constructed one by one. The

@@ -65,29 +65,67 @@ double nearest_other(const std::vector<site>& sites, const site_index& near, ver
   return nearest;
 }
 
+// Returns the least squared distance of two sites, at most `least`, as either measures it. Looks a
+// little farther, so that what is not seen is farther, whatever the roundings of a distance.
+double least_of_pairs(const std::vector<site>& sites, const site_index& near, double least) {
+  constexpr double margin = 1 + 0x1p-20;
+  double look = margin * std::sqrt(least);
+  near.visit_pairs(look, [&](vertex_index v, vertex_index w) {
+    const double nearer = std::min(squared_distance(sites[v], sites[w].position),
+                                   squared_distance(sites[w], sites[v].position));
+    if (!(nearer < least)) return;
+    least = nearer;
+    look = margin * std::sqrt(least);
+  });
+  return least;
+}
+
+// Returns the least squared distance of v and a subsegment near the box that is not at v; at most
+// `least`.
+double least_to_subsegments(const std::vector<site>& sites, vertex_index v, const boundary& edges,
+                            const neighbourhood& near, const bounding_box& around, double least) {
+  near.subsegments().visit(around, [&](std::uint32_t i) {
+    const boundary_edge& p = edges.subsegments()[i];
+    if (p.a != v && p.b != v)
+      least = std::min(
+          least, squared_distance_to_segment(sites[v], sites[p.a].position, sites[p.b].position));
+    return true;
+  });
+  return least;
+}
+
+// The same of all sites, group by group: most are not near any subsegment.
+double shortest_of_all(const std::vector<site>& sites, const boundary& edges,
+                       const neighbourhood& near, double most) {
+  double least = least_of_pairs(sites, near.sites(), most * most);
+  near.sites().visit_groups([&](const bounding_box& box, const point& extent, const auto& each) {
+    const double look = 2 * std::sqrt(least), x = look * extent.x, y = look * extent.y;
+    const bounding_box around{{box.low.x - x, box.low.y - y}, {box.high.x + x, box.high.y + y}};
+    if (near.subsegments().visit(around, [](std::uint32_t) { return false; })) return;
+    each([&](vertex_index v) {
+      const bounding_box of_v = box_around(sites[v], 2 * std::sqrt(least));
+      least = least_to_subsegments(sites, v, edges, near, of_v, least);
+    });
+  });
+  return std::sqrt(least);
+}
+
 }  // namespace
 
 double shortest_distance(const std::vector<site>& sites, vertex_index count, const boundary& edges,
                          const neighbourhood& near, double most) {
+  if (count == sites.size()) return shortest_of_all(sites, edges, near, most);
   // Along the curve each search finds what it looks at in the cache, as the one before did.
   std::vector<vertex_index> order = near.order();
   std::erase_if(order, [count](vertex_index v) { return v >= count; });
   double least = std::min(most * most, least_along(order, sites));
   for (const vertex_index v : order) {
-    // Searches twice as far as needed, so that what is not seen is certainly farther, whatever the
-    // roundings.
     const bounding_box around = box_around(sites[v], 2 * std::sqrt(least));
     near.sites().visit_box(sites, around.low, around.high, [&](vertex_index w) {
       if (w != v) least = std::min(least, squared_distance(sites[v], sites[w].position));
       return true;
     });
-    near.subsegments().visit(around, [&](std::uint32_t i) {
-      const boundary_edge& p = edges.subsegments()[i];
-      if (p.a != v && p.b != v)
-        least = std::min(
-            least, squared_distance_to_segment(sites[v], sites[p.a].position, sites[p.b].position));
-      return true;
-    });
+    least = least_to_subsegments(sites, v, edges, near, around, least);
   }
   return std::sqrt(least);
 }

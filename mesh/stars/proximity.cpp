@@ -9,6 +9,7 @@
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -26,7 +27,10 @@ neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edg
       subsegments_(box_),
       influences_(box_) {
   // Along a curve, so that nodes near each other in the plane are near each other in memory.
-  for (const vertex_index w : order_) sites_.insert(sites, w);
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    if (i + triangles_ahead < order_.size()) prefetch(&sites[order_[i + triangles_ahead]]);
+    sites_.insert(sites, order_[i]);
+  }
   for (std::size_t subsegment = 0; subsegment < edges.subsegments().size(); ++subsegment)
     insert_subsegment(sites, edges, subsegment);
 }

@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -47,7 +48,9 @@ std::optional<site_triangulation> triangulate(const site_oracle& oracle,
   std::vector<vertex_index> numbers(order.size());
   std::vector<site> sites;
   sites.reserve(order.size() + 4);
-  for (const vertex_index v : order) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i + triangles_ahead < order.size()) prefetch(&oracle.sites()[order[i + triangles_ahead]]);
+    const vertex_index v = order[i];
     numbers[v] = static_cast<vertex_index>(sites.size());
     sites.push_back({oracle.sites()[v].position, metric});
   }
@@ -61,6 +64,28 @@ std::optional<site_triangulation> triangulate(const site_oracle& oracle,
     if (!net.insert_segment(numbers[e.a], numbers[e.b])) return std::nullopt;
   if (!net.settle()) return std::nullopt;
   return site_triangulation{std::move(net), std::move(order), std::move(numbers)};
+}
+
+// Goes from each subsegment over the edges that may go.
+std::vector<char> faces_inside(site_triangulation& from, const boundary& edges) {
+  std::vector<char> inside(from.net.faces().size(), 0);
+  std::vector<std::uint32_t> open;
+  const auto enter = [&](std::uint32_t f) {
+    if (inside[f] == 0) open.push_back(f);
+    inside[f] = 1;
+  };
+  for (const boundary_edge& e : edges.subsegments()) {
+    const auto left = from.net.find_edge(from.numbers[e.a], from.numbers[e.b]);
+    if (!left) return {};
+    enter(left->face);
+    while (!open.empty()) {
+      const delaunay_net::face& f = from.net.faces()[open.back()];
+      open.pop_back();
+      for (std::size_t i = 0; i < 3; ++i)
+        if (!f.fixed[i] && f.across[i] != delaunay_net::none) enter(f.across[i]);
+    }
+  }
+  return inside;
 }
 
 }  // namespace asterism::internal

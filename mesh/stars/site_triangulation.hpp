@@ -27,4 +27,8 @@ std::optional<site_triangulation> triangulate(const site_oracle& oracle,
                                               const star_predicates& kernel,
                                               const cancellation& cancelled);
 
+// Marks the faces in the domain, one flag a face: those left of a subsegment, and all that are
+// joined to them by edges that may go. Empty where a subsegment is no edge.
+std::vector<char> faces_inside(site_triangulation& from, const boundary& edges);
+
 }  // namespace asterism::internal

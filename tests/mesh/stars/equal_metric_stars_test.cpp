@@ -135,9 +135,11 @@ TEST_CASE("triangles made all at once in one metric are those of the stars") {
       star_set stars;
       stars.construct_all(now.oracle());
       REQUIRE(check_consistency(now.oracle(), stars).consistent());
-      const auto made = triangles_of_equal_metrics(now.oracle(), {});
-      REQUIRE(made);
-      CHECK(*made == triangles_of_consistent(stars));
+      for (const auto by : {star_confirmation::by_mesher, star_confirmation::by_auditor}) {
+        const auto made = triangles_of_equal_metrics(now.oracle(), {}, by);
+        REQUIRE(made);
+        CHECK(*made == triangles_of_consistent(stars));
+      }
     }
 }
 
@@ -146,13 +148,13 @@ TEST_CASE("stars are not made all at once where metrics differ, or sites coincid
   scatter(d, 10, 0.9, 7);
   indexed_setting now(accepted(d), identity_field());
   REQUIRE(stars_of_equal_metrics(now.oracle(), {}));
-  REQUIRE(triangles_of_equal_metrics(now.oracle(), {}));
+  REQUIRE(triangles_of_equal_metrics(now.oracle(), {}, star_confirmation::by_auditor));
   now.sites[9].metric.m11 = 1 + 0x1p-52;
   CHECK_FALSE(stars_of_equal_metrics(now.oracle(), {}));
-  CHECK_FALSE(triangles_of_equal_metrics(now.oracle(), {}));
+  CHECK_FALSE(triangles_of_equal_metrics(now.oracle(), {}, star_confirmation::by_auditor));
   now.sites[9] = now.sites[8];
   CHECK_FALSE(stars_of_equal_metrics(now.oracle(), {}));
-  CHECK_FALSE(triangles_of_equal_metrics(now.oracle(), {}));
+  CHECK_FALSE(triangles_of_equal_metrics(now.oracle(), {}, star_confirmation::by_auditor));
 }
 
 TEST_CASE("a net refuses a segment through a site, and one across another") {
@@ -174,4 +176,37 @@ TEST_CASE("a net refuses a segment through a site, and one across another") {
   CHECK_FALSE(across.insert_segment(2, 1));
   delaunay_net twice = with_sites();
   CHECK_FALSE(twice.insert(2));
+}
+
+TEST_CASE(
+    "sites put into a triangulation that is done leave it sound, and segments where they are") {
+  const domain d = accepted(divided_square());
+  star_setting now(d);
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> kernel(decided);
+  delaunay_net net(now.sites, kernel);
+  for (vertex_index v = 0; v < now.sites.size(); ++v) REQUIRE(net.insert(v));
+  for (const boundary_edge& e : now.edges.subsegments()) REQUIRE(net.insert_segment(e.a, e.b));
+  REQUIRE(net.settle());
+  const auto is_better = [&](vertex_index a, vertex_index b, vertex_index x, vertex_index y) {
+    const auto& all = net.all_sites();
+    return !kernel.edge_test(all[a], all[b], all[x], all[y]);
+  };
+  std::uint32_t at = net.find_edge(0, 1).value().face;
+  std::size_t added = 0;
+  for (int i = 1; i < 16; ++i)
+    for (int j = 1; j < 16; ++j) {
+      const point q{-1 + i / 8.0, -1 + j / 8.0};  // some on edges, one on a segment
+      const auto found = net.locate_near(q, at);
+      if (!found) continue;  // beyond a segment, or at a site
+      at = net.at(net.insert_towards({q, {1, 0, 1}}, *found, is_better, 1000)).face;
+      ++added;
+    }
+  CHECK(added > 40);
+  for (std::uint32_t f = 0; f < net.faces().size(); ++f) CHECK(net.is_sound(f, kernel));
+  for (const boundary_edge& e : now.edges.subsegments()) {
+    const auto left = net.find_edge(e.a, e.b);
+    REQUIRE(left);
+    CHECK(net.faces()[left->face].fixed[left->corner]);
+  }
 }

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/stars/mean_metric_net.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "asterism/core/plane_algebra.hpp"
+#include "asterism/kernels/filtered_edge_test.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/stars/consistency.hpp"
+
+namespace asterism::internal {
+namespace {
+
+// Returns the mean of the tensors, each divided by its trace: what counts is which way they lie.
+metric_tensor mean_shape(const std::vector<site>& sites) {
+  metric_tensor sum{0, 0, 0};
+  for (const site& s : sites) {
+    const metric_tensor& m = s.metric;
+    const double trace = m.m11 + m.m22;
+    sum = {sum.m11 + m.m11 / trace, sum.m12 + m.m12 / trace, sum.m22 + m.m22 / trace};
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::optional<mean_metric_net> mean_metric_net::make(const site_oracle& oracle,
+                                                     const cancellation& cancelled) {
+  // Sites whose metrics vary over an edge by little take two or three flips each.
+  constexpr std::size_t flips_for_each = 16;
+  auto questions = std::make_unique<asked>();
+  questions->kernel = oracle.kernel().fork(questions->counted);
+  auto from = triangulate(oracle, mean_shape(oracle.sites()), *questions->kernel, cancelled);
+  if (!from) return std::nullopt;
+  std::vector<char> inside = faces_inside(*from, oracle.edges());
+  mean_metric_net made(std::move(questions), *std::move(from), std::move(inside));
+  for (vertex_index v = 0; v < oracle.size(); ++v)
+    made.sites_[v] = oracle.sites()[made.from_.original[v]];
+  made.from_.net.flip_towards([&made](vertex_index a, vertex_index b, vertex_index c,
+                                      vertex_index d) { return made.is_better(a, b, c, d); },
+                              flips_for_each * oracle.size());
+  return made;
+}
+
+mean_metric_net::mean_metric_net(std::unique_ptr<asked> questions, site_triangulation from,
+                                 std::vector<char> inside)
+    : questions_(std::move(questions)),
+      from_(std::move(from)),
+      sites_(from_.net.all_sites()),
+      inside_(std::move(inside)) {
+  inside_.resize(faces(), 0);
+  // Numbers of the frame are skipped: no site has them.
+  from_.original.resize(sites_.size(), 0);
+}
+
+triangle mean_metric_net::corners(std::uint32_t face) const {
+  const auto& [a, b, c] = from_.net.faces()[face].corner;
+  return canonical({from_.original[a], from_.original[b], from_.original[c]});
+}
+
+double mean_metric_net::excess(vertex_index a, vertex_index b, vertex_index c,
+                               vertex_index d) const {
+  const site &at_a = sites_[a], &at_b = sites_[b], &at_c = sites_[c], &at_d = sites_[d];
+  metric_tensor m{0, 0, 0};
+  for (const site* s : {&at_a, &at_b, &at_c, &at_d})
+    m = {m.m11 + s->metric.m11, m.m12 + s->metric.m12, m.m22 + s->metric.m22};
+  const auto ca = between(at_c.position, at_a.position), cb = between(at_c.position, at_b.position);
+  const auto da = between(at_d.position, at_a.position), db = between(at_d.position, at_b.position);
+  const double one = cross(ca, cb) * dot(apply(m, da), db),
+               other = cross(db, da) * dot(apply(m, ca), cb);
+  return -(one + other) / (std::abs(one) + std::abs(other));
+}
+
+// A tie by roundings stays as it is.
+bool mean_metric_net::is_better(vertex_index a, vertex_index b, vertex_index c,
+                                vertex_index d) const {
+  constexpr double tie = 0x1p-30;
+  return excess(a, b, c, d) > tie;
+}
+
+// Asks where the mean is not clear, and no exact numbers: what is undecided stays as it is.
+bool mean_metric_net::is_better_in_stars(vertex_index a, vertex_index b, vertex_index c,
+                                         vertex_index d) {
+  constexpr double clear = 0.5;
+  for (const vertex_index v : {a, b, c, d})
+    if (from_.net.is_frame(v)) return false;
+  if (excess(a, b, c, d) < -clear) return false;
+  const auto ask = [&](vertex_index v, vertex_index w, vertex_index x, vertex_index y) {
+    return filtered_edge_test(sites_[v], sites_[w], sites_[x], sites_[y], questions_->counted);
+  };
+  const uncertain_bool stays = ask(a, b, c, d);
+  if (!stays.certain() || stays.value()) return false;
+  const uncertain_bool comes = ask(c, d, a, b);
+  return comes.certain() && comes.value();
+}
+
+void mean_metric_net::insert(const site& s, const delaunay_net::location& at,
+                             std::vector<std::uint32_t>& around) {
+  // Nearly all take less than ten.
+  constexpr std::size_t most_flips = 64;
+  sites_.push_back(s);
+  const auto number = static_cast<vertex_index>(from_.numbers.size());
+  from_.original.push_back(number);
+  const vertex_index v = from_.net.insert_towards(
+      s, at,
+      [this](vertex_index a, vertex_index b, vertex_index c, vertex_index d) {
+        return is_better(a, b, c, d);
+      },
+      most_flips);
+  from_.numbers.push_back(v);
+  inside_.resize(faces(), 1);
+  const delaunay_net::place first = from_.net.at(v);
+  delaunay_net::place p = first;
+  do {
+    around.push_back(p.face);
+    p = from_.net.next_around(p);
+  } while (p.face != first.face);
+}
+
+void mean_metric_net::collect_ring(vertex_index v, std::vector<vertex_index>& ring) const {
+  ring.clear();
+  const delaunay_net::place first = from_.net.at(v);
+  delaunay_net::place p = first;
+  double least = 0;
+  std::size_t nearest = 0;
+  do {
+    const vertex_index w = from_.net.faces()[p.face].corner[(p.corner + 1) % 3];
+    if (!from_.net.is_frame(w)) {
+      const double distance = squared_distance(sites_[v], sites_[w].position);
+      if (ring.empty() || distance < least) {
+        least = distance;
+        nearest = ring.size();
+      }
+      ring.push_back(from_.original[w]);
+    }
+    p = from_.net.next_around(p);
+  } while (p.face != first.face && p.face != delaunay_net::none);
+  std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(nearest), ring.end());
+}
+
+neighbour_lists mean_metric_net::settled_neighbours() {
+  from_.net.flip_towards([this](vertex_index a, vertex_index b, vertex_index c,
+                                vertex_index d) { return is_better_in_stars(a, b, c, d); },
+                         from_.numbers.size());
+  neighbour_lists lists;
+  lists.reserve(from_.numbers.size());
+  std::vector<vertex_index> ring;
+  for (const vertex_index v : from_.numbers) {
+    collect_ring(v, ring);
+    for (const vertex_index w : ring) lists.add(w);
+    lists.end_list();
+  }
+  return lists;
+}
+
+}  // namespace asterism::internal

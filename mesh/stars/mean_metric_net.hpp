@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// Keeps a triangulation of all sites of a mesh whose edges are flipped as the mean of the metrics
+// at the four sites around wants them.
+//
+// It begins as one in a metric for all. Where metrics vary little over an edge, stars are about
+// those of this triangulation. Nothing may rely on its edges; that it is a triangulation with all
+// subsegments is exact.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "asterism/kernels/tier_counters.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/neighbour_lists.hpp"
+#include "asterism/mesh/stars/site_triangulation.hpp"
+
+namespace asterism::internal {
+
+class mean_metric_net {
+ public:
+  // Triangulates the sites of the oracle, which must have a neighbourhood; none where that takes
+  // too long or a segment goes through a site. What it asks is counted apart.
+  static std::optional<mean_metric_net> make(const site_oracle& oracle,
+                                             const cancellation& cancelled);
+
+  // Returns the number of faces, some of which are outside of the domain.
+  std::size_t faces() const { return from_.net.faces().size(); }
+  bool is_inside(std::uint32_t face) const { return inside_[face] != 0; }
+  // Returns the corners of a face inside by the numbers of the sites, the least first.
+  triangle corners(std::uint32_t face) const;
+
+  // Returns where q is among the faces, found on a way from one of them that is inside; none where
+  // it is on or beyond a subsegment, or far away.
+  std::optional<delaunay_net::location> locate(const point& q, std::uint32_t from) const {
+    return from_.net.locate_near(q, from);
+  }
+  // Puts in the site that is the next one of the mesh, in such a place; adds the faces at it to
+  // `around`.
+  void insert(const site& s, const delaunay_net::location& at, std::vector<std::uint32_t>& around);
+
+  // Flips edges as the sites at both ends want it, where these and the mean of the metrics may
+  // differ, then returns the neighbours of each site, counter-clockwise from the nearest.
+  neighbour_lists settled_neighbours();
+
+ private:
+  // What is asked, and where that is counted; here so that the net finds it when this is moved.
+  struct asked {
+    tier_counters counted;
+    std::unique_ptr<star_predicates> kernel;
+  };
+
+  mean_metric_net(std::unique_ptr<asked> questions, site_triangulation from,
+                  std::vector<char> inside);
+
+  // Says of an edge from a to b, with c on its left and d on its right, how much more than half a
+  // turn the angles at c and d are together, in the mean of the four metrics: from -1 to 1, above 0
+  // where the edge from c to d is the Delaunay one.
+  double excess(vertex_index a, vertex_index b, vertex_index c, vertex_index d) const;
+  bool is_better(vertex_index a, vertex_index b, vertex_index c, vertex_index d) const;
+  // Says whether the stars refuse the edge from a to b and accept that from c to d.
+  bool is_better_in_stars(vertex_index a, vertex_index b, vertex_index c, vertex_index d);
+  // Collects the neighbours of a site by their numbers, the nearest first.
+  void collect_ring(vertex_index v, std::vector<vertex_index>& ring) const;
+
+  std::unique_ptr<asked> questions_;
+  site_triangulation from_;
+  std::vector<site> sites_;  // by number in the net
+  std::vector<char> inside_;
+};
+
+}  // namespace asterism::internal
