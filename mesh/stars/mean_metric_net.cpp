@@ -7,6 +7,7 @@
 
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/kernels/filtered_edge_test.hpp"
+#include "asterism/kernels/work_units.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/stars/consistency.hpp"
 
@@ -80,13 +81,16 @@ bool mean_metric_net::is_better(vertex_index a, vertex_index b, vertex_index c,
   return excess(a, b, c, d) > tie;
 }
 
-// Asks where the mean is not clear, and no exact numbers: what is undecided stays as it is.
+// Asks where the mean is not clear, and no exact numbers: what is undecided stays as it is, as does
+// the rest after so much work that stars made without guesses would be no dearer.
 bool mean_metric_net::is_better_in_stars(vertex_index a, vertex_index b, vertex_index c,
                                          vertex_index d) {
-  constexpr double clear = 0.5;
+  constexpr double clear = 0.5, most_for_each = 2;
   for (const vertex_index v : {a, b, c, d})
     if (from_.net.is_frame(v)) return false;
   if (excess(a, b, c, d) < -clear) return false;
+  const auto sites = static_cast<double>(from_.numbers.size());
+  if (work_units(questions_->counted) > most_for_each * sites) return false;
   const auto ask = [&](vertex_index v, vertex_index w, vertex_index x, vertex_index y) {
     return filtered_edge_test(sites_[v], sites_[w], sites_[x], sites_[y], questions_->counted);
   };
