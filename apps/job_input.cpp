@@ -44,7 +44,8 @@ result<prepared_input> with_metric(const mesh_job& job, domain shape) {
   wanted.size = job.size;
   wanted.gradation = job.gradation;
   wanted.complexity = job.complexity;
-  if (job.refinement.vertices) wanted.complexity = complexity_of_vertices(*job.refinement.vertices);
+  if (job.refinement.vertices)
+    wanted.complexity = job.vertices_factor * complexity_of_vertices(*job.refinement.vertices);
   auto made = make_scaled_metric(shape, metric.value(), wanted);
   if (!made) return made.failure();
   return prepared_input{std::move(shape),

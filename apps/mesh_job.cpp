@@ -23,6 +23,7 @@
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
+#include "asterism/apps/vertex_count.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
@@ -199,10 +200,11 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
 }
 
 result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_input& input,
-                                          run_limits& limits) {
+                                          run_limits& limits, const cancellation& stop) {
   mesh_options options = job.refinement;
   options.keep_if_complete = is_mesh(job);
-  options.stop = [&limits] { return limits.reason(); };
+  options.stop = stop;
+  if (options.vertices) options.vertices = vertices_aimed_at(job);
   progress_line line(!job.quiet);
   constexpr std::size_t many = 100'000;
   bool keeps_blocks = !job.max_megabytes;
@@ -220,23 +222,20 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_in
 // mesh of the run is what there is without a step of the mesher: the domain's vertices and
 // segments.
 result<certified_mesh> mesh_within_memory(const mesh_job& job, const prepared_input& input,
-                                          run_limits& limits) {
+                                          run_limits& limits, const cancellation& stop) {
   try {
-    return mesh_with_progress(job, input, limits);
+    return mesh_with_progress(job, input, limits, stop);
   } catch (const std::bad_alloc&) {
     limits.note_want_of_memory();
   }
-  return mesh_with_progress(job, input, limits);
+  return mesh_with_progress(job, input, limits, stop);
 }
 
 // Says how near the mesh is to what was asked of its size in all.
 void tell_scale(const mesh_job& job, const prepared_input& input, const mesh_outcome& outcome) {
   if (!job.tells() || !input.complexity) return;
   if (job.refinement.vertices)
-    std::cout << fmt::format(
-        "vertices: {} wanted, {} delivered ({:+.1f} %)", *job.refinement.vertices, outcome.sites,
-        100 * (static_cast<double>(outcome.sites) / static_cast<double>(*job.refinement.vertices) -
-               1));
+    std::cout << vertex_count_text(*job.refinement.vertices, outcome.sites);
   else
     std::cout << fmt::format("complexity: {:g} wanted, {:g} delivered", *job.complexity,
                              *input.complexity);
@@ -256,14 +255,20 @@ int run_within_limits(const mesh_job& asked) {
   // Until all is written: an interrupt during the audit must not lose the mesh, nor one between two
   // files the second.
   run_limits limits(job.max_seconds, job.max_megabytes);
-  const auto input = prepare(job);
+  auto input = prepare(job);
   if (!input) return complain(input.failure(), refused);
+  const cancellation stop = [&limits] { return limits.reason(); };
+  auto made = mesh_within_memory(job, input.value(), limits, stop);
+  if (!made) return complain(made.failure(), refused);
+  meet_vertex_count(
+      job, stop,
+      [&](const mesh_job& other, const prepared_input& of_other, const cancellation& bounded) {
+        return mesh_within_memory(other, of_other, limits, bounded);
+      },
+      input.value(), made.value());
   if (input.value().complexity) job.size = input.value().size;
   if (input.value().gradation && job.tells())
     std::cout << "gradation: " << text_of(*input.value().gradation) << '\n';
-
-  auto made = mesh_within_memory(job, input.value(), limits);
-  if (!made) return complain(made.failure(), refused);
   describe(made.value(), job, input.value());
   limits.conclude();
   if (const auto failure = write_files(job, certificate_path, input.value(), made.value()))

@@ -23,6 +23,7 @@ struct mesh_job {
   bool repair = false;                    // what the domain's file has wrong
   std::optional<double> repair_distance;  // empty: as little as suffices
   std::optional<double> chord_tolerance;  // empty: a part of each chord
+  double vertices_factor = 1;             // of those aimed at, to those wanted
   bool number_regions = false;            // those the domain does not number, too
   std::size_t random_points = 0;
   mesh_options refinement;  // its seed is the random points' too

@@ -68,6 +68,14 @@ bool metric_delivery::varies_fast() {
          sampled_variation(*background_) > most_that_is_met;
 }
 
+bool metric_delivery::jumps() const {
+  // Twice the greatest that an edge of a mesh had whose metric was met as it is.
+  constexpr double most_that_is_met = 3;
+  constexpr std::size_t one_in = 200;
+  const mesh* const given = field_.background();
+  return given != nullptr && sampled_variation(*given, one_in) > most_that_is_met;
+}
+
 bool metric_delivery::wants_few_sites() const {
   constexpr int in_a_row = 24;
   constexpr double few = 30000;

@@ -33,6 +33,9 @@ class metric_delivery {
   // True if the metric is a formula with a size that varies by so much over an edge that meshes
   // seldom meet it as it is. Samples the metric, which takes as much as a thousand triangles.
   bool varies_fast();
+  // True if the metric comes on a mesh and differs by so much at the ends of one edge in two
+  // hundred, for its length, that stars on either side do not agree. Where it jumps these are few.
+  bool jumps() const;
   // True if the metric wants few sites, as far as scattered questions tell: to find out how fast it
   // varies would take longer than to try.
   bool wants_few_sites() const;

@@ -81,13 +81,12 @@ std::optional<adapting::sampled_background> sample_field(const domain& d, const 
   return adapting::sample_background(std::move(built).value(), field, limits);
 }
 
-double sampled_variation(const mesh& nodes) {
+double sampled_variation(const mesh& nodes, std::size_t one_in) {
   const adapting::nodal_field graph(nodes);
   std::vector<double> found;
   for (const adapting::graph_edge& e : graph.edges())
     found.push_back(adapting::log_variation({graph.places()[e.a], graph.tensors()[e.a]},
                                             {graph.places()[e.b], graph.tensors()[e.b]}));
-  constexpr std::size_t one_in = 50;
   const auto place =
       found.begin() + static_cast<std::ptrdiff_t>(found.size() - 1 - found.size() / one_in);
   std::nth_element(found.begin(), place, found.end());

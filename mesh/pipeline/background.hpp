@@ -27,7 +27,7 @@ std::optional<adapting::sampled_background> sample_field(const domain& d, const 
                                                          const cancellation& stop);
 
 // Returns the logarithm of the distortion over an edge, for each unit of the edge's length, that
-// one edge in fifty exceeds: how fast the metric varies, as far as its samples tell.
-double sampled_variation(const mesh& nodes);
+// one edge in so many exceeds: how fast the metric varies, as far as its samples tell.
+double sampled_variation(const mesh& nodes, std::size_t one_in = 50);
 
 }  // namespace asterism::internal

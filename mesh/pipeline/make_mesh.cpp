@@ -163,7 +163,8 @@ class ways_to_mesh {
   result<mesh_outcome> try_metric_wanted() {
     const bool may_give_up = may_adapt(options_) && options_.metric_tolerance != 0.0 && !is_first_;
     const bool tries_little = may_give_up && delivery_.wants_few_sites();
-    gave_up_early_ = tries_little || (may_give_up && delivery_.varies_fast());
+    gave_up_early_ =
+        tries_little || (may_give_up && (delivery_.jumps() || delivery_.varies_fast()));
     const double share = may_adapt(options_) ? less : 1;
     const mesh_options wanting = with_part_of_work(options_, for_metric_wanted);
     auto made = mesh_in_metric_wanted(wanting, gave_up_early_ ? little : share);

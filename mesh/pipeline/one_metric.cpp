@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/one_metric.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
-#include "asterism/core/elementary.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/metric/constant_field.hpp"
+#include "asterism/mesh/pipeline/count_search.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 
 namespace asterism::internal {
@@ -35,52 +33,6 @@ std::optional<mesh> unit_mesh(const domain& shape, const metric_tensor& metric,
   if (!made || !made.value().complete) return std::nullopt;
   return std::move(made.value().result);
 }
-
-// Looks for the factor of the metric with which there are so many sites.
-//
-// They grow with the factor, in steps where a domain is narrow: all subsegments of one length are
-// halved at once, and no factor may lead to a number between.
-class count_search {
- public:
-  explicit count_search(double wanted) : wanted_(wanted) {}
-
-  // Returns the factor to try next, 1 to begin with.
-  double factor() const { return elementary::exp(at_); }
-  // Returns how far the nearest number found is off, as a logarithm.
-  double least_off() const { return least_; }
-
-  // Takes the number of sites found with the factor. Returns whether it is the nearest so far.
-  //
-  // Sites are taken to be as many as the factor says, until one factor was too large and one too
-  // small. Then the next is between them, where a line through both meets the number wanted, but
-  // not near an end.
-  bool take(double sites) {
-    constexpr double nearest_to_end = 0.2;
-    const double off = elementary::log(sites / wanted_);
-    const bool is_nearest = std::abs(off) < least_;
-    if (is_nearest) least_ = std::abs(off);
-    bound& side = off > 0 ? above_ : below_;
-    side = {at_, off, true};
-    if (above_.known && below_.known) {
-      const double part =
-          std::clamp(-below_.off / (above_.off - below_.off), nearest_to_end, 1 - nearest_to_end);
-      at_ = below_.at + part * (above_.at - below_.at);
-    } else {
-      at_ -= off;
-    }
-    return is_nearest;
-  }
-
- private:
-  struct bound {
-    double at = 0, off = 0;  // logarithms of the factor, and of how far the number is off
-    bool known = false;
-  };
-
-  double wanted_, at_ = 0;  // the logarithm of the factor
-  double least_ = std::numeric_limits<double>::infinity();
-  bound above_, below_;
-};
 
 }  // namespace
 

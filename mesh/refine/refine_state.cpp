@@ -49,13 +49,15 @@ void refine_state::construct_stars(const neighbour_lists& likely, star_confirmat
 }
 
 // Divides the segments at the proposed points, or beside them on the curve of a chord. A point that
-// is put on the wrong side of something is left out.
+// is put on the wrong side of something is left out, and so are all once the run is told to end:
+// where thousands of segments share a vertex each point is held against all of them.
 void refine_state::divide(const domain& d, const filled_domain& filling, numbered_sites& taken) {
   for (std::size_t s = 0; s < d.segments.size(); ++s) {
     std::size_t subsegment = segments_.find_subsegment(d.segments[s].a, d.segments[s].b);
+    const bool is_stopped = cancelled_.told().has_value();
     for (const site& m : filling.divisions[s]) {
       taken.push_back(left_out);
-      if (is_full()) continue;
+      if (is_stopped || is_full()) continue;
       const std::size_t first_new = edges().subsegments().size();
       const boundary_edge& whole = edges().subsegments()[subsegment];
       const auto beside = segments_.place_on_curve(whole, m.position);

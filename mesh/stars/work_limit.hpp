@@ -36,10 +36,10 @@ inline double part_of_work_bound(const tier_counters& counts, std::size_t sites,
   return work_units(counts) / most_work_units(sites, given);
 }
 
-// Work that a whole run may take, whatever it tries: ten seconds on one core, and 0.15 milliseconds
-// a site. A million triangles take a fourth of that, an adaptation that meets its metric 9 units a
-// site. The audit of what comes out has its own (audit/audit_work.hpp).
-constexpr double units_for_run = 1e6, run_units_for_site = 15;
+// Work that a whole run may take, whatever it tries: ten seconds on one core, and 0.08 milliseconds
+// a site. A million triangles take two fifths of that, an adaptation that meets its metric 9 units
+// a site. The audit of what comes out has its own (audit/audit_work.hpp).
+constexpr double units_for_run = 1e6, run_units_for_site = 8;
 
 // Returns the stop of a run with an account of the work it may do, unless it has one already: some
 // times as much where a run may have to go several ways.

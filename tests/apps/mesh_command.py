@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The main job through the real command: files, certificate, exit statuses."""
 import json
+import math
 import unittest
 
 import command
@@ -413,6 +414,33 @@ class Mesh(command.CommandTest):
         claim = json.loads((self.folder / "m.certificate.json").read_text())
         self.assertLessEqual(abs(claim["mesh"]["vertices"] / 2400 - 1), 0.05)
         self.assertGreater(claim["outcome"]["delivered"]["length_factor"], 1.05)
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+
+    def spikes(self, count, inner):
+        """A star with so many spikes, in spikes.poly."""
+        points = []
+        for i in range(2 * count):
+            radius, angle = (inner if i % 2 else 1.0), math.pi * i / count
+            points.append((radius * math.cos(angle), radius * math.sin(angle)))
+        ends = [(i, (i + 1) % len(points)) for i in range(len(points))]
+        lines = [f"{len(points)} 2 0 0", *(f"{i + 1} {x!r} {y!r}" for i, (x, y) in enumerate(points)),
+                 f"{len(ends)} 0", *(f"{i + 1} {a + 1} {b + 1}" for i, (a, b) in enumerate(ends)), "0", ""]
+        (self.folder / "spikes.poly").write_text("\n".join(lines))
+
+    def test_a_count_was_missed_by_a_fifth_where_a_boundary_takes_many_vertices(self):
+        self.spikes(50, 0.8)
+        done = self.run_command("mesh", "spikes.poly", "--metric", "swirl:12", "--vertices", "300", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        claim = json.loads((self.folder / "m.certificate.json").read_text())
+        self.assertLessEqual(abs(claim["mesh"]["vertices"] / 300 - 1), 0.05)
+        self.assertNotIn("none nearer", done.stdout)
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+
+    def test_a_count_that_no_mesh_was_found_with_is_said_to_be_missed(self):
+        self.spikes(50, 0.8)
+        done = self.run_command("mesh", "spikes.poly", "--metric", "layer", "--vertices", "110", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"vertices: 110 wanted, \d+ delivered \(\S+ %: none nearer to that were found\)")
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
 
     def test_a_metric_on_a_mesh_is_graded_at_its_vertices_and_scaled_by_turns(self):

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds by trying what makes a mesh have as many sites as are wanted.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "asterism/core/elementary.hpp"
+
+namespace asterism::internal {
+
+// Looks for the factor of the metric with which there are so many sites.
+//
+// They grow with the factor, in steps where a domain is narrow: all subsegments of one length are
+// halved at once, and no factor may lead to a number between.
+class count_search {
+ public:
+  // `slowest` is the least power of the factor that they are taken to grow by: 1 where all of them
+  // follow the factor, less where some do not, as those of a boundary with narrow parts.
+  explicit count_search(double wanted, double slowest = 1) : wanted_(wanted), slowest_(slowest) {}
+
+  // Returns the factor to try next, 1 to begin with.
+  double factor() const { return elementary::exp(at_); }
+  // Returns how far the nearest number found is off, as a logarithm.
+  double least_off() const { return least_; }
+
+  // Takes the number of sites found with the factor. Returns whether it is the nearest so far.
+  //
+  // Sites are taken to grow with the factor, and after that as they did between the last two
+  // factors, though no slower than was said. Once one factor was too large and one too small, the
+  // next is between them, where a line through both meets the number wanted, but not near an end.
+  bool take(double sites) {
+    constexpr double nearest_to_end = 0.2;
+    const double off = elementary::log(sites / wanted_);
+    const bool is_nearest = std::abs(off) < least_;
+    if (is_nearest) least_ = std::abs(off);
+    bound& side = off > 0 ? above_ : below_;
+    const double growth = side.known ? (off - side.off) / (at_ - side.at) : 1;
+    side = {at_, off, true};
+    if (above_.known && below_.known) {
+      const double part =
+          std::clamp(-below_.off / (above_.off - below_.off), nearest_to_end, 1 - nearest_to_end);
+      at_ = below_.at + part * (above_.at - below_.at);
+    } else {
+      at_ -= off / std::clamp(growth, slowest_, 1.0);
+    }
+    return is_nearest;
+  }
+
+ private:
+  struct bound {
+    double at = 0, off = 0;  // logarithms of the factor, and of how far the number is off
+    bool known = false;
+  };
+
+  double wanted_, slowest_;
+  double at_ = 0;  // the logarithm of the factor
+  double least_ = std::numeric_limits<double>::infinity();
+  bound above_, below_;
+};
+
+}  // namespace asterism::internal
