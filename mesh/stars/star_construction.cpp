@@ -285,7 +285,7 @@ constexpr double reach_of_vertices = 2.1;
 struct local_star {
   constructed_star built;
   gathered among;
-  star_extent extent;
+  star_extent extent;  // of a star that is not final
 };
 
 star_extent extent_of(const site_oracle& oracle, vertex_index v, const plain_star& guess) {
@@ -330,7 +330,7 @@ local_star construct_near(const site_oracle& oracle, vertex_index v, star_search
       if (interior) found = guessed;
       if (!interior || will_do(guessed)) {
         constructed_star built = construct_from(oracle, v, search, guess, among.order);
-        found = extent_of(oracle, v, built.content);
+        if (!built.final_reach) found = extent_of(oracle, v, built.content);
         if (built.final_reach || will_do(found)) return {std::move(built), std::move(among), found};
       }
     }
