@@ -50,7 +50,7 @@ nodal_field::nodal_field(const mesh& background)
 void nodal_field::set_tensors(std::vector<metric_tensor> tensors) {
   tensors_ = std::move(tensors);
   logarithms_.clear();
-  for (const metric_tensor& m : tensors_) logarithms_.push_back(quick_logarithm(m));
+  for (const metric_tensor& m : tensors_) logarithms_.push_back(logarithm(m));
 }
 
 void nodal_field::link() {
@@ -137,7 +137,7 @@ metric_tensor nodal_field::at(const point& q, vertex_index& hint) const {
     l.l12 += w[i] / sum * own.l12;
     l.l22 += w[i] / sum * own.l22;
   }
-  return quick_exponential(l);
+  return exponential(l);
 }
 
 std::vector<graph_edge> nodal_field::edges() const {

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
-#include "asterism/mesh/numerics/quick_logarithm.hpp"
 
 namespace asterism::internal {
 
@@ -56,34 +55,26 @@ decomposition decompose(double m11, double m12, double m22) {
   return {mean + radius, mean - radius, c, s};
 }
 
-template <class Log>
-tensor_logarithm logarithm_by(const Log& log, const metric_tensor& m) {
+}  // namespace
+
+tensor_logarithm logarithm(const metric_tensor& m) {
   const int exponent = exponent_of(m);
   const metric_tensor unit = scaled(m, -exponent);
   const decomposition d = decompose(unit.m11, unit.m12, unit.m22);
   // A determinant that rounding made vanish stands for the least one a double can hold here.
   const double low = std::max(determinant(unit) / d.high, std::numeric_limits<double>::min());
   const double shift = exponent * std::numbers::ln2;
-  const double high_log = log(d.high) + shift, low_log = log(low) + shift;
+  const double high_log = elementary::log(d.high) + shift, low_log = elementary::log(low) + shift;
   const double step = high_log - low_log;
   return {low_log + step * (d.c * d.c), step * (d.c * d.s), low_log + step * (d.s * d.s)};
 }
 
-template <class Exp>
-metric_tensor exponential_by(const Exp& exp, const tensor_logarithm& l) {
+metric_tensor exponential(const tensor_logarithm& l) {
   const decomposition d = decompose(l.l11, l.l12, l.l22);
-  const double high = exp(d.high), low = exp(d.low);
+  const double high = elementary::exp(d.high), low = elementary::exp(d.low);
   return {high * (d.c * d.c) + low * (d.s * d.s), (high - low) * (d.c * d.s),
           high * (d.s * d.s) + low * (d.c * d.c)};
 }
-
-}  // namespace
-
-tensor_logarithm logarithm(const metric_tensor& m) { return logarithm_by(elementary::log, m); }
-metric_tensor exponential(const tensor_logarithm& l) { return exponential_by(elementary::exp, l); }
-
-tensor_logarithm quick_logarithm(const metric_tensor& m) { return logarithm_by(quick_log, m); }
-metric_tensor quick_exponential(const tensor_logarithm& l) { return exponential_by(quick_exp, l); }
 
 double difference(const tensor_logarithm& a, const tensor_logarithm& b) {
   const decomposition d = decompose(a.l11 - b.l11, a.l12 - b.l12, a.l22 - b.l22);

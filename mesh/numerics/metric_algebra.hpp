@@ -23,9 +23,6 @@ struct tensor_logarithm {
 // tensors", 2006.
 tensor_logarithm logarithm(const metric_tensor& m);
 metric_tensor exponential(const tensor_logarithm& l);
-// Do the same to 1e-12 or so (quick_logarithm.hpp), for meshes that are being fitted.
-tensor_logarithm quick_logarithm(const metric_tensor& m);
-metric_tensor quick_exponential(const tensor_logarithm& l);
 
 // Returns the larger eigenvalue of |a - b|: twice the logarithm of the largest ratio of lengths, to
 // first order.
