@@ -33,7 +33,17 @@ struct scaled_number {
 
 scaled_number scaled_towards_one(double x) {
   scaled_number s;
-  s.mantissa = std::frexp(x, &s.exponent);
+  // Splits normal numbers as std::frexp does, by their bits.
+  constexpr std::uint64_t exponent_bits = 0x7ff, mantissa_bits = 52, one_half = 1022;
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const std::uint64_t biased = bits >> mantissa_bits & exponent_bits;
+  if (biased != 0 && biased != exponent_bits) {
+    s.exponent = static_cast<int>(biased) - static_cast<int>(one_half);
+    s.mantissa = std::bit_cast<double>((bits & ~(exponent_bits << mantissa_bits)) |
+                                       one_half << mantissa_bits);
+  } else {
+    s.mantissa = std::frexp(x, &s.exponent);
+  }
   if (s.mantissa < 0x1.6a09e667f3bcdp-1) {
     s.mantissa *= 2;
     --s.exponent;

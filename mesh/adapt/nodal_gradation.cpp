@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/quick_logarithm.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 
 namespace asterism::internal::adapting {
@@ -24,21 +25,23 @@ double length(const metric_tensor& m, const point& d) {
 double logarithmic_mean(double a, double b) {
   // With x = ratio - 1 the arithmetic mean is too large by x^2 / 12: below 1e-7 there.
   const double ratio = a / b;
-  return std::abs(ratio - 1) > 1e-3 ? (a - b) / elementary::log(ratio) : (a + b) / 2;
+  return std::abs(ratio - 1) > 1e-3 ? (a - b) / quick_log(ratio) : (a + b) / 2;
 }
 
-// True if the tensors, reduced, are alike to this limit without a doubt, by ln x <= x - 1: for most
-// pairs no logarithm is needed. False says nothing.
+// True if the tensors, reduced, are alike to this limit without a doubt, by |ln x| <= |x - 1| /
+// root x for the root of a ratio: for most pairs no logarithm is needed. False says nothing.
 bool are_surely_alike(const simultaneous_reduction& r, double most) {
   constexpr double roundings = 1 - 1e-9;
-  const double limit = 2 * most * roundings;
-  return r.high - 1 <= limit && r.low - 1 <= limit && 1 - r.high <= limit * r.high &&
-         1 - r.low <= limit * r.low;
+  const auto is_within = [most](double ratio) {
+    const double s = std::sqrt(ratio);
+    return std::abs(s - 1) <= most * roundings * std::sqrt(s);
+  };
+  return is_within(r.high) && is_within(r.low);
 }
 
 bool make_alike_by(const simultaneous_reduction& r, double most, double coarser_part,
                    metric_tensor& a, metric_tensor& b) {
-  const double high = elementary::log(r.high), low = elementary::log(r.low);
+  const double high = quick_log(r.high), low = quick_log(r.low);
   if (!(std::max(std::abs(high), std::abs(low)) > 2 * most)) return false;
   // Part of the limit that is aimed at, by whatever is above that: rounds do not creep up to the
   // limit, and with halves the pair moves to the nearest of all that are alike to such a part.
@@ -52,10 +55,13 @@ bool make_alike_by(const simultaneous_reduction& r, double most, double coarser_
   const auto part = [&](double whole) {
     return whole * (whole > 0 ? coarser_part : 1 - coarser_part);
   };
+  // What has no excess stays as it is.
+  const auto times_exp = [](double value, double power) {
+    return power == 0 ? value : value * quick_exp(power);
+  };
   const double ex = excess(high), ey = excess(low), x = part(ex), y = part(ey);
-  const metric_tensor at_a = restore(r, elementary::exp(x), elementary::exp(y)),
-                      at_b = restore(r, elementary::exp(high - (ex - x)),
-                                     elementary::exp(low - (ey - y)));
+  const metric_tensor at_a = restore(r, times_exp(1, x), times_exp(1, y)),
+                      at_b = restore(r, times_exp(r.high, x - ex), times_exp(r.low, y - ey));
   if (!is_metric(at_a) || !is_metric(at_b)) return false;
   a = at_a;
   b = at_b;
@@ -66,7 +72,7 @@ bool make_alike_by(const simultaneous_reduction& r, double most, double coarser_
 
 double log_distortion(const metric_tensor& a, const metric_tensor& b) {
   const simultaneous_reduction r = reduce(a, b);
-  return std::max(std::abs(elementary::log(r.high)), std::abs(elementary::log(r.low))) / 2;
+  return std::max(std::abs(quick_log(r.high)), std::abs(quick_log(r.low))) / 2;
 }
 
 double log_variation(const site& a, const site& b) {

@@ -45,18 +45,40 @@ restoration::restoration(working_mesh& m, double angle_bound, std::vector<metric
 
 void restoration::run(const cancellation& stop) {
   constexpr int most_sweeps = 8;
+  // Of the nodes: where fewer can have what is wanted, as the metric turns nearly everywhere, what
+  // parts of the way are given is mostly taken back again, an audit after the other.
+  constexpr std::size_t few = 10;
   bool any = true;
   for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
-    any = false;
-    for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
-      if (!awake_[v] || kept_[v] || m_.at(v).kind == node_kind::gone) continue;
-      awake_[v] = 0;
-      if (identical(m_.at(v).metric, wanted_[v]) || !give(v)) continue;
-      wake_around(v);
-      any = true;
-    }
+    const bool is_first = sweep == 0;
+    any = give_once(is_first);
     m_.charge_work(stop);
+    if (!is_first) continue;
+    if (few * wanted_count() < m_.count()) return;
+    any = true;
+    awake_.assign(awake_.size(), 1);
   }
+}
+
+// Tries each node that may be given something; true if any was.
+bool restoration::give_once(bool whole_alone) {
+  bool any = false;
+  for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
+    if (!awake_[v] || kept_[v] || m_.at(v).kind == node_kind::gone) continue;
+    awake_[v] = 0;
+    if (identical(m_.at(v).metric, wanted_[v]) || !give(v, whole_alone)) continue;
+    wake_around(v);
+    any = true;
+  }
+  return any;
+}
+
+// Returns how many nodes have the tensor wanted.
+std::size_t restoration::wanted_count() const {
+  std::size_t count = 0;
+  for (vertex_index v = 0; v < m_.nodes().size(); ++v)
+    if (m_.at(v).kind != node_kind::gone && identical(m_.at(v).metric, wanted_[v])) ++count;
+  return count;
 }
 
 void restoration::wake_around(vertex_index v) {
@@ -67,11 +89,11 @@ void restoration::wake_around(vertex_index v) {
 }
 
 // Moves the tensor towards the one wanted; false if no part of the way will do.
-bool restoration::give(vertex_index v) {
+bool restoration::give(vertex_index v, bool whole_alone) {
   const metric_tensor now = m_.at(v).metric;
   // Below a hundredth only the whole way is worth the while.
   constexpr double short_way = 0.01;
-  const bool is_short = !(log_distortion(now, wanted_[v]) > short_way);
+  const bool is_short = whole_alone || !(log_distortion(now, wanted_[v]) > short_way);
   clearances_.clear();
   beyond_.clear();
   for (const double share : {1.0, 0.5, 0.2}) {

@@ -23,7 +23,8 @@ class restoration {
   // must outlive the object.
   restoration(working_mesh& m, double angle_bound, std::vector<metric_tensor> wanted);
 
-  // Gives back until nothing more can be given, or sweeps are over.
+  // Gives back until nothing more can be given, or sweeps are over; whole tensors first, and no
+  // parts of the way where hardly any node can have the whole.
   void run(const cancellation& stop);
   // Takes back what was given to these nodes, and to those around whose edges do not agree then.
   // They keep it from then on. Adds those that had been given something to `taken`.
@@ -34,7 +35,9 @@ class restoration {
   void make_alike(const std::vector<vertex_index>& nodes, std::vector<vertex_index>& changed);
 
  private:
-  bool give(vertex_index v);
+  bool give_once(bool whole_alone);
+  bool give(vertex_index v, bool whole_alone);
+  std::size_t wanted_count() const;
   struct known_centre {
     face_centre centre;
     bool is_known = false;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/quick_logarithm.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -36,14 +36,29 @@ double shape_energy(const node& a, const node& b, const node& c, double unit) {
     const double beyond = std::max(0.0, q - poor);
     shape += q + weight_of_low * beyond * beyond;
   }
-  if (unit <= 0) return shape / 3;
-  const double size = twice * (a.root + b.root + c.root) / (3 * root3 / 2 * unit * unit);
-  return shape / 3 + weight_of_size * (size + 1 / size - 2);
+  return unit <= 0 ? shape / 3 : shape / 3 + size_energy(a, b, c, unit);
 }
 
-double unit_mesher::energy(vertex_index t) const {
+double size_energy(const node& a, const node& b, const node& c, double unit) {
+  const double twice = (b.position.x - a.position.x) * (c.position.y - a.position.y) -
+                       (b.position.y - a.position.y) * (c.position.x - a.position.x);
+  const double size = twice * (a.root + b.root + c.root) / (3 * root3 / 2 * unit * unit);
+  return weight_of_size * (size + 1 / size - 2);
+}
+
+double unit_mesher::shape_of(vertex_index t) {
+  constexpr double unknown = -1;
+  if (shapes_.size() <= t) shapes_.resize(m_.faces().size(), unknown);
+  if (shapes_[t] < 0) {
+    const face& f = m_.faces()[t];
+    shapes_[t] = shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), 0);
+  }
+  return shapes_[t];
+}
+
+double unit_mesher::energy(vertex_index t) {
   const face& f = m_.faces()[t];
-  return shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
+  return shape_of(t) + size_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
 }
 
 vertex_index unit_mesher::locate(const point& q, vertex_index from) const {
@@ -105,7 +120,7 @@ void unit_mesher::measure_unit() {
   std::vector<double> logarithms;  // of the nodes' densities
   logarithms.reserve(m_.nodes().size());
   for (const node& n : m_.nodes())
-    logarithms.push_back(n.kind == node_kind::gone ? 0 : elementary::log(n.root));
+    logarithms.push_back(n.kind == node_kind::gone ? 0 : quick_log(n.root));
   double area = 0;
   std::size_t faces = 0;
   constexpr std::size_t as_faces = 3;  // of the time that a face in a list takes
@@ -117,8 +132,8 @@ void unit_mesher::measure_unit() {
                          (b.position.y - a.position.y) * (c.position.x - a.position.x);
     // Densities are interpolated geometrically, as the metric is. Their mean would count the peak
     // of a density that a coarse face has at one corner in the whole face.
-    area += twice / 2 *
-            elementary::exp((logarithms[f.v[0]] + logarithms[f.v[1]] + logarithms[f.v[2]]) / 3);
+    area +=
+        twice / 2 * quick_exp((logarithms[f.v[0]] + logarithms[f.v[1]] + logarithms[f.v[2]]) / 3);
     ++faces;
   }
   // Twice the nodes less the faces is what the boundary makes it (Euler).
@@ -175,6 +190,7 @@ void unit_mesher::fit(int rounds, int sweeps) {
 
 void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
   field_ = std::move(field);
+  forget_shapes();
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) measure(v);
   seed(seeds);
   constexpr int rounds = 2, sweeps = 2;
@@ -183,6 +199,7 @@ void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
 
 void unit_mesher::refit(metric_at field) {
   field_ = std::move(field);
+  forget_shapes();
   for (vertex_index v = 0; v < m_.nodes().size(); ++v)
     if (m_.at(v).kind != node_kind::gone) measure(v);
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
@@ -193,6 +210,7 @@ void unit_mesher::refit(metric_at field) {
 
 void unit_mesher::meet_count(metric_at field) {
   field_ = std::move(field);
+  forget_shapes();
   if (options_.count > 0) meet_count();
 }
 

@@ -32,6 +32,9 @@ struct unit_mesh_options {
 // left.
 double shape_energy(const node& a, const node& b, const node& c, double unit);
 
+// Returns the part of it that the area makes, for a triangle that turns left.
+double size_energy(const node& a, const node& b, const node& c, double unit);
+
 using face_energies = boost::container::small_vector<double, 16>;
 
 class unit_mesher {
@@ -66,7 +69,12 @@ class unit_mesher {
     return options_.stop.is_requested();
   }
   void measure(vertex_index v) { m_.set_metric(v, field_(m_.at(v).position, m_.at(v).hint)); }
-  double energy(vertex_index t) const;
+  // Returns the energy of a face without its size, found once for a face that stays as it is.
+  double shape_of(vertex_index t);
+  // Returns the energy of a face, size included.
+  double energy(vertex_index t);
+  // Forgets the energies found, where others than this have changed the mesh.
+  void forget_shapes() { shapes_.clear(); }
 
   // In unit_mesh_changes.cpp.
   std::size_t split_long(double longest, std::size_t most = no_limit);
@@ -76,7 +84,7 @@ class unit_mesher {
   void smooth();
   void settle_around(vertex_index v);
   bool flip_if_better(vertex_index t, std::size_t edge);
-  double energies_of(const face_list& at, face_energies& each) const;
+  double energies_of(const face_list& at, face_energies& each);
   point pulled(vertex_index v, const face_list& at, const face_energies& each) const;
   bool try_move(vertex_index v, const point& to, const face_list& at, double before);
   void note_change(vertex_index t);
@@ -92,6 +100,7 @@ class unit_mesher {
   // Faces whose edges are to be checked for flips, in that order, and nodes that may want to move.
   std::vector<vertex_index> due_;
   std::vector<char> is_due_, is_restless_;
+  std::vector<double> shapes_;  // of faces, negative where not known
 };
 
 }  // namespace asterism::internal::adapting

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/numerics/quick_logarithm.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -62,7 +62,7 @@ point middle(const node& a, const node& b) {
   double t = 0.5;
   // With x = ratio - 1 the place is at 1/2 + x / 8: nearer to 1/2 than 2e-4 otherwise.
   if (std::isfinite(ratio) && ratio > 0 && std::abs(ratio - 1) > 1e-3)
-    t = std::clamp(elementary::log((1 + ratio) / 2) / elementary::log(ratio), 0.25, 0.75);
+    t = std::clamp(quick_log((1 + ratio) / 2) / quick_log(ratio), 0.25, 0.75);
   return {a.position.x + t * x, a.position.y + t * y};
 }
 
@@ -73,6 +73,7 @@ point middle(const node& a, const node& b) {
 std::size_t unit_mesher::split_left_long(metric_at wanted, std::size_t most_nodes) {
   std::size_t done = 0;
   field_ = std::move(wanted);
+  forget_shapes();
   constexpr double most = 1.35, own = 1.2;  // units
   const std::vector<long_edge> found = edges_where(m_, [&](double l) { return l > own * unit_; });
   for (const long_edge& e : found) {
@@ -94,11 +95,12 @@ std::size_t unit_mesher::split_left_long(metric_at wanted, std::size_t most_node
   return done;
 }
 
-// Has the edges of t checked for flips, and its nodes tried for moves.
+// Has the edges of t checked for flips, its nodes tried for moves, and its energy found anew.
 void unit_mesher::note_change(vertex_index t) {
   if (is_due_.size() < m_.faces().size()) is_due_.resize(m_.faces().size(), 0);
   if (is_restless_.size() < m_.nodes().size()) is_restless_.resize(m_.nodes().size(), 0);
   for (const vertex_index v : m_.faces()[t].v) is_restless_[v] = 1;
+  if (t < shapes_.size()) shapes_[t] = -1;
   if (is_due_[t] != 0) return;
   is_due_[t] = 1;
   due_.push_back(t);
@@ -114,13 +116,13 @@ bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
   const face& f = m_.faces()[t];
   const vertex_index s = f.next[edge];
   if (s == none || f.segment[edge] != none) return false;
-  const face& g = m_.faces()[s];
-  const node &c = m_.at(f.v[edge]), &a = m_.at(f.v[after(edge)]), &b = m_.at(f.v[before(edge)]);
-  const node& d = m_.at(g.v[after(g.corner_of(f.v[after(edge)]))]);
-  const double now = shape_energy(c, a, b, 0) + shape_energy(d, b, a, 0);
+  const double now = shape_of(t) + shape_of(s);
   // No triangle has less than 1: what is nearly that cannot get better.
   constexpr double good = 2.1;
   if (now < good || !m_.can_flip(t, edge)) return false;
+  const face& g = m_.faces()[s];
+  const node &c = m_.at(f.v[edge]), &a = m_.at(f.v[after(edge)]), &b = m_.at(f.v[before(edge)]);
+  const node& d = m_.at(g.v[after(g.corner_of(f.v[after(edge)]))]);
   const double then = shape_energy(c, a, d, 0) + shape_energy(d, b, c, 0);
   // Far above the roundings of an energy: no two flips undo each other for ever.
   constexpr double margin = 1e-6;
@@ -199,17 +201,15 @@ bool unit_mesher::merge_if_good(vertex_index v, vertex_index w, double longest) 
   const face& last = m_.faces()[at.back()];
   if (is_far(last.v[before(last.corner_of(v))])) return false;
   if (!m_.can_merge(v, w)) return false;
-  double worst_before = 0, worst = 0;
+  constexpr double acceptable = 2.5;
+  double most = acceptable;
+  for (const vertex_index t : at) most = std::max(most, energy(t));
   for (const vertex_index t : at) {
     const face& f = m_.faces()[t];
-    worst_before = std::max(worst_before, energy(t));
     const std::size_t i = f.corner_of(v);
     const vertex_index a = f.v[after(i)], b = f.v[before(i)];
-    if (a != w && b != w)
-      worst = std::max(worst, shape_energy(m_.at(w), m_.at(a), m_.at(b), unit_));
+    if (a != w && b != w && shape_energy(m_.at(w), m_.at(a), m_.at(b), unit_) > most) return false;
   }
-  constexpr double acceptable = 2.5;
-  if (worst > std::max(acceptable, worst_before)) return false;
   m_.merge(v, w);
   note_changes_around(w);
   settle_around(w);
@@ -244,7 +244,7 @@ void unit_mesher::flip_all() {
   due_.clear();
 }
 
-double unit_mesher::energies_of(const face_list& at, face_energies& each) const {
+double unit_mesher::energies_of(const face_list& at, face_energies& each) {
   double sum = 0;
   each.clear();
   for (const vertex_index t : at) {
@@ -288,7 +288,8 @@ bool unit_mesher::try_move(vertex_index v, const point& to, const face_list& at,
   measure(v);
   double sum = 0;
   for (const vertex_index t : at) {
-    sum += energy(t);
+    const face& f = m_.faces()[t];
+    sum += shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
     if (!(sum < before * (1 - gain))) break;
   }
   if (sum < before * (1 - gain)) return true;

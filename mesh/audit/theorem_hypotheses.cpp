@@ -177,20 +177,22 @@ void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, 
   std::vector<site_tree::reaching> starts;
   for (std::size_t i = first; i < last; ++i) {
     const site &a = m.sites[m.boundary[i].a], &b = m.sites[m.boundary[i].b];
-    const double length =
-        greatest_bound(theorem::distance_above(a, b), theorem::distance_above(b, a));
-    part.longest_subsegment = greatest_bound(part.longest_subsegment, length);
-    starts.push_back({a, length});
+    const double by_a = theorem::distance_above(a, b), by_b = theorem::distance_above(b, a);
+    part.longest_subsegment = greatest_bound(part.longest_subsegment, greatest_bound(by_a, by_b));
+    // From the end that finds it shorter, s long: no point of it is farther from that end than s,
+    // nor, as both ends measure along it linearly, from its nearer end. So g . (w - end) is at most
+    // (|g|_end + |g|_w) s for a w that is as near (site_tree.hpp).
+    starts.push_back(by_b < by_a ? site_tree::reaching{b, by_b} : site_tree::reaching{a, by_a});
   }
   std::vector<std::size_t> leaves;
   const bool gathered = tree.gather(starts, leaves);
   for (std::size_t i = first; i < last; ++i) {
-    const auto& [a, length] = starts[i - first];
+    const auto& [end, length] = starts[i - first];
     const auto check = [&](vertex_index w) { check_beside(m, m.boundary[i], w, patience, part); };
     if (gathered)
-      tree.visit_near(leaves, a, length, check);
+      tree.visit_near(leaves, end, length, check);
     else
-      tree.visit_near(a, length, check);
+      tree.visit_near(end, length, check);
   }
 }
 

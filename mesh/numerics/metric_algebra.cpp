@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "asterism/core/elementary.hpp"
 
@@ -39,11 +40,11 @@ struct decomposition {
 };
 
 decomposition decompose(double m11, double m12, double m22) {
-  const double half = (m11 - m22) / 2, radius = elementary::hypot(half, m12),
+  const double half = (m11 - m22) / 2, radius = std::sqrt(half * half + m12 * m12),
                mean = (m11 + m22) / 2;
   // The longer column of M - low I, which is (high - low) n n^T.
   double c = half >= 0 ? half + radius : m12, s = half >= 0 ? m12 : radius - half;
-  const double length = elementary::hypot(c, s);
+  const double length = std::sqrt(c * c + s * s);
   if (length > 0) {
     c /= length;
     s /= length;
@@ -62,7 +63,7 @@ tensor_logarithm logarithm(const metric_tensor& m) {
   const decomposition d = decompose(unit.m11, unit.m12, unit.m22);
   // A determinant that rounding made vanish stands for the least one a double can hold here.
   const double low = std::max(determinant(unit) / d.high, std::numeric_limits<double>::min());
-  const double shift = exponent * elementary::log(2.0);
+  const double shift = exponent * std::numbers::ln2;
   const double high_log = elementary::log(d.high) + shift, low_log = elementary::log(low) + shift;
   const double step = high_log - low_log;
   return {low_log + step * (d.c * d.c), step * (d.c * d.s), low_log + step * (d.s * d.s)};

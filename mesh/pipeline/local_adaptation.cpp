@@ -125,6 +125,10 @@ class adaptation {
     gradation_limit limit;
     limit.distortion = distortion;
     limit.longest = 20;
+    // Few sites do not resolve the metric yet: its peaks are at single nodes, and much beside them
+    // would be refined for their sake (docs/design/adaptation.md).
+    constexpr std::size_t few = 1000;
+    if (count_ < few) limit.coarser_part = 0.6;
     grade(made.places(), made.edges(), limit, tensors, options_.stop);
     made.set_tensors(std::move(tensors));
     return made;
