@@ -59,8 +59,8 @@ class restoration {
   std::vector<metric_tensor> wanted_, before_;  // before_: or what they were made alike to since
   std::vector<char> awake_, kept_;
   std::vector<double> clearances_;  // around a node, before it is given anything; or none yet
-  // Of the faces around the node at hand, and of those across from it, which its tensor does not
-  // change.
+  // Keep what is known of the faces around the node at hand, and of those across from it, which its
+  // tensor does not change.
   std::vector<known_centre> own_, beyond_;
 };
 
