@@ -46,6 +46,8 @@ def ratio(row, key):
 
 def line_of(name, row):
     ours, bamg = row["Asterism"], row["BAMG"]
+    if not any("v" in r for r in ours):
+        return f"| {name} | 0/{len(ours)} | no mesh | {ratio(row, 'seconds'):.1f} | - | {median(bamg, 'v'):.2f} | - |"
     seconds = median(bamg, "seconds")
     v = [r.get("v", np.nan) for r in ours]
     return (f"| {name} | {sum(r['status'] == 0 for r in ours)}/{len(ours)} | {ratio(row, 'error'):.2f} "
@@ -62,8 +64,8 @@ def summary_line(size, rows):
     errors, times = [ratio(r, "error") for r in rows], [ratio(r, "seconds") for r in rows]
     within = [100 - 100 * p["changed"] for p in passes if p.get("changed") is not None]
     return (f"| {size} | {len(rows)} | {sum(p['status'] == 0 for p in passes)}/{len(passes)} | {np.nanmin(v):.3f}-{np.nanmax(v):.3f} "
-            f"| {np.mean(errors):.2f}, {max(errors):.2f} | {np.median(times):.1f}, {max(times):.1f} "
-            f"| {np.mean(within):.0f} %, {min(100 - 100 * median(each, 'changed') for each in ours):.0f} % |")
+            f"| {np.nanmean(errors):.2f}, {np.nanmax(errors):.2f} | {np.median(times):.1f}, {max(times):.1f} "
+            f"| {np.mean(within):.0f} %, {np.nanmin([100 - 100 * median(each, 'changed') for each in ours]):.0f} % |")
 
 
 def print_slopes(found, sizes):
