@@ -33,80 +33,11 @@
 #include "asterism/mesh/audit/gap_reach.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
-#include "asterism/mesh/audit/subsegment_tree.hpp"
+#include "asterism/mesh/audit/star_surroundings.hpp"
 #include "asterism/mesh/audit/visibility_test.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
-
-site scaled(const site& s, int places, int metrics) {
-  const auto& [q, m] = s;
-  return {{std::scalbn(q.x, places), std::scalbn(q.y, places)},
-          {std::scalbn(m.m11, metrics), std::scalbn(m.m12, metrics), std::scalbn(m.m22, metrics)}};
-}
-
-// No question about stars changes its answer when all places are multiplied by one number and all
-// metrics by another. Very large and very small ones are brought to about unit size by powers of
-// two, where doubles can decide; if that is exact for every site. Empty otherwise.
-std::vector<site> in_unit_size(const std::vector<site>& sites) {
-  constexpr int ordinary = 64;
-  double reach = 0, steepest = 0;
-  for (const site& s : sites) {
-    reach = std::max({reach, std::abs(s.position.x), std::abs(s.position.y)});
-    steepest = std::max({steepest, s.metric.m11, s.metric.m22});
-  }
-  if (!(reach > 0 && steepest > 0)) return {};
-  const int places = -std::ilogb(reach), metrics = -std::ilogb(steepest);
-  if (std::abs(places) <= ordinary && std::abs(metrics) <= ordinary) return {};
-  std::vector<site> unit;
-  unit.reserve(sites.size());
-  for (const site& s : sites) {
-    unit.push_back(scaled(s, places, metrics));
-    if (!(scaled(unit.back(), -places, -metrics) == s)) return {};
-  }
-  return unit;
-}
-
-// Indices that all parts of the check look things up in.
-struct star_surroundings {
-  explicit star_surroundings(const audit_context& context)
-      : unit(in_unit_size(context.subject.sites)),
-        at(unit.empty() ? context.subject.sites : unit),
-        few(sites_of(context.changed)),
-        changed_sites(few),
-        subsegments(context) {
-    if (context.changed == nullptr) return;
-    is_changed.assign(at.size(), 0);
-    for (const vertex_index v : *context.changed) is_changed[v] = 1;
-  }
-
-  // True if an answer that depends on the sites may have changed.
-  template <class... Vertices>
-  bool concerns(Vertices... v) const {
-    return is_changed.empty() || (is_changed[v] | ...);
-  }
-
-  // Makes the tree of all sites, unless it is made.
-  void plant() {
-    if (!sites) sites.emplace(at);
-  }
-
-  std::vector<site> unit;
-  const std::vector<site>& at;
-  std::optional<site_tree> sites;
-  std::vector<site> few;  // the changed ones, in the context's order
-  site_tree changed_sites;
-  std::vector<char> is_changed;  // one flag a site; none where all is to be looked at
-  subsegment_tree subsegments;
-
- private:
-  std::vector<site> sites_of(const std::vector<vertex_index>* vertices) const {
-    std::vector<site> all;
-    if (vertices != nullptr)
-      for (const vertex_index v : *vertices) all.push_back(at[v]);
-    return all;
-  }
-};
 
 // One gap of a fan, from x counter-clockwise to y.
 struct fan_gap {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds what all parts of the check of stars look things up in: the sites in unit size, trees of
+// them and of the subsegments, and which sites have changed since an audit before.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/site_tree.hpp"
+#include "asterism/mesh/audit/subsegment_tree.hpp"
+
+namespace asterism::internal::audit_detail {
+
+struct star_surroundings {
+  // The context must outlive it.
+  explicit star_surroundings(const audit_context& context);
+  star_surroundings(const star_surroundings&) = delete;
+  star_surroundings& operator=(const star_surroundings&) = delete;
+
+  // True if an answer that depends on the sites may have changed.
+  template <class... Vertices>
+  bool concerns(Vertices... v) const {
+    return is_changed.empty() || (is_changed[v] | ...);
+  }
+
+  // Makes the tree of all sites, unless it is made.
+  void plant() {
+    if (!sites) sites.emplace(at);
+  }
+
+  std::vector<site> unit;       // empty where the sites are as they should be
+  const std::vector<site>& at;  // those to ask about
+  std::optional<site_tree> sites;
+  std::vector<site> few;  // the changed ones, in the context's order
+  site_tree changed_sites;
+  std::vector<char> is_changed;  // one flag a site; none where all is to be looked at
+  subsegment_tree subsegments;
+};
+
+}  // namespace asterism::internal::audit_detail
