@@ -4,7 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal {
+namespace {
+
+// Returns the root of x^2 + y^2: a plain one, unless a square may leave the range of doubles.
+double root_of_squares(double x, double y) {
+  const double squares = x * x + y * y;
+  const bool is_ordinary = squares > 0x1p-900 && squares < 0x1p1000;
+  return is_ordinary ? std::sqrt(squares) : elementary::hypot(x, y);
+}
+
+}  // namespace
 
 simultaneous_reduction reduce(const metric_tensor& a, const metric_tensor& b) {
   simultaneous_reduction r{};
@@ -15,13 +27,13 @@ simultaneous_reduction reduce(const metric_tensor& a, const metric_tensor& b) {
   const double g11 = 1 / r.f11, g12 = -r.f12 / (r.f11 * r.f22), g22 = 1 / r.f22;
   const double c11 = g11 * g11 * b.m11, c12 = g11 * (g12 * b.m11 + g22 * b.m12),
                c22 = g12 * g12 * b.m11 + 2 * g12 * g22 * b.m12 + g22 * g22 * b.m22;
-  const double half = (c11 - c22) / 2, radius = std::sqrt(half * half + c12 * c12);
+  const double half = (c11 - c22) / 2, radius = root_of_squares(half, c12);
   r.high = (c11 + c22) / 2 + radius;
   const double determinant = std::max(std::fma(b.m11, b.m22, -b.m12 * b.m12), 0.0) /
                              std::max(std::fma(a.m11, a.m22, -a.m12 * a.m12), 0.0);
   r.low = determinant / r.high;
   double x = half >= 0 ? half + radius : c12, y = half >= 0 ? c12 : radius - half;
-  const double length = std::sqrt(x * x + y * y);
+  const double length = root_of_squares(x, y);
   r.c = length > 0 ? x / length : 1;
   r.s = length > 0 ? y / length : 0;
   return r;
