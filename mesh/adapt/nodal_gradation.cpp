@@ -55,7 +55,7 @@ bool make_alike_by(const simultaneous_reduction& r, double most, double coarser_
   const auto part = [&](double whole) {
     return whole * (whole > 0 ? coarser_part : 1 - coarser_part);
   };
-  // What has no excess stays as it is.
+  // Leaves what has no excess as it is.
   const auto times_exp = [](double value, double power) {
     return power == 0 ? value : value * quick_exp(power);
   };

@@ -45,8 +45,9 @@ restoration::restoration(working_mesh& m, double angle_bound, std::vector<metric
 
 void restoration::run(const cancellation& stop) {
   constexpr int most_sweeps = 8;
-  // Of the nodes: where fewer can have what is wanted, as the metric turns nearly everywhere, what
-  // parts of the way are given is mostly taken back again, an audit after the other.
+  // Says how few nodes are too few, one in so many: where no more can have what is wanted, as the
+  // metric turns nearly everywhere, what parts of the way are given is mostly taken back again, an
+  // audit after the other.
   constexpr std::size_t few = 10;
   bool any = true;
   for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {

@@ -112,7 +112,8 @@ class delaunay_net {
   bool stays(const place& p, const star_predicates& kernel) const;
   bool take_step() { return ++steps_ <= most_steps_; }
   std::optional<place> locate(vertex_index v, bool& on_edge);
-  // Of one face on the way to q: the edge to cross, or, where q is in it, how many edges it is on.
+  // Tells of a face on the way to q which edge to cross, or, where q is in it, how many edges it is
+  // on.
   struct way {
     bool goes_on = false;
     std::uint32_t edge = 0, touched = 0;

@@ -48,7 +48,7 @@ class mean_metric_net {
   neighbour_lists settled_neighbours();
 
  private:
-  // What is asked, and where that is counted; here so that the net finds it when this is moved.
+  // Answers questions, and counts them; kept apart so that the net finds it when this is moved.
   struct asked {
     tier_counters counted;
     std::unique_ptr<star_predicates> kernel;

@@ -94,7 +94,7 @@ double least_to_subsegments(const std::vector<site>& sites, vertex_index v, cons
   return least;
 }
 
-// The same of all sites, group by group: most are not near any subsegment.
+// Returns the same of all sites, group by group: most are not near any subsegment.
 double shortest_of_all(const std::vector<site>& sites, const boundary& edges,
                        const neighbourhood& near, double most) {
   double least = least_of_pairs(sites, near.sites(), most * most);
