@@ -29,9 +29,10 @@ simultaneous_reduction reduce(const metric_tensor& a, const metric_tensor& b) {
                c22 = g12 * g12 * b.m11 + 2 * g12 * g22 * b.m12 + g22 * g22 * b.m22;
   const double half = (c11 - c22) / 2, radius = root_of_squares(half, c12);
   r.high = (c11 + c22) / 2 + radius;
-  const double determinant = std::max(std::fma(b.m11, b.m22, -b.m12 * b.m12), 0.0) /
-                             std::max(std::fma(a.m11, a.m22, -a.m12 * a.m12), 0.0);
-  r.low = determinant / r.high;
+  const double of_b = std::max(std::fma(b.m11, b.m22, -b.m12 * b.m12), 0.0),
+               of_a = std::max(std::fma(a.m11, a.m22, -a.m12 * a.m12), 0.0);
+  const double determinant = of_b / of_a;
+  r.low = std::isinf(determinant) ? of_b / r.high / of_a : determinant / r.high;
   double x = half >= 0 ? half + radius : c12, y = half >= 0 ? c12 : radius - half;
   const double length = root_of_squares(x, y);
   r.c = length > 0 ? x / length : 1;
