@@ -67,6 +67,11 @@ void agreement::disagreed_at(const std::vector<vertex_index>& nodes) {
   for (const vertex_index v : nodes) active_[v] = 1;
 }
 
+void agreement::changed_at(const std::vector<vertex_index>& nodes) {
+  active_.resize(m_.nodes().size(), 0);
+  for (const vertex_index v : nodes) active_[v] = 1;
+}
+
 void agreement::check_edge(vertex_index t, std::size_t i) {
   constexpr std::size_t as_faces = 8;  // of the time that a face in a list takes
   m_.note_looked_at(as_faces);

@@ -51,11 +51,22 @@ class unit_mesher {
   // Splits edges that are much too long in this metric, where the one of the mesh does not object,
   // the longest first, up to so many nodes. Returns how many.
   std::size_t split_left_long(metric_at wanted, std::size_t most_nodes);
+  // Splits a few edges, the longest first, that are half as long again as the metric calls one.
+  // Where it turns fast more nodes than are wanted would be needed for all edges to be near one.
+  // Returns the nodes made.
+  std::vector<vertex_index> split_outliers(metric_at wanted);
   // Returns the length of an edge that came out, or was wanted to.
   double unit() const { return unit_; }
 
  private:
   static constexpr std::size_t no_limit = ~std::size_t{0};
+
+  struct length_limits {
+    double wanted, own;  // in the metric wanted, the mesh's own
+  };
+
+  std::vector<vertex_index> split_longer(metric_at wanted, const length_limits& limits,
+                                         std::size_t most_nodes);
 
   void fit(int rounds, int sweeps);
   void seed(const std::vector<point>& seeds);

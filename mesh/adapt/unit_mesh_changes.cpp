@@ -70,12 +70,12 @@ point middle(const node& a, const node& b) {
 
 // Splits the edges that are too long in the metric wanted and not short in the mesh's own. The
 // latter is the one that stars can agree about: what it has coarsened stays so.
-std::size_t unit_mesher::split_left_long(metric_at wanted, std::size_t most_nodes) {
-  std::size_t done = 0;
+std::vector<vertex_index> unit_mesher::split_longer(metric_at wanted, const length_limits& limits,
+                                                    std::size_t most_nodes) {
+  std::vector<vertex_index> made_nodes;
   field_ = std::move(wanted);
   forget_shapes();
-  constexpr double most = 1.35, own = 1.2;  // units
-  const std::vector<long_edge> found = edges_where(m_, [&](double l) { return l > own * unit_; });
+  const std::vector<long_edge> found = edges_where(m_, [&](double l) { return l > limits.own; });
   for (const long_edge& e : found) {
     if (m_.count() >= most_nodes) break;
     const auto [t, edge] = find_edge(m_, e.a, e.b);
@@ -84,15 +84,27 @@ std::size_t unit_mesher::split_left_long(metric_at wanted, std::size_t most_node
     const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
     const double at_a = std::sqrt(squared(field_(a.position, a.hint), x, y)),
                  at_b = std::sqrt(squared(field_(b.position, b.hint), x, y));
-    if (!((at_a + at_b) / 2 > most * unit_)) continue;
+    if (!((at_a + at_b) / 2 > limits.wanted)) continue;
     const auto made = m_.split(t, edge, middle(a, b));
     if (!made) continue;
     m_.at(*made).hint = m_.at(e.a).hint;
     measure(*made);
     settle_around(*made);
-    ++done;
+    made_nodes.push_back(*made);
   }
-  return done;
+  return made_nodes;
+}
+
+std::size_t unit_mesher::split_left_long(metric_at wanted, std::size_t most_nodes) {
+  constexpr double most = 1.35, own = 1.2;  // units
+  return split_longer(std::move(wanted), {most * unit_, own * unit_}, most_nodes).size();
+}
+
+std::vector<vertex_index> unit_mesher::split_outliers(metric_at wanted) {
+  constexpr double most = 1.5, own = 1.3;  // of the length that the metric itself calls one
+  constexpr std::size_t parts = 200;       // of the nodes: the count stays as it is but for these
+  const double one = unit_ / crowding_;
+  return split_longer(std::move(wanted), {most * one, own * one}, m_.count() + m_.count() / parts);
 }
 
 // Has the edges of t checked for flips, its nodes tried for moves, and its energy found anew.

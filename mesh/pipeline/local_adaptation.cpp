@@ -198,7 +198,7 @@ class adaptation {
     }
     length_factor_ = maker.unit();
     if (is_overworked()) return false;
-    deliver(m);
+    deliver(m, maker);
     return made_.report() != nullptr;
   }
 
@@ -271,10 +271,14 @@ class adaptation {
   // Makes tensors alike until the mesh is certified, and gives back what need not be alike. Nearly
   // always neighbours that agree make a mesh that is certified; so it is not audited before tensors
   // have been given back, unless that goes wrong.
-  void deliver(working_mesh& m) {
+  void deliver(working_mesh& m, unit_mesher& maker) {
     const agreement_options agree = asked_of_agreement(length_factor_);
     agreement agreeing(m, agree);
     agreeing.run();
+    if (!stop_reason() && !are_many_given(m)) {
+      agreeing.changed_at(maker.split_outliers(field_by(wanted_, m)));
+      agreeing.run();
+    }
     constexpr std::size_t few = 20;  // one in so many
     const std::size_t left = agreeing.report().disagreeing + agreeing.report().low;
     if (few * left <= m.nodes().size()) {
