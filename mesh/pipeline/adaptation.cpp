@@ -177,7 +177,9 @@ void metric_delivery::bring_density_near(mesh_outcome& made) const {
   auto scaled = k == 0 ? std::nullopt : times_power_of_two(made.result, k);
   if (!scaled) return;
   auto compared = compare_with_wanted(*scaled, field_, options_.angle_bound);
-  if (!compared || !(compared.value().median < before.median)) return;
+  if (!compared) return;
+  const delivered_report& after = compared.value();
+  if (!(after.median < before.median) || after.greatest > before.greatest) return;
   made.result = *std::move(scaled);
   made.audited.reset();
   made.delivered = std::move(compared).value();
@@ -194,8 +196,7 @@ std::optional<mesh_outcome> metric_delivery::in_given_units(mesh_outcome made, i
   if (!compared) return std::nullopt;
   made.delivered = std::move(compared).value();
   made.delivered->length_factor = length_factor;
-  if (!options_.metric_tolerance && made.delivered->median > most_median_distance)
-    bring_density_near(made);
+  if (made.delivered->median > most_median_distance) bring_density_near(made);
   if (options_.limit_size) report_coarser(halved, false, options_, made);
   return made;
 }
