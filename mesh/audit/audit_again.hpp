@@ -38,6 +38,9 @@ struct star_memory {
   std::vector<open_question> open;  // questions that are left
   // How far each site's star reaches, in its own metric; empty where that is not known.
   std::vector<double> reaches;
+  // Power of the factor of two of squares of these lengths: a metric of very large numbers is asked
+  // about in other units, which depend on the largest.
+  int power_of_squares = 0;
 };
 
 enum class hard_questions { asked, left_open };

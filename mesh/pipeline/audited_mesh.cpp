@@ -30,6 +30,7 @@ void audited_mesh::take_changed(const adapting::working_mesh& m) {
   for (vertex_index s = 0; s < before.reaches.size(); ++s) reaches[node_of_[s]] = before.reaches[s];
   take(m);
   for (const vertex_index v : node_of_) memory_.reaches.push_back(reaches[v]);
+  memory_.power_of_squares = before.power_of_squares;
 }
 
 audit_options audited_mesh::question(std::size_t findings_kept) const {

@@ -126,6 +126,30 @@ TEST_CASE("an audit of triangles and places that were changed finds what a whole
   CHECK(flipped > 20);
 }
 
+TEST_CASE("how far stars reach was remembered in units that the next audit did not have") {
+  // The largest number decides what all metrics are divided by.
+  const double large = std::ldexp(1, 70);
+  patch p = make_patch(10, 0.05, {large, 0, large});
+  site& largest = p.m.sites[p.at(0, 0)];
+  largest.metric = {std::ldexp(1, 82), 0, std::ldexp(1, 82)};
+  audit_options asked;
+  asked.findings_kept = std::numeric_limits<std::size_t>::max();
+  star_memory memory;
+  const audit_report before = audit_quickly(p.m, asked, memory);
+  std::set<asterism::vertex_index> changed = {p.at(0, 0), p.at(5, 5)};
+  for (const audit_finding& f : before.findings)
+    changed.insert(f.vertices.begin(), f.vertices.end());
+  for (const open_question& q : memory.open) changed.insert(q.sites.begin(), q.sites.end());
+  largest.metric = {large, 0, large};
+  // Nearer than others to what is around its neighbours.
+  p.m.sites[p.at(5, 5)].metric = {large / 8, 0, large / 8};
+  const audit_report again = audit_again(p.m, asked, before, {changed.begin(), changed.end()},
+                                         memory, hard_questions::asked);
+  const audit_report whole = audit(p.m, asked);
+  CHECK(whole.total_found() > 10);
+  CHECK(stars_found(again) == stars_found(whole));
+}
+
 TEST_CASE("a mesh is not certified while a question that only exact numbers answer is open") {
   // Four metrics that see their circle's middle equally far away: a tie, which goes to one of the
   // diagonals.
