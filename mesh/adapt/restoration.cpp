@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -222,21 +223,11 @@ void restoration::take_back(const std::vector<vertex_index>& nodes,
   }
 }
 
-void restoration::make_alike(const std::vector<vertex_index>& nodes,
-                             std::vector<vertex_index>& changed) {
-  // Half of the distortion, as for neighbours, put others in the way of 200 stars at once: the
-  // nodes are far from each other, and their tensors very different.
-  constexpr double part = 0.85;
-  std::vector<vertex_index> around;
-  make_alike_at(m_, nodes, part, [&](vertex_index a, vertex_index b) {
-    for (const vertex_index v : {a, b}) {
-      before_[v] = m_.at(v).metric;
-      kept_[v] = 1;
-      changed.push_back(v);
-    }
-  });
-  for (const vertex_index v : nodes) list_disagreeing(v, around);
-  take_back(around, changed);
+void restoration::keep(const std::vector<vertex_index>& nodes) {
+  for (const vertex_index v : nodes) {
+    before_[v] = m_.at(v).metric;
+    kept_[v] = 1;
+  }
 }
 
 }  // namespace asterism::internal::adapting

@@ -29,10 +29,8 @@ class restoration {
   // Takes back what was given to these nodes, and to those around whose edges do not agree then.
   // They keep it from then on. Adds those that had been given something to `taken`.
   void take_back(const std::vector<vertex_index>& nodes, std::vector<vertex_index>& taken);
-  // Makes the tensors of these nodes a little more alike than they are, for where
-  // nothing is left to take back; they are kept from then on. Adds the nodes whose tensors changed,
-  // those around that this takes back among them, to `changed`.
-  void make_alike(const std::vector<vertex_index>& nodes, std::vector<vertex_index>& changed);
+  // Takes the tensors that these nodes have now for those to return to, and keeps them from now on.
+  void keep(const std::vector<vertex_index>& nodes);
 
  private:
   bool give_once(bool whole_alone);
@@ -56,7 +54,7 @@ class restoration {
   working_mesh& m_;
   local_tests tests_;
   bool has_angles_;
-  std::vector<metric_tensor> wanted_, before_;  // before_: or what they were made alike to since
+  std::vector<metric_tensor> wanted_, before_;  // before_: or what was kept since
   std::vector<char> awake_, kept_;
   std::vector<double> clearances_;  // around a node, before it is given anything; or none yet
   // Keep what is known of the faces around the node at hand, and of those across from it, which its

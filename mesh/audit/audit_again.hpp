@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Audits a mesh whose stars were all looked at before, and of which some tensors were changed
-// since. Internal to the library.
+// Audits a mesh whose stars were all looked at before, and of which some tensors, or some sites and
+// triangles inside, were changed since. Internal to the library.
 //
 // The answer to "does the star of v accept w between x and y" depends on these four sites, and on
 // the subsegments between v and w, alone. So only those questions are asked again of which a site
-// was changed; the answers to the others are the ones there were.
+// was changed; the answers to the others are the ones there were. A gap that there was not is one
+// of a new triangle, and an edge that there was not, or that has another site across, is one of it:
+// their questions are asked where the new triangle's corners count as changed.
 //
 // A mesh that is being mended need not be asked at once what takes long to answer: where doubles do
 // not tell whether a star accepts a site, its tensors may be changed for another reason, or for
@@ -36,6 +38,9 @@ struct star_memory {
   std::vector<open_question> open;  // questions that are left
   // How far each site's star reaches, in its own metric; empty where that is not known.
   std::vector<double> reaches;
+  // Power of the factor of two of squares of these lengths: a metric of very large numbers is asked
+  // about in other units, which depend on the largest.
+  int power_of_squares = 0;
 };
 
 enum class hard_questions { asked, left_open };
@@ -54,10 +59,12 @@ void ask_filters(const mesh& subject, const cancellation& stop,
 
 // Returns what audit() would report, or audit_quickly() where hard questions are left open, but for
 // the counts of work, which are of both audits.
-// Requires: `before` is an audit of the same mesh but for the tensors of the sites in `changed`,
-// with the same options, and `memory` its memory, or a new one; it looked at all stars, without
-// cutting anything short; and all vertices of its findings about stars, and of the questions that
-// are still open, are in `changed`, be they changed or not.
+// Requires: `before` is an audit of the same mesh but for the sites in `changed`, with the same
+// options, and `memory` its memory, or a new one; it looked at all stars, without cutting anything
+// short; and all vertices of its findings about stars, and of the questions that are still open,
+// are in `changed`, be they changed or not. Sites may have other tensors; inside, they may also be
+// elsewhere, or be gone, and triangles be others, all corners of which are in `changed`.
+// Subsegments are the same. The memory has the reaches of the sites as they are numbered now.
 audit_report audit_again(const mesh& subject, const audit_options& options,
                          const audit_report& before, const std::vector<vertex_index>& changed,
                          star_memory& memory, hard_questions hard);

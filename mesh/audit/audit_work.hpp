@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "asterism/kernels/work_units.hpp"
 #include "asterism/mesh/audit/context.hpp"
@@ -76,7 +78,32 @@ class audit_patience {
   double polled_at_ = 0;
 };
 
-// Calls check as check_in_parallel does, for one part of [0, count) after the other, until `ended`
+// Calls check as check_in_parallel does, with the work that is left for the audit. A chunk that has
+// done its share, as one star among easy ones may need hundreds of times the work of another, is
+// done again with what the others have left, in order: what the report says does not depend on
+// threads, and all of it takes no more than there was. A check writes the same when done again.
+template <class Check>
+void check_in_shares(audit_context& context, std::size_t count, const Check& check,
+                     std::size_t chunk) {
+  double left = units_left(context);
+  std::vector<audit_tally> tallies = tallies_of(context, count, check, chunk, left);
+  for (const audit_tally& tally : tallies) left -= audit_units(tally.part, tally.looked_units);
+  for (std::size_t i = 0; i < tallies.size(); ++i) {
+    if (!tallies[i].unfinished || !(left > 0) || context.options.stop.is_requested()) continue;
+    audit_tally again;
+    again.findings_kept = tallies[i].findings_kept;
+    // Counts what was done in vain.
+    const double done = audit_units(tallies[i].part, tallies[i].looked_units);
+    again.looked_units = done;
+    again.most_units = done + left;
+    check(again, i * chunk, std::min(count, (i + 1) * chunk));
+    left -= audit_units(again.part, again.looked_units) - done;
+    tallies[i] = std::move(again);
+  }
+  for (audit_tally& tally : tallies) context.take(std::move(tally));
+}
+
+// Calls check as check_in_shares does, for one part of [0, count) after the other, until `ended`
 // says so, the audit is told to stop, or the work is done that there is for it. Returns whether all
 // was checked. Parts are small at first, as a few stars may be enough to refuse a mesh; where it
 // ends does not depend on threads.
@@ -89,12 +116,10 @@ bool check_in_parts(audit_context& context, std::size_t count, const Check& chec
     size = std::min(part, count - first);
     part = std::min(2 * part, most);
     const std::size_t chunk = std::clamp(size / pieces, std::size_t{1}, at_a_time);
-    check_in_parallel(
-        context, size,
-        [&](audit_tally& tally, std::size_t begin, std::size_t end) {
-          check(tally, first + begin, first + end);
-        },
-        chunk, units_left(context));
+    const auto in_part = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+      check(tally, first + begin, first + end);
+    };
+    check_in_shares(context, size, in_part, chunk);
     if (ended() || context.unfinished || context.options.stop.is_requested()) return false;
   }
   return true;

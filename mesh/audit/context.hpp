@@ -158,19 +158,27 @@ struct audit_context {
   void take(audit_tally&& tally);
 };
 
-// Calls check(tally, begin, end) for chunks of [0, count), in parallel; the tallies are taken in
-// order, so that the report is that of one thread. Of the context a check may write only what
-// belongs to its chunk alone. Each chunk has an even part of `units` of work, if it asks.
+// Calls check(tally, begin, end) for chunks of [0, count), in parallel, and returns their tallies
+// in order. Of the context a check may write only what belongs to its chunk alone. Each chunk has
+// an even part of `units` of work, if it asks.
 template <class Check>
-void check_in_parallel(audit_context& context, std::size_t count, const Check& check,
-                       std::size_t chunk = 1024, double units = 0) {
+std::vector<audit_tally> tallies_of(const audit_context& context, std::size_t count,
+                                    const Check& check, std::size_t chunk, double units) {
   std::vector<audit_tally> tallies(chunk_count(count, chunk));
   parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
     tallies[i].findings_kept = context.options.findings_kept;
     tallies[i].most_units = units / static_cast<double>(tallies.size());
     check(tallies[i], begin, end);
   });
-  for (audit_tally& tally : tallies) context.take(std::move(tally));
+  return tallies;
+}
+
+// Does the same and takes the tallies in order, so that the report is that of one thread.
+template <class Check>
+void check_in_parallel(audit_context& context, std::size_t count, const Check& check,
+                       std::size_t chunk = 1024, double units = 0) {
+  for (audit_tally& tally : tallies_of(context, count, check, chunk, units))
+    context.take(std::move(tally));
 }
 
 // Returns count + 1 places: where in a list sorted by `a`, below `count`, those of each a begin.

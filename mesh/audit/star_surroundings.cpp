@@ -15,8 +15,9 @@ site scaled(const site& s, int places, int metrics) {
 
 // No question about stars changes its answer when all places are multiplied by one number and all
 // metrics by another. Very large and very small ones are brought to about unit size by powers of
-// two, where doubles can decide; if that is exact for every site. Empty otherwise.
-std::vector<site> in_unit_size(const std::vector<site>& sites) {
+// two, where doubles can decide; if that is exact for every site. Empty otherwise. Tells the
+// power of two that squares of lengths are multiplied by.
+std::vector<site> in_unit_size(const std::vector<site>& sites, int& of_squares) {
   constexpr int ordinary = 64;
   double reach = 0, steepest = 0;
   for (const site& s : sites) {
@@ -32,6 +33,7 @@ std::vector<site> in_unit_size(const std::vector<site>& sites) {
     unit.push_back(scaled(s, places, metrics));
     if (!(scaled(unit.back(), -places, -metrics) == s)) return {};
   }
+  of_squares = 2 * places + metrics;
   return unit;
 }
 
@@ -45,7 +47,7 @@ std::vector<site> sites_of(const std::vector<vertex_index>* vertices, const std:
 }  // namespace
 
 star_surroundings::star_surroundings(const audit_context& context)
-    : unit(in_unit_size(context.subject.sites)),
+    : unit(in_unit_size(context.subject.sites, power_of_squares)),
       at(unit.empty() ? context.subject.sites : unit),
       few(sites_of(context.changed, at)),
       changed_sites(few),

@@ -30,6 +30,7 @@ struct star_surroundings {
     if (!sites) sites.emplace(at);
   }
 
+  int power_of_squares = 0;     // of the factor of two of all squares of lengths in `at`
   std::vector<site> unit;       // empty where the sites are as they should be
   const std::vector<site>& at;  // those to ask about
   std::optional<site_tree> sites;

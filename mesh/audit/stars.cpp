@@ -418,6 +418,15 @@ bool neighbours_may_suffice(const audit_context& context) {
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
 
+// Makes reaches in the memory that were found in other units, or not at all, unknown ones.
+void take_reaches(const audit_context& context, int power_of_squares) {
+  star_memory& memory = *context.memory;
+  const bool are_known = !memory.reaches.empty() && memory.power_of_squares == power_of_squares;
+  memory.power_of_squares = power_of_squares;
+  if (!are_known)
+    memory.reaches.assign(context.subject.sites.size(), std::numeric_limits<double>::infinity());
+}
+
 }  // namespace
 
 // Looks at neighbours first, then at all sites in reach. Ends where as much is refused as a tenth
@@ -431,9 +440,7 @@ void check_stars(audit_context& context) {
   if (most != all && context.report.total_found() > 0) context.share_of_work = of_refused;
   context.report.stars_checked = true;
   star_surroundings around(context);
-  if (context.memory != nullptr && context.memory->reaches.empty())
-    context.memory->reaches.assign(context.subject.sites.size(),
-                                   std::numeric_limits<double>::infinity());
+  if (context.memory != nullptr) take_reaches(context, around.power_of_squares);
   const bool may_suffice = neighbours_may_suffice(context);
   check_order order;
   if (may_suffice) {

@@ -29,6 +29,21 @@ mesh in_frame(const unit_frame& frame, const mesh& m) {
   return image;
 }
 
+// Returns the mesh with all tensors times 2^k, if that is exact.
+std::optional<mesh> times_power_of_two(const mesh& m, int k) {
+  const auto scaled = [](const metric_tensor& t, int power) {
+    return metric_tensor{std::scalbn(t.m11, power), std::scalbn(t.m12, power),
+                         std::scalbn(t.m22, power)};
+  };
+  mesh made = m;
+  for (site& s : made.sites) {
+    const metric_tensor before = s.metric;
+    s.metric = scaled(before, k);
+    if (!identical(scaled(s.metric, -k), before)) return std::nullopt;
+  }
+  return made;
+}
+
 }  // namespace
 
 bool may_adapt(const mesh_options& options) {
@@ -148,6 +163,29 @@ std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
   return in_given_units(std::move(*made), *halved);
 }
 
+// Multiplies all tensors by the power of two with which they are about as dense as the ones wanted,
+// where half of the sites have another tensor altogether and that brings them nearer. Where a
+// metric turns by any angle from node to node, each clip of two crossed tensors makes both denser,
+// as more of the excess is taken from the coarser side. Stars and angles are those they were, to
+// the last bit; edges are longer or shorter in the one metric as well as in the other.
+void metric_delivery::bring_density_near(mesh_outcome& made) const {
+  const delivered_report before = *made.delivered;
+  const double power = elementary::log2(before.complexity_wanted / before.complexity_delivered);
+  constexpr double most = 1000;  // a double has no more
+  if (!(std::abs(power) < most)) return;
+  const int k = static_cast<int>(std::lround(power));
+  auto scaled = k == 0 ? std::nullopt : times_power_of_two(made.result, k);
+  if (!scaled) return;
+  auto compared = compare_with_wanted(*scaled, field_, options_.angle_bound);
+  if (!compared) return;
+  const delivered_report& after = compared.value();
+  if (!(after.median < before.median) || after.greatest > before.greatest) return;
+  made.result = *std::move(scaled);
+  made.audited.reset();
+  made.delivered = std::move(compared).value();
+  made.delivered->length_factor = before.length_factor * elementary::exp2(k / 2.0);
+}
+
 std::optional<mesh_outcome> metric_delivery::in_given_units(mesh_outcome made, int halved) {
   restore_lengths(halved, made);
   image_.outward(made);
@@ -158,6 +196,7 @@ std::optional<mesh_outcome> metric_delivery::in_given_units(mesh_outcome made, i
   if (!compared) return std::nullopt;
   made.delivered = std::move(compared).value();
   made.delivered->length_factor = length_factor;
+  if (made.delivered->median > most_median_distance) bring_density_near(made);
   if (options_.limit_size) report_coarser(halved, false, options_, made);
   return made;
 }

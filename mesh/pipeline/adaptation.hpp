@@ -50,6 +50,7 @@ class metric_delivery {
   std::optional<adapting::nodal_field> wanted_in(const metric_field& coarser, int halved,
                                                  const adapting::nodal_field& sampled) const;
   std::optional<mesh_outcome> in_given_units(mesh_outcome made, int halved);
+  void bring_density_near(mesh_outcome& made) const;
 
   const metric_field& field_;
   const mesh_options& options_;

@@ -15,12 +15,22 @@ constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
 }  // namespace
 
 void audited_mesh::take(const adapting::working_mesh& m) {
+  memory_ = {};
   std::vector<vertex_index> renumbered;
   subject_ = m.triangulation(renumbered);
   assign_regions(subject_, *domain_);
   node_of_.assign(subject_.sites.size(), 0);
   for (vertex_index v = 0; v < renumbered.size(); ++v)
     if (renumbered[v] != adapting::none) node_of_[renumbered[v]] = v;
+}
+
+void audited_mesh::take_changed(const adapting::working_mesh& m) {
+  const star_memory before = std::move(memory_);
+  std::vector<double> reaches(m.nodes().size(), std::numeric_limits<double>::infinity());
+  for (vertex_index s = 0; s < before.reaches.size(); ++s) reaches[node_of_[s]] = before.reaches[s];
+  take(m);
+  for (const vertex_index v : node_of_) memory_.reaches.push_back(reaches[v]);
+  memory_.power_of_squares = before.power_of_squares;
 }
 
 audit_options audited_mesh::question(std::size_t findings_kept) const {

@@ -34,12 +34,15 @@ class audited_mesh {
 
   // Takes the mesh that the triangulation is now.
   void take(const adapting::working_mesh& m);
+  // Takes it after changes to the nodes and faces of the last one taken, which was audited.
+  void take_changed(const adapting::working_mesh& m);
 
   // Audits the mesh; an audit that keeps all findings is never cut short.
   void judge(std::size_t findings_kept);
   // Audits the mesh, keeping all findings, but leaves hard questions open.
   void judge_quickly();
-  // Audits the mesh of which only these nodes' tensors were changed since the last audit.
+  // Audits the mesh of which only these nodes were changed since the last audit, all corners of
+  // the faces that are new among them, and no node at the boundary but for its tensor.
   void judge_again(node_list changed, hard_questions hard);
   // Answers open questions by filters, unless a tensor they are about has changed in m since the
   // mesh was taken. Calls refuse(nodes) for those that are not found in order.

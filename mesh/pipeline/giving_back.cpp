@@ -13,8 +13,8 @@ namespace {
 
 // Most audits of a mesh whose tensors alone are changed: those after the first cost little.
 constexpr int most_audits = 40;
-// Most times that tensors are made alike between those.
-constexpr int most_made_alike = 8;
+// Most times that the mesh is mended between those.
+constexpr int most_mended = 8;
 
 // True if it is not known how far the gap of the face at its corner i reaches, so that the star
 // would be held against all sites.
@@ -59,45 +59,119 @@ void take_back_unbounded(adapting::working_mesh& m, adapting::restoration& givin
   }
 }
 
+// Says which nodes are not what they were.
+struct mesh_changes {
+  node_list nodes;  // and those of faces that there were not
+  // No node at the boundary is gone or elsewhere: what is seen across it is as it was.
+  bool are_inside = true;
+};
+
+mesh_changes changes_of(const adapting::working_mesh& before, const adapting::working_mesh& m) {
+  using adapting::node_kind;
+  mesh_changes found;
+  for (vertex_index v = 0; v < m.nodes().size(); ++v) {
+    const adapting::node &was = before.at(v), &is = m.at(v);
+    const bool has_stayed = was.kind == is.kind && was.position == is.position;
+    found.are_inside = found.are_inside && (has_stayed || was.kind == node_kind::free);
+    if (is.kind != node_kind::gone && !(has_stayed && identical(was.metric, is.metric)))
+      found.nodes.push_back(v);
+  }
+  for (vertex_index t = 0; t < m.faces().size(); ++t) {
+    const adapting::face& is = m.faces()[t];
+    if (is.exists() && before.faces()[t].v != is.v)
+      found.nodes.insert(found.nodes.end(), is.v.begin(), is.v.end());
+  }
+  return found;
+}
+
+// Gives back what an auditor lets pass, of one mesh.
+class giver {
+ public:
+  giver(adapting::working_mesh& m, std::vector<metric_tensor> wanted, const mesh_options& options,
+        const adapting::agreement_options& mending, audited_mesh& audited)
+      : m_(m),
+        options_(options),
+        mending_(mending),
+        audited_(audited),
+        giving_(m, options.angle_bound, std::move(wanted)) {}
+
+  // True if the mesh is certified in the end.
+  bool run() {
+    giving_.run(options_.stop);
+    take_back_unbounded(m_, giving_, options_.stop);
+    audited_.take(m_);
+    audited_.judge_quickly();
+    for (int audits = 1; audits < most_audits && !audited_.is_certified(); ++audits)
+      if (options_.stop.told() || !(options_.stop.units_left() > 0) || !go_on()) return false;
+    return audited_.is_certified();
+  }
+
+ private:
+  // Takes back what was found by the last audit, or mends, and audits what has changed. Returns
+  // false where that leads nowhere.
+  bool go_on() {
+    node_list looked_at, taken;
+    const auto take_back = [&](const node_list& nodes) {
+      giving_.take_back(nodes, taken);
+      looked_at.insert(looked_at.end(), nodes.begin(), nodes.end());
+    };
+    const std::vector<node_list> found = audited_.nodes_found();
+    for (const node_list& nodes : found) take_back(nodes);
+    audited_.ask_filters(m_, take_back);
+    if (audited_.is_certified()) return true;
+    audited_.add_nodes_of_open(looked_at);
+    if (taken.empty() && audited_.has_open()) {
+      audited_.judge_again(looked_at, hard_questions::asked);
+      return true;
+    }
+    if (taken.empty()) return mend(found, looked_at);
+    judge_changed(looked_at, taken);
+    return true;
+  }
+
+  // Mends the mesh where nothing is left to take back: sites that are no neighbours are in each
+  // other's way, as neighbours are in rounds of agreement. Stops where that does not lead on, since
+  // a change may be in the way of others.
+  bool mend(const std::vector<node_list>& found, node_list& looked_at) {
+    if (found.size() > least_found_ || times_mended_++ >= most_mended) return false;
+    least_found_ = found.size();
+    const adapting::working_mesh before = m_;
+    adapting::agreement agreeing(m_, mending_);
+    for (const node_list& nodes : found) agreeing.disagreed_at(nodes);
+    agreeing.run();
+    const mesh_changes changes = changes_of(before, m_);
+    if (changes.nodes.empty()) return false;
+    giving_.keep(changes.nodes);
+    if (changes.are_inside) {
+      judge_changed(looked_at, changes.nodes);
+    } else {
+      audited_.take(m_);
+      audited_.judge_quickly();
+    }
+    return true;
+  }
+
+  void judge_changed(node_list& looked_at, const node_list& changed) {
+    looked_at.insert(looked_at.end(), changed.begin(), changed.end());
+    audited_.take_changed(m_);
+    audited_.judge_again(looked_at, hard_questions::left_open);
+  }
+
+  adapting::working_mesh& m_;
+  const mesh_options& options_;
+  const adapting::agreement_options& mending_;
+  audited_mesh& audited_;
+  adapting::restoration giving_;
+  int times_mended_ = 0;
+  std::size_t least_found_ = std::numeric_limits<std::size_t>::max();  // when mended
+};
+
 }  // namespace
 
 bool give_back(adapting::working_mesh& m, std::vector<metric_tensor> wanted,
-               const mesh_options& options, audited_mesh& audited) {
-  adapting::restoration giving(m, options.angle_bound, std::move(wanted));
-  giving.run(options.stop);
-  take_back_unbounded(m, giving, options.stop);
-  audited.take(m);
-  audited.judge_quickly();
-  int made_alike = 0;
-  std::size_t least_found = std::numeric_limits<std::size_t>::max();  // when made alike
-  for (int audits = 1; audits < most_audits && !audited.is_certified(); ++audits) {
-    if (options.stop.told() || !(options.stop.units_left() > 0)) return false;
-    node_list looked_at, taken;
-    const auto take_back = [&](const node_list& nodes) {
-      giving.take_back(nodes, taken);
-      looked_at.insert(looked_at.end(), nodes.begin(), nodes.end());
-    };
-    const std::vector<node_list> found = audited.nodes_found();
-    for (const node_list& nodes : found) take_back(nodes);
-    audited.ask_filters(m, take_back);
-    if (audited.is_certified()) return true;
-    audited.add_nodes_of_open(looked_at);
-    if (taken.empty() && audited.has_open()) {
-      audited.judge_again(looked_at, hard_questions::asked);
-      continue;
-    }
-    // Makes alike what farther sites are in the way of, once all is taken back and something is
-    // still found. Stops where that does not lead on: a change may be in the way of others.
-    if (taken.empty() && found.size() <= least_found && made_alike++ < most_made_alike) {
-      least_found = found.size();
-      for (const node_list& nodes : found) giving.make_alike(nodes, taken);
-    }
-    if (taken.empty()) return false;
-    looked_at.insert(looked_at.end(), taken.begin(), taken.end());
-    audited.take(m);
-    audited.judge_again(looked_at, hard_questions::left_open);
-  }
-  return audited.is_certified();
+               const mesh_options& options, const adapting::agreement_options& mending,
+               audited_mesh& audited) {
+  return giver(m, std::move(wanted), options, mending, audited).run();
 }
 
 }  // namespace asterism::internal

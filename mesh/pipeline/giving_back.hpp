@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "asterism/mesh/adapt/agreement.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/pipeline/audited_mesh.hpp"
@@ -13,10 +14,12 @@
 namespace asterism::internal {
 
 // Gives back; `wanted` has a tensor for each node. What is found against the mesh then is taken
-// back (adapt/restoration.hpp). Of hard questions those are asked that nothing else answers: none
-// about tensors that are taken back for another reason, the filters first, and exact numbers where
-// nothing can be taken back. Returns whether the mesh that comes out, in `audited`, is certified.
+// back (adapt/restoration.hpp), and where nothing is left to take back the mesh is mended. Of hard
+// questions those are asked that nothing else answers: none about tensors that are taken back for
+// another reason, the filters first, and exact numbers where nothing can be taken back. Returns
+// whether the mesh that comes out, in `audited`, is certified.
 bool give_back(adapting::working_mesh& m, std::vector<metric_tensor> wanted,
-               const mesh_options& options, audited_mesh& audited);
+               const mesh_options& options, const adapting::agreement_options& mending,
+               audited_mesh& audited);
 
 }  // namespace asterism::internal

@@ -323,7 +323,8 @@ class adaptation {
       if (!there) return false;
       tensors.push_back(*there);
     }
-    return internal::give_back(m, std::move(tensors), options_, made_);
+    return internal::give_back(m, std::move(tensors), options_, asked_of_agreement(length_factor_),
+                               made_);
   }
 
   // Makes the mesh in one metric for all sites, as dense on the whole as the one wanted, in which

@@ -152,7 +152,8 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
     size: edges are to have this length in the metric; None: no longer than angles need, but 1 in a
     metric that asterism.metric() made.
     vertices, complexity: in place of a size, the number of vertices, or the area of the domain as the
-    metric measures it; the metric is scaled to that.
+    metric measures it; the metric is scaled to that. A mesh with over 5 % more or fewer vertices than
+    that is made again with another scale, ten times at most, and the nearest is returned.
     metric_tolerance: how far the metric delivered may be from the one wanted, as ln of the greatest
     ratio of two lengths; 0: no tensor is changed; None: any, but of half of the sites no more than ln 10.
     progress: called now and then with a dict of counts. Ctrl-C ends the run.

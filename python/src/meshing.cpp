@@ -19,8 +19,8 @@
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/counted_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
-#include "asterism/mesh/pipeline/scaled_metric.hpp"
 #include "bindings.hpp"
 #include "py_mesh.hpp"
 
@@ -289,20 +289,16 @@ py_mesh run(const domain& d, const py::object& metric, mesh_arguments a) {
   std::function<void(const mesh_progress&)> progress;
   if (!a.progress.is_none())
     progress = [&](const mesh_progress& now) { tell(a.progress, now, errors); };
-  scale_demand scale{a.size, a.complexity, a.gradation, a.options.stop};
-  if (a.options.vertices) scale.complexity = complexity_of_vertices(*a.options.vertices);
-  std::optional<result<certified_mesh>> made;
-  std::optional<result<scaled_metric>> scaled;
+  const scale_demand scale{a.size, a.complexity, a.gradation, a.options.stop};
+  std::optional<result<counted_mesh>> made;
   {
     const py::gil_scoped_release unlocked;
-    scaled = make_scaled_metric(d, metric_of_size, scale);
-    if (*scaled) made = make_certified_mesh(d, *scaled->value().field, a.options, progress);
+    made = make_counted_mesh(d, metric_of_size, scale, a.options, progress);
   }
   errors.raise();
-  if (!*scaled) throw input_error(scaled->failure().message);
-  if (scaled->value().complexity) a.size = scaled->value().size;
-  return packaged(value_or_raise(std::move(*made)), wanted.back().name, a,
-                  scaled->value().complexity);
+  counted_mesh done = value_or_raise(std::move(*made));
+  if (done.metric.complexity) a.size = done.metric.size;
+  return packaged(std::move(done.made), wanted.back().name, a, done.metric.complexity);
 }
 
 // Returns the findings of the auditor, as Python reads them.

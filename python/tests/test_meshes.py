@@ -108,6 +108,12 @@ def test_vertices_and_complexity_in_place_of_a_size():
     assert called.certified and abs(len(called.points) / (80 * 2 / 3**0.5) - 1) < 0.4
 
 
+def test_vertices_are_met_where_the_boundary_takes_many():
+    strip = asterism.Domain([(0, 0), (1, 0), (1, 0.01), (0, 0.01)], [(0, 1), (1, 2), (2, 3), (3, 0)])
+    made = asterism.mesh(strip, "identity", vertices=150)
+    assert made.certified and abs(len(made.points) / 150 - 1) <= 0.05
+
+
 def test_domains_from_arrays_and_shapes():
     hole = [(0.5, 0.25), (1.5, 0.25), (1.0, 0.75)]
     by_arrays = asterism.Domain(CORNERS + hole, SIDES + [(4, 5), (5, 6), (6, 4)],

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "fixtures/audit_meshes.hpp"
@@ -24,6 +25,27 @@ std::multiset<std::vector<asterism::vertex_index>> stars_found(const audit_repor
   for (const audit_finding& f : report.findings)
     if (!f.vertices.empty()) all.insert(f.vertices);
   return all;
+}
+
+// Flips an edge of the triangle if the two new ones are well turned; returns the other triangle.
+std::optional<std::size_t> flip_some_edge(mesh& m, std::size_t t) {
+  const auto area = [&m](asterism::vertex_index a, asterism::vertex_index b,
+                         asterism::vertex_index c) {
+    const point &p = m.sites[a].position, &q = m.sites[b].position, &r = m.sites[c].position;
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  };
+  for (std::size_t s = 0; s < m.triangles.size(); ++s)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        asterism::triangle &f = m.triangles[t], &g = m.triangles[s];
+        const auto a = f[i], b = f[(i + 1) % 3], c = f[(i + 2) % 3], d = g[(k + 2) % 3];
+        if (g[k] != b || g[(k + 1) % 3] != a || area(c, a, d) < 0.1 || area(d, b, c) < 0.1)
+          continue;
+        f = {c, a, d};
+        g = {d, b, c};
+        return s;
+      }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -59,6 +81,73 @@ TEST_CASE("an audit of what was changed finds what a whole audit finds") {
     before = again;
   }
   CHECK(findings > 100);
+}
+
+TEST_CASE("an audit of triangles and places that were changed finds what a whole audit finds") {
+  splitmix64 random{9};
+  patch p = make_patch(12);
+  audit_options asked;
+  asked.findings_kept = std::numeric_limits<std::size_t>::max();
+  star_memory memory;
+  audit_report before = audit_quickly(p.m, asked, memory);
+  REQUIRE(before.certified);
+  std::size_t findings = 0, flipped = 0;
+  const auto any_of = [&](std::size_t count) {
+    return static_cast<std::size_t>(random.real(0, static_cast<double>(count)));
+  };
+  for (int round = 0; round < 40; ++round) {
+    std::set<asterism::vertex_index> changed;
+    for (const audit_finding& f : before.findings)
+      changed.insert(f.vertices.begin(), f.vertices.end());
+    for (const open_question& q : memory.open) changed.insert(q.sites.begin(), q.sites.end());
+    for (int k = 0; k < 2; ++k) {
+      const std::size_t t = any_of(p.m.triangles.size());
+      if (const auto s = flip_some_edge(p.m, t)) {
+        for (const std::size_t each : {t, *s})
+          changed.insert(p.m.triangles[each].begin(), p.m.triangles[each].end());
+        ++flipped;
+      }
+    }
+    const int i = 1 + static_cast<int>(any_of(10)), j = 1 + static_cast<int>(any_of(10));
+    site& moved = p.m.sites[p.at(i, j)];
+    moved.position.x += random.real(-0.02, 0.02);
+    moved.metric = {random.real(1, 3), random.real(-0.3, 0.3), random.real(1, 3)};
+    changed.insert(p.at(i, j));
+    const audit_report again = audit_again(p.m, asked, before, {changed.begin(), changed.end()},
+                                           memory, hard_questions::asked);
+    const audit_report whole = audit(p.m, asked);
+    CHECK(again.certified == whole.certified);
+    CHECK(again.found == whole.found);
+    CHECK(stars_found(again) == stars_found(whole));
+    findings += whole.total_found();
+    before = again;
+  }
+  CHECK(findings > 100);
+  CHECK(flipped > 20);
+}
+
+TEST_CASE("how far stars reach was remembered in units that the next audit did not have") {
+  // The largest number decides what all metrics are divided by.
+  const double large = std::ldexp(1, 70);
+  patch p = make_patch(10, 0.05, {large, 0, large});
+  site& largest = p.m.sites[p.at(0, 0)];
+  largest.metric = {std::ldexp(1, 82), 0, std::ldexp(1, 82)};
+  audit_options asked;
+  asked.findings_kept = std::numeric_limits<std::size_t>::max();
+  star_memory memory;
+  const audit_report before = audit_quickly(p.m, asked, memory);
+  std::set<asterism::vertex_index> changed = {p.at(0, 0), p.at(5, 5)};
+  for (const audit_finding& f : before.findings)
+    changed.insert(f.vertices.begin(), f.vertices.end());
+  for (const open_question& q : memory.open) changed.insert(q.sites.begin(), q.sites.end());
+  largest.metric = {large, 0, large};
+  // Nearer than others to what is around its neighbours.
+  p.m.sites[p.at(5, 5)].metric = {large / 8, 0, large / 8};
+  const audit_report again = audit_again(p.m, asked, before, {changed.begin(), changed.end()},
+                                         memory, hard_questions::asked);
+  const audit_report whole = audit(p.m, asked);
+  CHECK(whole.total_found() > 10);
+  CHECK(stars_found(again) == stars_found(whole));
 }
 
 TEST_CASE("a mesh is not certified while a question that only exact numbers answer is open") {

@@ -57,6 +57,24 @@ TEST_CASE("vertices come and go, and the number wanted is there") {
   }
 }
 
+TEST_CASE("a metric that turns by any angle over an edge is delivered about as dense as wanted") {
+  mesh m = sample_mesh(30);
+  for (site& s : m.sites) {
+    const double turn = 400 * (s.position.x + s.position.y * s.position.y);
+    const double c = std::cos(turn), d = std::sin(turn), high = 900, low = 900.0 / 200 / 200;
+    s.metric = {high * c * c + low * d * d, (high - low) * c * d, high * d * d + low * c * c};
+  }
+  const auto next = adapted({std::move(m), {}});
+  CHECK(next.made.certified());
+  REQUIRE(next.made.outcome.delivered);
+  const delivered_report& delivered = *next.made.outcome.delivered;
+  // The clips had made it four times as dense, and half of the tensors another one altogether.
+  CHECK(delivered.median < most_median_distance);
+  CHECK(delivered.complexity_delivered < 1.5 * delivered.complexity_wanted);
+  CHECK(delivered.complexity_delivered > delivered.complexity_wanted / 1.5);
+  CHECK(next.made.outcome.complete);
+}
+
 TEST_CASE("without a number wanted there are as many vertices as unit edges take") {
   mesh m = sample_mesh(12);
   constexpr double h = 0.07;

@@ -185,7 +185,7 @@ TEST_CASE("one metric for quarters stretched across each other passed for the on
   const domain d = accepted(square());
   const formula_field field([](const point& q) {
     constexpr double s = 1.0 / 9;
-    return (q.x > 0) == (q.y > 0) ? metric_tensor{1e4 * s, 0, s} : metric_tensor{s, 0, 1e4 * s};
+    return (q.x > 0) == (q.y > 0) ? metric_tensor{1e6 * s, 0, s} : metric_tensor{s, 0, 1e6 * s};
   });
   const mesh_outcome made = mesh_of(d, field, with_size());
   CHECK_FALSE(made.complete);
