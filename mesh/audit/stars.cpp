@@ -14,6 +14,9 @@
 // The mesher asks prepared gaps too. Where the two are not to share that, as in verify(), they are
 // left out (audit_options::own_filter_alone).
 //
+// Most stars are settled without any search, by a walk over triangles (audit/star_walk.hpp); sites
+// are looked for in a tree for those that it leaves.
+//
 // A mesh whose metric varies much over an edge has stars that see far, and thousands of sites to
 // hold against each. It also has edges that are refused at once, by the site across them. So these
 // are asked first, and where some are refused the mesh is, without the rest. Where all sites have
@@ -34,6 +37,7 @@
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
 #include "asterism/mesh/audit/star_surroundings.hpp"
+#include "asterism/mesh/audit/star_walk.hpp"
 #include "asterism/mesh/audit/visibility_test.hpp"
 
 namespace asterism::internal::audit_detail {
@@ -386,6 +390,19 @@ check_order in_order_of_mesh(std::size_t vertices) {
   return order;
 }
 
+// Of the groups of that order what is flagged.
+check_order part_of(const check_order& all, const std::vector<char>& flags) {
+  check_order part;
+  for (std::size_t i = 0; i + 1 < all.groups.size(); ++i) {
+    const std::size_t begin = part.vertices.size();
+    for (std::size_t k = all.groups[i]; k < all.groups[i + 1]; ++k)
+      if (flags[all.vertices[k]] != 0) part.vertices.push_back(all.vertices[k]);
+    if (part.vertices.size() > begin) part.groups.push_back(begin);
+  }
+  part.groups.push_back(part.vertices.size());
+  return part;
+}
+
 // True if all was looked at. The work ends where it has found more than `most`, has done the most
 // that is done for so many sites, or is cancelled.
 bool check_in_turn(audit_context& context, const star_surroundings& around,
@@ -418,6 +435,31 @@ bool neighbours_may_suffice(const audit_context& context) {
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
 
+// True if a walk may spare the tree: where all stars are looked at, and nothing is to be remembered
+// of them. Who leaves out the prepared gaps looks at all in a second way, too.
+bool may_walk(const audit_context& context, const star_surroundings& around) {
+  return context.memory == nullptr && context.changed == nullptr && around.unit.empty() &&
+         !context.options.own_filter_alone;
+}
+
+// Looks at all sites in reach of the stars that a walk does not settle; of all stars where it
+// settles few, or something was found already.
+void check_others(audit_context& context, star_surroundings& around, std::size_t most,
+                  bool may_be_walked) {
+  constexpr std::size_t few = 8;  // a part of the sites
+  std::optional<walk_outcome> walked;
+  if (may_be_walked) walked = walk_stars(context, around);
+  if (walked && walked->has_failed) walked.reset();
+  const auto left = walked ? static_cast<std::size_t>(std::count(walked->is_left.begin(),
+                                                                 walked->is_left.end(), char{1}))
+                           : around.at.size();
+  if (left == 0) return;
+  around.plant();
+  const check_order all = in_order_of_tree(around);
+  const bool is_part = left < around.at.size() / few;
+  check_in_turn(context, around, is_part ? part_of(all, walked->is_left) : all, false, most);
+}
+
 }  // namespace
 
 // Looks at neighbours first, then at all sites in reach. Ends where as much is refused as a tenth
@@ -434,21 +476,18 @@ void check_stars(audit_context& context) {
   if (context.memory != nullptr && context.memory->reaches.empty())
     context.memory->reaches.assign(context.subject.sites.size(),
                                    std::numeric_limits<double>::infinity());
-  const bool may_suffice = neighbours_may_suffice(context);
+  const bool may_suffice = neighbours_may_suffice(context), walks = may_walk(context, around);
   check_order order;
-  if (may_suffice) {
+  if (may_suffice || walks) {
     order = in_order_of_mesh(context.subject.sites.size());
   } else {
     around.plant();
     order = in_order_of_tree(around);
   }
+  const std::size_t before = context.report.total_found();
   if (!check_in_turn(context, around, order, true, most)) return;
-  if (may_suffice) {
-    if (found_nothing(context)) return;
-    around.plant();
-    order = in_order_of_tree(around);
-  }
-  check_in_turn(context, around, order, false, most);
+  if (may_suffice && found_nothing(context)) return;
+  check_others(context, around, most, walks && context.report.total_found() == before);
 }
 
 }  // namespace asterism::internal::audit_detail
