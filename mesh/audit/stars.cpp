@@ -14,6 +14,9 @@
 // The mesher asks prepared gaps too. Where the two are not to share that, as in verify(), they are
 // left out (audit_options::own_filter_alone).
 //
+// Most stars are settled without any search, by a walk over triangles (audit/star_walk.hpp); sites
+// are looked for in a tree for those that it leaves.
+//
 // A mesh whose metric varies much over an edge has stars that see far, and thousands of sites to
 // hold against each. It also has edges that are refused at once, by the site across them. So these
 // are asked first, and where some are refused the mesh is, without the rest. Where all sites have
@@ -21,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -29,11 +31,13 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/audit/audit_work.hpp"
+#include "asterism/mesh/audit/check_order.hpp"
 #include "asterism/mesh/audit/context.hpp"
 #include "asterism/mesh/audit/gap_reach.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
 #include "asterism/mesh/audit/star_surroundings.hpp"
+#include "asterism/mesh/audit/star_walk.hpp"
 #include "asterism/mesh/audit/visibility_test.hpp"
 
 namespace asterism::internal::audit_detail {
@@ -365,27 +369,6 @@ bool found_nothing(const audit_context& context) {
   return context.report.total_found() == 0 && !are_open;
 }
 
-// The vertices in the order in which they are checked, and where groups of them begin that are
-// checked together; one more for the end.
-struct check_order {
-  std::vector<vertex_index> vertices;
-  std::vector<std::size_t> groups;
-};
-
-check_order in_order_of_tree(const star_surroundings& around) {
-  return {around.sites->order(), around.sites->groups()};
-}
-
-check_order in_order_of_mesh(std::size_t vertices) {
-  constexpr std::size_t together = 8;
-  check_order order;
-  order.vertices.resize(vertices);
-  std::iota(order.vertices.begin(), order.vertices.end(), vertex_index{0});
-  for (std::size_t first = 0; first < vertices; first += together) order.groups.push_back(first);
-  order.groups.push_back(vertices);
-  return order;
-}
-
 // True if all was looked at. The work ends where it has found more than `most`, has done the most
 // that is done for so many sites, or is cancelled.
 bool check_in_turn(audit_context& context, const star_surroundings& around,
@@ -427,6 +410,31 @@ void take_reaches(const audit_context& context, int power_of_squares) {
     memory.reaches.assign(context.subject.sites.size(), std::numeric_limits<double>::infinity());
 }
 
+// True if a walk may spare the tree: where all stars are looked at, and nothing is to be remembered
+// of them. Who leaves out the prepared gaps looks at all in a second way, too.
+bool may_walk(const audit_context& context, const star_surroundings& around) {
+  return context.memory == nullptr && context.changed == nullptr && around.unit.empty() &&
+         !context.options.own_filter_alone;
+}
+
+// Looks at all sites in reach of the stars that a walk does not settle; of all stars where it
+// settles few, or something was found already.
+void check_others(audit_context& context, star_surroundings& around, std::size_t most,
+                  bool may_be_walked) {
+  constexpr std::size_t few = 8;  // a part of the sites
+  std::optional<walk_outcome> walked;
+  if (may_be_walked) walked = walk_stars(context, around);
+  if (walked && walked->has_failed) walked.reset();
+  const auto left = walked ? static_cast<std::size_t>(std::count(walked->is_left.begin(),
+                                                                 walked->is_left.end(), char{1}))
+                           : around.at.size();
+  if (left == 0) return;
+  around.plant();
+  const check_order all = in_order_of_tree(*around.sites);
+  const bool is_part = left < around.at.size() / few;
+  check_in_turn(context, around, is_part ? part_of(all, walked->is_left) : all, false, most);
+}
+
 }  // namespace
 
 // Looks at neighbours first, then at all sites in reach. Ends where as much is refused as a tenth
@@ -441,21 +449,18 @@ void check_stars(audit_context& context) {
   context.report.stars_checked = true;
   star_surroundings around(context);
   if (context.memory != nullptr) take_reaches(context, around.power_of_squares);
-  const bool may_suffice = neighbours_may_suffice(context);
+  const bool may_suffice = neighbours_may_suffice(context), walks = may_walk(context, around);
   check_order order;
-  if (may_suffice) {
+  if (may_suffice || walks) {
     order = in_order_of_mesh(context.subject.sites.size());
   } else {
     around.plant();
-    order = in_order_of_tree(around);
+    order = in_order_of_tree(*around.sites);
   }
+  const std::size_t before = context.report.total_found();
   if (!check_in_turn(context, around, order, true, most)) return;
-  if (may_suffice) {
-    if (found_nothing(context)) return;
-    around.plant();
-    order = in_order_of_tree(around);
-  }
-  check_in_turn(context, around, order, false, most);
+  if (may_suffice && found_nothing(context)) return;
+  check_others(context, around, most, walks && context.report.total_found() == before);
 }
 
 }  // namespace asterism::internal::audit_detail

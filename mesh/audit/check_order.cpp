@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/check_order.hpp"
+
+#include <numeric>
+
+namespace asterism::internal::audit_detail {
+
+check_order in_order_of_tree(const site_tree& sites) { return {sites.order(), sites.groups()}; }
+
+check_order in_order_of_mesh(std::size_t vertices) {
+  constexpr std::size_t together = 8;
+  check_order order;
+  order.vertices.resize(vertices);
+  std::iota(order.vertices.begin(), order.vertices.end(), vertex_index{0});
+  for (std::size_t first = 0; first < vertices; first += together) order.groups.push_back(first);
+  order.groups.push_back(vertices);
+  return order;
+}
+
+check_order part_of(const check_order& all, const std::vector<char>& flags) {
+  check_order part;
+  for (std::size_t i = 0; i + 1 < all.groups.size(); ++i) {
+    const std::size_t begin = part.vertices.size();
+    for (std::size_t k = all.groups[i]; k < all.groups[i + 1]; ++k)
+      if (flags[all.vertices[k]] != 0) part.vertices.push_back(all.vertices[k]);
+    if (part.vertices.size() > begin) part.groups.push_back(begin);
+  }
+  part.groups.push_back(part.vertices.size());
+  return part;
+}
+
+}  // namespace asterism::internal::audit_detail
