@@ -48,9 +48,17 @@ class neighbour_lists {
   // Takes back what was added to the list since the last end.
   void clear_list() { all_.resize(ends_.empty() ? 0 : ends_.back()); }
 
+  // Makes room for a mark on each list that there is; none is marked.
+  void make_room_for_marks() { marks_.assign(ends_.size(), 0); }
+  // Marks list i, which is to have room for that; threads may mark several at once. What it says of
+  // a list is up to who made the lists.
+  void mark(std::size_t i) { marks_[i] = 1; }
+  bool is_marked(std::size_t i) const { return i < marks_.size() && marks_[i] != 0; }
+
  private:
   std::vector<std::size_t> ends_;
   std::vector<vertex_index> all_;
+  std::vector<char> marks_;  // by list, or empty
 };
 
 }  // namespace asterism::internal

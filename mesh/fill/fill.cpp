@@ -193,11 +193,14 @@ class filling {
       }
     });
     neighbour_lists lists(std::move(sizes));
+    lists.make_room_for_marks();
     parallel_chunks(order.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const std::span<vertex_index> list = lists.list(i);
         for (std::size_t k = 0; k < list.size(); ++k)
           list[k] = number[stars_[order[i]][k].neighbour];
+        if (!list.empty() && is_plainly_a_star(sites_.all(), order[i], stars_[order[i]]))
+          lists.mark(i);
       }
     });
     return lists;

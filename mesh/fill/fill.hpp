@@ -47,7 +47,8 @@ struct filled_domain {
   // The neighbours of each site among all sites, counter-clockwise, as the fill saw them: a first
   // guess at its star. On a segment there may be some that the domain does not let it see. Numbered
   // are the vertices first, then the points of the divisions, then the interior. A list is empty
-  // where the fill's stars disagree, and there are none where it did not come to its end.
+  // where the fill's stars disagree, and there are none where it did not come to its end. Marked
+  // are those of which each neighbour is plainly one (numerics/approximate_star.hpp).
   neighbour_lists stars;
   std::size_t rounds = 0;
   bool complete = false;  // false: max_sites was reached, it is crowded, or stopped

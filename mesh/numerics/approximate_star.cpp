@@ -120,6 +120,20 @@ bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_ga
   return cross(y, x) > certainly * std::sqrt(dot(y, y) * dot(x, x));
 }
 
+// Compares squares of the sine, as v measures it, but for its sign.
+bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v, const plain_star& star) {
+  constexpr double least_sine = 0x1p-10, least = least_sine * least_sine;
+  const metric_tensor& m = sites[v].metric;
+  const double determinant = m.m11 * m.m22 - m.m12 * m.m12;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const plain_gap &before = star[i], &after = star[following(star, i)];
+    const double area = before.vertex.x * after.vertex.y - before.vertex.y * after.vertex.x;
+    const double radii = before.squared_radius * after.squared_radius;
+    if (!(radii < infinity && area > 0 && area * area * determinant > least * radii)) return false;
+  }
+  return star.size() > 2;
+}
+
 plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
                             const std::vector<vertex_index>& candidates, const plain_star& before,
                             const known_vertex& known) {

@@ -64,6 +64,10 @@ void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, v
 bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_gap& gap,
                   vertex_index next);
 
+// True if each neighbour is plainly one: the Voronoi vertices to both sides of it are known, and v
+// sees the edge between them at an angle that is far beyond what roundings do.
+bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v, const plain_star& star);
+
 // True if w, which is not in the star of v, would change it.
 bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star,
               vertex_index w);

@@ -90,8 +90,8 @@ void refine_state::add_proposed(const std::vector<site>& proposed, numbered_site
     taken.push_back(fits[i] != 0 && !is_full() ? sites_->add(proposed[i]) : left_out);
 }
 
-// Renumbers what the fill saw around its sites. A star with a neighbour that was left out gets no
-// guess.
+// Renumbers what the fill saw around its sites, and takes its marks. A star with a neighbour that
+// was left out gets no guess.
 void refine_state::guess_stars(const neighbour_lists& stars, const numbered_sites& taken) {
   guesses_.reserve(sites().size());
   for (std::size_t i = 0; i < stars.size(); ++i) {
@@ -105,6 +105,9 @@ void refine_state::guess_stars(const neighbour_lists& stars, const numbered_site
     }
     guesses_.end_list();
   }
+  guesses_.make_room_for_marks();
+  for (std::size_t i = 0; i < stars.size(); ++i)
+    if (taken[i] != left_out && stars.is_marked(i)) guesses_.mark(taken[i]);
 }
 
 bool refine_state::is_overworked() const {

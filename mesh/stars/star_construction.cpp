@@ -128,25 +128,34 @@ bool sees_neighbours(const site_oracle& oracle, vertex_index v, const star& s) {
   return true;
 }
 
+// Returns the star with these neighbours if each is seen.
+std::optional<star> seen_star(const site_oracle& oracle, vertex_index v,
+                              std::span<const vertex_index> ring) {
+  auto s = ring_star(oracle, v, ring);
+  if (!s || !sees_neighbours(oracle, v, *s)) return std::nullopt;
+  return s;
+}
+
 // Returns the star with these neighbours if exact tests find nothing wrong with it: each is seen
 // and stands.
 std::optional<star> standing_star(const site_oracle& oracle, vertex_index v,
                                   std::span<const vertex_index> ring) {
-  auto s = ring_star(oracle, v, ring);
-  if (!s || !sees_neighbours(oracle, v, *s) || prune(oracle, v, *s)) return std::nullopt;
+  auto s = seen_star(oracle, v, ring);
+  if (!s || prune(oracle, v, *s)) return std::nullopt;
   return s;
 }
 
-// Returns the star with these neighbours if they stand and, by_mesher, exact tests confirm it at
-// once against all sites.
+// Returns the star with the neighbours proposed if they stand and, by_mesher, exact tests confirm
+// it at once against all sites. By_auditor, it is asked of those alone that are in doubt whether
+// they stand: the auditor asks it of all edges.
 std::optional<constructed_star> guessed_star(const site_oracle& oracle, vertex_index v,
-                                             std::span<const vertex_index> ring,
-                                             star_confirmation confirmed) {
-  if (ring.empty()) return std::nullopt;
-  auto s = standing_star(oracle, v, ring);
+                                             const star_proposal& proposed) {
+  if (proposed.guess.empty()) return std::nullopt;
+  const bool is_audited = proposed.confirmed == star_confirmation::by_auditor;
+  auto s = is_audited && proposed.is_plain ? seen_star(oracle, v, proposed.guess)
+                                           : standing_star(oracle, v, proposed.guess);
   if (!s) return std::nullopt;
-  if (confirmed == star_confirmation::by_auditor)
-    return constructed_star{*std::move(s), true, false, {}};
+  if (is_audited) return constructed_star{*std::move(s), true, false, {}};
   const auto reach = final_reach(oracle, v, *s);
   if (!reach) return std::nullopt;
   return constructed_star{*std::move(s), true, false, reach};
@@ -403,7 +412,7 @@ constructed_star construct_star(const site_oracle& oracle, vertex_index v, star_
                                 const star_proposal& proposed) {
   if (oracle.near() == nullptr)
     return settle(oracle, v, empty_star(oracle.edges(), v), all_sites(oracle, v));
-  if (auto known = guessed_star(oracle, v, proposed.guess, proposed.confirmed))
+  if (auto known = guessed_star(oracle, v, proposed))
     return std::move(*known);
   local_star made = construct_near(oracle, v, search);
   take_missed(oracle, v, search, proposed.others, made);

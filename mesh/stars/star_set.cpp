@@ -246,7 +246,10 @@ std::optional<constructed_star> star_set::remake(const site_oracle& oracle, vert
   const std::span<const vertex_index> others = exchanged_.of(v);
   if (exchanged_.which != nullptr && !accepts_any(oracle, v, others)) return std::nullopt;
   star_proposal proposed;
-  if (guesses_ != nullptr) proposed.guess = (*guesses_)[v];
+  if (guesses_ != nullptr) {
+    proposed.guess = (*guesses_)[v];
+    proposed.is_plain = guesses_->is_marked(v);
+  }
   proposed.confirmed = confirmed_;
   proposed.others = others;
   constructed_star built = construct_star(oracle, v, search, proposed);
