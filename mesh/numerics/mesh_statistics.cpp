@@ -41,17 +41,49 @@ struct sums {
   }
 };
 
+// True if variation(p, q), where the ends measure at least `shorter`, is certainly no more than
+// sigma. That is so if tau^2 is at most T^2 = 1 / (1 - sigma shorter)^2, hence if T^2 is beyond
+// both roots of det(M_q - x M_p), and of det(M_p - x M_q). The margin is far more than what
+// distortion() rounds; what is beyond it is computed.
+bool varies_no_faster(const metric_tensor& p, const metric_tensor& q, double shorter,
+                      double sigma) {
+  constexpr double margin = 0x1p-36;
+  const double inverse = 1 - sigma * shorter;
+  if (!(inverse > margin)) return false;
+  const double square = 1 / (inverse * inverse), product_p = p.m11 * p.m22,
+               product_q = q.m11 * q.m22, mixed = p.m12 * q.m12;
+  const double det_p = product_p - p.m12 * p.m12, det_q = product_q - q.m12 * q.m12;
+  const double of_both = p.m22 * q.m11 + p.m11 * q.m22, trace = of_both - 2 * mixed;
+  const auto is_beyond = [&](double first, double product, double last, double other_product) {
+    const double scaled = first * square;
+    const double size = (product * square + of_both) * square + other_product;
+    return 2 * scaled > trace && (scaled - trace) * square + last > margin * size;
+  };
+  return is_beyond(det_p, product_p, det_q, product_q) &&
+         is_beyond(det_q, product_q, det_p, product_p);
+}
+
+// Returns variation(p, q), of which it is known how long the ends find the shorter of both ways.
+double variation_over(const site& p, const site& q, double shorter) {
+  const double tau = distortion(p.metric, q.metric);
+  if (tau == 1) return 0;  // also where lengths overflow
+  return (1 - 1 / tau) / shorter;
+}
+
 // Both ends measure the same where their metrics are the same, bit for bit.
 void add_edge(const site& p, const site& q, sums& s) {
   const bool is_one = identical(p.metric, q.metric);
-  const double length = is_one ? metric_distance(p, q.position) : edge_length(p, q);
+  const double by_p = metric_distance(p, q.position),
+               by_q = is_one ? by_p : metric_distance(q, p.position);
+  const double length = is_one ? by_p : (by_p + by_q) / 2, shorter = std::min(by_p, by_q);
   s.half_edges += 1;
   s.lengths += length;
   if (is_unit_length(length)) s.unit += 1;
   // The variation is 0 then, if these are lengths at all.
   const bool is_even = is_one && length > 0 && length < std::numeric_limits<double>::infinity() &&
                        p.metric.m11 + p.metric.m22 > 0;
-  if (!is_even) s.sigma = std::max(s.sigma, variation(p, q));
+  if (!is_even && !varies_no_faster(p.metric, q.metric, shorter, s.sigma))
+    s.sigma = std::max(s.sigma, variation_over(p, q, shorter));
 }
 
 // Measures a triangle that is in round coordinates.
@@ -161,9 +193,8 @@ double distortion(const metric_tensor& p, const metric_tensor& q) {
 }
 
 double variation(const site& p, const site& q) {
-  const double tau = distortion(p.metric, q.metric);
-  if (tau == 1) return 0;  // also where lengths overflow
-  return (1 - 1 / tau) / std::min(metric_distance(p, q.position), metric_distance(q, p.position));
+  return variation_over(p, q,
+                        std::min(metric_distance(p, q.position), metric_distance(q, p.position)));
 }
 
 // Returns the root of the ratio of the eigenvalues t +- r, as (t + r) / root of the determinant.

@@ -206,6 +206,30 @@ double smallest_of(const measured_angles& m) {
   return smallest;
 }
 
+// True if all nine angles are certainly beyond this one, by more than roundings. Asks for products,
+// where measured_angles divides; thin metrics are left to that.
+bool all_angles_are_above(const triangle_sites& t, double cotangent) {
+  constexpr double nearly = 1 - 0x1p-24;
+  const double most = cotangent * nearly, squared = most * most;
+  std::array<double, 3> bounds;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const metric_tensor& m = t[j].metric;
+    if (is_thin(m)) return false;
+    bounds[j] = squared * (m.m11 * m.m22 - m.m12 * m.m12);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const point a = difference(t[(i + 1) % 3].position, t[i].position),
+                b = difference(t[(i + 2) % 3].position, t[i].position);
+    const double area = cross(a, b);
+    if (!(area > 0)) return false;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double along = inner_product(t[j].metric, a, b);
+      if (!(along <= 0 || along * along < bounds[j] * (area * area))) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 double smallest_angle(const triangle_sites& given) {
@@ -219,6 +243,8 @@ angle_threshold::angle_threshold(double wanted)
 // the angle itself is compared.
 std::array<bool, 2> smallest_angle_is_below(const triangle_sites& t,
                                             const std::array<angle_threshold, 2>& thresholds) {
+  if (all_angles_are_above(t, std::min(thresholds[0].cotangent, thresholds[1].cotangent)))
+    return {};
   constexpr double margin = 1e-9;
   const auto is_near = [&](double greatest, const angle_threshold& threshold) {
     return !(std::abs(greatest - threshold.cotangent) >

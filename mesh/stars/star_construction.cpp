@@ -412,8 +412,7 @@ constructed_star construct_star(const site_oracle& oracle, vertex_index v, star_
                                 const star_proposal& proposed) {
   if (oracle.near() == nullptr)
     return settle(oracle, v, empty_star(oracle.edges(), v), all_sites(oracle, v));
-  if (auto known = guessed_star(oracle, v, proposed))
-    return std::move(*known);
+  if (auto known = guessed_star(oracle, v, proposed)) return std::move(*known);
   local_star made = construct_near(oracle, v, search);
   take_missed(oracle, v, search, proposed.others, made);
   if (search == star_search::near) return std::move(made.built);
