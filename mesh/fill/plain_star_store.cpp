@@ -29,6 +29,19 @@ bool has_gap(const plain_star& star, vertex_index y, vertex_index x) {
 
 }  // namespace
 
+bool plain_star_store::in_order_of_stars(const disturbed& a, const disturbed& b) {
+  return a.star != b.star ? a.star < b.star : a.by < b.by;
+}
+
+// Returns where in that order another star begins, and the end.
+std::vector<std::size_t> plain_star_store::starts_of_stars(const std::vector<disturbed>& pairs) {
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (i == 0 || pairs[i].star != pairs[i - 1].star) starts.push_back(i);
+  starts.push_back(pairs.size());
+  return starts;
+}
+
 bool plain_star_store::renew(double distance) {
   // Stars made between two looks at the meter, once there was a quarter of the work that may be.
   constexpr std::size_t block = 1024;
@@ -45,9 +58,7 @@ bool plain_star_store::renew(double distance) {
     at = end;
     if (work_->is_overworked(count)) return false;
   }
-  tbb::parallel_sort(pairs.begin(), pairs.end(), [](const disturbed& a, const disturbed& b) {
-    return a.star != b.star ? a.star < b.star : a.by < b.by;
-  });
+  tbb::parallel_sort(pairs.begin(), pairs.end(), in_order_of_stars);
   changed_.clear();
   renew_disturbed(pairs);
   for (; finished_ < count; ++finished_) changed_.push_back(static_cast<vertex_index>(finished_));
@@ -67,6 +78,40 @@ bool plain_star_store::agrees_with_neighbours(vertex_index v) const {
     if (!has_gap(stars_[y], x, v) || !has_gap(stars_[x], v, y)) return false;
   }
   return true;
+}
+
+void plain_star_store::mend_disagreeing() {
+  std::vector<disturbed> claims = claims_on_disagreeing();
+  tbb::parallel_sort(claims.begin(), claims.end(), in_order_of_stars);
+  const std::vector<std::size_t> starts = starts_of_stars(claims);
+  parallel_chunks(starts.size() - 1, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    std::vector<vertex_index> candidates;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_enough(i)) break;
+      const vertex_index v = claims[starts[i]].star;
+      candidates.clear();
+      for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
+      for (std::size_t k = starts[i]; k < starts[i + 1]; ++k) candidates.push_back(claims[k].by);
+      stars_[v] = build_careful_star(sites_->all(), v, candidates);
+    }
+  });
+}
+
+// Returns the stars that do not agree with their neighbours, each with the sites that have it as
+// one.
+std::vector<plain_star_store::disturbed> plain_star_store::claims_on_disagreeing() const {
+  std::vector<char> disagrees(stars_.size());
+  parallel_chunks(stars_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      disagrees[v] = agrees_with_neighbours(static_cast<vertex_index>(v)) ? 0 : 1;
+  });
+  return collect_chunks<disturbed>(
+      stars_.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
+        for (std::size_t v = begin; v < end; ++v)
+          for (const plain_gap& gap : stars_[v])
+            if (disagrees[gap.neighbour] != 0)
+              out.push_back({gap.neighbour, static_cast<vertex_index>(v)});
+      });
 }
 
 // Makes the stars of the sites from `first` to before `last`; returns which stars of older sites
@@ -102,10 +147,7 @@ std::vector<plain_star_store::disturbed> plain_star_store::make_stars(std::size_
 // Makes each disturbed star anew from its neighbours and the sites that disturb it, and adds it to
 // changed_. The pairs are sorted by star.
 void plain_star_store::renew_disturbed(const std::vector<disturbed>& pairs) {
-  std::vector<std::size_t> starts;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (i == 0 || pairs[i].star != pairs[i - 1].star) starts.push_back(i);
-  starts.push_back(pairs.size());
+  const std::vector<std::size_t> starts = starts_of_stars(pairs);
   parallel_chunks(starts.size() - 1, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
     std::vector<vertex_index> candidates;
     std::uint64_t looked_at = 0;

@@ -134,19 +134,80 @@ bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v, const pla
   return star.size() > 2;
 }
 
+namespace {
+
+// Leaves of the candidates, which go round once from one that stays, those that stand between the
+// ones beside them: calls stands(before, candidate, after).
+template <class Stands>
+const std::vector<const candidate*>& those_that_stand(const std::vector<candidate>& all,
+                                                      const Stands& stands) {
+  thread_local std::vector<const candidate*> hull;
+  hull.clear();
+  for (const candidate& next : all) {
+    while (hull.size() > 1 && !stands(*hull[hull.size() - 2], *hull.back(), next)) hull.pop_back();
+    hull.push_back(&next);
+  }
+  while (hull.size() > 2 && !stands(*hull[hull.size() - 2], *hull.back(), *hull.front()))
+    hull.pop_back();
+  return hull;
+}
+
+// Leaves out what is behind another candidate, on its ray from the centre up to roundings. They are
+// in the order of their directions, from the nearest of all.
+void leave_nearest_on_rays(std::vector<candidate>& all) {
+  constexpr double on_one_ray = 0x1p-40;
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    candidate &last = all[kept], &next = all[i];
+    const double along = dot(last.d, next.d);
+    if (along > 0 && std::abs(cross(last.d, next.d)) <= on_one_ray * along) {
+      if (dot(next.d, next.d) < dot(last.d, last.d)) last = next;
+    } else {
+      all[++kept] = next;
+    }
+  }
+  if (!all.empty()) all.resize(kept + 1);
+}
+
+// True if w is in v's star between y and x, as the hull says where that is clear, or else their
+// Voronoi vertex.
+bool stands_out_with_care(const std::vector<site>& sites, vertex_index v, const candidate& y,
+                          const candidate& w, const candidate& x) {
+  constexpr double in_doubt = 0.25;  // sine of the hull's angle, about
+  if (cross(y.d, x.d) <= 0) return true;
+  const auto before = w.z - y.z, after = x.z - w.z;
+  const double turned = cross(before, after), size = (std::abs(before.x) + std::abs(before.y)) *
+                                                     (std::abs(after.x) + std::abs(after.y));
+  plain_gap gap{y.who, {}, infinity};
+  if (!(std::abs(turned) > in_doubt * size)) close_gap(sites, v, gap, x.who);
+  if (gap.squared_radius == infinity) return turned > 0;
+  const auto to_w = between(sites[v].position, sites[w.who].position);
+  const point from_w{gap.vertex.x - to_w.x, gap.vertex.y - to_w.y};
+  return squared_length(sites[w.who].metric, from_w) < gap.squared_radius;
+}
+
+}  // namespace
+
+plain_star build_careful_star(const std::vector<site>& sites, vertex_index v,
+                              const std::vector<vertex_index>& candidates) {
+  std::vector<candidate>& all = order_candidates(sites, v, candidates);
+  leave_nearest_on_rays(all);
+  const auto& hull =
+      those_that_stand(all, [&](const candidate& y, const candidate& w, const candidate& x) {
+        return stands_out_with_care(sites, v, y, w, x);
+      });
+  plain_star star(hull.size());
+  for (std::size_t i = 0; i < hull.size(); ++i) star[i].neighbour = hull[i]->who;
+  for (std::size_t i = 0; i < star.size(); ++i)
+    close_gap(sites, v, star[i], star[following(star, i)].neighbour);
+  return star;
+}
+
 plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
                             const std::vector<vertex_index>& candidates, const plain_star& before,
                             const known_vertex& known) {
   const std::vector<candidate>& all = order_candidates(sites, v, candidates);
-  thread_local std::vector<const candidate*> hull;
-  hull.clear();
-  for (const candidate& next : all) {
-    while (hull.size() > 1 && !stands_out(*hull[hull.size() - 2], *hull.back(), next))
-      hull.pop_back();
-    hull.push_back(&next);
-  }
-  while (hull.size() > 2 && !stands_out(*hull[hull.size() - 2], *hull.back(), *hull.front()))
-    hull.pop_back();
+  const std::vector<const candidate*>& hull = those_that_stand(all, stands_out);
   plain_star star(hull.size());
   for (std::size_t i = 0; i < hull.size(); ++i) star[i].neighbour = hull[i]->who;
   for (std::size_t i = 0; i < star.size(); ++i) {

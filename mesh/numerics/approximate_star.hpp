@@ -51,6 +51,13 @@ plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
                             const std::vector<vertex_index>& candidates,
                             const plain_star& before = {}, const known_vertex& known = {});
 
+// Returns the star of v among the candidates as build_plain_star does, but with more care, at
+// several times the cost: where the hull leaves it in doubt whether a candidate is a neighbour, the
+// Voronoi vertex of those beside it says so, which all stars that have it agree on; and of sites on
+// one ray the nearest is taken alone.
+plain_star build_careful_star(const std::vector<site>& sites, vertex_index v,
+                              const std::vector<vertex_index>& candidates);
+
 // Fills in the vertex of a gap of v's star between gap.neighbour and `next`, which the star of w,
 // one of these two, has as `found`. False where that one is not known, or not one of v's.
 bool take_vertex(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next,

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdint>
+#include <numeric>
 
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/mesher.hpp"
@@ -67,6 +69,27 @@ TEST_CASE("leaving the last look at stars to the audit changes no mesh") {
         CHECK(std::equal(a.sites.begin(), a.sites.end(), b.sites.begin(), b.sites.end()));
         CHECK(judge_outcome(trusted.value(), d, options).certified() == trusted.value().complete);
       }
+}
+
+TEST_CASE("whether neighbours plainly stand is asked by the audit alone, and most are plain") {
+  const domain d = square();
+  const auto field = make_metric_field("swirl:12", d.box(), 0.1);
+  REQUIRE(field);
+  mesh_options options;
+  options.angle_bound = 20;
+  options.limit_size = true;
+  options.strategy = refinement_strategy::fill;
+  const auto trusted = internal::make_unconfirmed_mesh(d, *field.value(), options, {}),
+             confirmed = make_mesh(d, *field.value(), options);
+  REQUIRE(trusted);
+  REQUIRE(confirmed);
+  const auto edge_tests = [](const mesh_outcome& made) {
+    const auto& decided = made.counters.decided[static_cast<std::size_t>(predicate::edge_test)];
+    return std::accumulate(decided.begin(), decided.end(), std::uint64_t{0});
+  };
+  const std::size_t edges = 3 * trusted.value().result.triangles.size() / 2;
+  CHECK(edge_tests(trusted.value()) < edges / 3);
+  CHECK(edge_tests(confirmed.value()) > edges / 2);
 }
 
 TEST_CASE("a run that is improved is confirmed before") {
