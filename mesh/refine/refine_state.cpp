@@ -37,10 +37,6 @@ void refine_state::construct_stars(star_confirmation confirmed) {
   construct_stars(guesses_, confirmed);
 }
 
-void refine_state::construct_stars(const neighbour_lists& likely) {
-  construct_stars(likely, star_confirmation::by_mesher);
-}
-
 void refine_state::construct_stars(const neighbour_lists& likely, star_confirmation confirmed) {
   stars_.bound_work(given_, work_share_);
   stars_.construct_all(oracle(), likely, confirmed);
