@@ -28,17 +28,14 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
   std::iota(taken.begin(), taken.end(), vertex_index{0});
   state.divide(d, filling, taken);
   state.add_proposed(filling.interior, taken);
-  state.guess_stars(filling.stars, taken);
+  // In one metric all stars are read from one triangulation, without guesses.
+  if (!state.sites_->has_one_metric()) state.guess_stars(filling.stars, taken);
   state.segments_.suspect_all();
   return state;
 }
 
 void refine_state::construct_stars(star_confirmation confirmed) {
   construct_stars(guesses_, confirmed);
-}
-
-void refine_state::construct_stars(const neighbour_lists& likely) {
-  construct_stars(likely, star_confirmation::by_mesher);
 }
 
 void refine_state::construct_stars(const neighbour_lists& likely, star_confirmation confirmed) {

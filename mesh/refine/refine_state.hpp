@@ -69,11 +69,11 @@ class refine_state {
   // Returns the subsegments a site at this place would encroach on.
   std::vector<std::size_t> encroached_by(const site& s) const;
 
-  // Makes all stars; by_auditor, those that the fill guessed are not held against all sites. Until
-  // then subsegments may be split, and nothing else may be asked or done that is about stars.
+  // Makes all stars, of those that the fill guessed not all held against all sites. Until then
+  // subsegments may be split, and nothing else may be asked or done that is about stars.
   void construct_stars(star_confirmation confirmed);
-  // Makes all stars from neighbours that they are likely to have, and confirms all of them.
-  void construct_stars(const neighbour_lists& likely);
+  // Does so from neighbours that they are likely to have.
+  void construct_stars(const neighbour_lists& likely, star_confirmation confirmed);
 
   // Adds a site with its star. Requires a site strictly inside the domain and distinct from the
   // others, and !is_full().
@@ -105,7 +105,6 @@ class refine_state {
   using numbered_sites = std::vector<vertex_index>;
   static constexpr vertex_index left_out = std::numeric_limits<vertex_index>::max();
 
-  void construct_stars(const neighbour_lists& likely, star_confirmation confirmed);
   void divide(const domain& d, const filled_domain& filling, numbered_sites& taken);
   void add_proposed(const std::vector<site>& proposed, numbered_sites& taken);
   void guess_stars(const neighbour_lists& stars, const numbered_sites& taken);

@@ -123,7 +123,9 @@ class refinement_loop {
         is_plain ? refine_plainly(state_, angle_, tolerance_.start, options_.stop)
                  : neighbour_lists();
     if (likely.size() > 0)
-      state_.construct_stars(likely);
+      state_.construct_stars(likely, confirmed_ == star_confirmation::by_auditor
+                                         ? star_confirmation::by_auditor_if_calm
+                                         : confirmed_);
     else
       state_.construct_stars(confirmed_);
   }

@@ -207,20 +207,21 @@ std::optional<std::vector<constructed_star>> stars_of_equal_metrics(const site_o
   if (!from) return std::nullopt;
   constexpr std::size_t chunk = 1024;
   std::vector<tier_counters> counts(chunk_count(oracle.size(), chunk));
-  std::vector<constructed_star> stars = collect_chunks<constructed_star>(
-      oracle.size(), chunk,
-      [&](std::size_t begin, std::size_t end, std::vector<constructed_star>& out) {
-        const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
-        star_reader reader(oracle, *from, *kernel);
-        out.reserve(end - begin);
-        for (std::size_t v = begin; v < end; ++v) {
-          auto made = reader.read(static_cast<vertex_index>(v));
-          if (!made) return;
-          out.push_back(std::move(*made));
-        }
-      });
+  std::vector<char> is_made(counts.size(), 0);
+  // Written in place: this is where a large mesh takes most memory.
+  std::vector<constructed_star> stars(oracle.size());
+  parallel_chunks(stars.size(), chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    const auto kernel = oracle.kernel().fork(counts[i]);
+    star_reader reader(oracle, *from, *kernel);
+    for (std::size_t v = begin; v < end; ++v) {
+      auto made = reader.read(static_cast<vertex_index>(v));
+      if (!made) return;
+      stars[v] = std::move(*made);
+    }
+    is_made[i] = 1;
+  });
   for (const tier_counters& c : counts) oracle.kernel().counters() += c;
-  if (stars.size() != oracle.size()) return std::nullopt;
+  if (std::find(is_made.begin(), is_made.end(), 0) != is_made.end()) return std::nullopt;
   return stars;
 }
 

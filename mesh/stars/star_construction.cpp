@@ -145,9 +145,23 @@ std::optional<star> standing_star(const site_oracle& oracle, vertex_index v,
   return s;
 }
 
-// Returns the star with the neighbours proposed if they stand and, by_mesher, exact tests confirm
-// it at once against all sites. By_auditor, it is asked of those alone that are in doubt whether
-// they stand: the auditor asks it of all edges.
+// True if v and each neighbour measure the edge between them about alike: squares of lengths differ
+// by less than a half. Of 36 meshes of 1,000 to 10,000 random sites in steep metrics the audit
+// refused 7 for a site that a star missed, and 15 without the limit, which costs 2 percent of the
+// instructions of others; a limit of 1.25 spared one more, limits from 3 on spared few.
+bool is_calm(const site_oracle& oracle, vertex_index v, const star& s) {
+  constexpr double most = 1.5;
+  for (const sector& part : s.sectors)
+    for (const vertex_index w : part.neighbours) {
+      const double by_v = oracle.squared_distance(v, w), by_w = oracle.squared_distance(w, v);
+      if (!(by_v <= most * by_w && by_w <= most * by_v)) return false;
+    }
+  return true;
+}
+
+// Returns the star with the neighbours proposed if they stand and, unless that is left to the
+// auditor, exact tests confirm it at once against all sites. By_auditor, it is asked of those alone
+// that are in doubt whether they stand: the auditor asks it of all edges.
 std::optional<constructed_star> guessed_star(const site_oracle& oracle, vertex_index v,
                                              const star_proposal& proposed) {
   if (proposed.guess.empty()) return std::nullopt;
@@ -155,7 +169,9 @@ std::optional<constructed_star> guessed_star(const site_oracle& oracle, vertex_i
   auto s = is_audited && proposed.is_plain ? seen_star(oracle, v, proposed.guess)
                                            : standing_star(oracle, v, proposed.guess);
   if (!s) return std::nullopt;
-  if (is_audited) return constructed_star{*std::move(s), true, false, {}};
+  if (is_audited ||
+      (proposed.confirmed == star_confirmation::by_auditor_if_calm && is_calm(oracle, v, *s)))
+    return constructed_star{*std::move(s), true, false, {}};
   const auto reach = final_reach(oracle, v, *s);
   if (!reach) return std::nullopt;
   return constructed_star{*std::move(s), true, false, reach};

@@ -55,8 +55,8 @@ class star_set {
   bool is_unsettled(vertex_index v) const { return condition_[v] == condition::unsettled; }
 
   // Replaces everything by one star per site of the oracle, each constructed by itself. `guesses`
-  // has the neighbours that some of them are likely to have, counter-clockwise; by_auditor, those
-  // that stand are not held against all sites.
+  // has the neighbours that some of them are likely to have, counter-clockwise; `confirmed` says
+  // which of those that stand are held against all sites.
   void construct_all(const site_oracle& oracle, const neighbour_lists& guesses = {},
                      star_confirmation confirmed = star_confirmation::by_mesher);
   // Adds the oracle's last site: offers it to the other stars and constructs its own. If it splits

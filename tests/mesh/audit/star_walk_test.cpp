@@ -173,6 +173,20 @@ TEST_CASE("the walk settles all stars of a mesh that is good, and asks for no tr
   }
 }
 
+TEST_CASE("a walk is not begun where balls that all gaps need meet many triangles") {
+  patch p = make_patch(40);
+  // Edges grow by a factor of 40 from one side to the other: a ball for the long ones meets
+  // hundreds of triangles where they are short.
+  for (site& s : p.m.sites) {
+    s.position = {s.position.x * s.position.x / 40, s.position.y * s.position.y / 40};
+    s.metric = {1, 0, 1 + s.position.x * 0x1p-10};
+  }
+  const walk_outcome walk = walked(p.m);
+  CHECK(walk.has_failed);
+  CHECK(walk.triangles_met == 0);
+  CHECK(walk.listed_gaps == 0);
+}
+
 TEST_CASE("one flip leaves the stars around it to the tree, and settles all others") {
   patch p = make_patch(20);
   vary(p.m, 0.2);

@@ -92,6 +92,27 @@ TEST_CASE("whether neighbours plainly stand is asked by the audit alone, and mos
   CHECK(edge_tests(confirmed.value()) > edges / 2);
 }
 
+TEST_CASE("sites that are given have their last look by the audit too, and the same mesh") {
+  const domain d = add_random_points(square(), 1000, 1).value();
+  const auto field = make_metric_field("swirl:12", d.box());
+  REQUIRE(field);
+  for (const double bound : {0.0, 20.0}) {
+    CAPTURE(bound);
+    mesh_options options;
+    options.angle_bound = bound;
+    options.max_sites = 10'000;
+    options.strategy = refinement_strategy::fill;
+    const auto confirmed = make_mesh(d, *field.value(), options),
+               trusted = internal::make_unconfirmed_mesh(d, *field.value(), options, {});
+    REQUIRE(confirmed);
+    REQUIRE(trusted);
+    const mesh &a = confirmed.value().result, &b = trusted.value().result;
+    CHECK(a.triangles == b.triangles);
+    CHECK(std::equal(a.sites.begin(), a.sites.end(), b.sites.begin(), b.sites.end()));
+    CHECK(judge_outcome(trusted.value(), d, options).certified());
+  }
+}
+
 TEST_CASE("a run that is improved is confirmed before") {
   const domain d = square();
   const auto field = make_metric_field("swirl:12", d.box(), 0.3);

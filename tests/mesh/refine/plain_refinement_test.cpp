@@ -35,7 +35,7 @@ refine_state started(const domain& d, const metric_field& field, const star_pred
 
 // Counts the guesses that are the star of their site, of all sites inside the domain.
 std::size_t confirmed(refine_state& state, const neighbour_lists& likely) {
-  state.construct_stars(likely);
+  state.construct_stars(likely, star_confirmation::by_mesher);
   std::size_t same = 0;
   for (vertex_index v = 0; v < state.sites().size(); ++v) {
     const auto& ring = state.stars()[v].sectors.front();
