@@ -10,6 +10,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/audit_work.hpp"
+#include "asterism/mesh/audit/metric_ball.hpp"
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/theorem_measures.hpp"
@@ -159,11 +160,29 @@ void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t f
   }
 }
 
+// Returns how far points of a subsegment are from their nearer end, from above: of its length A as
+// one end measures, and B as the other, a point at the part t of the way is t A and (1 - t) B away,
+// and the lesser is at most A B / (A + B).
+double farthest_from_nearer_end(double by_a, double by_b) {
+  constexpr double up = 1 + 0x1p-48;
+  return by_a / (by_a + by_b) * by_b * up;
+}
+
+// True if w is certainly farther than that from all points of the subsegment.
+bool is_clearly_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w,
+                       double farthest) {
+  const audit_detail::metric_ball ball(m.sites[w]);
+  return ball.is_usable() &&
+         audit_detail::metric_ball::misses(ball.in_frame(m.sites[subsegment.a].position),
+                                           ball.in_frame(m.sites[subsegment.b].position), farthest);
+}
+
 // Holds the site w against a subsegment.
-void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w,
+void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w, double farthest,
                   audit_patience& patience, measured_part& part) {
   patience.count(a_look);
   if (w == subsegment.a || w == subsegment.b || !part.failure.empty() || patience.is_over()) return;
+  if (is_clearly_beside(m, subsegment, w, farthest)) return;
   if (!audit_detail::is_certainly_farther_than_nearer_end(m.sites[subsegment.a],
                                                           m.sites[subsegment.b], m.sites[w]))
     part.failure = vertex_name(w) + " may be as near to a point of the boundary edge from " +
@@ -175,10 +194,12 @@ void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w
 void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, std::size_t last,
                        audit_patience& patience, measured_part& part) {
   std::vector<site_tree::reaching> starts;
+  std::vector<double> farthest;
   for (std::size_t i = first; i < last; ++i) {
     const site &a = m.sites[m.boundary[i].a], &b = m.sites[m.boundary[i].b];
     const double by_a = theorem::distance_above(a, b), by_b = theorem::distance_above(b, a);
     part.longest_subsegment = greatest_bound(part.longest_subsegment, greatest_bound(by_a, by_b));
+    farthest.push_back(farthest_from_nearer_end(by_a, by_b));
     // From the end that finds it shorter, s long: no point of it is farther from that end than s,
     // nor, as both ends measure along it linearly, from its nearer end. So g . (w - end) is at most
     // (|g|_end + |g|_w) s for a w that is as near (site_tree.hpp).
@@ -188,7 +209,9 @@ void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, 
   const bool gathered = tree.gather(starts, leaves);
   for (std::size_t i = first; i < last; ++i) {
     const auto& [end, length] = starts[i - first];
-    const auto check = [&](vertex_index w) { check_beside(m, m.boundary[i], w, patience, part); };
+    const auto check = [&](vertex_index w) {
+      check_beside(m, m.boundary[i], w, farthest[i - first], patience, part);
+    };
     if (gathered)
       tree.visit_near(leaves, end, length, check);
     else
