@@ -147,8 +147,7 @@ class filling {
     if (crowded_) filled.crowded = stars_.most_crowded();
     sites_.forget_index();
     const std::vector<vertex_index> order = in_order_of_outcome();
-    if (filled.complete) stars_.mend_disagreeing();
-    if (filled.complete) filled.stars = stars_in_order(order);
+    if (filled.complete) filled.stars = stars_in_order(order, stars_.mend_disagreeing());
     stars_.forget_stars();
     put_sites_in_order(order, filled);
     return filled;
@@ -182,7 +181,8 @@ class filling {
 
   // Returns the neighbours of the sites in that order, in its numbers. Those of a star that
   // disagrees with another are wrong in one of the two, and left out.
-  neighbour_lists stars_in_order(const std::vector<vertex_index>& order) const {
+  neighbour_lists stars_in_order(const std::vector<vertex_index>& order,
+                                 const std::vector<char>& agrees) const {
     constexpr std::size_t chunk = 256;
     std::vector<vertex_index> number(sites_.size());
     std::vector<std::size_t> sizes(order.size());
@@ -190,7 +190,7 @@ class filling {
       for (std::size_t i = begin; i < end; ++i) {
         const vertex_index v = order[i];
         number[v] = static_cast<vertex_index>(i);
-        sizes[i] = stars_.agrees_with_neighbours(v) ? stars_[v].size() : 0;
+        sizes[i] = agrees[v] != 0 ? stars_[v].size() : 0;
       }
     });
     neighbour_lists lists(std::move(sizes));

@@ -12,6 +12,7 @@
 #include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -80,8 +81,13 @@ bool plain_star_store::agrees_with_neighbours(vertex_index v) const {
   return true;
 }
 
-void plain_star_store::mend_disagreeing() {
-  std::vector<disturbed> claims = claims_on_disagreeing();
+std::vector<char> plain_star_store::mend_disagreeing() {
+  std::vector<char> agrees(stars_.size());
+  parallel_chunks(stars_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      agrees[v] = agrees_with_neighbours(static_cast<vertex_index>(v)) ? 1 : 0;
+  });
+  std::vector<disturbed> claims = claims_on_disagreeing(agrees);
   tbb::parallel_sort(claims.begin(), claims.end(), in_order_of_stars);
   const std::vector<std::size_t> starts = starts_of_stars(claims);
   parallel_chunks(starts.size() - 1, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -95,21 +101,26 @@ void plain_star_store::mend_disagreeing() {
       stars_[v] = build_careful_star(sites_->all(), v, candidates);
     }
   });
+  // Those that were made anew, and those that have one of them: others are as they were.
+  std::vector<vertex_index> doubtful;
+  for (const disturbed& each : claims) {
+    if (doubtful.empty() || doubtful.back() != each.star) doubtful.push_back(each.star);
+    doubtful.push_back(each.by);
+  }
+  sort_unique(doubtful);
+  for (const vertex_index v : doubtful) agrees[v] = agrees_with_neighbours(v) ? 1 : 0;
+  return agrees;
 }
 
 // Returns the stars that do not agree with their neighbours, each with the sites that have it as
 // one.
-std::vector<plain_star_store::disturbed> plain_star_store::claims_on_disagreeing() const {
-  std::vector<char> disagrees(stars_.size());
-  parallel_chunks(stars_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v)
-      disagrees[v] = agrees_with_neighbours(static_cast<vertex_index>(v)) ? 0 : 1;
-  });
+std::vector<plain_star_store::disturbed> plain_star_store::claims_on_disagreeing(
+    const std::vector<char>& agrees) const {
   return collect_chunks<disturbed>(
       stars_.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
         for (std::size_t v = begin; v < end; ++v)
           for (const plain_gap& gap : stars_[v])
-            if (disagrees[gap.neighbour] != 0)
+            if (agrees[gap.neighbour] == 0)
               out.push_back({gap.neighbour, static_cast<vertex_index>(v)});
       });
 }

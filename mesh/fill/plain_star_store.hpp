@@ -38,8 +38,9 @@ class plain_star_store {
   // between three sites on segments, which may be outside the domain.
   bool agrees_with_neighbours(vertex_index v) const;
   // Makes those stars anew, with more care, that do not agree with their neighbours, from what they
-  // have and what has them; most agree then. To be called when no more sites come.
-  void mend_disagreeing();
+  // have and what has them; most agree then. Returns which stars do. To be called when no more
+  // sites come.
+  std::vector<char> mend_disagreeing();
   // Returns the stars that the last renewal made anew, or all after mark_all_changed(): those that
   // may leave room where they left none before.
   const std::vector<vertex_index>& changed() const { return changed_; }
@@ -57,7 +58,7 @@ class plain_star_store {
   };
   static bool in_order_of_stars(const disturbed& a, const disturbed& b);
   static std::vector<std::size_t> starts_of_stars(const std::vector<disturbed>& pairs);
-  std::vector<disturbed> claims_on_disagreeing() const;
+  std::vector<disturbed> claims_on_disagreeing(const std::vector<char>& agrees) const;
 
   std::vector<disturbed> make_stars(std::size_t first, std::size_t last, double distance);
   void renew_disturbed(const std::vector<disturbed>& pairs);

@@ -97,6 +97,40 @@ bool thin_corner_is_low(const metric_tensor& given, const std::array<point, 3>& 
   return !(inner <= cotangent * std::sqrt(det) * area * (1 - 8 * epsilon));
 }
 
+// True if all nine angles are certainly above one of this cotangent, which is that of an angle from
+// 0.1 degrees to 60. Leaves thin metrics, and what is nearly as small, to others.
+//
+// Errors. A metric that is not thin has a determinant of 2^-14 of its monomials or more, so that no
+// monomial of the inner product of two sides is more than 2^15 times N, the product of their
+// lengths, and none of their area, times the root of the determinant, more than 2^8 N. So the
+// inner product is off by less than 2^-32 N, and that area, with the root, by less than 2^-36 N. An
+// angle of at most b passes as one theta <= b with
+//   cos theta - 2^-32 < cot b (1 - 2^-24) (sin theta + 2^-36) alone, hence with
+//   sin (b - theta) + 2^-24 sin theta cos b < 2^-32 sin b + 2^-36.
+// The left side is least at theta = b, where it is more from 0.1 degrees on.
+bool all_angles_are_above(const triangle_sites& t, double cotangent) {
+  constexpr double nearly = 1 - 0x1p-24, of_sixty_degrees = 0.577, of_tenth_degree = 572;
+  if (!(cotangent > of_sixty_degrees && cotangent < of_tenth_degree)) return false;
+  const double most = cotangent * nearly, squared = most * most;
+  std::array<double, 3> bounds;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const metric_tensor& m = t[j].metric;
+    if (is_thin(m)) return false;
+    bounds[j] = squared * (m.m11 * m.m22 - m.m12 * m.m12);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const point a = difference(t[(i + 1) % 3].position, t[i].position),
+                b = difference(t[(i + 2) % 3].position, t[i].position);
+    const double area = cross(a, b);
+    if (!(area > 0)) return false;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double along = inner_product(t[j].metric, a, b);
+      if (!(along <= 0 || along * along < bounds[j] * (area * area))) return false;
+    }
+  }
+  return true;
+}
+
 // An angle as its sine and cosine times one positive number.
 struct angle_sides {
   double across = 0, along = 0;
@@ -119,7 +153,7 @@ angle_requirement::angle_requirement(double degrees)
     : degrees_(degrees), cotangent_(1 / elementary::tan(degrees * (1 + 1e-9) / to_degrees)) {}
 
 bool angle_requirement::is_low(const triangle_sites& t, const angle_set& left_out) const {
-  if (degrees_ == 0) return false;
+  if (degrees_ == 0 || all_angles_are_above(t, cotangent_)) return false;
   const std::array<measuring_metric, 3> by = {
       measuring_metric(t[0].metric), measuring_metric(t[1].metric), measuring_metric(t[2].metric)};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -204,30 +238,6 @@ double smallest_of(const measured_angles& m) {
     if (!is_greater) smallest = std::min(smallest, m.angles[k].degrees());
   }
   return smallest;
-}
-
-// True if all nine angles are certainly beyond this one, by more than roundings. Asks for products,
-// where measured_angles divides; thin metrics are left to that.
-bool all_angles_are_above(const triangle_sites& t, double cotangent) {
-  constexpr double nearly = 1 - 0x1p-24;
-  const double most = cotangent * nearly, squared = most * most;
-  std::array<double, 3> bounds;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const metric_tensor& m = t[j].metric;
-    if (is_thin(m)) return false;
-    bounds[j] = squared * (m.m11 * m.m22 - m.m12 * m.m12);
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const point a = difference(t[(i + 1) % 3].position, t[i].position),
-                b = difference(t[(i + 2) % 3].position, t[i].position);
-    const double area = cross(a, b);
-    if (!(area > 0)) return false;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double along = inner_product(t[j].metric, a, b);
-      if (!(along <= 0 || along * along < bounds[j] * (area * area))) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/numerics/constructions.hpp"
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 
 #include "asterism/mesh/numerics/real_roots.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
@@ -169,6 +173,48 @@ TEST_CASE("angles are measured from every vertex, and err towards low") {
   const triangle_sites right{{{{0, 0}, unit}, {{1, 0}, unit}, {{0, 1}, unit}}};
   CHECK(angle_requirement(45).is_low(right));
   CHECK_FALSE(angle_requirement(44.999).is_low(right));
+}
+
+TEST_CASE(
+    "angles told by products are never low, near the bound and in metrics that are nearly thin") {
+  const std::uint64_t seed = 91;
+  CAPTURE(seed);
+  splitmix64 random(seed);
+  using real = long double;
+  std::size_t low = 0, passed = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const double bound = std::array{0.1, 1.0, 20.0, 50.0}[static_cast<std::size_t>(k % 4)];
+    const double beside = std::pow(10, random.real(-9, -3)) * (k % 8 < 4 ? 1 : -1);
+    const double first = bound * (1 + beside) * std::numbers::pi / 180, second = random.real(1, 2);
+    // The triangle as its metric L L^T sees it, and where it is.
+    const double l11 = std::exp(random.real(-2, 2)), l22 = std::exp(random.real(-2, 2)),
+                 l21 = random.real(-1, 1) * std::pow(10, random.real(-2, 2)) * l22;
+    const metric_tensor m{l11 * l11, l11 * l21, l21 * l21 + l22 * l22};
+    const double height = 1 / (1 / std::tan(first) + 1 / std::tan(second));
+    const auto place = [&](double x, double y) {  // L^-T of it
+      return point{(x - l21 * (y / l22)) / l11, y / l22};
+    };
+    const triangle_sites t{
+        {{place(0, 0), m}, {place(1, 0), m}, {place(height / std::tan(first), height), m}}};
+    real smallest = 180;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const point &o = t[i].position, &p = t[(i + 1) % 3].position, &q = t[(i + 2) % 3].position;
+      const real ax = real{p.x} - o.x, ay = real{p.y} - o.y, bx = real{q.x} - o.x,
+                 by = real{q.y} - o.y;
+      const real along = real{m.m11} * ax * bx + real{m.m12} * (ax * by + ay * bx) +
+                         real{m.m22} * ay * by,
+                 across =
+                     std::sqrt(real{m.m11} * m.m22 - real{m.m12} * m.m12) * (ax * by - ay * bx);
+      smallest = std::min(smallest, std::atan2(across, along) * 180 / std::numbers::pi_v<real>);
+    }
+    const bool is_low = angle_requirement(bound).is_low(t);
+    CAPTURE(k, bound, beside, static_cast<double>(smallest));
+    if (smallest < bound) REQUIRE(is_low);
+    low += smallest < bound ? 1 : 0;
+    passed += is_low ? 0 : 1;
+  }
+  CHECK(low > 8'000);
+  CHECK(passed > 8'000);
 }
 
 TEST_CASE("the corner of the square under the swirl measures acos(K / (1 + K))") {
