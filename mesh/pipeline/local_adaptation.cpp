@@ -13,6 +13,7 @@
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/adapt/shape_filter.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/pipeline/audited_mesh.hpp"
@@ -49,6 +50,7 @@ class adaptation {
         options_(job.options),
         start_(job.start),
         wanted_(job.wanted),
+        fitted_(job.wanted),
         is_field_itself_(job.is_field_itself),
         count_(job.count),
         made_(job.shape, options_) {}
@@ -57,6 +59,9 @@ class adaptation {
     if (count_ < 1) return std::nullopt;
     order_places();
     options_.stop.expect(count_);
+    // A formula has no noise. With more sites what turns from node to node is mostly a feature, and
+    // errors of fine waves grow without it (docs/design/adaptation.md).
+    if (is_field_itself_ && wants_few()) fitted_.set_tensors(without_noise(wanted_, options_.stop));
     const cancellation whole = options_.stop;
     constexpr double for_ladder = 0.8;  // of the work; what is left is for one metric
     options_.stop = whole.part(for_ladder);
@@ -119,16 +124,20 @@ class adaptation {
     for (const site& s : sites) seeds_.push_back(s.position);
   }
 
+  bool wants_few() const {
+    constexpr std::size_t few = 1000;
+    return count_ < few;
+  }
+
   nodal_field graded(double distortion) const {
-    nodal_field made = wanted_;
-    std::vector<metric_tensor> tensors = wanted_.tensors();
+    nodal_field made = fitted_;
+    std::vector<metric_tensor> tensors = fitted_.tensors();
     gradation_limit limit;
     limit.distortion = distortion;
     limit.longest = 20;
     // Few sites do not resolve the metric yet: its peaks are at single nodes, and much beside them
     // would be refined for their sake (docs/design/adaptation.md).
-    constexpr std::size_t few = 1000;
-    if (count_ < few) limit.coarser_part = 0.6;
+    if (wants_few()) limit.coarser_part = 0.6;
     grade(made.places(), made.edges(), limit, tensors, options_.stop);
     made.set_tensors(std::move(tensors));
     return made;
@@ -153,16 +162,26 @@ class adaptation {
   void take_interpolated(working_mesh& m) const {
     for (vertex_index v = 0; v < m.nodes().size(); ++v)
       if (m.at(v).kind != node_kind::gone)
-        m.set_metric(v, wanted_.at(m.at(v).position, m.at(v).hint));
+        m.set_metric(v, fitted_.at(m.at(v).position, m.at(v).hint));
   }
 
-  // Gives the nodes the metric wanted where they are. Returns false where it fails.
+  // Gives the node the metric without noise where that is another one than the metric wanted: both
+  // are interpolated by the same operations.
+  void leave_out_noise(working_mesh& m, vertex_index v) const {
+    const point& here = m.at(v).position;
+    vertex_index hint = m.at(v).hint;
+    const metric_tensor without = fitted_.at(here, hint);
+    if (!identical(without, wanted_.at(here, hint))) m.set_metric(v, without);
+  }
+
+  // Gives the nodes the metric wanted where they are, without noise. Returns false where it fails.
   bool take_wanted(working_mesh& m) const {
     for (vertex_index v = 0; v < m.nodes().size(); ++v) {
       if (m.at(v).kind == node_kind::gone) continue;
       const auto there = wanted_at(m.at(v).position);
       if (!there) return false;
       m.set_metric(v, *there);
+      if (is_field_itself_) leave_out_noise(m, v);
     }
     return true;
   }
@@ -387,6 +406,7 @@ class adaptation {
   mesh_options options_;  // with the work that the step at hand may do
   const mesh& start_;
   const nodal_field& wanted_;
+  nodal_field fitted_;  // what the mesh is made in: the metric wanted without noise
   bool is_field_itself_;
   std::size_t count_;
   std::vector<point> seeds_;
