@@ -221,16 +221,16 @@ void append_item(std::string& text, bool is_first, const Values&... values) {
   text += "\n   ]";
 }
 
-std::string vertices_text(const domain& d) {
-  std::string text = "[";
+void append_vertices(std::string& text, const domain& d) {
+  text += "[";
   append_lines(text, d.vertices.size(), [&](std::size_t i, std::string& lines) {
     append_item(lines, i == 0, d.vertices[i].x, d.vertices[i].y);
   });
-  return text + "\n  ]";
+  text += "\n  ]";
 }
 
-std::string segments_text(const domain& d) {
-  std::string text = "[";
+void append_segments(std::string& text, const domain& d) {
+  text += "[";
   append_lines(text, d.segments.size(), [&](std::size_t i, std::string& lines) {
     const segment& s = d.segments[i];
     const std::size_t a = std::size_t{s.a} + 1, b = std::size_t{s.b} + 1;
@@ -239,19 +239,23 @@ std::string segments_text(const domain& d) {
     else
       append_item(lines, i == 0, a, b, s.marker);
   });
-  return text + "\n  ]";
+  text += "\n  ]";
 }
 
 // Puts the two lists into a text that has them empty. The key is the only one that far from the
-// left, and no value holds the end of a line.
+// left, and no value holds the end of a line. The lists may be most of a large text: they are
+// written where they stay.
 void put_lists(std::string& text, const domain& d) {
   const std::string empty = "[]";
-  std::size_t at = text.rfind("\n \"domain\": {");
-  for (const std::string& list : {vertices_text(d), segments_text(d)}) {
-    at = text.find(empty, at);
-    text.replace(at, empty.size(), list);
-    at += list.size();
-  }
+  const std::size_t first = text.find(empty, text.rfind("\n \"domain\": {")),
+                    second = text.find(empty, first + empty.size());
+  const std::string between = text.substr(first + empty.size(), second - first - empty.size()),
+                    rest = text.substr(second + empty.size());
+  text.resize(first);
+  append_vertices(text, d);
+  text += between;
+  append_segments(text, d);
+  text += rest;
 }
 
 }  // namespace

@@ -112,8 +112,10 @@ bool all_angles_are_above(const triangle_sites& t, double cotangent) {
   constexpr double nearly = 1 - 0x1p-24, of_sixty_degrees = 0.577, of_tenth_degree = 572;
   if (!(cotangent > of_sixty_degrees && cotangent < of_tenth_degree)) return false;
   const double most = cotangent * nearly, squared = most * most;
-  std::array<double, 3> bounds;
-  for (std::size_t j = 0; j < 3; ++j) {
+  const bool is_one = identical(t[0].metric, t[1].metric) && identical(t[0].metric, t[2].metric);
+  const std::size_t metrics = is_one ? 1 : 3;
+  std::array<double, 3> bounds{};
+  for (std::size_t j = 0; j < metrics; ++j) {
     const metric_tensor& m = t[j].metric;
     if (is_thin(m)) return false;
     bounds[j] = squared * (m.m11 * m.m22 - m.m12 * m.m12);
@@ -123,7 +125,7 @@ bool all_angles_are_above(const triangle_sites& t, double cotangent) {
                 b = difference(t[(i + 2) % 3].position, t[i].position);
     const double area = cross(a, b);
     if (!(area > 0)) return false;
-    for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t j = 0; j < metrics; ++j) {
       const double along = inner_product(t[j].metric, a, b);
       if (!(along <= 0 || along * along < bounds[j] * (area * area))) return false;
     }

@@ -23,6 +23,7 @@ bounding_box subsegment_box(const std::vector<site>& sites, const boundary_edge&
 neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edges)
     : box_(box_of_sites(sites)),
       order_(order_along_curve(sites, box_)),
+      along_curve_(order_.size()),
       sites_(box_),
       subsegments_(box_),
       influences_(box_) {
@@ -33,6 +34,13 @@ neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edg
   }
   for (std::size_t subsegment = 0; subsegment < edges.subsegments().size(); ++subsegment)
     insert_subsegment(sites, edges, subsegment);
+}
+
+std::vector<vertex_index> neighbourhood::order_anew(const std::vector<site>& sites) const {
+  constexpr std::size_t few = 16;  // one in so many
+  std::vector<vertex_index> order = order_;
+  if (few * (order.size() - along_curve_) > order.size()) sort_along_curve(order, sites, box_);
+  return order;
 }
 
 void neighbourhood::insert_subsegment(const std::vector<site>& sites, const boundary& edges,

@@ -29,6 +29,9 @@ class neighbourhood {
   const box_index& influences() const { return influences_; }
   // Returns the sites along a space-filling curve, later ones behind all others.
   const std::vector<vertex_index>& order() const { return order_; }
+  // Returns the sites along that curve, but for later ones where they are few: what goes from site
+  // to site finds what it wants near what it has had.
+  std::vector<vertex_index> order_anew(const std::vector<site>& sites) const;
   // Returns the box around all sites; some may lie outside it by rounding.
   const bounding_box& box() const { return box_; }
 
@@ -52,6 +55,7 @@ class neighbourhood {
 
   bounding_box box_;
   std::vector<vertex_index> order_;
+  std::size_t along_curve_ = 0;  // the first so many of these
   site_index sites_;
   box_index subsegments_, influences_;
 };

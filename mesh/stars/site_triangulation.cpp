@@ -28,7 +28,7 @@ std::vector<vertex_index> insertion_order(const site_oracle& oracle) {
   };
   std::array<std::vector<vertex_index>, most_rounds> rounds;
   const std::vector<vertex_index> along_curve =
-      oracle.near() != nullptr ? oracle.near()->order()
+      oracle.near() != nullptr ? oracle.near()->order_anew(oracle.sites())
                                : order_along_curve(oracle.sites(), box_of_sites(oracle.sites()));
   for (const vertex_index v : along_curve) rounds[round_of(v)].push_back(v);
   std::vector<vertex_index> order;

@@ -103,7 +103,7 @@ void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& g
   }
   std::vector<vertex_index> all;
   if (oracle.near() != nullptr) {
-    all = oracle.near()->order();
+    all = oracle.near()->order_anew(oracle.sites());
   } else {
     all.resize(oracle.size());
     std::iota(all.begin(), all.end(), vertex_index{0});
