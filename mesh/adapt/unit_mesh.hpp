@@ -52,7 +52,7 @@ class unit_mesher {
   // the longest first, up to so many nodes. Returns how many.
   std::size_t split_left_long(metric_at wanted, std::size_t most_nodes);
   // Splits a few edges, the longest first, that are half as long again as the metric calls one.
-  // Where it turns fast more nodes than are wanted would be needed for all edges to be near one.
+  // More nodes than are wanted would be needed, where it turns fast, for all edges to be near one.
   // Returns the nodes made.
   std::vector<vertex_index> split_outliers(metric_at wanted);
   // Returns the length of an edge that came out, or was wanted to.

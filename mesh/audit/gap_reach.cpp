@@ -69,7 +69,7 @@ struct direction {
   sized_value squared;
 };
 
-// What z contributes to R, and a bound from below of b_z(u); of nothing known, infinite and 0.
+// Holds what z contributes to R, and a bound from below of b_z(u); nothing known: infinite and 0.
 struct side_of_gap {
   double reach = infinity, bound = 0;
 };
@@ -163,7 +163,7 @@ bool is_in_triangle_behind(const gap_extent& gap, const site& v, const site& x, 
                            const site& behind) {
   const point to_x = minus(x.position, v.position), to_y = minus(y.position, v.position),
               to_d = minus(behind.position, v.position);
-  // What the tip is off by, and the way back from it.
+  // Bounds what the tip is off by, and the way back from it.
   const double extent = std::abs(gap.tip.x) + std::abs(gap.tip.y);
   const auto is_left_of = [&](const point& from, const point& to) {
     const point along = minus(to, from), way = minus(gap.tip, from);

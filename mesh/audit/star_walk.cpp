@@ -158,14 +158,14 @@ bool is_worth_walking(const audit_context& context, const std::vector<site>& at)
   return met <= most;
 }
 
-// Where the first bound of a reach is of no use: the best that is known.
+// Returns the best bound of a reach that is known, for gaps whose first one is of no use.
 double better_reach(const gap_table& gaps, const gap_of_triangle& g) {
   const double reach = star_gap(gaps.at[g.v], gaps.at[g.x], gaps.at[g.y]).reach();
   if (reach < std::numeric_limits<double>::infinity()) return reach;
   return star_gap_filter(gaps.at[g.v], gaps.at[g.x], gaps.at[g.y]).reach();
 }
 
-// What was found out about some gaps.
+// Holds what was found out about some gaps.
 struct listed_part {
   std::vector<listing> listings;
   std::vector<vertex_index> left;
@@ -370,7 +370,7 @@ class site_walk {
   const metric_ball* ball_ = nullptr;
 };
 
-// What was found out about some sites.
+// Holds what was found out about some sites.
 struct walked_part {
   std::vector<vertex_index> left;
   std::size_t met = 0;

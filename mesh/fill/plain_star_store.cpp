@@ -34,13 +34,32 @@ bool plain_star_store::in_order_of_stars(const disturbed& a, const disturbed& b)
   return a.star != b.star ? a.star < b.star : a.by < b.by;
 }
 
-// Returns where in that order another star begins, and the end.
-std::vector<std::size_t> plain_star_store::starts_of_stars(const std::vector<disturbed>& pairs) {
+// Makes the stars of the pairs anew, each as `make` does of its neighbours and what it is paired
+// with. The pairs are sorted by star. Returns the stars.
+template <class Make>
+std::vector<vertex_index> plain_star_store::make_anew(const std::vector<disturbed>& pairs,
+                                                      const Make& make) {
   std::vector<std::size_t> starts;
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (i == 0 || pairs[i].star != pairs[i - 1].star) starts.push_back(i);
+  std::vector<vertex_index> which;
+  for (const std::size_t start : starts) which.push_back(pairs[start].star);
   starts.push_back(pairs.size());
-  return starts;
+  parallel_chunks(which.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    std::vector<vertex_index> candidates;
+    std::uint64_t looked_at = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_enough(i)) break;
+      const vertex_index v = which[i];
+      candidates.clear();
+      for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
+      for (std::size_t k = starts[i]; k < starts[i + 1]; ++k) candidates.push_back(pairs[k].by);
+      looked_at += candidates.size();
+      stars_[v] = make(v, candidates);
+    }
+    work_->count_candidates(looked_at);
+  });
+  return which;
 }
 
 bool plain_star_store::renew(double distance) {
@@ -89,19 +108,10 @@ std::vector<char> plain_star_store::mend_disagreeing() {
   });
   std::vector<disturbed> claims = claims_on_disagreeing(agrees);
   tbb::parallel_sort(claims.begin(), claims.end(), in_order_of_stars);
-  const std::vector<std::size_t> starts = starts_of_stars(claims);
-  parallel_chunks(starts.size() - 1, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    std::vector<vertex_index> candidates;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (is_enough(i)) break;
-      const vertex_index v = claims[starts[i]].star;
-      candidates.clear();
-      for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
-      for (std::size_t k = starts[i]; k < starts[i + 1]; ++k) candidates.push_back(claims[k].by);
-      stars_[v] = build_careful_star(sites_->all(), v, candidates);
-    }
+  make_anew(claims, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
+    return build_careful_star(sites_->all(), v, candidates);
   });
-  // Those that were made anew, and those that have one of them: others are as they were.
+  // Asks those again that were made anew, or have one of them: others are as they were.
   std::vector<vertex_index> doubtful;
   for (const disturbed& each : claims) {
     if (doubtful.empty() || doubtful.back() != each.star) doubtful.push_back(each.star);
@@ -156,26 +166,15 @@ std::vector<plain_star_store::disturbed> plain_star_store::make_stars(std::size_
 }
 
 // Makes each disturbed star anew from its neighbours and the sites that disturb it, and adds it to
-// changed_. The pairs are sorted by star.
+// changed_.
 void plain_star_store::renew_disturbed(const std::vector<disturbed>& pairs) {
-  const std::vector<std::size_t> starts = starts_of_stars(pairs);
-  parallel_chunks(starts.size() - 1, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    std::vector<vertex_index> candidates;
-    std::uint64_t looked_at = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (is_enough(i)) break;
-      const vertex_index v = pairs[starts[i]].star;
-      candidates.clear();
-      for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
-      for (std::size_t j = starts[i]; j < starts[i + 1]; ++j) candidates.push_back(pairs[j].by);
-      looked_at += candidates.size();
-      stars_[v] = build_plain_star(
-          sites_->all(), v, candidates, stars_[v],
-          [&](plain_gap& gap, vertex_index next) { return take_from_new(v, gap, next); });
-    }
-    work_->count_candidates(looked_at);
-  });
-  for (std::size_t i = 0; i + 1 < starts.size(); ++i) changed_.push_back(pairs[starts[i]].star);
+  const auto which =
+      make_anew(pairs, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
+        return build_plain_star(
+            sites_->all(), v, candidates, stars_[v],
+            [&](plain_gap& gap, vertex_index next) { return take_from_new(v, gap, next); });
+      });
+  changed_.insert(changed_.end(), which.begin(), which.end());
 }
 
 // Takes the vertex of a gap of an older site v from the star of a new one beside the gap, if that

@@ -57,7 +57,8 @@ class plain_star_store {
     vertex_index star, by;
   };
   static bool in_order_of_stars(const disturbed& a, const disturbed& b);
-  static std::vector<std::size_t> starts_of_stars(const std::vector<disturbed>& pairs);
+  template <class Make>
+  std::vector<vertex_index> make_anew(const std::vector<disturbed>& pairs, const Make& make);
   std::vector<disturbed> claims_on_disagreeing(const std::vector<char>& agrees) const;
 
   std::vector<disturbed> make_stars(std::size_t first, std::size_t last, double distance);
