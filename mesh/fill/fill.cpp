@@ -147,7 +147,7 @@ class filling {
     if (crowded_) filled.crowded = stars_.most_crowded();
     sites_.forget_index();
     const std::vector<vertex_index> order = in_order_of_outcome();
-    if (filled.complete) filled.stars = stars_in_order(order, stars_.mend_disagreeing());
+    if (filled.complete) filled.stars = stars_in_order(order, stars_.mend_disagreeing(order));
     stars_.forget_stars();
     put_sites_in_order(order, filled);
     return filled;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/fill/plain_star_store.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
@@ -30,8 +29,22 @@ bool has_gap(const plain_star& star, vertex_index y, vertex_index x) {
 
 }  // namespace
 
-bool plain_star_store::in_order_of_stars(const disturbed& a, const disturbed& b) {
-  return a.star != b.star ? a.star < b.star : a.by < b.by;
+// Returns the pairs in the order of their stars, and those of a star as they were. Counts where
+// there are many: a sort by comparisons guesses wrong at every other one.
+std::vector<plain_star_store::disturbed> plain_star_store::by_star(
+    std::vector<disturbed> pairs) const {
+  constexpr std::size_t stars_to_a_pair = 16;
+  if (pairs.size() < stars_.size() / stars_to_a_pair) {
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const disturbed& a, const disturbed& b) { return a.star < b.star; });
+    return pairs;
+  }
+  std::vector<std::uint32_t> next(stars_.size() + 1);
+  for (const disturbed& each : pairs) ++next[each.star + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<disturbed> sorted(pairs.size());
+  for (const disturbed& each : pairs) sorted[next[each.star]++] = each;
+  return sorted;
 }
 
 // Makes the stars of the pairs anew, each as `make` does of its neighbours and what it is paired
@@ -78,9 +91,8 @@ bool plain_star_store::renew(double distance) {
     at = end;
     if (work_->is_overworked(count)) return false;
   }
-  tbb::parallel_sort(pairs.begin(), pairs.end(), in_order_of_stars);
   changed_.clear();
-  renew_disturbed(pairs);
+  renew_disturbed(by_star(std::move(pairs)));
   for (; finished_ < count; ++finished_) changed_.push_back(static_cast<vertex_index>(finished_));
   return true;
 }
@@ -100,14 +112,13 @@ bool plain_star_store::agrees_with_neighbours(vertex_index v) const {
   return true;
 }
 
-std::vector<char> plain_star_store::mend_disagreeing() {
+std::vector<char> plain_star_store::mend_disagreeing(const std::vector<vertex_index>& order) {
   std::vector<char> agrees(stars_.size());
-  parallel_chunks(stars_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v)
-      agrees[v] = agrees_with_neighbours(static_cast<vertex_index>(v)) ? 1 : 0;
+  parallel_chunks(order.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      agrees[order[i]] = agrees_with_neighbours(order[i]) ? 1 : 0;
   });
-  std::vector<disturbed> claims = claims_on_disagreeing(agrees);
-  tbb::parallel_sort(claims.begin(), claims.end(), in_order_of_stars);
+  const std::vector<disturbed> claims = by_star(claims_on_disagreeing(agrees));
   make_anew(claims, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
     return build_careful_star(sites_->all(), v, candidates);
   });
@@ -208,13 +219,22 @@ bool plain_star_store::find_near(vertex_index w, double known, double reach,
   const bool all = box.low.x <= box_.low.x && box.low.y <= box_.low.y &&
                    box.high.x >= box_.high.x && box.high.y >= box_.high.y;
   const double squared_known = known < 0 ? known : known * known;
-  sites_->index().visit_box(sites_->all(), box.low, box.high, [&](vertex_index u) {
-    ++looked_at;
-    if (u == w) return true;
-    const double squared = squared_distance(s, (*sites_)[u].position);
-    if (!(squared <= squared_known) && (all || squared <= reach * reach)) near.push_back(u);
-    return true;
-  });
+  const double squared_reach = reach * reach;
+  std::size_t count = near.size();
+  // Every site is written, and stays if it is one of those: which ones are is past guessing.
+  sites_->index().visit_clusters(
+      sites_->all(), box, [&](std::span<const point> places, std::span<const vertex_index> which) {
+        looked_at += places.size();
+        if (near.size() < count + places.size()) near.resize(2 * (count + places.size()));
+        for (std::size_t i = 0; i < places.size(); ++i) {
+          const double squared = squared_distance(s, places[i]);
+          near[count] = which[i];
+          count += std::size_t{which[i] != w} & std::size_t{!(squared <= squared_known)} &
+                   (std::size_t{all} | std::size_t{squared <= squared_reach});
+        }
+        return true;
+      });
+  near.resize(count);
   return all;
 }
 

@@ -39,8 +39,8 @@ class plain_star_store {
   bool agrees_with_neighbours(vertex_index v) const;
   // Makes those stars anew, with more care, that do not agree with their neighbours, from what they
   // have and what has them; most agree then. Returns which stars do. To be called when no more
-  // sites come.
-  std::vector<char> mend_disagreeing();
+  // sites come, with all sites in an order in which neighbours are near each other.
+  std::vector<char> mend_disagreeing(const std::vector<vertex_index>& order);
   // Returns the stars that the last renewal made anew, or all after mark_all_changed(): those that
   // may leave room where they left none before.
   const std::vector<vertex_index>& changed() const { return changed_; }
@@ -56,7 +56,7 @@ class plain_star_store {
   struct disturbed {
     vertex_index star, by;
   };
-  static bool in_order_of_stars(const disturbed& a, const disturbed& b);
+  std::vector<disturbed> by_star(std::vector<disturbed> pairs) const;
   template <class Make>
   std::vector<vertex_index> make_anew(const std::vector<disturbed>& pairs, const Make& make);
   std::vector<disturbed> claims_on_disagreeing(const std::vector<char>& agrees) const;

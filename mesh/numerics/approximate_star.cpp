@@ -2,6 +2,7 @@
 #include "asterism/mesh/numerics/approximate_star.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -24,14 +25,40 @@ struct candidate {
   displacement<double> d, z;
 };
 
+// Takes the sign over, since on which side of the centre a candidate is, is past guessing. Adding
+// nothing makes -0 to 0.
 double turn_of(const displacement<double>& d) {
   const double slope = d.x / (std::abs(d.x) + std::abs(d.y));
-  return d.y < 0 ? slope - 1 : 1 - slope;
+  return std::copysign(1 - slope, d.y + 0.0);
 }
 
 // True if w, between y and x, is a corner of the hull; always true across half a turn or more.
 bool stands_out(const candidate& y, const candidate& w, const candidate& x) {
   return cross(y.d, x.d) <= 0 || cross(w.z - y.z, x.z - w.z) > 0;
+}
+
+// Sorts by counting how many turn less than each: what comes before what is past guessing. False,
+// leaving them as they were, if there are more than few, or two turn alike.
+bool sort_few_by_turn(std::vector<candidate>& all) {
+  constexpr std::size_t few = 16;
+  const std::size_t size = all.size();
+  if (size > few) return false;
+  std::array<double, few> turns;
+  turns.fill(infinity);
+  for (std::size_t i = 0; i < size; ++i) turns[i] = all[i].turn;
+  std::array<std::int64_t, few> places{};
+  std::uint32_t taken = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    std::int64_t place = 0;
+    for (std::size_t k = 0; k < few; ++k) place += std::int64_t{turns[k] < turns[i]};
+    places[i] = place;
+    taken |= 1U << static_cast<std::uint32_t>(place);
+  }
+  if (taken + 1 != 1U << size) return false;
+  std::array<candidate, few> sorted;
+  for (std::size_t i = 0; i < size; ++i) sorted[static_cast<std::size_t>(places[i])] = all[i];
+  std::copy_n(sorted.begin(), size, all.begin());
+  return true;
 }
 
 std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_index v,
@@ -53,12 +80,14 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_
     const double own_inverse = std::sqrt(inverse / dot(own, d));
     all.push_back({turn_of(d), w, number, d, inverse * dual + own_inverse * own});
   }
-  std::sort(all.begin(), all.end(), [](const candidate& a, const candidate& b) {
-    return a.turn != b.turn ? a.turn < b.turn : a.who < b.who;
-  });
-  all.erase(std::unique(all.begin(), all.end(),
-                        [](const candidate& a, const candidate& b) { return a.who == b.who; }),
-            all.end());
+  if (!sort_few_by_turn(all)) {
+    std::sort(all.begin(), all.end(), [](const candidate& a, const candidate& b) {
+      return a.turn != b.turn ? a.turn < b.turn : a.who < b.who;
+    });
+    all.erase(std::unique(all.begin(), all.end(),
+                          [](const candidate& a, const candidate& b) { return a.who == b.who; }),
+              all.end());
+  }
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double distance = squared_length(s.metric, all[i].d);
     if (distance < nearest) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -110,6 +111,8 @@ class refine_state {
   void guess_stars(const neighbour_lists& stars, const numbered_sites& taken);
   bool split_at(std::size_t subsegment, const point& q, double shortest);
   bool split_exactly_at(std::size_t subsegment, const point& q, double shortest, bool on_curve);
+  void ask_of_few(const star_predicates& kernel, std::span<const site> few,
+                  std::vector<char>& out) const;
   bool strictly_inside_near(const star_predicates& kernel, const point& q) const;
 
   const star_predicates* kernel_;

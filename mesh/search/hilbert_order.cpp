@@ -4,6 +4,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -23,18 +24,38 @@ std::uint32_t cell(double x, double low, double high) {
   return static_cast<std::uint32_t>(std::clamp(part * cells, 0.0, cells - 1));
 }
 
-// Each level picks one of four quarters; the curve enters and leaves it turned or mirrored.
-std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
-  std::uint64_t place = 0;
-  for (std::uint32_t bit = 1U << (levels - 1); bit > 0; bit >>= 1) {
-    const bool right = (x & bit) != 0, upper = (y & bit) != 0;
-    place = place << 2 | (right ? (upper ? 2U : 3U) : (upper ? 1U : 0U));
-    if (upper) continue;
-    if (right) {
-      x = ~x;
-      y = ~y;
+// Which quarter of a cell a point is in, and how the curve enters that one, for each way in which
+// it enters the cell: with x and y exchanged (1), both turned round (2), or both of it.
+struct quarter {
+  std::uint32_t number, way;
+};
+using quarters = std::array<std::array<quarter, 4>, 4>;  // by the way, and by 2 right + upper
+
+constexpr quarters quarters_of_curve() {
+  quarters all{};
+  for (std::uint32_t way = 0; way < 4; ++way)
+    for (std::uint32_t at = 0; at < 4; ++at) {
+      const bool exchanged = (way & 1U) != 0, turned = (way & 2U) != 0;
+      const bool is_right = (at & 2U) != 0, is_upper = (at & 1U) != 0;
+      const bool right = (exchanged ? is_upper : is_right) != turned,
+                 upper = (exchanged ? is_right : is_upper) != turned;
+      all[way][at] = upper   ? quarter{right ? 2U : 1U, way}
+                     : right ? quarter{3U, way ^ 3U}
+                             : quarter{0U, way ^ 1U};
     }
-    std::swap(x, y);
+  return all;
+}
+
+// Each level picks one of four quarters; the curve enters and leaves it turned or mirrored. From a
+// table: which one it is is past guessing.
+std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
+  static constexpr quarters all = quarters_of_curve();
+  std::uint64_t place = 0;
+  std::uint32_t way = 0;
+  for (int level = levels - 1; level >= 0; --level) {
+    const quarter& next = all[way][(x >> level & 1U) << 1 | (y >> level & 1U)];
+    place = place << 2 | next.number;
+    way = next.way;
   }
   return place;
 }

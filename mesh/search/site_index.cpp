@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "asterism/kernels/semi_static_filter.hpp"
 
@@ -32,7 +33,9 @@ range determinant(const metric_tensor& m) {
 }  // namespace
 
 site_index::site_index(const bounding_box& box)
-    : nodes_(1), root_{{}, {box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2}} {
+    : nodes_(1),
+      inverses_(1),
+      root_{{}, {box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2}} {
   root_.middle = {box.low.x + root_.half.x, box.low.y + root_.half.y};
 }
 
@@ -46,14 +49,15 @@ site_index::inverse_range site_index::inverse_range_of(const metric_tensor& m) {
 }
 
 // An empty node has count 0 and an inverted box, which is apart from everything.
-void site_index::cover(node& n, const point& q, const inverse_range& inverse) {
+void site_index::cover(std::uint32_t at, const point& q, const inverse_range& inverse) {
+  node& n = nodes_[at];
+  inverse_range& all = inverses_[at];
   if (n.count == 0) {
     n.box = {q, q};
-    n.inverse = inverse;
+    all = inverse;
     return;
   }
   n.box.include(q);
-  inverse_range& all = n.inverse;
   all.m11 = std::max(all.m11, inverse.m11);
   all.m22 = std::max(all.m22, inverse.m22);
   all.determinant = std::min(all.determinant, inverse.determinant);
@@ -68,7 +72,7 @@ void site_index::insert(const std::vector<site>& sites, vertex_index w) {
   cell here = root_;
   int level = 0;
   for (;; ++level) {
-    cover(nodes_[at], s.position, inverse);
+    cover(at, s.position, inverse);
     if (nodes_[at].first_child == none) {
       if (nodes_[at].count < leaf_capacity || level >= most_levels) break;
       split(sites, at, here);
@@ -78,32 +82,45 @@ void site_index::insert(const std::vector<site>& sites, vertex_index w) {
     at = nodes_[at].first_child + quadrant;
     here = here.quarter(quadrant);
   }
-  node& n = nodes_[at];
-  if (n.count < leaf_capacity) {
-    n.leaf[n.count] = w;
-  } else {
-    if (n.overflow == none) {
-      n.overflow = static_cast<std::uint32_t>(overflow_.size());
-      overflow_.emplace_back();
-    }
-    overflow_[n.overflow].push_back(w);
-  }
-  ++n.count;
+  put_in_leaf(at, s.position, w);
   ++size_;
 }
 
+void site_index::put_in_leaf(std::uint32_t at, const point& q, vertex_index w) {
+  node& n = nodes_[at];
+  if (n.leaf == none) {
+    n.leaf = static_cast<std::uint32_t>(leaves_.size());
+    leaves_.emplace_back();
+  }
+  leaf_sites& here = leaves_[n.leaf];
+  if (n.count < leaf_capacity) {
+    here.places[n.count] = q;
+    here.first[n.count] = w;
+  } else {
+    if (here.overflow == none) {
+      here.overflow = static_cast<std::uint32_t>(overflow_.size());
+      overflow_.emplace_back();
+    }
+    overflow_[here.overflow].push_back(w);
+  }
+  ++n.count;
+}
+
+// The first of the new leaves takes the place of the one that was.
 void site_index::split(const std::vector<site>& sites, std::uint32_t at, const cell& whole) {
   const auto first = static_cast<std::uint32_t>(nodes_.size());
   for (int child = 0; child < 4; ++child) {
     nodes_.emplace_back();
     nodes_.back().box = {{infinity, infinity}, {-infinity, -infinity}};
   }
-  const std::array<vertex_index, leaf_capacity> moved = nodes_[at].leaf;
+  inverses_.resize(nodes_.size());
+  const leaf_sites moved = leaves_[nodes_[at].leaf];
+  nodes_[first + whole.quadrant(moved.places[0])].leaf = std::exchange(nodes_[at].leaf, none);
   nodes_[at].first_child = first;
-  for (const vertex_index w : moved) {
-    node& child = nodes_[first + whole.quadrant(sites[w].position)];
-    cover(child, sites[w].position, inverse_range_of(sites[w].metric));
-    child.leaf[child.count++] = w;
+  for (int i = 0; i < leaf_capacity; ++i) {
+    const std::uint32_t child = first + whole.quadrant(moved.places[i]);
+    cover(child, moved.places[i], inverse_range_of(sites[moved.first[i]].metric));
+    put_in_leaf(child, moved.places[i], moved.first[i]);
   }
 }
 
@@ -136,21 +153,22 @@ site_index::centre site_index::centre_of(const site& v, double reach) {
 
 // Returns half the trace of M_w^-1 M_v for all sites of the node, from above; infinite when not
 // known.
-double site_index::half_trace_above(const node& n, const centre& c) {
+double site_index::half_trace_above(const node& n, const centre& c) const {
   if (!(c.determinant_below > 0)) return infinity;
   const metric_tensor& m = c.v->metric;
-  const double off_diagonal = 2 * (m.m12 > 0 ? n.inverse.m12_high : n.inverse.m12_low) * m.m12;
-  const double diagonal = n.inverse.m11 * m.m11 + n.inverse.m22 * m.m22;
+  const inverse_range& inverse = inverse_of(n);
+  const double off_diagonal = 2 * (m.m12 > 0 ? inverse.m12_high : inverse.m12_low) * m.m12;
+  const double diagonal = inverse.m11 * m.m11 + inverse.m22 * m.m22;
   const double t = (diagonal + off_diagonal + 0x1p-47 * (diagonal + std::abs(off_diagonal))) / 2;
   return t < 0x1p500 ? t : infinity;  // infinite if not a number
 }
 
 // Returns (1 + sigma) R for all sites of the node; infinite when not known. sigma^2 = t + sqrt(t^2
 // - d), t half the trace and d the determinant of M_w^-1 M_v, grows with t and falls with d.
-double site_index::limit(const node& n, const centre& c) {
+double site_index::limit(const node& n, const centre& c) const {
   const double t = half_trace_above(n, c);
   if (t == infinity) return infinity;
-  const double d = n.inverse.determinant * c.determinant_below * down;
+  const double d = inverse_of(n).determinant * c.determinant_below * down;
   const double sigma =
       std::sqrt((t + std::sqrt(std::max(0.0, (t * up) * (t * up) - d)) * up) * up) * up;
   return (1 + (sigma > 1 ? sigma : 1)) * c.reach * up;
@@ -158,7 +176,7 @@ double site_index::limit(const node& n, const centre& c) {
 
 // Returns the square of a limit that is not as near, without a root: (1 + sigma)^2 <= 2 + 2
 // sigma^2, and sigma^2 <= 2 t.
-double site_index::rough_squared_limit(const node& n, const centre& c) {
+double site_index::rough_squared_limit(const node& n, const centre& c) const {
   const double t = half_trace_above(n, c);
   if (t == infinity) return infinity;
   return 2 * (1 + (2 * t > 1 ? 2 * t : 1)) * (c.reach * c.reach * up) * up;
@@ -194,7 +212,7 @@ bool site_index::approach::is_beyond(double squared_limit) const {
 
 // Most nodes are nearer than even equal metrics would reach, or farther than a rougher limit:
 // neither takes a root.
-bool site_index::out_of_reach(const node& n, const centre& c) {
+bool site_index::out_of_reach(const node& n, const centre& c) const {
   if (!(c.determinant_below > 0)) return false;
   const approach a = approach_of(n, c);
   if (!a.is_beyond(4 * (c.reach * c.reach) * up)) return false;

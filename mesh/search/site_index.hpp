@@ -18,8 +18,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "asterism/core/site.hpp"
@@ -41,6 +43,10 @@ class site_index {
   template <class Visit>
   bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
                  Visit&& visit) const;
+  // Calls visit(places, which) for a few sites at a time, their positions and their numbers, till
+  // all in the closed box were among them; others near it are as well.
+  template <class Visit>
+  bool visit_clusters(const std::vector<site>& sites, const bounding_box& box, Visit&& visit) const;
   // Calls visit(w) for each site w that may see a point q of the box within the distance:
   // |q - w|_w <= distance.
   template <class Visit>
@@ -87,18 +93,35 @@ class site_index {
     double m11 = 0, m22 = 0, determinant = 0;  // above, above, below
     double m12_low = 0, m12_high = 0;
   };
+  // What a descent reads of every node, and no more: the rest is kept beside it.
   struct node {
     bounding_box box;  // tight around the sites below
-    inverse_range inverse;
     std::uint32_t first_child = none;
-    std::uint32_t count = 0;                         // of the sites below
-    std::array<vertex_index, leaf_capacity> leaf{};  // the first sites, without children
+    std::uint32_t count = 0;    // of the sites below
+    std::uint32_t leaf = none;  // in leaves_; of nodes without children that have sites
+  };
+  // The sites of a node without children, with their positions: those are asked for most.
+  struct leaf_sites {
+    std::array<point, leaf_capacity> places;
+    std::array<vertex_index, leaf_capacity> first;
     std::uint32_t overflow = none;  // the rest, in overflow_; only on the last level
   };
 
-  static bool apart(const node& n, const point& low, const point& high) {
-    return n.box.high.x < low.x || n.box.low.x > high.x || n.box.high.y < low.y ||
-           n.box.low.y > high.y;
+  template <class Visit>
+  bool visit_leaf_inside(const std::vector<site>& sites, const node& n, const bounding_box& box,
+                         Visit& visit) const;
+  template <class Visit>
+  bool visit_cluster(const std::vector<site>& sites, const node& n, Visit&& visit) const;
+  // 1 if the closed boxes meet, or the point is in the box; else 0.
+  static std::uint32_t touches(const bounding_box& a, const bounding_box& b) {
+    return std::uint32_t{a.low.x <= b.high.x} & std::uint32_t{a.high.x >= b.low.x} &
+           std::uint32_t{a.low.y <= b.high.y} & std::uint32_t{a.high.y >= b.low.y};
+  }
+  static std::uint32_t holds(const bounding_box& box, const point& q) {
+    return touches({q, q}, box);
+  }
+  const inverse_range& inverse_of(const node& n) const {
+    return inverses_[static_cast<std::size_t>(&n - nodes_.data())];
   }
   // A star's centre, prepared to be asked how far nodes and sites are.
   struct centre {
@@ -113,10 +136,10 @@ class site_index {
     bool is_beyond(double squared_limit) const;
   };
   static approach approach_of(const node& n, const centre& c);
-  static double half_trace_above(const node& n, const centre& c);
-  static double limit(const node& n, const centre& c);
-  static double rough_squared_limit(const node& n, const centre& c);
-  static bool out_of_reach(const node& n, const centre& c);
+  double half_trace_above(const node& n, const centre& c) const;
+  double limit(const node& n, const centre& c) const;
+  double rough_squared_limit(const node& n, const centre& c) const;
+  bool out_of_reach(const node& n, const centre& c) const;
   static bool is_beyond(const point& q, const centre& c, double limit);
   // The part of the plane that a node divides. It is found on the way down, not kept: the nodes of
   // a large mesh take much of its memory.
@@ -133,20 +156,26 @@ class site_index {
               half_of_it};
     }
   };
+  std::uint32_t smallest_around(const bounding_box& box) const;
   static bool is_right_of(const bounding_box& box, const point& from, const point& to);
   static inverse_range inverse_range_of(const metric_tensor& m);
-  static void cover(node& n, const point& q, const inverse_range& inverse);
+  void cover(std::uint32_t at, const point& q, const inverse_range& inverse);
+  void put_in_leaf(std::uint32_t at, const point& q, vertex_index w);
   void split(const std::vector<site>& sites, std::uint32_t at, const cell& whole);
   template <class Visit>
   bool visit_leaf(const node& n, Visit&& visit) const;
   template <class Visit>
+  bool visit_leaf(const std::vector<site>& sites, const node& n, Visit&& visit) const;
+  template <class Visit>
   void visit_pairs(const node& a, const node& b, const double& distance, Visit& visit) const;
-  static bool farther_apart(const node& a, const node& b, double distance);
+  bool farther_apart(const node& a, const node& b, double distance) const;
   template <class Outside, class Visit>
   bool visit_reach_within(const std::vector<site>& sites, const site& v, double reach,
                           const Outside& is_outside, Visit&& visit) const;
 
-  std::vector<node> nodes_;  // the root first; no node but the root has index 0
+  std::vector<node> nodes_;              // the root first; no node but the root has index 0
+  std::vector<inverse_range> inverses_;  // of the nodes
+  std::vector<leaf_sites> leaves_{1};
   std::vector<std::vector<vertex_index>> overflow_{1};
   cell root_;
   std::size_t size_ = 0;
@@ -154,36 +183,116 @@ class site_index {
 
 template <class Visit>
 bool site_index::visit_leaf(const node& n, Visit&& visit) const {
-  const std::uint32_t inline_count = n.count < leaf_capacity ? n.count : leaf_capacity;
-  for (std::uint32_t i = 0; i < inline_count; ++i)
-    if (!visit(n.leaf[i])) return false;
-  if (n.overflow != none)
-    for (const vertex_index w : overflow_[n.overflow])
+  if (n.count == 0) return true;
+  const leaf_sites& here = leaves_[n.leaf];
+  const std::uint32_t at_hand = n.count < leaf_capacity ? n.count : leaf_capacity;
+  for (std::uint32_t i = 0; i < at_hand; ++i)
+    if (!visit(here.first[i])) return false;
+  if (here.overflow != none)
+    for (const vertex_index w : overflow_[here.overflow])
       if (!visit(w)) return false;
   return true;
 }
 
 template <class Visit>
+bool site_index::visit_leaf(const std::vector<site>& sites, const node& n, Visit&& visit) const {
+  if (n.count == 0) return true;
+  const leaf_sites& here = leaves_[n.leaf];
+  const std::uint32_t at_hand = n.count < leaf_capacity ? n.count : leaf_capacity;
+  for (std::uint32_t i = 0; i < at_hand; ++i)
+    if (!visit(here.first[i], here.places[i])) return false;
+  if (here.overflow != none)
+    for (const vertex_index w : overflow_[here.overflow])
+      if (!visit(w, sites[w].position)) return false;
+  return true;
+}
+
+// Returns the smallest node whose cell holds the box. Requires that there are nodes.
+inline std::uint32_t site_index::smallest_around(const bounding_box& box) const {
+  std::uint32_t at = 0;
+  for (cell here = root_; nodes_[at].first_child != none;) {
+    const std::uint32_t quadrant = here.quadrant(box.low);
+    if (quadrant != here.quadrant(box.high)) break;
+    at = nodes_[at].first_child + quadrant;
+    here = here.quarter(quadrant);
+  }
+  return at;
+}
+
+template <class Visit>
 bool site_index::visit_box(const std::vector<site>& sites, const point& low, const point& high,
                            Visit&& visit) const {
+  const bounding_box box{low, high};
   // Each level leaves at most three children waiting.
   std::array<std::uint32_t, 3 * most_levels + 4> open;
   std::size_t waiting = 0;
-  if (!nodes_.empty()) open[waiting++] = 0;
+  if (!nodes_.empty()) open[waiting++] = smallest_around(box);
   while (waiting > 0) {
     const node& n = nodes_[open[--waiting]];
-    if (apart(n, low, high)) continue;
-    if (n.first_child != none) {
-      for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
-      continue;
+    for (std::uint32_t i = 0; n.first_child != none && i < 4; ++i) {
+      open[waiting] = n.first_child + i;
+      waiting += touches(nodes_[n.first_child + i].box, box);
     }
-    const bool on = visit_leaf(n, [&](vertex_index w) {
-      const point& q = sites[w].position;
-      const bool inside = low.x <= q.x && q.x <= high.x && low.y <= q.y && q.y <= high.y;
-      return !inside || visit(w);
-    });
-    if (!on) return false;
+    if (n.first_child == none && n.count > 0 && !visit_leaf_inside(sites, n, box, visit))
+      return false;
   }
+  return true;
+}
+
+// Asks all before it goes to those inside: which ones they are is past guessing, and a wrong guess
+// costs more than all comparisons.
+template <class Visit>
+bool site_index::visit_leaf_inside(const std::vector<site>& sites, const node& n,
+                                   const bounding_box& box, Visit& visit) const {
+  const leaf_sites& here = leaves_[n.leaf];
+  const std::uint32_t at_hand = n.count < leaf_capacity ? n.count : leaf_capacity;
+  std::uint32_t inside = 0;
+  for (std::uint32_t i = 0; i < at_hand; ++i) inside |= holds(box, here.places[i]) << i;
+  for (; inside != 0; inside &= inside - 1)
+    if (!visit(here.first[static_cast<std::size_t>(std::countr_zero(inside))])) return false;
+  if (here.overflow != none)
+    for (const vertex_index w : overflow_[here.overflow])
+      if (holds(box, sites[w].position) != 0 && !visit(w)) return false;
+  return true;
+}
+
+// Writes each child to both lists; it stays on the one it belongs on. Guessing which that is would
+// be wrong as often as not.
+template <class Visit>
+bool site_index::visit_clusters(const std::vector<site>& sites, const bounding_box& box,
+                                Visit&& visit) const {
+  constexpr std::size_t most_found = 32;
+  std::array<std::uint32_t, 3 * most_levels + 4> open;
+  std::array<std::uint32_t, most_found> found;
+  std::size_t waiting = 0, leaves = 0;
+  const auto put = [&](std::uint32_t at) {
+    const node& n = nodes_[at];
+    const std::uint32_t is_touched = touches(n.box, box), is_parent{n.first_child != none};
+    open[waiting] = found[leaves] = at;
+    waiting += is_touched & is_parent;
+    leaves += is_touched & (1 - is_parent);
+  };
+  if (!nodes_.empty()) put(smallest_around(box));
+  while (waiting > 0 || leaves > 0) {
+    while (waiting > 0 && leaves + 4 < most_found) {
+      const std::uint32_t first = nodes_[open[--waiting]].first_child;
+      for (std::uint32_t i = 0; i < 4; ++i) put(first + i);
+    }
+    for (; leaves > 0; --leaves)
+      if (!visit_cluster(sites, nodes_[found[leaves - 1]], visit)) return false;
+  }
+  return true;
+}
+
+template <class Visit>
+bool site_index::visit_cluster(const std::vector<site>& sites, const node& n, Visit&& visit) const {
+  const leaf_sites& here = leaves_[n.leaf];
+  const std::size_t at_hand = n.count < leaf_capacity ? n.count : leaf_capacity;
+  if (!visit(std::span(here.places).first(at_hand), std::span(here.first).first(at_hand)))
+    return false;
+  if (here.overflow != none)
+    for (const vertex_index w : overflow_[here.overflow])
+      if (!visit(std::span(&sites[w].position, 1), std::span(&w, 1))) return false;
   return true;
 }
 
@@ -201,8 +310,9 @@ bool site_index::visit_seeing(const bounding_box& box, double distance, Visit&& 
     const double reach = distance * (1 + 0x1p-40);
     if (n.count == 0 ||
         beyond(box.low.x, box.high.x, n.box.low.x, n.box.high.x) >
-            reach * std::sqrt(n.inverse.m11) ||
-        beyond(box.low.y, box.high.y, n.box.low.y, n.box.high.y) > reach * std::sqrt(n.inverse.m22))
+            reach * std::sqrt(inverse_of(n).m11) ||
+        beyond(box.low.y, box.high.y, n.box.low.y, n.box.high.y) >
+            reach * std::sqrt(inverse_of(n).m22))
       continue;
     if (n.first_child != none)
       for (std::uint32_t i = 0; i < 4; ++i) open[waiting++] = n.first_child + i;
@@ -213,15 +323,16 @@ bool site_index::visit_seeing(const bounding_box& box, double distance, Visit&& 
 }
 
 // Two boxes are apart by the gap between them in either direction; the margin covers the roundings.
-inline bool site_index::farther_apart(const node& a, const node& b, double distance) {
+inline bool site_index::farther_apart(const node& a, const node& b, double distance) const {
+  const inverse_range &of_a = inverse_of(a), &of_b = inverse_of(b);
   const auto gap = [](double low_a, double high_a, double low_b, double high_b) {
     return std::max({low_b - high_a, low_a - high_b, 0.0});
   };
   const double x = gap(a.box.low.x, a.box.high.x, b.box.low.x, b.box.high.x),
                y = gap(a.box.low.y, a.box.high.y, b.box.low.y, b.box.high.y);
   const double squared = distance * distance * (1 + 0x1p-40);
-  return x * x > squared * std::max(a.inverse.m11, b.inverse.m11) ||
-         y * y > squared * std::max(a.inverse.m22, b.inverse.m22);
+  return x * x > squared * std::max(of_a.m11, of_b.m11) ||
+         y * y > squared * std::max(of_a.m22, of_b.m22);
 }
 
 template <class Visit>
@@ -256,7 +367,7 @@ template <class Visit>
 void site_index::visit_groups(Visit&& visit) const {
   for (const node& n : nodes_)
     if (n.first_child == none && n.count > 0)
-      visit(n.box, point{std::sqrt(n.inverse.m11), std::sqrt(n.inverse.m22)},
+      visit(n.box, point{std::sqrt(inverse_of(n).m11), std::sqrt(inverse_of(n).m22)},
             [&](const auto& take) {
               visit_leaf(n, [&](vertex_index w) {
                 take(w);
@@ -269,7 +380,8 @@ template <class Visit>
 bool site_index::visit_reach(const std::vector<site>& sites, const site& v, double reach,
                              Visit&& visit) const {
   const auto nothing_else = [](const bounding_box&) { return false; };
-  return visit_reach_within(sites, v, reach, nothing_else, visit);
+  return visit_reach_within(sites, v, reach, nothing_else,
+                            [&](vertex_index w, const point&) { return visit(w); });
 }
 
 template <class Visit>
@@ -278,8 +390,7 @@ bool site_index::visit_cone(const std::vector<site>& sites, const site& v, doubl
   const auto is_outside = [&](const bounding_box& box) {
     return is_right_of(box, v.position, y) || is_right_of(box, x, v.position);
   };
-  const auto visit_inside = [&](vertex_index w) {
-    const point& q = sites[w].position;
+  const auto visit_inside = [&](vertex_index w, const point& q) {
     return is_outside({q, q}) || visit(w);
   };
   return visit_reach_within(sites, v, reach, is_outside, visit_inside);
@@ -301,8 +412,9 @@ bool site_index::visit_reach_within(const std::vector<site>& sites, const site& 
       continue;
     }
     const double most = limit(n, c);
-    const bool on = visit_leaf(
-        n, [&](vertex_index w) { return is_beyond(sites[w].position, c, most) || visit(w); });
+    const bool on = visit_leaf(sites, n, [&](vertex_index w, const point& q) {
+      return is_beyond(q, c, most) || visit(w, q);
+    });
     if (!on) return false;
   }
   return true;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,26 @@ site_index index_of(const std::vector<site>& sites, const bounding_box& box) {
 double length(const site& from, const point& to) { return std::sqrt(squared_distance(from, to)); }
 
 // Box corners are sites' own coordinates, so that closedness is put to the test.
+// Returns the sites in the box of those that come in clusters, each of which must come once and
+// with its own position.
+std::vector<vertex_index> in_clusters(const site_cloud& c, const site_index& tree,
+                                      const bounding_box& box) {
+  std::set<vertex_index> seen, inside;
+  tree.visit_clusters(
+      c.sites, box, [&](std::span<const point> places, std::span<const vertex_index> which) {
+        REQUIRE(places.size() == which.size());
+        for (std::size_t i = 0; i < which.size(); ++i) {
+          const point& q = c.sites[which[i]].position;
+          REQUIRE((places[i].x == q.x && places[i].y == q.y));
+          REQUIRE(seen.insert(which[i]).second);
+          if (box.low.x <= q.x && q.x <= box.high.x && box.low.y <= q.y && q.y <= box.high.y)
+            inside.insert(which[i]);
+        }
+        return true;
+      });
+  return {inside.begin(), inside.end()};
+}
+
 void check_boxes(const site_cloud& c, const site_index& tree) {
   splitmix64 random(5);
   for (int i = 0; i < 200; ++i) {
@@ -118,6 +139,7 @@ void check_boxes(const site_cloud& c, const site_index& tree) {
     }
     std::sort(found.begin(), found.end());
     REQUIRE(found == expected);
+    REQUIRE(in_clusters(c, tree, box) == expected);
   }
 }
 
@@ -207,7 +229,12 @@ TEST_CASE("an index narrows its answers, and stops when told to") {
   CHECK(all == round.size() * round.size());
   CHECK(near * 4 < all);
   CHECK(even.spacing_near(round[0]) > 0);
+  std::size_t clusters = 0;
+  CHECK_FALSE(tree.visit_clusters(c.sites, box_of_sites(c.sites),
+                                  [&](const auto&, const auto&) { return ++clusters < 3; }));
+  CHECK(clusters == 3);
   CHECK(site_index().visit_box(round, {}, {}, [](vertex_index) { return false; }));
+  CHECK(site_index().visit_clusters(round, {}, [](const auto&, const auto&) { return false; }));
   CHECK(site_index().spacing_near(round[0]) == 0);
 }
 
