@@ -106,18 +106,41 @@ bool plain_star_store::agrees_with_neighbours(vertex_index v) const {
   const plain_star& star = stars_[v];
   for (std::size_t i = 0; i < star.size(); ++i) {
     const vertex_index y = star[i].neighbour, x = star[following(star, i)].neighbour;
-    if (sites_->is_on_segment(v) && sites_->is_on_segment(y) && sites_->is_on_segment(x)) continue;
+    if (is_between_segments(v, y, x)) continue;
     if (!has_gap(stars_[y], x, v) || !has_gap(stars_[x], v, y)) return false;
   }
   return true;
 }
 
+bool plain_star_store::is_between_segments(vertex_index v, vertex_index y, vertex_index x) const {
+  return sites_->is_on_segment(v) && sites_->is_on_segment(y) && sites_->is_on_segment(x);
+}
+
+// Returns for each star whether it agrees with its neighbours. Each triangle is asked of the next
+// corner alone, which asks the third.
+std::vector<char> plain_star_store::which_agree(const std::vector<vertex_index>& order) const {
+  const std::vector<vertex_index> those_not = collect_chunks<vertex_index>(
+      order.size(), chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
+        for (std::size_t i = begin; i < end; ++i) note_disagreeing(order[i], out);
+      });
+  std::vector<char> agrees(stars_.size(), 1);
+  for (const vertex_index v : those_not) agrees[v] = 0;
+  return agrees;
+}
+
+void plain_star_store::note_disagreeing(vertex_index v, std::vector<vertex_index>& out) const {
+  const plain_star& star = stars_[v];
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const vertex_index y = star[i].neighbour, x = star[following(star, i)].neighbour;
+    if (is_between_segments(v, y, x) || has_gap(stars_[y], x, v)) continue;
+    out.push_back(v);
+    if (has_gap(stars_[x], v, y)) out.push_back(x);
+  }
+}
+
 std::vector<char> plain_star_store::mend_disagreeing(const std::vector<vertex_index>& order) {
-  std::vector<char> agrees(stars_.size());
-  parallel_chunks(order.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      agrees[order[i]] = agrees_with_neighbours(order[i]) ? 1 : 0;
-  });
+  std::vector<char> agrees = which_agree(order);
   const std::vector<disturbed> claims = by_star(claims_on_disagreeing(agrees));
   make_anew(claims, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
     return build_careful_star(sites_->all(), v, candidates);

@@ -165,7 +165,7 @@ void site_proposals::place(std::vector<site_proposal> proposals, double distance
   for (std::uint32_t i = 0; i < proposals.size(); ++i) order.emplace_back(-band(proposals[i]), i);
   tbb::parallel_sort(order.begin(), order.end());
   constexpr std::size_t block = 8192;
-  site_index placed(parts_.box);  // of the blocks before
+  site_index placed(parts_.box, site_index::purpose::places);  // of the blocks before
   for (std::size_t begin = 0; begin < order.size(); begin += block) {
     std::vector<const site_proposal*> ready;
     for (std::size_t i = begin; i < std::min(order.size(), begin + block); ++i)
@@ -195,7 +195,7 @@ void site_proposals::leave_out_crowded(std::vector<const site_proposal*>& ready,
 // more sites.
 bool site_proposals::place_in_turn(const std::vector<const site_proposal*>& ready,
                                    double distance) {
-  site_index chosen(parts_.box);
+  site_index chosen(parts_.box, site_index::purpose::places);
   std::uint64_t looked_at = 0;
   bool admitted = true;
   for (const site_proposal* p : ready) {

@@ -22,6 +22,7 @@ struct candidate {
   double turn;  // grows with the angle, from -2 to 2
   vertex_index who;
   std::uint32_t number;  // among the candidates
+  double squared_distance;
   displacement<double> d, z;
 };
 
@@ -37,9 +38,10 @@ bool stands_out(const candidate& y, const candidate& w, const candidate& x) {
   return cross(y.d, x.d) <= 0 || cross(w.z - y.z, x.z - w.z) > 0;
 }
 
-// Sorts by counting how many turn less than each: what comes before what is past guessing. False,
-// leaving them as they were, if there are more than few, or two turn alike.
-bool sort_few_by_turn(std::vector<candidate>& all) {
+// Puts the candidates in order from the first, by counting how many turn less than each: what comes
+// before what is past guessing. False, leaving them as they were, if there are more than few, or
+// two turn alike.
+bool order_few(std::vector<candidate>& all) {
   constexpr std::size_t few = 16;
   const std::size_t size = all.size();
   if (size > few) return false;
@@ -48,19 +50,49 @@ bool sort_few_by_turn(std::vector<candidate>& all) {
   for (std::size_t i = 0; i < size; ++i) turns[i] = all[i].turn;
   std::array<std::int64_t, few> places{};
   std::uint32_t taken = 0;
+  double nearest = infinity;
+  std::int64_t first = 0;
   for (std::size_t i = 0; i < size; ++i) {
     std::int64_t place = 0;
-    for (std::size_t k = 0; k < few; ++k) place += std::int64_t{turns[k] < turns[i]};
+    for (const double turn : turns) place += std::int64_t{turn < turns[i]};
     places[i] = place;
     taken |= 1U << static_cast<std::uint32_t>(place);
+    const double distance = all[i].squared_distance;
+    if (distance < nearest || (distance == nearest && place < first)) first = place;
+    nearest = std::min(nearest, distance);
   }
   if (taken + 1 != 1U << size) return false;
   std::array<candidate, few> sorted;
-  for (std::size_t i = 0; i < size; ++i) sorted[static_cast<std::size_t>(places[i])] = all[i];
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::int64_t after = places[i] - first;
+    sorted[static_cast<std::size_t>(after < 0 ? after + std::ssize(all) : after)] = all[i];
+  }
   std::copy_n(sorted.begin(), size, all.begin());
   return true;
 }
 
+// Puts the candidates in order from the first, each once.
+void order_all(std::vector<candidate>& all) {
+  std::sort(all.begin(), all.end(), [](const candidate& a, const candidate& b) {
+    return a.turn != b.turn ? a.turn < b.turn : a.who < b.who;
+  });
+  all.erase(std::unique(all.begin(), all.end(),
+                        [](const candidate& a, const candidate& b) { return a.who == b.who; }),
+            all.end());
+  double nearest = infinity;
+  std::ptrdiff_t first = 0;
+  for (std::ptrdiff_t i = 0; i < std::ssize(all); ++i) {
+    const double distance = all[static_cast<std::size_t>(i)].squared_distance;
+    if (distance < nearest) {
+      nearest = distance;
+      first = i;
+    }
+  }
+  std::rotate(all.begin(), all.begin() + first, all.end());
+}
+
+// Returns what the star of v may be made from, counter-clockwise from the nearest, which is on the
+// hull.
 std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_index v,
                                          const std::vector<vertex_index>& from) {
   thread_local std::vector<candidate> all;
@@ -68,8 +100,6 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_
   site s = sites[v];
   std::optional<round_coordinates> round;
   if (is_thin(s.metric)) s = round.emplace(s.position, s.metric).inward(s);
-  double nearest = infinity;
-  std::size_t first = 0;
   for (std::uint32_t number = 0; number < from.size(); ++number) {
     const vertex_index w = from[number];
     if (w == v) continue;
@@ -78,25 +108,10 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_
     const auto dual = apply(other.metric, d), own = apply(s.metric, d);
     const double inverse = 1 / dot(dual, d);
     const double own_inverse = std::sqrt(inverse / dot(own, d));
-    all.push_back({turn_of(d), w, number, d, inverse * dual + own_inverse * own});
+    all.push_back({turn_of(d), w, number, squared_length(s.metric, d), d,
+                   inverse * dual + own_inverse * own});
   }
-  if (!sort_few_by_turn(all)) {
-    std::sort(all.begin(), all.end(), [](const candidate& a, const candidate& b) {
-      return a.turn != b.turn ? a.turn < b.turn : a.who < b.who;
-    });
-    all.erase(std::unique(all.begin(), all.end(),
-                          [](const candidate& a, const candidate& b) { return a.who == b.who; }),
-              all.end());
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const double distance = squared_length(s.metric, all[i].d);
-    if (distance < nearest) {
-      nearest = distance;
-      first = i;
-    }
-  }
-  // The nearest is on the hull: start there.
-  std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
+  if (!order_few(all)) order_all(all);
   return all;
 }
 

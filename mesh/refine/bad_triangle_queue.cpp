@@ -210,9 +210,8 @@ bad_triangle_queue::record bad_triangle_queue::examine(const refine_state& state
     });
   };
   for (const sector& s : stars[v].sectors) {
+    const std::size_t before = found.disagreeing.size();
     if (s.neighbours.empty()) found.disagreeing.push_back({v, v, v});
-    for (const vertex_index u : s.neighbours)
-      if (!stars[u].contains(v)) found.one_sided.push_back(u);
     for (std::size_t gap = 0; gap < s.gaps(); ++gap) {
       const triangle t{v, s.neighbours[gap], s.neighbours[s.after(gap)]};
       if (!holds_triangle(oracle, v, s, gap)) {
@@ -224,6 +223,10 @@ bad_triangle_queue::record bad_triangle_queue::examine(const refine_state& state
         judge(state, oracle, t, found);
       }
     }
+    // A neighbour that has one of v's triangles has v.
+    const bool all_agree = s.gaps() > 0 && found.disagreeing.size() == before;
+    for (std::size_t i = 0; !all_agree && i < s.neighbours.size(); ++i)
+      if (!stars[s.neighbours[i]].contains(v)) found.one_sided.push_back(s.neighbours[i]);
   }
   return found;
 }

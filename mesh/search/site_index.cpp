@@ -32,10 +32,11 @@ range determinant(const metric_tensor& m) {
 
 }  // namespace
 
-site_index::site_index(const bounding_box& box)
+site_index::site_index(const bounding_box& box, purpose asked_for)
     : nodes_(1),
-      inverses_(1),
+      bounds_metrics_(asked_for == purpose::everything),
       root_{{}, {box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2}} {
+  if (bounds_metrics_) inverses_.resize(1);
   root_.middle = {box.low.x + root_.half.x, box.low.y + root_.half.y};
 }
 
@@ -48,16 +49,19 @@ site_index::inverse_range site_index::inverse_range_of(const metric_tensor& m) {
           std::max(a, b) + lost};
 }
 
+site_index::inverse_range site_index::inverse_for(const site& s) const {
+  return bounds_metrics_ ? inverse_range_of(s.metric) : inverse_range{};
+}
+
 // An empty node has count 0 and an inverted box, which is apart from everything.
 void site_index::cover(std::uint32_t at, const point& q, const inverse_range& inverse) {
   node& n = nodes_[at];
-  inverse_range& all = inverses_[at];
-  if (n.count == 0) {
-    n.box = {q, q};
-    all = inverse;
-    return;
-  }
+  const bool is_first = n.count == 0;
+  if (is_first) n.box = {q, q};
   n.box.include(q);
+  if (!bounds_metrics_) return;
+  inverse_range& all = inverses_[at];
+  if (is_first) all = inverse;
   all.m11 = std::max(all.m11, inverse.m11);
   all.m22 = std::max(all.m22, inverse.m22);
   all.determinant = std::min(all.determinant, inverse.determinant);
@@ -67,7 +71,7 @@ void site_index::cover(std::uint32_t at, const point& q, const inverse_range& in
 
 void site_index::insert(const std::vector<site>& sites, vertex_index w) {
   const site& s = sites[w];
-  const inverse_range inverse = inverse_range_of(s.metric);
+  const inverse_range inverse = inverse_for(s);
   std::uint32_t at = 0;
   cell here = root_;
   int level = 0;
@@ -113,13 +117,13 @@ void site_index::split(const std::vector<site>& sites, std::uint32_t at, const c
     nodes_.emplace_back();
     nodes_.back().box = {{infinity, infinity}, {-infinity, -infinity}};
   }
-  inverses_.resize(nodes_.size());
+  if (bounds_metrics_) inverses_.resize(nodes_.size());
   const leaf_sites moved = leaves_[nodes_[at].leaf];
   nodes_[first + whole.quadrant(moved.places[0])].leaf = std::exchange(nodes_[at].leaf, none);
   nodes_[at].first_child = first;
   for (int i = 0; i < leaf_capacity; ++i) {
     const std::uint32_t child = first + whole.quadrant(moved.places[i]);
-    cover(child, moved.places[i], inverse_range_of(sites[moved.first[i]].metric));
+    cover(child, moved.places[i], inverse_for(sites[moved.first[i]]));
     put_in_leaf(child, moved.places[i], moved.first[i]);
   }
 }

@@ -31,9 +31,13 @@ namespace asterism::internal {
 
 class site_index {
  public:
+  // What an index will be asked for: where sites are (visit_box, visit_clusters, spacing_near), or
+  // everything, which takes bounds of their metrics.
+  enum class purpose { places, everything };
+
   site_index() = default;
   // Makes an empty index of sites in, or not far outside, the box.
-  explicit site_index(const bounding_box& box);
+  explicit site_index(const bounding_box& box, purpose asked_for = purpose::everything);
 
   std::size_t size() const { return size_; }
   // Adds sites[w]. Requires a finite position and a positive definite metric; each index once.
@@ -160,6 +164,7 @@ class site_index {
   static bool is_right_of(const bounding_box& box, const point& from, const point& to);
   static inverse_range inverse_range_of(const metric_tensor& m);
   void cover(std::uint32_t at, const point& q, const inverse_range& inverse);
+  inverse_range inverse_for(const site& s) const;
   void put_in_leaf(std::uint32_t at, const point& q, vertex_index w);
   void split(const std::vector<site>& sites, std::uint32_t at, const cell& whole);
   template <class Visit>
@@ -174,7 +179,8 @@ class site_index {
                           const Outside& is_outside, Visit&& visit) const;
 
   std::vector<node> nodes_;              // the root first; no node but the root has index 0
-  std::vector<inverse_range> inverses_;  // of the nodes
+  std::vector<inverse_range> inverses_;  // of the nodes; none where places alone are asked for
+  bool bounds_metrics_ = true;
   std::vector<leaf_sites> leaves_{1};
   std::vector<std::vector<vertex_index>> overflow_{1};
   cell root_;
