@@ -17,7 +17,8 @@ namespace asterism::internal {
 class placed_sites {
  public:
   // For at most `most` sites in the box.
-  placed_sites(const bounding_box& box, std::size_t most) : index_(box, site_index::purpose::places), most_(most) {}
+  placed_sites(const bounding_box& box, std::size_t most)
+      : index_(box, site_index::purpose::places), most_(most) {}
 
   // Returns the sites in the order in which they were placed, the domain's vertices first.
   const std::vector<site>& all() const { return sites_; }

@@ -11,12 +11,14 @@
 #include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
 namespace {
 
 constexpr std::size_t chunk = 256;
+constexpr std::size_t ahead = 4;
 // Sites, with what is searched for them, that no cache holds.
 constexpr std::size_t more_than_is_at_hand = 200'000;
 
@@ -63,6 +65,11 @@ std::vector<vertex_index> plain_star_store::make_anew(const std::vector<disturbe
     std::uint64_t looked_at = 0;
     for (std::size_t i = begin; i < end; ++i) {
       if (is_enough(i)) break;
+      if (i + ahead < end) {
+        prefetch_star(which[i + ahead]);
+        for (std::size_t k = starts[i + ahead]; k < starts[i + ahead + 1]; ++k)
+          prefetch_star(pairs[k].by);
+      }
       const vertex_index v = which[i];
       candidates.clear();
       for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
@@ -120,8 +127,7 @@ bool plain_star_store::is_between_segments(vertex_index v, vertex_index y, verte
 // corner alone, which asks the third.
 std::vector<char> plain_star_store::which_agree(const std::vector<vertex_index>& order) const {
   const std::vector<vertex_index> those_not = collect_chunks<vertex_index>(
-      order.size(), chunk,
-      [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
+      order.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
         for (std::size_t i = begin; i < end; ++i) note_disagreeing(order[i], out);
       });
   std::vector<char> agrees(stars_.size(), 1);
@@ -285,6 +291,8 @@ void plain_star_store::make_star(vertex_index w, double distance, std::vector<ve
     const std::size_t before = near.size();
     const bool all = find_near(w, known, reach, near, looked_at);
     known = reach;
+    for (std::size_t i = before; i < near.size(); ++i)
+      if (near[i] < finished_) prefetch_star(near[i]);
     if (near.size() < least_neighbours && !all) {
       reach *= 2;
       continue;
@@ -297,6 +305,13 @@ void plain_star_store::make_star(vertex_index w, double distance, std::vector<ve
     if (all || wanted <= reach || is_hopeless(w, attempt, reach >= ordinary, near.size())) return;
     reach = std::clamp(margin * wanted, least_growth * reach, 2 * reach);
   }
+}
+
+// Asks for what is read of a star of few gaps.
+void plain_star_store::prefetch_star(vertex_index v) const {
+  constexpr std::size_t line = 64, most = 4;
+  const char* const at = reinterpret_cast<const char*>(&stars_[v]);
+  for (std::size_t i = 0; i < most; ++i) prefetch(at + i * line);
 }
 
 // Makes the star of w anew with more sites. What it did not take of those it was made from, it does

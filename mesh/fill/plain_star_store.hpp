@@ -59,6 +59,7 @@ class plain_star_store {
   std::vector<disturbed> by_star(std::vector<disturbed> pairs) const;
   template <class Make>
   std::vector<vertex_index> make_anew(const std::vector<disturbed>& pairs, const Make& make);
+  void prefetch_star(vertex_index v) const;
   bool is_between_segments(vertex_index v, vertex_index y, vertex_index x) const;
   std::vector<char> which_agree(const std::vector<vertex_index>& order) const;
   void note_disagreeing(vertex_index v, std::vector<vertex_index>& out) const;
