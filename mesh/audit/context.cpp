@@ -25,12 +25,14 @@ void append(std::vector<vertex_index>& list, const std::vector<vertex_index>& mo
 template <class Item>
 std::size_t find_directed(const std::vector<Item>& list, const std::vector<std::size_t>& start,
                           vertex_index a, vertex_index b) {
-  const auto first = list.begin() + static_cast<std::ptrdiff_t>(start[a]),
-             last = list.begin() + static_cast<std::ptrdiff_t>(start[a + 1]);
-  const auto place = std::lower_bound(
-      first, last, b, [](const Item& item, vertex_index key) { return item.b < key; });
-  return place == last || place->b != b ? list.size()
-                                        : static_cast<std::size_t>(place - list.begin());
+  std::size_t place = start[a];
+  // Halves without a branch: which half it is, is past guessing.
+  for (std::size_t left = start[a + 1] - place; left > 1;) {
+    const std::size_t half = left / 2;
+    place += list[place + half - 1].b < b ? half : 0;
+    left -= half;
+  }
+  return place < start[a + 1] && list[place].b == b ? place : list.size();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // Point 2, the combinatorial part: every directed edge once, its reverse once or the boundary; both
 // at an internal edge.
 #include <algorithm>
+#include <cstdint>
 
 #include "asterism/mesh/audit/context.hpp"
 
@@ -12,6 +13,12 @@ namespace {
 std::string edge_text(const audit_context& context, const directed_edge& edge) {
   return "edge " + std::to_string(std::size_t{edge.a} + 1) + "-" +
          std::to_string(std::size_t{edge.b} + 1) + " of " + triangle_text(context, edge.triangle);
+}
+
+// A number that is compared at once as a and then b are.
+std::uint64_t in_one_number(vertex_index a, vertex_index b) {
+  constexpr int bits = 32;
+  return std::uint64_t{a} << bits | b;
 }
 
 // Sorts by counting for a, in each a's range by comparing: linear where degrees are bounded. The
@@ -36,7 +43,7 @@ void list_edges(audit_context& context) {
   check_in_parallel(context, next.size(), [&](audit_tally&, std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
       std::sort(at(start[v]), at(start[v + 1]), [](const auto& l, const auto& r) {
-        return std::array{l.b, l.triangle} < std::array{r.b, r.triangle};
+        return in_one_number(l.b, l.triangle) < in_one_number(r.b, r.triangle);
       });
   });
 }
@@ -53,31 +60,41 @@ void list_sides(audit_context& context) {
   context.side_start = starts_of(context.sides, context.subject.sites.size());
 }
 
-// `arrivals` are the vertices from which edges reach that of the edge, sorted: those across from it
-// in the triangles at it, so that the reverse of an edge is found where the edge is.
-void check_triangle_edge(const audit_context& context, audit_tally& tally, std::size_t i,
-                         const std::vector<vertex_index>& arrivals) {
-  const auto& edges = context.edges;
-  const directed_edge& e = edges[i];
-  if (i > 0 && edges[i - 1].a == e.a && edges[i - 1].b == e.b)
-    tally.found(finding_kind::repeated_edge,
-                edge_text(context, e) + " runs the same way in triangle " +
-                    std::to_string(std::size_t{edges[i - 1].triangle} + 1));
+void check_repeated(const audit_context& context, audit_tally& tally, std::size_t i) {
+  const directed_edge &e = context.edges[i], &before = context.edges[i - 1];
+  if (before.b == e.b)
+    tally.found(finding_kind::repeated_edge, edge_text(context, e) +
+                                                 " runs the same way in triangle " +
+                                                 std::to_string(std::size_t{before.triangle} + 1));
+}
+
+// `arrivals` are the vertices from which edges reach that of the edge, sorted.
+void check_matched(const audit_context& context, audit_tally& tally, const directed_edge& e,
+                   const std::vector<vertex_index>& arrivals) {
   if (!std::binary_search(arrivals.begin(), arrivals.end(), e.b) &&
       find_subsegment(context, e.a, e.b) == context.subject.boundary.size())
     tally.found(finding_kind::unmatched_edge,
                 edge_text(context, e) + " has no triangle across and is no boundary edge");
 }
 
+// The edges that reach a vertex come from those across from it in the triangles at it, so that the
+// reverse of an edge is found where the edge is. Inside the domain they come from where its own
+// edges go.
 void check_triangle_edges(audit_context& context) {
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     std::vector<vertex_index> arrivals;
+    const auto& edges = context.edges;
     for (std::size_t v = begin; v < end; ++v) {
       const std::size_t first = context.edge_start[v], last = context.edge_start[v + 1];
       arrivals.clear();
-      for (std::size_t i = first; i < last; ++i) arrivals.push_back(context.edges[i].apex);
+      for (std::size_t i = first; i < last; ++i) arrivals.push_back(edges[i].apex);
       std::sort(arrivals.begin(), arrivals.end());
-      for (std::size_t i = first; i < last; ++i) check_triangle_edge(context, tally, i, arrivals);
+      for (std::size_t i = first + 1; i < last; ++i) check_repeated(context, tally, i);
+      bool all_matched = true;
+      for (std::size_t i = first; i < last; ++i)
+        all_matched = all_matched && edges[i].b == arrivals[i - first];
+      for (std::size_t i = first; !all_matched && i < last; ++i)
+        check_matched(context, tally, edges[i], arrivals);
     }
   };
   check_in_parallel(context, context.subject.sites.size(), check);
