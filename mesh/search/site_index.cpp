@@ -36,7 +36,10 @@ site_index::site_index(const bounding_box& box, purpose asked_for)
     : nodes_(1),
       bounds_metrics_(asked_for == purpose::everything),
       root_{{}, {box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2}} {
-  if (bounds_metrics_) inverses_.resize(1);
+  if (bounds_metrics_)
+    inverses_.resize(1);
+  else
+    places_.resize(1);
   root_.middle = {box.low.x + root_.half.x, box.low.y + root_.half.y};
 }
 
@@ -95,11 +98,12 @@ void site_index::put_in_leaf(std::uint32_t at, const point& q, vertex_index w) {
   if (n.leaf == none) {
     n.leaf = static_cast<std::uint32_t>(leaves_.size());
     leaves_.emplace_back();
+    if (!bounds_metrics_) places_.emplace_back();
   }
   leaf_sites& here = leaves_[n.leaf];
   if (n.count < leaf_capacity) {
-    here.places[n.count] = q;
     here.first[n.count] = w;
+    if (!bounds_metrics_) places_[n.leaf][n.count] = q;
   } else {
     if (here.overflow == none) {
       here.overflow = static_cast<std::uint32_t>(overflow_.size());
@@ -119,12 +123,14 @@ void site_index::split(const std::vector<site>& sites, std::uint32_t at, const c
   }
   if (bounds_metrics_) inverses_.resize(nodes_.size());
   const leaf_sites moved = leaves_[nodes_[at].leaf];
-  nodes_[first + whole.quadrant(moved.places[0])].leaf = std::exchange(nodes_[at].leaf, none);
+  nodes_[first + whole.quadrant(sites[moved.first[0]].position)].leaf =
+      std::exchange(nodes_[at].leaf, none);
   nodes_[at].first_child = first;
-  for (int i = 0; i < leaf_capacity; ++i) {
-    const std::uint32_t child = first + whole.quadrant(moved.places[i]);
-    cover(child, moved.places[i], inverse_for(sites[moved.first[i]]));
-    put_in_leaf(child, moved.places[i], moved.first[i]);
+  for (const vertex_index w : moved.first) {
+    const point& q = sites[w].position;
+    const std::uint32_t child = first + whole.quadrant(q);
+    cover(child, q, inverse_for(sites[w]));
+    put_in_leaf(child, q, w);
   }
 }
 

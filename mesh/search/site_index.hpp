@@ -48,7 +48,8 @@ class site_index {
   bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
                  Visit&& visit) const;
   // Calls visit(places, which) for a few sites at a time, their positions and their numbers, till
-  // all in the closed box were among them; others near it are as well.
+  // all in the closed box were among them; others near it are as well. Requires an index for places
+  // alone.
   template <class Visit>
   bool visit_clusters(const std::vector<site>& sites, const bounding_box& box, Visit&& visit) const;
   // Calls visit(w) for each site w that may see a point q of the box within the distance:
@@ -104,9 +105,8 @@ class site_index {
     std::uint32_t count = 0;    // of the sites below
     std::uint32_t leaf = none;  // in leaves_; of nodes without children that have sites
   };
-  // The sites of a node without children, with their positions: those are asked for most.
+  // The sites of a node without children.
   struct leaf_sites {
-    std::array<point, leaf_capacity> places;
     std::array<vertex_index, leaf_capacity> first;
     std::uint32_t overflow = none;  // the rest, in overflow_; only on the last level
   };
@@ -170,8 +170,6 @@ class site_index {
   template <class Visit>
   bool visit_leaf(const node& n, Visit&& visit) const;
   template <class Visit>
-  bool visit_leaf(const std::vector<site>& sites, const node& n, Visit&& visit) const;
-  template <class Visit>
   void visit_pairs(const node& a, const node& b, const double& distance, Visit& visit) const;
   bool farther_apart(const node& a, const node& b, double distance) const;
   template <class Outside, class Visit>
@@ -182,6 +180,9 @@ class site_index {
   std::vector<inverse_range> inverses_;  // of the nodes; none where places alone are asked for
   bool bounds_metrics_ = true;
   std::vector<leaf_sites> leaves_{1};
+  // The positions of the first sites of leaves, where places alone are asked for: then these are
+  // all that is read, and sites may be anywhere in memory.
+  std::vector<std::array<point, leaf_capacity>> places_;
   std::vector<std::vector<vertex_index>> overflow_{1};
   cell root_;
   std::size_t size_ = 0;
@@ -197,19 +198,6 @@ bool site_index::visit_leaf(const node& n, Visit&& visit) const {
   if (here.overflow != none)
     for (const vertex_index w : overflow_[here.overflow])
       if (!visit(w)) return false;
-  return true;
-}
-
-template <class Visit>
-bool site_index::visit_leaf(const std::vector<site>& sites, const node& n, Visit&& visit) const {
-  if (n.count == 0) return true;
-  const leaf_sites& here = leaves_[n.leaf];
-  const std::uint32_t at_hand = n.count < leaf_capacity ? n.count : leaf_capacity;
-  for (std::uint32_t i = 0; i < at_hand; ++i)
-    if (!visit(here.first[i], here.places[i])) return false;
-  if (here.overflow != none)
-    for (const vertex_index w : overflow_[here.overflow])
-      if (!visit(w, sites[w].position)) return false;
   return true;
 }
 
@@ -253,7 +241,9 @@ bool site_index::visit_leaf_inside(const std::vector<site>& sites, const node& n
   const leaf_sites& here = leaves_[n.leaf];
   const std::uint32_t at_hand = n.count < leaf_capacity ? n.count : leaf_capacity;
   std::uint32_t inside = 0;
-  for (std::uint32_t i = 0; i < at_hand; ++i) inside |= holds(box, here.places[i]) << i;
+  const point* const places = bounds_metrics_ ? nullptr : places_[n.leaf].data();
+  for (std::uint32_t i = 0; i < at_hand; ++i)
+    inside |= holds(box, places != nullptr ? places[i] : sites[here.first[i]].position) << i;
   for (; inside != 0; inside &= inside - 1)
     if (!visit(here.first[static_cast<std::size_t>(std::countr_zero(inside))])) return false;
   if (here.overflow != none)
@@ -294,7 +284,7 @@ template <class Visit>
 bool site_index::visit_cluster(const std::vector<site>& sites, const node& n, Visit&& visit) const {
   const leaf_sites& here = leaves_[n.leaf];
   const std::size_t at_hand = n.count < leaf_capacity ? n.count : leaf_capacity;
-  if (!visit(std::span(here.places).first(at_hand), std::span(here.first).first(at_hand)))
+  if (!visit(std::span(places_[n.leaf]).first(at_hand), std::span(here.first).first(at_hand)))
     return false;
   if (here.overflow != none)
     for (const vertex_index w : overflow_[here.overflow])
@@ -386,8 +376,7 @@ template <class Visit>
 bool site_index::visit_reach(const std::vector<site>& sites, const site& v, double reach,
                              Visit&& visit) const {
   const auto nothing_else = [](const bounding_box&) { return false; };
-  return visit_reach_within(sites, v, reach, nothing_else,
-                            [&](vertex_index w, const point&) { return visit(w); });
+  return visit_reach_within(sites, v, reach, nothing_else, visit);
 }
 
 template <class Visit>
@@ -396,7 +385,8 @@ bool site_index::visit_cone(const std::vector<site>& sites, const site& v, doubl
   const auto is_outside = [&](const bounding_box& box) {
     return is_right_of(box, v.position, y) || is_right_of(box, x, v.position);
   };
-  const auto visit_inside = [&](vertex_index w, const point& q) {
+  const auto visit_inside = [&](vertex_index w) {
+    const point& q = sites[w].position;
     return is_outside({q, q}) || visit(w);
   };
   return visit_reach_within(sites, v, reach, is_outside, visit_inside);
@@ -418,9 +408,8 @@ bool site_index::visit_reach_within(const std::vector<site>& sites, const site& 
       continue;
     }
     const double most = limit(n, c);
-    const bool on = visit_leaf(sites, n, [&](vertex_index w, const point& q) {
-      return is_beyond(q, c, most) || visit(w, q);
-    });
+    const bool on = visit_leaf(
+        n, [&](vertex_index w) { return is_beyond(sites[w].position, c, most) || visit(w); });
     if (!on) return false;
   }
   return true;
