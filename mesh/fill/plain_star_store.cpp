@@ -9,7 +9,6 @@
 
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
-#include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/prefetch.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
@@ -19,8 +18,6 @@ namespace {
 
 constexpr std::size_t chunk = 256;
 constexpr std::size_t ahead = 4;
-// Sites, with what is searched for them, that no cache holds.
-constexpr std::size_t more_than_is_at_hand = 200'000;
 
 // True if x follows y in the star.
 bool has_gap(const plain_star& star, vertex_index y, vertex_index x) {
@@ -176,21 +173,17 @@ std::vector<plain_star_store::disturbed> plain_star_store::claims_on_disagreeing
 }
 
 // Makes the stars of the sites from `first` to before `last`; returns which stars of older sites
-// they disturb. Goes along a curve where there are many: each round placed some everywhere, so that
-// numbers jump about, and what was read for one star is to be at hand for the next. The outcome is
-// the same in any order.
+// they disturb. Sites placed together follow a curve (fill/site_proposals.hpp), so that what was
+// read for one star is at hand for the next.
 std::vector<plain_star_store::disturbed> plain_star_store::make_stars(std::size_t first,
                                                                       std::size_t last,
                                                                       double distance) {
-  std::vector<vertex_index> order(last - first);
-  std::iota(order.begin(), order.end(), static_cast<vertex_index>(first));
-  if (last >= more_than_is_at_hand) sort_along_curve(order, sites_->all(), box_);
   return collect_chunks<disturbed>(
       last - first, chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
         std::vector<vertex_index> near;
         std::uint64_t looked_at = 0, gaps = 0;
         for (std::size_t i = begin; i < end; ++i) {
-          const vertex_index w = order[i];
+          const auto w = static_cast<vertex_index>(first + i);
           if (is_enough(i)) break;
           make_star(w, distance, near, looked_at);
           gaps += stars_[w].size();

@@ -13,6 +13,7 @@
 #include "asterism/mesh/fill/scattered_places.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/search/site_index.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
@@ -152,17 +153,22 @@ bool site_proposals::has_room(const site_index& among, const site& s, double dis
   });
 }
 
-// Places in bands, so that neighbours in memory stay neighbours; four for each doubling of the
-// radius. Those of a block are held against the blocks before side by side, and then against each
-// other in turn: the same are placed as if all were gone through in turn.
+// Places in bands, four for each doubling of the radius, and those of a band along the curve:
+// neighbours in memory stay neighbours. Those of a block are held against the blocks before side by
+// side, and then against each other in turn: the same are placed as if all were gone through in
+// turn.
 void site_proposals::place(std::vector<site_proposal> proposals, double distance) {
   constexpr double bands_in_doubled_square = 2;
-  const auto band = [squared = distance * distance](const site_proposal& p) {
-    return static_cast<int>(bands_in_doubled_square * elementary::log2(p.squared_radius / squared));
+  constexpr int most_bands = 1 << 20;  // more than doubles have, either way
+  const auto key = [&, squared = distance * distance](const site_proposal& p) {
+    const auto band =
+        static_cast<int>(bands_in_doubled_square * elementary::log2(p.squared_radius / squared));
+    return static_cast<std::uint64_t>(most_bands - band) << bits_of_place_on_curve |
+           place_on_curve(p.where.position, parts_.box);
   };
-  std::vector<std::pair<int, std::uint32_t>> order;  // the band, negative, and the number
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;  // the key and the number
   order.reserve(proposals.size());
-  for (std::uint32_t i = 0; i < proposals.size(); ++i) order.emplace_back(-band(proposals[i]), i);
+  for (std::uint32_t i = 0; i < proposals.size(); ++i) order.emplace_back(key(proposals[i]), i);
   tbb::parallel_sort(order.begin(), order.end());
   constexpr std::size_t block = 8192;
   site_index placed(parts_.box, site_index::purpose::places);  // of the blocks before

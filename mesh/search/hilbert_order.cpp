@@ -15,7 +15,7 @@
 namespace asterism::internal {
 namespace {
 
-constexpr int levels = 20;
+constexpr int levels = bits_of_place_on_curve / 2;
 
 // Returns the cell of x in [low, high] cut into 2^levels.
 std::uint32_t cell(double x, double low, double high) {
@@ -62,6 +62,10 @@ std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
 
 }  // namespace
 
+std::uint64_t place_on_curve(const point& q, const bounding_box& box) {
+  return place_on_curve(cell(q.x, box.low.x, box.high.x), cell(q.y, box.low.y, box.high.y));
+}
+
 void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<site>& sites,
                       const bounding_box& box) {
   constexpr std::size_t chunk = 1024;
@@ -69,9 +73,7 @@ void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<site>
   parallel_chunks(which.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const point& q = sites[which[i]].position;
-      places[i] = {
-          place_on_curve(cell(q.x, box.low.x, box.high.x), cell(q.y, box.low.y, box.high.y)),
-          static_cast<std::uint32_t>(i)};
+      places[i] = {place_on_curve(q, box), static_cast<std::uint32_t>(i)};
     }
   });
   tbb::parallel_sort(places.begin(), places.end());

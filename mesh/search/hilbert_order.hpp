@@ -12,6 +12,10 @@
 
 namespace asterism::internal {
 
+// Returns how far along the curve through the box the point is; at an end where it is outside.
+inline constexpr int bits_of_place_on_curve = 40;
+std::uint64_t place_on_curve(const point& q, const bounding_box& box);
+
 // Returns the numbers of the sites in the order of the curve. It is stable: sites in one cell of
 // the finest grid keep their order.
 std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,
