@@ -5,6 +5,7 @@
 // made all the same, as it names the vertex, and because the star check walks these fans. Requires
 // matched edges.
 #include <algorithm>
+#include <cstddef>
 
 #include "asterism/mesh/audit/context.hpp"
 
@@ -25,6 +26,19 @@ void list_steps(const audit_context& context, std::size_t first, std::size_t las
     steps.push_back({context.edges[i].b, context.edges[i].apex});
 }
 
+// Returns the step that starts where another ends, or the end. Counts where there are few: a search
+// by halves guesses wrong at every other step.
+std::vector<fan_step>::iterator step_from(std::vector<fan_step>& steps, vertex_index from) {
+  constexpr std::size_t few = 16;
+  auto next = steps.begin();
+  if (steps.size() > few)
+    next = std::lower_bound(steps.begin(), steps.end(), from,
+                            [](const fan_step& s, vertex_index other) { return s.from < other; });
+  else
+    for (const fan_step& s : steps) next += static_cast<std::ptrdiff_t>(s.from < from);
+  return next != steps.end() && next->from == from ? next : steps.end();
+}
+
 // Has the domain at v a sector that starts with the ray to `to`?
 bool starts_fan(const audit_context& context, vertex_index v, vertex_index to) {
   return find_subsegment(context, v, to) != context.subject.boundary.size();
@@ -41,10 +55,8 @@ void follow(const audit_context& context, vertex_index v, std::vector<fan_step>&
     step->used = true;
     to.links.push_back(step->from);
     const vertex_index last = step->to;
-    const auto next =
-        std::lower_bound(steps.begin(), steps.end(), last,
-                         [](const fan_step& s, vertex_index other) { return s.from < other; });
-    if (next == steps.end() || next->from != last || starts_fan(context, v, last)) {
+    const auto next = step_from(steps, last);
+    if (next == steps.end() || starts_fan(context, v, last)) {
       to.links.push_back(last);
       return end_fan(false);
     }
@@ -78,22 +90,24 @@ void list_fans(const audit_context& context, vertex_index v, std::size_t first, 
     if (!s.used) follow(context, v, steps, s, to);
 }
 
-bool in_lower_half(const point& v, const point& p) {
-  return p.y < v.y || (p.y == v.y && p.x < v.x);
+// Without a branch: where the next one is is past guessing.
+int in_lower_half(const point& v, const point& p) {
+  return static_cast<int>(p.y < v.y) | (static_cast<int>(p.y == v.y) & static_cast<int>(p.x < v.x));
 }
 
 // Counts the full turns of a fan that comes back to its start: each triangle turns by less than a
 // half turn, so a turn is completed exactly where a step leads from the lower half plane into the
 // upper one.
 int turns(const audit_context& context, vertex_index v, const vertex_fan& fan) {
-  int count = 0;
-  const std::size_t steps = fan.closed ? fan.link.size() : fan.link.size() - 1;
-  for (std::size_t i = 0; i < steps; ++i) {
-    const vertex_index to = fan.link[(i + 1) % fan.link.size()];
-    count += in_lower_half(context.at(v), context.at(fan.link[i])) &&
-             !in_lower_half(context.at(v), context.at(to));
+  const point at_v = context.at(v);
+  int count = 0, was_lower = in_lower_half(at_v, context.at(fan.link.front()));
+  const int first = was_lower;
+  for (std::size_t i = 1; i < fan.link.size(); ++i) {
+    const int is_lower = in_lower_half(at_v, context.at(fan.link[i]));
+    count += was_lower & (1 - is_lower);
+    was_lower = is_lower;
   }
-  return count;
+  return fan.closed ? count + (was_lower & (1 - first)) : count;
 }
 
 // Does an open fan come round to its first edge again?
