@@ -163,13 +163,12 @@ void unit_mesher::meet_count() {
 }
 
 // Splits, merges, flips and moves by turns, with the unit that makes as many nodes as are wanted.
-// There are more rounds where the count is far off.
-void unit_mesher::fit(int rounds, int sweeps) {
-  constexpr int most_splits = 40, most_rounds = 10;
-  constexpr double far = 0.015;
+// There are more rounds where the count is off by more than a part of it.
+void unit_mesher::fit(double tolerable) {
+  constexpr int rounds = 2, sweeps = 2, most_splits = 40, most_rounds = 10;
   double ratio = 1;
   for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
-    if (round >= rounds && std::abs(ratio - 1) < far) break;
+    if (round >= rounds && std::abs(ratio - 1) < tolerable) break;
     measure_unit();
     for (int i = 0; i < most_splits && !is_stopped(); ++i)
       if (split_long(std::numbers::sqrt2 * unit_) == 0) break;
@@ -182,8 +181,10 @@ void unit_mesher::fit(int rounds, int sweeps) {
     }
     if (options_.count == 0) continue;
     ratio = static_cast<double>(m_.count()) / static_cast<double>(options_.count);
-    constexpr double least = 0.8, most = 1.6;
-    crowding_ = std::clamp(crowding_ * std::sqrt(ratio), least, most);
+    // The count would follow the square of the unit if all edges were near it. But those that are a
+    // little too short for it stay, so that half as much again is needed.
+    constexpr double least = 0.8, most = 1.6, power = 0.75;
+    crowding_ = std::clamp(crowding_ * quick_exp(power * quick_log(ratio)), least, most);
   }
   if (options_.count > 0) meet_count();
 }
@@ -193,8 +194,9 @@ void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
   forget_shapes();
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) measure(v);
   seed(seeds);
-  constexpr int rounds = 2, sweeps = 2;
-  fit(rounds, sweeps);
+  // What is fitted again need not have as many nodes as are wanted, to a few percent.
+  constexpr double tolerable = 0.05;
+  fit(tolerable);
 }
 
 void unit_mesher::refit(metric_at field) {
@@ -204,8 +206,10 @@ void unit_mesher::refit(metric_at field) {
     if (m_.at(v).kind != node_kind::gone) measure(v);
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
     if (m_.faces()[t].exists()) note_change(t);
-  constexpr int rounds = 2, sweeps = 2;
-  fit(rounds, sweeps);
+  // A mesh that was fitted is less crowded when it is fitted again, by about the root.
+  crowding_ = std::sqrt(crowding_);
+  constexpr double tolerable = 0.015;
+  fit(tolerable);
 }
 
 void unit_mesher::meet_count(metric_at field) {

@@ -41,8 +41,8 @@ class unit_mesher {
  public:
   unit_mesher(working_mesh& m, unit_mesh_options options) : m_(m), options_(std::move(options)) {}
 
-  // Makes the mesh anew in this metric. `seeds` are places to begin with, in an order in which
-  // neighbours follow each other.
+  // Makes the mesh anew in this metric, to be fitted again. `seeds` are places to begin with, in an
+  // order in which neighbours follow each other.
   void run(metric_at field, const std::vector<point>& seeds);
   // Changes the mesh there is as another metric wants it.
   void refit(metric_at field);
@@ -68,7 +68,7 @@ class unit_mesher {
   std::vector<vertex_index> split_longer(metric_at wanted, const length_limits& limits,
                                          std::size_t most_nodes);
 
-  void fit(int rounds, int sweeps);
+  void fit(double tolerable);
   void seed(const std::vector<point>& seeds);
   bool is_crowded(vertex_index t, const node& there) const;
   vertex_index locate(const point& q, vertex_index from) const;
