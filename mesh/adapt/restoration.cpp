@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <utility>
 
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
@@ -18,7 +17,10 @@ namespace {
 // only the auditor sees; with much of it little can be given (docs/design/adaptation.md).
 constexpr double room = 0.15;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+// True if an edge has the room wanted, or at least half of what it had.
+bool has_room(double now, double before) {
+  return now >= std::min(room, before > 0 ? before / 2 : before);
+}
 
 // Returns the tensor that is `share` of the way from a to b, by logarithms.
 metric_tensor between(const metric_tensor& a, const metric_tensor& b, double share) {
@@ -37,6 +39,7 @@ bool is_metric(const metric_tensor& m) {
 restoration::restoration(working_mesh& m, double angle_bound, std::vector<metric_tensor> wanted)
     : m_(m),
       tests_(m, angle_bound),
+      edges_(m, tests_),
       has_angles_(angle_bound > 0),
       wanted_(std::move(wanted)),
       awake_(m.nodes().size(), 1),
@@ -96,8 +99,7 @@ bool restoration::give(vertex_index v, bool whole_alone) {
   // Below a hundredth only the whole way is worth the while.
   constexpr double short_way = 0.01;
   const bool is_short = whole_alone || !(log_distortion(now, wanted_[v]) > short_way);
-  clearances_.clear();
-  beyond_.clear();
+  bool is_measured = false;
   for (const double share : {1.0, 0.5, 0.2}) {
     if (share < 1 && is_short) break;
     const metric_tensor tried = share < 1 ? between(now, wanted_[v], share) : wanted_[v];
@@ -106,60 +108,17 @@ bool restoration::give(vertex_index v, bool whole_alone) {
     if (has_low_around(v)) continue;
     // Angles alone refuse most nodes where few can be given anything: what the edges keep is
     // measured only after that.
-    if (clearances_.empty()) {
+    if (!is_measured) {
       m_.set_metric(v, now);
-      measure_clearances(v);
+      edges_.turn_to(v);
+      edges_.remember();
       m_.set_metric(v, tried);
+      is_measured = true;
     }
-    if (have_room_around(v)) return true;
+    if (edges_.all_of(has_room)) return true;
   }
   m_.set_metric(v, now);
   return false;
-}
-
-// Returns the centre of a face around the node at hand, found once.
-const face_centre& restoration::centre_at(std::vector<known_centre>& known, std::size_t nth,
-                                          vertex_index t) const {
-  known_centre& c = known[nth];
-  if (!c.is_known) {
-    constexpr std::size_t as_faces = 6;  // of the time that a face in a list takes
-    m_.note_looked_at(as_faces);
-    c = {tests_.centre_of(t), true};
-  }
-  return c.centre;
-}
-
-// Tells the clearance of each edge that has v at an end or across, infinite at segments, while the
-// answer is true; returns the last answer. Of the edges at v each face has one to tell, which is
-// shared with the next face.
-template <class Tell>
-bool restoration::for_edges_around(vertex_index v, const Tell& tell) {
-  face_list at;
-  m_.around(v, at);
-  own_.assign(at.size(), {});
-  beyond_.resize(at.size());
-  const auto is_end = [](std::size_t i, const face& f) {
-    return f.next[i] == none || f.segment[i] != none;
-  };
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    const face& f = m_.faces()[at[k]];
-    const std::size_t i = f.corner_of(v), next = k + 1 < at.size() ? k + 1 : 0;
-    double clear = infinity;
-    if (!is_end(i, f)) {
-      const node& d = m_.at(tests_.quad_at(at[k], i).d);
-      clear = std::min(clearance(centre_at(own_, k, at[k]), d),
-                       clearance(centre_at(beyond_, k, f.next[i]), m_.at(v)));
-    }
-    if (!tell(clear)) return false;
-    clear = infinity;
-    if (!is_end(after(i), f)) {
-      const edge_quad q = tests_.quad_at(at[k], after(i));
-      clear = std::min(clearance(centre_at(own_, k, at[k]), m_.at(q.d)),
-                       clearance(centre_at(own_, next, at[next]), m_.at(q.c)));
-    }
-    if (!tell(clear)) return false;
-  }
-  return true;
 }
 
 // True if an angle at the faces around v is low that is to be none.
@@ -169,22 +128,6 @@ bool restoration::has_low_around(vertex_index v) const {
   m_.around(v, at);
   return std::any_of(at.begin(), at.end(),
                      [this](vertex_index t) { return tests_.is_low(t) && !tests_.is_exempt(t); });
-}
-
-void restoration::measure_clearances(vertex_index v) {
-  for_edges_around(v, [this](double clearance) {
-    clearances_.push_back(clearance);
-    return true;
-  });
-}
-
-// True if each edge around v has the room wanted, or at least half of what it had.
-bool restoration::have_room_around(vertex_index v) {
-  std::size_t edge = 0;
-  return for_edges_around(v, [&](double clearance) {
-    const double before = clearances_[edge++];
-    return clearance >= std::min(room, before > 0 ? before / 2 : before);
-  });
 }
 
 // Lists the nodes of edges, and of faces with low angles, that are not in order around v.

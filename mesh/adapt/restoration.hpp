@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "asterism/mesh/adapt/edges_around.hpp"
 #include "asterism/mesh/adapt/local_tests.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
@@ -36,30 +37,16 @@ class restoration {
   bool give_once(bool whole_alone);
   bool give(vertex_index v, bool whole_alone);
   std::size_t wanted_count() const;
-  struct known_centre {
-    face_centre centre;
-    bool is_known = false;
-  };
-
-  const face_centre& centre_at(std::vector<known_centre>& known, std::size_t nth,
-                               vertex_index t) const;
-  template <class Tell>
-  bool for_edges_around(vertex_index v, const Tell& tell);
   bool has_low_around(vertex_index v) const;
-  void measure_clearances(vertex_index v);
-  bool have_room_around(vertex_index v);
   void list_disagreeing(vertex_index v, std::vector<vertex_index>& out) const;
   void wake_around(vertex_index v);
 
   working_mesh& m_;
   local_tests tests_;
+  edges_around edges_;
   bool has_angles_;
   std::vector<metric_tensor> wanted_, before_;  // before_: or what was kept since
   std::vector<char> awake_, kept_;
-  std::vector<double> clearances_;  // around a node, before it is given anything; or none yet
-  // Keep what is known of the faces around the node at hand, and of those across from it, which its
-  // tensor does not change.
-  std::vector<known_centre> own_, beyond_;
 };
 
 }  // namespace asterism::internal::adapting

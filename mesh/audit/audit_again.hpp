@@ -41,6 +41,9 @@ struct star_memory {
   // Power of the factor of two of squares of these lengths: a metric of very large numbers is asked
   // about in other units, which depend on the largest.
   int power_of_squares = 0;
+  // Number of sites from which on a gap of which no reach is known is a hard question. Fewer are
+  // held against it one by one.
+  std::size_t many_for_a_gap = 0;
 };
 
 enum class hard_questions { asked, left_open };

@@ -229,7 +229,7 @@ class star_check {
       if (gap.is_skipped) continue;
       gap.is_concerned = around_.concerns(v, gap.x, gap.y);
       gap.reach = reach_of(v, gap, reaches, measured_[i], measured_[(i + 1) % n]);
-      if (context_.leaves_open && !is_finite(gap.reach) && gap.is_concerned) {
+      if (gap.is_concerned && is_left_open(gap)) {
         leave_open(v, v, gap.x, gap.y, open_question::about::gap);
         gap.is_skipped = true;
         continue;
@@ -238,6 +238,11 @@ class star_check {
       (gap.is_concerned ? p.has_concerned : p.has_others) = true;
       if (gap.is_concerned) p.reach_concerned = greatest_bound(p.reach_concerned, gap.reach);
     }
+  }
+
+  bool is_left_open(const fan_gap& gap) const {
+    return context_.leaves_open && !is_finite(gap.reach) &&
+           around_.at.size() >= context_.memory->many_for_a_gap;
   }
 
   // Returns how far the gap reaches: most do not need to be prepared for that, nor for any

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "asterism/mesh/pipeline/assign_regions.hpp"
@@ -53,6 +54,7 @@ void audited_mesh::judge(std::size_t findings_kept) {
 }
 
 void audited_mesh::judge_quickly() {
+  memory_.many_for_a_gap = many_for_a_gap;
   keep(audit_quickly(subject_, question(all_findings), memory_));
 }
 
@@ -63,6 +65,7 @@ void audited_mesh::judge_again(node_list changed, hard_questions hard) {
   node_list sites;
   for (vertex_index s = 0; s < node_of_.size(); ++s)
     if (std::binary_search(changed.begin(), changed.end(), node_of_[s])) sites.push_back(s);
+  memory_.many_for_a_gap = many_for_a_gap;
   keep(audit_again(subject_, question(all_findings), before, sites, memory_, hard));
 }
 
@@ -96,6 +99,20 @@ std::vector<node_list> audited_mesh::nodes_found() const {
   for (const vertex_index t : report_->refused_triangles())
     all.push_back(nodes_of(subject_.triangles[t]));
   return all;
+}
+
+std::vector<node_list> audited_mesh::stars_with_open(std::size_t most) const {
+  std::map<vertex_index, std::vector<const open_question*>> stars;
+  for (const open_question& q : memory_.open) stars[q.sites[0]].push_back(&q);
+  std::vector<node_list> found;
+  for (const auto& [centre, questions] : stars) {
+    if (questions.size() <= most) continue;
+    node_list& nodes = found.emplace_back();
+    nodes.push_back(node_of_[centre]);
+    for (const open_question* q : questions)
+      for (const vertex_index s : {q->sites[2], q->sites[3]}) nodes.push_back(node_of_[s]);
+  }
+  return found;
 }
 
 void audited_mesh::add_nodes_of_open(node_list& nodes) const {

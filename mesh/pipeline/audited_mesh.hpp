@@ -25,6 +25,10 @@ class audited_mesh {
   audited_mesh(const domain& shape, const mesh_options& options)
       : domain_(&shape), options_(&options) {}
 
+  // Of fewer sites all are held against a gap of which no reach is known, when a mesh is audited
+  // quickly: most are nowhere near it.
+  static constexpr std::size_t many_for_a_gap = 1000;
+
   const mesh& subject() const { return subject_; }
   const std::shared_ptr<audit_report>& report() const { return report_; }
   // True if the last mesh that was audited is certified; false before there is one.
@@ -52,6 +56,9 @@ class audited_mesh {
   // Returns the nodes that the findings are about, a list for each: of stars, and of triangles with
   // an angle below the bound.
   std::vector<node_list> nodes_found() const;
+  // Returns the stars of which more than so many questions are open, a list of nodes for each: its
+  // centre, and the neighbours that the questions are about.
+  std::vector<node_list> stars_with_open(std::size_t most) const;
   // Adds the nodes of the questions that are open.
   void add_nodes_of_open(node_list& nodes) const;
 

@@ -98,7 +98,7 @@ class giver {
   // True if the mesh is certified in the end.
   bool run() {
     giving_.run(options_.stop);
-    take_back_unbounded(m_, giving_, options_.stop);
+    if (m_.count() >= audited_mesh::many_for_a_gap) take_back_unbounded(m_, giving_, options_.stop);
     audited_.take(m_);
     audited_.judge_quickly();
     for (int audits = 1; audits < most_audits && !audited_.is_certified(); ++audits)
@@ -117,6 +117,13 @@ class giver {
     };
     const std::vector<node_list> found = audited_.nodes_found();
     for (const node_list& nodes : found) take_back(nodes);
+    // Stars that see far have nearly all of the questions, and few have them.
+    constexpr std::size_t many = 20;
+    for (const node_list& star : audited_.stars_with_open(many)) {
+      const std::size_t before = taken.size();
+      take_back({star.front()});
+      if (taken.size() == before) take_back({star.begin() + 1, star.end()});
+    }
     audited_.ask_filters(m_, take_back);
     if (audited_.is_certified()) return true;
     audited_.add_nodes_of_open(looked_at);
@@ -167,6 +174,24 @@ class giver {
 };
 
 }  // namespace
+
+void bound_gaps(adapting::working_mesh& m, adapting::agreement& agreeing,
+                const cancellation& stop) {
+  constexpr int rounds = 2;
+  constexpr std::size_t few = 20;      // one in so many nodes
+  constexpr std::size_t as_faces = 3;  // of the time that a face in a list takes, three gaps
+  for (int round = 0; round < rounds && !stop.is_requested(); ++round) {
+    std::vector<node_list> found;
+    for (const adapting::face& f : m.faces())
+      for (std::size_t i = 0; f.exists() && i < 3; ++i)
+        if (sees_all(m, f, i)) found.push_back({f.v.begin(), f.v.end()});
+    m.note_looked_at(as_faces * m.faces().size());
+    m.charge_work(stop);
+    if (found.empty() || few * found.size() > m.count()) return;
+    for (const node_list& nodes : found) agreeing.disagreed_at(nodes);
+    agreeing.run();
+  }
+}
 
 bool give_back(adapting::working_mesh& m, std::vector<metric_tensor> wanted,
                const mesh_options& options, const adapting::agreement_options& mending,

@@ -13,6 +13,11 @@
 
 namespace asterism::internal {
 
+// Makes nodes more alike, in a mesh whose stars agree, whose gaps see so far that it is not known
+// how far: an auditor holds all sites against these, and taking back does not end it. Where that is
+// more than a few, the mesh stays as it is. `agreeing` is of this mesh.
+void bound_gaps(adapting::working_mesh& m, adapting::agreement& agreeing, const cancellation& stop);
+
 // Gives back; `wanted` has a tensor for each node. What is found against the mesh then is taken
 // back (adapt/restoration.hpp), and where nothing is left to take back the mesh is mended. Of hard
 // questions those are asked that nothing else answers: none about tensors that are taken back for

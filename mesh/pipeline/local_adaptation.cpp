@@ -13,6 +13,7 @@
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/adapt/settling.hpp"
 #include "asterism/mesh/adapt/shape_filter.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
@@ -298,6 +299,7 @@ class adaptation {
       agreeing.changed_at(maker.split_outliers(field_by(wanted_, m)));
       agreeing.run();
     }
+    settle(m, agreeing);
     constexpr std::size_t few = 20;  // one in so many
     const std::size_t left = agreeing.report().disagreeing + agreeing.report().low;
     if (few * left <= m.nodes().size()) {
@@ -309,6 +311,16 @@ class adaptation {
     if (!is_certified()) return;
     const audited_mesh certified = made_;
     if (!give_back(m)) made_ = certified;
+  }
+
+  // Moves the nodes of a mesh that agrees to where more of them can have the tensors wanted.
+  void settle(working_mesh& m, agreement& agreeing) const {
+    if (agreeing.report().disagreeing + agreeing.report().low > 0 || options_.angle_bound <= 0)
+      return;
+    settling settled(m, options_.angle_bound, length_factor_, field_by(wanted_, m));
+    if (settled.is_in_vain()) return;
+    settled.run(options_.stop);
+    bound_gaps(m, agreeing, options_.stop);
   }
 
   // Makes tensors alike until the auditor has nothing against the mesh.

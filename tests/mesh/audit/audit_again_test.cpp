@@ -209,3 +209,35 @@ TEST_CASE("what an audit leaves open and what it finds is what a whole audit fin
   }
   CHECK(gaps > 20);
 }
+
+TEST_CASE("a gap of which no reach is known is left open where there are many sites alone") {
+  splitmix64 random{8};
+  std::size_t with_many = 0, with_few = 0, found = 0;
+  for (int round = 0; round < 5; ++round) {
+    patch p = make_patch(8);
+    for (site& s : p.m.sites) {
+      const double turn = random.real(0, 3), c = std::cos(turn), d = std::sin(turn);
+      s.metric = {c * c + 40 * d * d, -39 * c * d, d * d + 40 * c * c};
+    }
+    audit_options asked;
+    asked.findings_kept = std::numeric_limits<std::size_t>::max();
+    star_memory many, few;
+    many.many_for_a_gap = p.m.sites.size();
+    few.many_for_a_gap = p.m.sites.size() + 1;
+    const audit_report left_open = audit_quickly(p.m, asked, many);
+    const audit_report held = audit_quickly(p.m, asked, few);
+    const auto count_gaps = [](const star_memory& memory) {
+      return static_cast<std::size_t>(std::count_if(
+          memory.open.begin(), memory.open.end(),
+          [](const open_question& q) { return q.what == open_question::about::gap; }));
+    };
+    with_many += count_gaps(many);
+    with_few += count_gaps(few);
+    const auto of_all = stars_found(audit(p.m, asked)), of_held = stars_found(held);
+    CHECK(std::includes(of_all.begin(), of_all.end(), of_held.begin(), of_held.end()));
+    if (of_held.size() > stars_found(left_open).size()) ++found;
+  }
+  CHECK(with_many > 0);
+  CHECK(with_few == 0);
+  CHECK(found > 0);
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+//
+// Measures by how much the edges around a node agree, while its tensor or its place is tried in
+// several ways: what these do not change is found once. Internal to mesh/adapt.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "asterism/mesh/adapt/local_tests.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
+
+namespace asterism::internal::adapting {
+
+class edges_around {
+ public:
+  // Both must outlive it.
+  edges_around(const working_mesh& m, const local_tests& tests) : m_(m), tests_(tests) {}
+
+  // Turns to this node. Until the next time it is the only one that may change.
+  void turn_to(vertex_index v) {
+    v_ = v;
+    m_.around(v, at_);
+    beyond_.assign(at_.size(), {});
+  }
+  // Returns the faces around the node.
+  const face_list& faces() const { return at_; }
+
+  // Tells the clearance of each edge that has the node at an end or across, infinite at segments,
+  // while the answer is true; returns the last answer. Of the edges at the node each face has one
+  // to tell, which is shared with the next face.
+  template <class Tell>
+  bool tell_clearances(const Tell& tell);
+  // Tells the centre of each face across from the node, and not across a segment.
+  template <class Tell>
+  void tell_centres_across(const Tell& tell) {
+    for (std::size_t k = 0; k < at_.size(); ++k) {
+      const face& f = m_.faces()[at_[k]];
+      const std::size_t i = f.corner_of(v_);
+      if (f.next[i] != none && f.segment[i] == none) tell(centre_at(beyond_, k, f.next[i]));
+    }
+  }
+  // Keeps what the clearances are.
+  void remember() {
+    clearances_.clear();
+    tell_clearances([this](double clear) {
+      clearances_.push_back(clear);
+      return true;
+    });
+  }
+  // True if `is_enough(now, then)` for the clearance of each edge, now and when it was remembered.
+  template <class Enough>
+  bool all_of(const Enough& is_enough) {
+    std::size_t edge = 0;
+    return tell_clearances([&](double now) { return is_enough(now, clearances_[edge++]); });
+  }
+
+ private:
+  struct known_centre {
+    face_centre centre;
+    bool is_known = false;
+  };
+
+  // Returns the centre of a face, found once.
+  const face_centre& centre_at(std::vector<known_centre>& known, std::size_t nth, vertex_index t) {
+    known_centre& c = known[nth];
+    if (!c.is_known) {
+      constexpr std::size_t as_faces = 6;  // of the time that a face in a list takes
+      m_.note_looked_at(as_faces);
+      c = {tests_.centre_of(t), true};
+    }
+    return c.centre;
+  }
+
+  const working_mesh& m_;
+  const local_tests& tests_;
+  vertex_index v_ = none;
+  face_list at_;
+  // What is known of the faces around the node, and of those across from it.
+  std::vector<known_centre> own_, beyond_;
+  std::vector<double> clearances_;
+};
+
+template <class Tell>
+bool edges_around::tell_clearances(const Tell& tell) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  own_.assign(at_.size(), {});
+  const auto is_end = [](std::size_t i, const face& f) {
+    return f.next[i] == none || f.segment[i] != none;
+  };
+  for (std::size_t k = 0; k < at_.size(); ++k) {
+    const face& f = m_.faces()[at_[k]];
+    const std::size_t i = f.corner_of(v_), next = k + 1 < at_.size() ? k + 1 : 0;
+    double clear = infinity;
+    if (!is_end(i, f)) {
+      const node& d = m_.at(tests_.quad_at(at_[k], i).d);
+      clear = std::min(clearance(centre_at(own_, k, at_[k]), d),
+                       clearance(centre_at(beyond_, k, f.next[i]), m_.at(v_)));
+    }
+    if (!tell(clear)) return false;
+    clear = infinity;
+    if (!is_end(after(i), f)) {
+      const edge_quad q = tests_.quad_at(at_[k], after(i));
+      clear = std::min(clearance(centre_at(own_, k, at_[k]), m_.at(q.d)),
+                       clearance(centre_at(own_, next, at_[next]), m_.at(q.c)));
+    }
+    if (!tell(clear)) return false;
+  }
+  return true;
+}
+
+}  // namespace asterism::internal::adapting

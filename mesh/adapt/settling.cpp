@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/adapt/settling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+
+namespace asterism::internal::adapting {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// Degrees above the bound from which an angle is no trouble.
+constexpr double degrees_above = 1;
+// Clearance that an edge keeps, unless it had less: what restoration asks for. More than that is
+// looked for, as the tensors around change after this.
+constexpr double room = 0.15, room_looked_for = 0.3;
+
+constexpr double slant = 1 / std::numbers::sqrt2;
+constexpr std::array<point, 8> directions = {{{1, 0},
+                                              {slant, slant},
+                                              {0, 1},
+                                              {-slant, slant},
+                                              {-1, 0},
+                                              {-slant, -slant},
+                                              {0, -1},
+                                              {slant, -slant}}};
+
+// Returns the trouble that something is in that is beyond its limit by so much. What is far beyond
+// counts no more than what is somewhat: it will stay so.
+double trouble(double beyond) {
+  constexpr double most = 1, of_any = 0.1;
+  return beyond > 0 ? std::min(most, beyond) + of_any : 0;
+}
+
+}  // namespace
+
+settling::settling(working_mesh& m, double angle_bound, double unit, wanted_at wanted)
+    : m_(m),
+      tests_(m, angle_bound),
+      edges_(m, tests_),
+      angle_bound_(angle_bound),
+      cotangent_(cotangent_of(angle_bound + degrees_above)),
+      unit_(unit),
+      field_(std::move(wanted)),
+      awake_(m.nodes().size(), 1) {
+  wanted_.reserve(m.nodes().size());
+  for (vertex_index v = 0; v < m.nodes().size(); ++v)
+    wanted_.push_back(m.at(v).kind == node_kind::gone ? wanted_tensor{}
+                                                      : look_up(m.at(v).position, m.at(v).hint));
+}
+
+settling::wanted_tensor settling::look_up(const point& q, vertex_index& hint) const {
+  const metric_tensor there = field_(q, hint);
+  return {there, root_of_determinant(there)};
+}
+
+// With angles of less than half of the bound around many nodes the metric is not resolved: in two
+// fronts that cross there are such around 22 to 51 of a hundred, in other functions around at most
+// 14 (docs/design/adaptation.md).
+bool settling::is_in_vain() const {
+  constexpr std::size_t part = 6;
+  const double least = cotangent_of(angle_bound_ / 2) - cotangent_;
+  std::vector<char> is_hopeless(m_.nodes().size(), 0);
+  m_.note_looked_at(m_.faces().size());
+  for (vertex_index t = 0; t < m_.faces().size(); ++t) {
+    if (!m_.faces()[t].exists()) continue;
+    for (const vertex_index u : m_.faces()[t].v)
+      if (excess_of(t, u) > least) is_hopeless[u] = 1;
+  }
+  const auto hopeless =
+      static_cast<std::size_t>(std::count(is_hopeless.begin(), is_hopeless.end(), char{1}));
+  return part * hopeless > m_.count();
+}
+
+void settling::run(const cancellation& stop) {
+  constexpr int most_sweeps = 3;
+  bool any = true;
+  for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
+    any = false;
+    for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
+      const node_kind kind = m_.at(v).kind;
+      if (!awake_[v] || (kind != node_kind::free && kind != node_kind::sliding)) continue;
+      awake_[v] = 0;
+      if (settle(v)) any = true;
+    }
+    m_.charge_work(stop);
+  }
+}
+
+// Returns by how much the greatest cotangent of an angle of the face is above the one that is no
+// trouble, as the tensor wanted of a node finds it.
+double settling::excess_of(vertex_index t, vertex_index by) const {
+  const face& f = m_.faces()[t];
+  const point &a = m_.at(f.v[0]).position, &b = m_.at(f.v[1]).position, &c = m_.at(f.v[2]).position;
+  const metric_tensor& m = wanted_[by].metric;
+  const double ux = b.x - a.x, uy = b.y - a.y, wx = c.x - a.x, wy = c.y - a.y;
+  const double uu = squared(m, ux, uy), ww = squared(m, wx, wy),
+               uw = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
+  const double area = wanted_[by].root * (ux * wy - uy * wx);
+  return std::max({uw, uu - uw, ww - uw}) / area - cotangent_;
+}
+
+double settling::trouble_of(vertex_index t, vertex_index by) const {
+  return trouble(excess_of(t, by));
+}
+
+// Returns the trouble that the others have with the faces around the node; where that is at least
+// `most`, or a face does not turn left, some number that is.
+double settling::trouble_of_others(vertex_index v, double most) const {
+  double sum = 0;
+  for (const vertex_index t : edges_.faces()) {
+    const face& f = m_.faces()[t];
+    const std::size_t i = f.corner_of(v);
+    const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+    if (!turns_left(m_.at(v).position, m_.at(a).position, m_.at(b).position)) return infinity;
+    sum += trouble_of(t, a) + trouble_of(t, b);
+    if (!(sum < most)) break;
+  }
+  return sum;
+}
+
+// Returns the trouble that the node has with the faces around it, and those across from it with the
+// node.
+double settling::trouble_of_own(vertex_index v) {
+  constexpr double weight_of_clearance = 2;
+  double sum = 0;
+  for (const vertex_index t : edges_.faces()) sum += trouble_of(t, v);
+  node there = m_.at(v);
+  there.metric = wanted_[v].metric;
+  edges_.tell_centres_across([&](const face_centre& c) {
+    sum += weight_of_clearance * trouble(room_looked_for - clearance(c, there));
+  });
+  return sum;
+}
+
+// Returns what the mesh was fitted by, of the faces around the node.
+double settling::energy() const {
+  double sum = 0;
+  for (const vertex_index t : edges_.faces()) {
+    const face& f = m_.faces()[t];
+    sum += shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
+  }
+  return sum;
+}
+
+// Lists the places around v, of several, where there is less trouble, the best first. What they
+// spoil of the mesh as it was fitted counts: without that errors grow by 5 %.
+void settling::find_better_places(vertex_index v) {
+  constexpr std::size_t as_faces = 5;  // of the time that a face in a list takes
+  constexpr double weight_of_energy = 4;
+  better_.clear();
+  const double now = trouble_of_others(v, infinity) + trouble_of_own(v);
+  if (!(now > 0)) return;
+  const double energy_now = energy();
+  const node here = m_.at(v);
+  const wanted_tensor wanted_here = wanted_[v];
+  const unit_displacements unit = unit_circle(here.metric);
+  m_.note_looked_at(as_faces * 2 * directions.size() * edges_.faces().size());
+  for (const double step : {0.15, 0.05})
+    for (const point& d : directions) {
+      const double x = unit_ * step * d.x, y = unit_ * step * d.y;
+      point to{here.position.x + x * unit.first.x + y * unit.second.x,
+               here.position.y + x * unit.first.y + y * unit.second.y};
+      m_.move(v, here.position);
+      if (here.kind == node_kind::sliding) to = m_.on_segment(v, to);
+      m_.move(v, to);
+      double then = trouble_of_others(v, now);
+      if (!(then < now)) continue;
+      vertex_index hint = here.hint;
+      wanted_[v] = look_up(to, hint);
+      then += trouble_of_own(v);
+      if (!(then < now)) continue;
+      then += weight_of_energy * (energy() - energy_now);
+      if (then < now) better_.push_back({to, wanted_[v], hint, then});
+    }
+  m_.move(v, here.position);
+  wanted_[v] = wanted_here;
+  std::stable_sort(better_.begin(), better_.end(),
+                   [](const place& p, const place& q) { return p.trouble < q.trouble; });
+}
+
+// Moves v there, and says whether all is in order around it.
+bool settling::may_be_at(vertex_index v, const place& there) {
+  m_.move(v, there.at);
+  const face_list& at = edges_.faces();
+  const auto is_low = [this](vertex_index t) { return tests_.is_low(t) && !tests_.is_exempt(t); };
+  return std::none_of(at.begin(), at.end(), is_low) &&
+         edges_.all_of([](double now, double before) { return now >= std::min(room, before); });
+}
+
+// Moves v to a better place, if there is one where all stays in order.
+bool settling::settle(vertex_index v) {
+  edges_.turn_to(v);
+  find_better_places(v);
+  if (better_.empty()) return false;
+  edges_.remember();
+  const point here = m_.at(v).position;
+  for (const place& there : better_) {
+    if (!may_be_at(v, there)) continue;
+    wanted_[v] = there.wanted;
+    m_.at(v).hint = there.hint;
+    face_list ring;
+    m_.neighbours(v, ring);
+    for (const vertex_index u : ring) awake_[u] = 1;
+    awake_[v] = 1;
+    return true;
+  }
+  m_.move(v, here);
+  return false;
+}
+
+}  // namespace asterism::internal::adapting
