@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -184,6 +185,27 @@ void settling::find_better_places(vertex_index v) {
                    [](const place& p, const place& q) { return p.trouble < q.trouble; });
 }
 
+// True if an edge at v would be longer than edges may be, and than it is, as the tensors wanted of
+// its two ends find it in the mean.
+bool settling::stretches_edge(vertex_index v, const point& here, const place& there) const {
+  constexpr double most = 1.4;  // units; beyond 1.5 edges were split before
+  const auto length = [&](const point& from, const metric_tensor& wanted, vertex_index u) {
+    const point& to = m_.at(u).position;
+    const double x = to.x - from.x, y = to.y - from.y;
+    return (std::sqrt(squared(wanted, x, y)) + std::sqrt(squared(wanted_[u].metric, x, y))) / 2;
+  };
+  const auto is_stretched = [&](vertex_index u) {
+    const double then = length(there.at, there.wanted.metric, u);
+    return then > most * unit_ && then > length(here, wanted_[v].metric, u);
+  };
+  for (const vertex_index t : edges_.faces()) {
+    const face& f = m_.faces()[t];
+    const std::size_t i = f.corner_of(v);
+    if (is_stretched(f.v[after(i)]) || is_stretched(f.v[before(i)])) return true;
+  }
+  return false;
+}
+
 // Moves v there, and says whether all is in order around it.
 bool settling::may_be_at(vertex_index v, const place& there) {
   m_.move(v, there.at);
@@ -201,7 +223,7 @@ bool settling::settle(vertex_index v) {
   edges_.remember();
   const point here = m_.at(v).position;
   for (const place& there : better_) {
-    if (!may_be_at(v, there)) continue;
+    if (stretches_edge(v, here, there) || !may_be_at(v, there)) continue;
     wanted_[v] = there.wanted;
     m_.at(v).hint = there.hint;
     face_list ring;

@@ -55,6 +55,7 @@ class settling {
   double trouble_of_own(vertex_index v);
   double energy() const;
   void find_better_places(vertex_index v);
+  bool stretches_edge(vertex_index v, const point& here, const place& there) const;
   bool may_be_at(vertex_index v, const place& there);
   bool settle(vertex_index v);
 

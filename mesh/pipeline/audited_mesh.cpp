@@ -54,7 +54,7 @@ void audited_mesh::judge(std::size_t findings_kept) {
 }
 
 void audited_mesh::judge_quickly() {
-  memory_.many_for_a_gap = many_for_a_gap;
+  memory_.many_for_a_gap = many_for_a_gap_;
   keep(audit_quickly(subject_, question(all_findings), memory_));
 }
 
@@ -65,7 +65,7 @@ void audited_mesh::judge_again(node_list changed, hard_questions hard) {
   node_list sites;
   for (vertex_index s = 0; s < node_of_.size(); ++s)
     if (std::binary_search(changed.begin(), changed.end(), node_of_[s])) sites.push_back(s);
-  memory_.many_for_a_gap = many_for_a_gap;
+  memory_.many_for_a_gap = many_for_a_gap_;
   keep(audit_again(subject_, question(all_findings), before, sites, memory_, hard));
 }
 

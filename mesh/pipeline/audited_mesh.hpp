@@ -25,16 +25,18 @@ class audited_mesh {
   audited_mesh(const domain& shape, const mesh_options& options)
       : domain_(&shape), options_(&options) {}
 
-  // Of fewer sites all are held against a gap of which no reach is known, when a mesh is audited
-  // quickly: most are nowhere near it.
-  static constexpr std::size_t many_for_a_gap = 1000;
-
   const mesh& subject() const { return subject_; }
   const std::shared_ptr<audit_report>& report() const { return report_; }
   // True if the last mesh that was audited is certified; false before there is one.
   bool is_certified() const { return report_ && report_->certified; }
   // True if hard questions were left open.
   bool has_open() const { return !memory_.open.empty(); }
+
+  // True if all sites are held against a gap of which no reach is known, when a mesh with so many
+  // is audited quickly: where they are few, and such gaps are not many.
+  bool asks_unbounded(std::size_t sites) const { return sites < many_for_a_gap_; }
+  // Leaves such gaps open from now on, however few sites there are.
+  void leave_unbounded() { many_for_a_gap_ = 0; }
 
   // Takes the mesh that the triangulation is now.
   void take(const adapting::working_mesh& m);
@@ -73,6 +75,7 @@ class audited_mesh {
   mesh subject_;
   node_list node_of_;  // of each site
   std::shared_ptr<audit_report> report_;
+  std::size_t many_for_a_gap_ = 1000;
   star_memory memory_;
 };
 

@@ -98,7 +98,7 @@ class giver {
   // True if the mesh is certified in the end.
   bool run() {
     giving_.run(options_.stop);
-    if (m_.count() >= audited_mesh::many_for_a_gap) take_back_unbounded(m_, giving_, options_.stop);
+    if (!audited_.asks_unbounded(m_.count())) take_back_unbounded(m_, giving_, options_.stop);
     audited_.take(m_);
     audited_.judge_quickly();
     for (int audits = 1; audits < most_audits && !audited_.is_certified(); ++audits)

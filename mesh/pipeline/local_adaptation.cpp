@@ -314,11 +314,11 @@ class adaptation {
   }
 
   // Moves the nodes of a mesh that agrees to where more of them can have the tensors wanted.
-  void settle(working_mesh& m, agreement& agreeing) const {
+  void settle(working_mesh& m, agreement& agreeing) {
     if (agreeing.report().disagreeing + agreeing.report().low > 0 || options_.angle_bound <= 0)
       return;
     settling settled(m, options_.angle_bound, length_factor_, field_by(wanted_, m));
-    if (settled.is_in_vain()) return;
+    if (settled.is_in_vain()) return made_.leave_unbounded();  // there are many then
     settled.run(options_.stop);
     bound_gaps(m, agreeing, options_.stop);
   }
