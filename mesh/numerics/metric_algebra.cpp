@@ -70,8 +70,12 @@ tensor_logarithm logarithm(const metric_tensor& m) {
 }
 
 metric_tensor exponential(const tensor_logarithm& l) {
+  // Entries are off by three roundings, so that the determinant is by 2^-51 of the square of the
+  // strong eigenvalue at most: below that a weak one may come out negative.
+  constexpr double thinnest = 0x1p-48;
   const decomposition d = decompose(l.l11, l.l12, l.l22);
-  const double high = elementary::exp(d.high), low = elementary::exp(d.low);
+  const double high = elementary::exp(d.high),
+               low = std::max(elementary::exp(d.low), high * thinnest);
   return {high * (d.c * d.c) + low * (d.s * d.s), (high - low) * (d.c * d.s),
           high * (d.s * d.s) + low * (d.c * d.c)};
 }

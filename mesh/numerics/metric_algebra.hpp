@@ -21,6 +21,9 @@ struct tensor_logarithm {
 // tensors: always positive definite, and geometric means where directions agree. Source: Arsigny,
 // Fillard, Pennec, Ayache, "Log-Euclidean metrics for fast and simple calculus on diffusion
 // tensors", 2006.
+//
+// An exponential has a condition number of 2^48 at most: what would be thinner, as halfway between
+// a metric of 1e240 and one of 1, is made as thin as doubles surely keep positive definite.
 tensor_logarithm logarithm(const metric_tensor& m);
 metric_tensor exponential(const tensor_logarithm& l);
 

@@ -237,6 +237,18 @@ TEST_CASE("logarithm and exponential are inverse, up to the condition number") {
   }
 }
 
+TEST_CASE("a tensor between two of very different sizes was not positive definite") {
+  std::mt19937_64 random(6);
+  for (int i = 0; i < 4000; ++i) {
+    const double t = 4 * uniform(random), c = std::cos(t), s = std::sin(t);
+    const double high = 350 * uniform(random), low = high - 400 * (1 + uniform(random));
+    const metric_tensor made =
+        exponential({high * c * c + low * s * s, (high - low) * c * s, high * s * s + low * c * c});
+    INFO("logarithms " << high << " and " << low << ", angle " << t);
+    REQUIRE(filtered_kernel().is_positive_definite(made));
+  }
+}
+
 TEST_CASE("an intersection is no coarser than both, and no finer than the finest direction") {
   std::mt19937_64 random(9);
   const auto draw = [&] {
