@@ -31,10 +31,10 @@ working_mesh even_mesh(const domain& d) {
   return std::move(built).value();
 }
 
-// Lengths along x count this many times as much.
+// Lengths along x count this many times as much beside those along y; areas are the same.
 settling::wanted_at stretched_by(double times) {
   return [times](const point&, vertex_index&) {
-    return metric_tensor{times * times / (unit * unit), 0, 1 / (unit * unit)};
+    return metric_tensor{times / (unit * unit), 0, 1 / times / (unit * unit)};
   };
 }
 
