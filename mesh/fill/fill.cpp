@@ -12,6 +12,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/fill/placed_sites.hpp"
 #include "asterism/mesh/fill/plain_star_store.hpp"
+#include "asterism/mesh/fill/relaxation.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/fill/segment_intervals.hpp"
 #include "asterism/mesh/fill/site_proposals.hpp"
@@ -34,7 +35,8 @@ class filling {
         sites_(box_, options.max_sites),
         stars_(sites_, box_, options, work_),
         segments_(d, std::move(divisions), sites_),
-        proposals_({d, box_, field, sites_, segments_, stars_, work_}, options.is_uneven) {}
+        parts_{d, box_, field, sites_, segments_, stars_, work_},
+        proposals_(parts_, options.is_uneven) {}
 
   result<filled_domain> run(const fill_progress& progress) {
     const int coarsest = coarsest_level();
@@ -51,6 +53,7 @@ class filling {
     }
     if (sampler_.failure()) return *sampler_.failure();
     if (failure_) return *failure_;
+    if (!options_.is_uneven && goes_on(progress)) relax();
     return std::move(*this).outcome();
   }
 
@@ -125,6 +128,16 @@ class filling {
     if (sites_.size() == before) return false;
     renew_stars(distance_at(level));
     return true;
+  }
+
+  // Moves the sites towards the middle of their neighbours, twice: the second time brings half as
+  // much as the first, a third one little. Stars follow once, as most have the same neighbours.
+  void relax() {
+    constexpr int times = 2;
+    sites_.forget_index();
+    relaxation relaxed(parts_);
+    for (int i = 0; i < times; ++i) relaxed.run(options_.distance, options_.stop);
+    stars_.follow_moves();
   }
 
   // Estimates the sites at the last level: half the distance takes twice the sites on segments and
@@ -215,6 +228,7 @@ class filling {
   placed_sites sites_;
   plain_star_store stars_;
   segment_intervals segments_;
+  fill_parts parts_;
   site_proposals proposals_;
   std::size_t rounds_ = 0;
   bool stopped_ = false;  // by options_.stop

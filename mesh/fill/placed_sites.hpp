@@ -61,6 +61,8 @@ class placed_sites {
     on_segment_.push_back(on_segment ? 1 : 0);
     return w;
   }
+  // Puts a site elsewhere. The index must be forgotten.
+  void move(vertex_index v, const site& to) { sites_[v] = to; }
   // Adds the sites from that number on to the index, and to another one unless it is null.
   void find_from(vertex_index first, site_index* another) {
     const auto add_to = [this, first](site_index& to) {

@@ -26,6 +26,11 @@ bool has_gap(const plain_star& star, vertex_index y, vertex_index x) {
   return false;
 }
 
+bool has_neighbour(const plain_star& star, vertex_index w) {
+  return std::any_of(star.begin(), star.end(),
+                     [w](const plain_gap& gap) { return gap.neighbour == w; });
+}
+
 }  // namespace
 
 // Returns the pairs in the order of their stars, and those of a star as they were. Counts where
@@ -140,6 +145,40 @@ void plain_star_store::note_disagreeing(vertex_index v, std::vector<vertex_index
     out.push_back(v);
     if (has_gap(stars_[x], v, y)) out.push_back(x);
   }
+}
+
+void plain_star_store::follow_moves() {
+  parallel_chunks(stars_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    std::vector<vertex_index> candidates;
+    std::uint64_t looked_at = 0;
+    for (std::size_t v = begin; v < end; ++v) {
+      if (is_enough(v)) break;
+      candidates.clear();
+      for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
+      looked_at += candidates.size();
+      stars_[v] = build_plain_star(sites_->all(), static_cast<vertex_index>(v), candidates);
+    }
+    work_->count_candidates(looked_at);
+  });
+  make_anew(by_star(new_neighbours()),
+            [&](vertex_index v, const std::vector<vertex_index>& candidates) {
+              return build_plain_star(sites_->all(), v, candidates, stars_[v]);
+            });
+}
+
+// Returns the stars that lack a site which follows them around another star, each with that site.
+// The site that lacks them is told by the star on the other side of the two.
+std::vector<plain_star_store::disturbed> plain_star_store::new_neighbours() const {
+  return collect_chunks<disturbed>(
+      stars_.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
+        for (std::size_t v = begin; v < end; ++v) {
+          const plain_star& star = stars_[v];
+          for (std::size_t i = 0; i < star.size(); ++i) {
+            const vertex_index y = star[i].neighbour, x = star[following(star, i)].neighbour;
+            if (!has_neighbour(stars_[y], x)) out.push_back({y, x});
+          }
+        }
+      });
 }
 
 std::vector<char> plain_star_store::mend_disagreeing(const std::vector<vertex_index>& order) {

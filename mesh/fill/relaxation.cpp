@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/fill/relaxation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "asterism/core/plane_algebra.hpp"
+#include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr std::size_t chunk = 256;
+
+point way(const point& from, const point& to) { return {to.x - from.x, to.y - from.y}; }
+
+using ways_to_neighbour = relaxation::ways_to_neighbour;
+
+// True if all triangles of the site with two neighbours that follow each other turn left and have
+// circles of at most that radius, as the metric sees them and wherever the two will be.
+bool keep_small(const metric_tensor& m, const std::vector<ways_to_neighbour>& ways, double radius) {
+  const double most = 4 * radius * radius * (m.m11 * m.m22 - m.m12 * m.m12);
+  int all = 1;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const ways_to_neighbour &y = ways[i], &x = ways[i + 1 < ways.size() ? i + 1 : 0];
+    for (std::size_t at_y = 0; at_y < 2; ++at_y)
+      for (std::size_t at_x = 0; at_x < 2; ++at_x) {
+        const point &to_y = y.way[at_y], &to_x = x.way[at_x];
+        const double area = to_y.x * to_x.y - to_y.y * to_x.x,
+                     lengths =
+                         y.squared[at_y] * x.squared[at_x] * squared_length(m, way(to_y, to_x));
+        all &= static_cast<int>(area > 0) & static_cast<int>(lengths <= most * (area * area));
+      }
+  }
+  return all != 0;
+}
+
+}  // namespace
+
+void relaxation::run(double distance, const cancellation& stop) {
+  find_places(stop);
+  const std::vector<vertex_index> going = those_that_may_go(distance, stop);
+  if (stop.is_requested()) return;
+  parts_.field.expect([&] {
+    std::vector<point> asked;
+    asked.reserve(going.size());
+    for (const vertex_index v : going) asked.push_back(places_[v]);
+    return asked;
+  });
+  parallel_chunks(going.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const point& to = places_[going[i]];
+      if (const auto metric = parts_.field.at(to))
+        parts_.sites.move(going[i], {to, metric.value()});
+    }
+  });
+}
+
+void relaxation::find_places(const cancellation& stop) {
+  places_.resize(parts_.sites.size());
+  parallel_chunks(places_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    if (stop.is_requested()) return;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto v = static_cast<vertex_index>(i);
+      const bool stays = v < parts_.shape.vertices.size() || parts_.sites.is_on_segment(v);
+      places_[v] = stays ? here(v) : middle_of_neighbours(v);
+    }
+  });
+}
+
+// Returns the place half the way to the mean of the neighbours: farther would make more triangles
+// too large.
+point relaxation::middle_of_neighbours(vertex_index v) const {
+  constexpr double part = 0.5;
+  point sum{0, 0};
+  for (const plain_gap& gap : parts_.stars[v]) {
+    const point to = way(here(v), here(gap.neighbour));
+    sum = {sum.x + to.x, sum.y + to.y};
+  }
+  const auto count = static_cast<double>(std::max(parts_.stars[v].size(), std::size_t{1}));
+  return {here(v).x + part / count * sum.x, here(v).y + part / count * sum.y};
+}
+
+std::vector<vertex_index> relaxation::those_that_may_go(double distance,
+                                                        const cancellation& stop) const {
+  return collect_chunks<vertex_index>(
+      places_.size(), chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
+        if (stop.is_requested()) return;
+        const filtered_kernel kernel;
+        std::uint64_t gaps = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+          const auto v = static_cast<vertex_index>(i);
+          gaps += parts_.stars[v].size();
+          if (may_go(kernel, v, distance)) out.push_back(v);
+        }
+        parts_.work.count_gaps(gaps);
+      });
+}
+
+bool relaxation::may_go(const filtered_kernel& kernel, vertex_index v, double distance) const {
+  if (places_[v] == here(v) || parts_.stars[v].size() < 3) return false;
+  thread_local std::vector<ways_to_neighbour> ways;
+  ways.clear();
+  const metric_tensor& m = parts_.sites[v].metric;
+  for (const plain_gap& gap : parts_.stars[v]) {
+    const point old_way = way(places_[v], here(gap.neighbour)),
+                new_way = way(places_[v], places_[gap.neighbour]);
+    ways.push_back({gap.neighbour,
+                    {old_way, new_way},
+                    {squared_length(m, old_way), squared_length(m, new_way)}});
+  }
+  constexpr double part = 0.998;  // what metrics vary on the way seldom is more than the rest
+  if (!keeps_distances(v, ways, distance) || !keep_small(m, ways, part * distance)) return false;
+  const plain_star& star = parts_.stars[v];
+  const bool is_at_segment = std::any_of(star.begin(), star.end(), [this](const plain_gap& gap) {
+    return parts_.sites.is_on_segment(gap.neighbour);
+  });
+  return (!is_at_segment || stays_clear(v, distance)) && locator_.contains(kernel, places_[v]);
+}
+
+bool relaxation::stays_clear(vertex_index v, double distance) const {
+  std::uint64_t looked_at = 0;
+  const bool is_clear =
+      parts_.segments.stays_clear({places_[v], parts_.sites[v].metric}, distance, looked_at);
+  parts_.work.count_candidates(looked_at);
+  return is_clear;
+}
+
+// True if v, at its new place, is no nearer to a neighbour than `distance`, unless it was, as both
+// measure and wherever the neighbour will be.
+bool relaxation::keeps_distances(vertex_index v, const std::vector<ways_to_neighbour>& ways,
+                                 double distance) const {
+  const double squared = distance * distance;
+  const metric_tensor& m = parts_.sites[v].metric;
+  return std::all_of(ways.begin(), ways.end(), [&](const ways_to_neighbour& to) {
+    const metric_tensor& other = parts_.sites[to.neighbour].metric;
+    const point before = way(here(v), here(to.neighbour));
+    const double least = std::min(squared, squared_length(m, before)),
+                 least_of_other = std::min(squared, squared_length(other, before));
+    return std::min(to.squared[0], to.squared[1]) >= least &&
+           std::min(squared_length(other, to.way[0]), squared_length(other, to.way[1])) >=
+               least_of_other;
+  });
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// Moves the sites of a finished fill towards the middle of their neighbours.
+//
+// A fill keeps distances and leaves no holes, but each site is where the last hole was: edges are
+// longer in the mean than between as many sites that are spread evenly. Each site goes half the way
+// to the mean of its neighbours, all at once, and once (docs/design/refinement.md). Those stay that
+// would come nearer to a neighbour than a fill lets them, or make a triangle too large, whether the
+// others stay or go: so what a fill keeps is kept, up to what metrics vary on the way. In doubles;
+// a proposal.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/fill/domain_locator.hpp"
+#include "asterism/mesh/fill/site_proposals.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
+
+namespace asterism::internal {
+
+class relaxation {
+ public:
+  // Ways from a site at its new place to a neighbour where it is and where it would go, and their
+  // squared lengths as the site measures.
+  struct ways_to_neighbour {
+    vertex_index neighbour;
+    std::array<point, 2> way;
+    std::array<double, 2> squared;
+  };
+
+  // Of a fill that has come to its end. The index of its sites is not asked.
+  explicit relaxation(const fill_parts& parts) : parts_(parts), locator_(parts.shape) {}
+
+  // Moves the sites; their stars do not follow yet. Sites of the domain and of its segments stay,
+  // and so do those that would encroach on a subsegment, leave the domain, or be where the metric
+  // is not known; all do if the run is stopped before.
+  void run(double distance, const cancellation& stop);
+
+ private:
+  void find_places(const cancellation& stop);
+  point middle_of_neighbours(vertex_index v) const;
+  std::vector<vertex_index> those_that_may_go(double distance, const cancellation& stop) const;
+  bool may_go(const filtered_kernel& kernel, vertex_index v, double distance) const;
+  bool stays_clear(vertex_index v, double distance) const;
+  bool keeps_distances(vertex_index v, const std::vector<ways_to_neighbour>& ways,
+                       double distance) const;
+
+  const point& here(vertex_index v) const { return parts_.sites[v].position; }
+
+  fill_parts parts_;
+  domain_locator locator_;
+  std::vector<point> places_;  // where each site would go
+};
+
+}  // namespace asterism::internal
