@@ -33,68 +33,79 @@ bool has_neighbour(const plain_star& star, vertex_index w) {
 
 }  // namespace
 
-// Returns the pairs in the order of their stars, and those of a star as they were. Counts where
-// there are many: a sort by comparisons guesses wrong at every other one.
-std::vector<plain_star_store::disturbed> plain_star_store::by_star(
-    std::vector<disturbed> pairs) const {
+// Returns the pairs by their stars, and those of a star as they were. Counts where there are many:
+// a sort by comparisons guesses wrong at every other one.
+plain_star_store::claims plain_star_store::by_star(std::vector<disturbed> pairs) const {
   constexpr std::size_t stars_to_a_pair = 16;
+  claims sorted;
+  sorted.by.resize(pairs.size());
+  const auto begin_star = [&sorted](vertex_index star, std::size_t at) {
+    sorted.stars.push_back(star);
+    sorted.starts.push_back(static_cast<std::uint32_t>(at));
+  };
   if (pairs.size() < stars_.size() / stars_to_a_pair) {
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const disturbed& a, const disturbed& b) { return a.star < b.star; });
-    return pairs;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (i == 0 || pairs[i].star != pairs[i - 1].star) begin_star(pairs[i].star, i);
+      sorted.by[i] = pairs[i].by;
+    }
+  } else {
+    std::vector<std::uint32_t> next(stars_.size() + 1);
+    for (const disturbed& each : pairs) ++next[each.star + 1];
+    const auto count = next.size() - static_cast<std::size_t>(
+                                         std::count(next.begin(), next.end(), std::uint32_t{0}));
+    sorted.stars.reserve(count);
+    sorted.starts.reserve(count + 1);
+    for (std::size_t v = 0; v < stars_.size(); ++v) {
+      if (next[v + 1] > 0) begin_star(static_cast<vertex_index>(v), next[v]);
+      next[v + 1] += next[v];
+    }
+    for (const disturbed& each : pairs) sorted.by[next[each.star]++] = each.by;
   }
-  std::vector<std::uint32_t> next(stars_.size() + 1);
-  for (const disturbed& each : pairs) ++next[each.star + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<disturbed> sorted(pairs.size());
-  for (const disturbed& each : pairs) sorted[next[each.star]++] = each;
+  sorted.starts.push_back(static_cast<std::uint32_t>(pairs.size()));
+  pairs = {};  // at once: a run needs most memory when stars are made anew
   return sorted;
 }
 
-// Makes the stars of the pairs anew, each as `make` does of its neighbours and what it is paired
-// with. The pairs are sorted by star. Returns the stars.
+// Makes the stars anew that something is claimed of, each as `make` does of its neighbours and what
+// makes the claims.
 template <class Make>
-std::vector<vertex_index> plain_star_store::make_anew(const std::vector<disturbed>& pairs,
-                                                      const Make& make) {
-  std::vector<std::size_t> starts;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (i == 0 || pairs[i].star != pairs[i - 1].star) starts.push_back(i);
-  std::vector<vertex_index> which;
-  for (const std::size_t start : starts) which.push_back(pairs[start].star);
-  starts.push_back(pairs.size());
-  parallel_chunks(which.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+void plain_star_store::make_anew(const claims& all, const Make& make) {
+  parallel_chunks(all.stars.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
     std::vector<vertex_index> candidates;
     std::uint64_t looked_at = 0;
     for (std::size_t i = begin; i < end; ++i) {
       if (is_enough(i)) break;
       if (i + ahead < end) {
-        prefetch_star(which[i + ahead]);
-        for (std::size_t k = starts[i + ahead]; k < starts[i + ahead + 1]; ++k)
-          prefetch_star(pairs[k].by);
+        prefetch_star(all.stars[i + ahead]);
+        for (const vertex_index w : all.of(i + ahead)) prefetch_star(w);
       }
-      const vertex_index v = which[i];
+      const vertex_index v = all.stars[i];
       candidates.clear();
       for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
-      for (std::size_t k = starts[i]; k < starts[i + 1]; ++k) candidates.push_back(pairs[k].by);
+      const auto more = all.of(i);
+      candidates.insert(candidates.end(), more.begin(), more.end());
       looked_at += candidates.size();
       stars_[v] = make(v, candidates);
     }
     work_->count_candidates(looked_at);
   });
-  return which;
 }
 
 bool plain_star_store::renew(double distance) {
-  // Stars made between two looks at the meter, once there was a quarter of the work that may be.
-  constexpr std::size_t block = 1024;
+  // Stars made between two looks at the meter, before and after a quarter of the work that may be
+  // was done. What is found is put together block by block, since it is much at once.
+  constexpr std::size_t ordinary_block = 65536, late_block = 1024;
   constexpr std::uint64_t quarter = 4;
   const std::size_t count = sites_->size();
   stars_.resize(count);
   std::vector<disturbed> pairs;
   for (std::size_t at = finished_; at < count;) {
-    const std::size_t end =
-        work_->is_overworked(count, quarter) ? std::min(count, at + block) : count;
+    const std::size_t block = work_->is_overworked(count, quarter) ? late_block : ordinary_block;
+    const std::size_t end = std::min(count, at + block);
     const std::vector<disturbed> more = make_stars(at, end, distance);
+    if (pairs.empty()) pairs.reserve(more.size() * ((count - at) / (end - at) + 1));
     pairs.insert(pairs.end(), more.begin(), more.end());
     work_->count_disturbed(more.size());
     at = end;
@@ -183,16 +194,13 @@ std::vector<plain_star_store::disturbed> plain_star_store::new_neighbours() cons
 
 std::vector<char> plain_star_store::mend_disagreeing(const std::vector<vertex_index>& order) {
   std::vector<char> agrees = which_agree(order);
-  const std::vector<disturbed> claims = by_star(claims_on_disagreeing(agrees));
-  make_anew(claims, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
+  const claims all = by_star(claims_on_disagreeing(agrees));
+  make_anew(all, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
     return build_careful_star(sites_->all(), v, candidates);
   });
   // Asks those again that were made anew, or have one of them: others are as they were.
-  std::vector<vertex_index> doubtful;
-  for (const disturbed& each : claims) {
-    if (doubtful.empty() || doubtful.back() != each.star) doubtful.push_back(each.star);
-    doubtful.push_back(each.by);
-  }
+  std::vector<vertex_index> doubtful = all.stars;
+  doubtful.insert(doubtful.end(), all.by.begin(), all.by.end());
   sort_unique(doubtful);
   for (const vertex_index v : doubtful) agrees[v] = agrees_with_neighbours(v) ? 1 : 0;
   return agrees;
@@ -239,14 +247,13 @@ std::vector<plain_star_store::disturbed> plain_star_store::make_stars(std::size_
 
 // Makes each disturbed star anew from its neighbours and the sites that disturb it, and adds it to
 // changed_.
-void plain_star_store::renew_disturbed(const std::vector<disturbed>& pairs) {
-  const auto which =
-      make_anew(pairs, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
-        return build_plain_star(
-            sites_->all(), v, candidates, stars_[v],
-            [&](plain_gap& gap, vertex_index next) { return take_from_new(v, gap, next); });
-      });
-  changed_.insert(changed_.end(), which.begin(), which.end());
+void plain_star_store::renew_disturbed(const claims& all) {
+  make_anew(all, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
+    return build_plain_star(
+        sites_->all(), v, candidates, stars_[v],
+        [&](plain_gap& gap, vertex_index next) { return take_from_new(v, gap, next); });
+  });
+  changed_.insert(changed_.end(), all.stars.begin(), all.stars.end());
 }
 
 // Takes the vertex of a gap of an older site v from the star of a new one beside the gap, if that

@@ -59,9 +59,19 @@ class plain_star_store {
   struct disturbed {
     vertex_index star, by;
   };
-  std::vector<disturbed> by_star(std::vector<disturbed> pairs) const;
+  // What sites claim of stars, by star.
+  struct claims {
+    std::vector<vertex_index> stars;
+    std::vector<std::uint32_t> starts;  // of each star's in `by`, and the end
+    std::vector<vertex_index> by;
+
+    std::span<const vertex_index> of(std::size_t nth) const {
+      return std::span(by).subspan(starts[nth], starts[nth + 1] - starts[nth]);
+    }
+  };
+  claims by_star(std::vector<disturbed> pairs) const;
   template <class Make>
-  std::vector<vertex_index> make_anew(const std::vector<disturbed>& pairs, const Make& make);
+  void make_anew(const claims& all, const Make& make);
   void prefetch_star(vertex_index v) const;
   bool is_between_segments(vertex_index v, vertex_index y, vertex_index x) const;
   std::vector<char> which_agree(const std::vector<vertex_index>& order) const;
@@ -70,7 +80,7 @@ class plain_star_store {
   std::vector<disturbed> claims_on_disagreeing(const std::vector<char>& agrees) const;
 
   std::vector<disturbed> make_stars(std::size_t first, std::size_t last, double distance);
-  void renew_disturbed(const std::vector<disturbed>& pairs);
+  void renew_disturbed(const claims& all);
   bool take_from_new(vertex_index v, plain_gap& gap, vertex_index next) const;
   void make_star(vertex_index w, double distance, std::vector<vertex_index>& near,
                  std::uint64_t& looked_at);
