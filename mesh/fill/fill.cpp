@@ -135,9 +135,10 @@ class filling {
   void relax() {
     constexpr int times = 2;
     sites_.forget_index();
-    relaxation relaxed(parts_);
+    const std::vector<vertex_index> order = in_order_of_outcome();
+    relaxation relaxed(parts_, order);
     for (int i = 0; i < times; ++i) relaxed.run(options_.distance, options_.stop);
-    stars_.follow_moves();
+    stars_.follow_moves(order);
   }
 
   // Estimates the sites at the last level: half the distance takes twice the sites on segments and

@@ -158,20 +158,21 @@ void plain_star_store::note_disagreeing(vertex_index v, std::vector<vertex_index
   }
 }
 
-void plain_star_store::follow_moves() {
-  parallel_chunks(stars_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+void plain_star_store::follow_moves(const std::vector<vertex_index>& order) {
+  parallel_chunks(order.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
     std::vector<vertex_index> candidates;
     std::uint64_t looked_at = 0;
-    for (std::size_t v = begin; v < end; ++v) {
-      if (is_enough(v)) break;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_enough(i)) break;
+      const vertex_index v = order[i];
       candidates.clear();
       for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
       looked_at += candidates.size();
-      stars_[v] = build_plain_star(sites_->all(), static_cast<vertex_index>(v), candidates);
+      stars_[v] = build_plain_star(sites_->all(), v, candidates);
     }
     work_->count_candidates(looked_at);
   });
-  make_anew(by_star(new_neighbours()),
+  make_anew(by_star(new_neighbours(order)),
             [&](vertex_index v, const std::vector<vertex_index>& candidates) {
               return build_plain_star(sites_->all(), v, candidates, stars_[v]);
             });
@@ -179,13 +180,14 @@ void plain_star_store::follow_moves() {
 
 // Returns the stars that lack a site which follows them around another star, each with that site.
 // The site that lacks them is told by the star on the other side of the two.
-std::vector<plain_star_store::disturbed> plain_star_store::new_neighbours() const {
+std::vector<plain_star_store::disturbed> plain_star_store::new_neighbours(
+    const std::vector<vertex_index>& order) const {
   return collect_chunks<disturbed>(
-      stars_.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
-        for (std::size_t v = begin; v < end; ++v) {
-          const plain_star& star = stars_[v];
-          for (std::size_t i = 0; i < star.size(); ++i) {
-            const vertex_index y = star[i].neighbour, x = star[following(star, i)].neighbour;
+      order.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const plain_star& star = stars_[order[i]];
+          for (std::size_t k = 0; k < star.size(); ++k) {
+            const vertex_index y = star[k].neighbour, x = star[following(star, k)].neighbour;
             if (!has_neighbour(stars_[y], x)) out.push_back({y, x});
           }
         }

@@ -38,8 +38,8 @@ class plain_star_store {
   // between three sites on segments, which may be outside the domain.
   bool agrees_with_neighbours(vertex_index v) const;
   // Makes all stars anew from their neighbours, after sites have moved by parts of their distances,
-  // and tells each of what became a neighbour by that.
-  void follow_moves();
+  // and tells each of what became a neighbour by that. The order is as below.
+  void follow_moves(const std::vector<vertex_index>& order);
   // Makes those stars anew, with more care, that do not agree with their neighbours, from what they
   // have and what has them; most agree then. Returns which stars do. To be called when no more
   // sites come, with all sites in an order in which neighbours are near each other.
@@ -76,7 +76,7 @@ class plain_star_store {
   bool is_between_segments(vertex_index v, vertex_index y, vertex_index x) const;
   std::vector<char> which_agree(const std::vector<vertex_index>& order) const;
   void note_disagreeing(vertex_index v, std::vector<vertex_index>& out) const;
-  std::vector<disturbed> new_neighbours() const;
+  std::vector<disturbed> new_neighbours(const std::vector<vertex_index>& order) const;
   std::vector<disturbed> claims_on_disagreeing(const std::vector<char>& agrees) const;
 
   std::vector<disturbed> make_stars(std::size_t first, std::size_t last, double distance);

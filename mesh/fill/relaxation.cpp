@@ -64,7 +64,7 @@ void relaxation::find_places(const cancellation& stop) {
   parallel_chunks(places_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
     if (stop.is_requested()) return;
     for (std::size_t i = begin; i < end; ++i) {
-      const auto v = static_cast<vertex_index>(i);
+      const vertex_index v = order_[i];
       const bool stays = v < parts_.shape.vertices.size() || parts_.sites.is_on_segment(v);
       places_[v] = stays ? here(v) : middle_of_neighbours(v);
     }
@@ -93,7 +93,7 @@ std::vector<vertex_index> relaxation::those_that_may_go(double distance,
         const filtered_kernel kernel;
         std::uint64_t gaps = 0;
         for (std::size_t i = begin; i < end; ++i) {
-          const auto v = static_cast<vertex_index>(i);
+          const vertex_index v = order_[i];
           gaps += parts_.stars[v].size();
           if (may_go(kernel, v, distance)) out.push_back(v);
         }

@@ -31,8 +31,10 @@ class relaxation {
     std::array<double, 2> squared;
   };
 
-  // Of a fill that has come to its end. The index of its sites is not asked.
-  explicit relaxation(const fill_parts& parts) : parts_(parts), locator_(parts.shape) {}
+  // Of a fill that has come to its end. The index of its sites is not asked. `order` are all sites,
+  // in an order in which neighbours are near each other; it must outlive the object.
+  relaxation(const fill_parts& parts, const std::vector<vertex_index>& order)
+      : parts_(parts), order_(order), locator_(parts.shape) {}
 
   // Moves the sites; their stars do not follow yet. Sites of the domain and of its segments stay,
   // and so do those that would encroach on a subsegment, leave the domain, or be where the metric
@@ -51,6 +53,7 @@ class relaxation {
   const point& here(vertex_index v) const { return parts_.sites[v].position; }
 
   fill_parts parts_;
+  const std::vector<vertex_index>& order_;
   domain_locator locator_;
   std::vector<point> places_;  // where each site would go
 };
