@@ -19,6 +19,18 @@ point way(const point& from, const point& to) { return {to.x - from.x, to.y - fr
 
 using ways_to_neighbour = relaxation::ways_to_neighbour;
 
+// True if neither metric finds lengths along the axes, or areas, more than twice or four times as
+// large as the other: there is no jump between two places.
+bool is_similar(const metric_tensor& a, const metric_tensor& b) {
+  constexpr double most_times = 4;  // as squares
+  const auto is_near = [](double p, double q, double most) {
+    return p <= most * q && q <= most * p;
+  };
+  return is_near(a.m11, b.m11, most_times) && is_near(a.m22, b.m22, most_times) &&
+         is_near(a.m11 * a.m22 - a.m12 * a.m12, b.m11 * b.m22 - b.m12 * b.m12,
+                 most_times * most_times);
+}
+
 // True if all triangles of the site with two neighbours that follow each other turn left and have
 // circles of at most that radius, as the metric sees them and wherever the two will be.
 bool keep_small(const metric_tensor& m, const std::vector<ways_to_neighbour>& ways, double radius) {
@@ -53,7 +65,8 @@ void relaxation::run(double distance, const cancellation& stop) {
   parallel_chunks(going.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const point& to = places_[going[i]];
-      if (const auto metric = parts_.field.at(to))
+      const auto metric = parts_.field.at(to);
+      if (metric && is_similar(metric.value(), parts_.sites[going[i]].metric))
         parts_.sites.move(going[i], {to, metric.value()});
     }
   });
@@ -131,16 +144,19 @@ bool relaxation::stays_clear(vertex_index v, double distance) const {
 }
 
 // True if v, at its new place, is no nearer to a neighbour than `distance`, unless it was, as both
-// measure and wherever the neighbour will be.
+// measure and wherever the neighbour will be. False, too, where one finds their distance more than
+// twice as long as the other does: the middle of the neighbours across a jump is in what is dense.
 bool relaxation::keeps_distances(vertex_index v, const std::vector<ways_to_neighbour>& ways,
                                  double distance) const {
   const double squared = distance * distance;
+  constexpr double most_times = 4;  // as squares
   const metric_tensor& m = parts_.sites[v].metric;
   return std::all_of(ways.begin(), ways.end(), [&](const ways_to_neighbour& to) {
     const metric_tensor& other = parts_.sites[to.neighbour].metric;
     const point before = way(here(v), here(to.neighbour));
-    const double least = std::min(squared, squared_length(m, before)),
-                 least_of_other = std::min(squared, squared_length(other, before));
+    const double by_site = squared_length(m, before), by_other = squared_length(other, before);
+    if (by_site > most_times * by_other || by_other > most_times * by_site) return false;
+    const double least = std::min(squared, by_site), least_of_other = std::min(squared, by_other);
     return std::min(to.squared[0], to.squared[1]) >= least &&
            std::min(squared_length(other, to.way[0]), squared_length(other, to.way[1])) >=
                least_of_other;
