@@ -77,7 +77,7 @@ class edges_around {
   const local_tests& tests_;
   vertex_index v_ = none;
   face_list at_;
-  // What is known of the faces around the node, and of those across from it.
+  // Keep what is known of the faces around the node, and of those across from it.
   std::vector<known_centre> own_, beyond_;
   std::vector<double> clearances_;
 };

@@ -19,6 +19,11 @@ namespace asterism::internal::adapting {
 // rounding can turn.
 inline constexpr double least_clearance = 1e-3;
 
+// Clearance that an edge is to keep where tensors are given back or nodes moved. With little of it
+// sites farther away are in the way, which only the auditor sees; with much of it little can be
+// given (docs/design/adaptation.md).
+inline constexpr double clearance_kept = 0.15;
+
 // Edge from a to b with c on its left, d on its right.
 struct edge_quad {
   vertex_index a, b, c, d;

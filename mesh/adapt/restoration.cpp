@@ -13,13 +13,9 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// Clearance that an edge is to keep. With little of it sites farther away are in the way, which
-// only the auditor sees; with much of it little can be given (docs/design/adaptation.md).
-constexpr double room = 0.15;
-
 // True if an edge has the room wanted, or at least half of what it had.
 bool has_room(double now, double before) {
-  return now >= std::min(room, before > 0 ? before / 2 : before);
+  return now >= std::min(clearance_kept, before > 0 ? before / 2 : before);
 }
 
 // Returns the tensor that is `share` of the way from a to b, by logarithms.

@@ -17,9 +17,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Degrees above the bound from which an angle is no trouble.
 constexpr double degrees_above = 1;
-// Clearance that an edge keeps, unless it had less: what restoration asks for. More than that is
-// looked for, as the tensors around change after this.
-constexpr double room = 0.15, room_looked_for = 0.3;
+// Clearance looked for: more than an edge is to keep, as the tensors around change after this.
+constexpr double room_looked_for = 0.3;
 
 constexpr double slant = 1 / std::numbers::sqrt2;
 constexpr std::array<point, 8> directions = {{{1, 0},
@@ -211,8 +210,9 @@ bool settling::may_be_at(vertex_index v, const place& there) {
   m_.move(v, there.at);
   const face_list& at = edges_.faces();
   const auto is_low = [this](vertex_index t) { return tests_.is_low(t) && !tests_.is_exempt(t); };
-  return std::none_of(at.begin(), at.end(), is_low) &&
-         edges_.all_of([](double now, double before) { return now >= std::min(room, before); });
+  return std::none_of(at.begin(), at.end(), is_low) && edges_.all_of([](double now, double before) {
+    return now >= std::min(clearance_kept, before);
+  });
 }
 
 // Moves v to a better place, if there is one where all stays in order.

@@ -194,7 +194,7 @@ void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
   forget_shapes();
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) measure(v);
   seed(seeds);
-  // What is fitted again need not have as many nodes as are wanted, to a few percent.
+  // Needs as many nodes as are wanted to a few percent alone, as it is fitted again.
   constexpr double tolerable = 0.05;
   fit(tolerable);
 }

@@ -26,6 +26,10 @@ bool has_gap(const plain_star& star, vertex_index y, vertex_index x) {
   return false;
 }
 
+void add_neighbours(const plain_star& star, std::vector<vertex_index>& to) {
+  for (const plain_gap& gap : star) to.push_back(gap.neighbour);
+}
+
 bool has_neighbour(const plain_star& star, vertex_index w) {
   return std::any_of(star.begin(), star.end(),
                      [w](const plain_gap& gap) { return gap.neighbour == w; });
@@ -83,7 +87,7 @@ void plain_star_store::make_anew(const claims& all, const Make& make) {
       }
       const vertex_index v = all.stars[i];
       candidates.clear();
-      for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
+      add_neighbours(stars_[v], candidates);
       const auto more = all.of(i);
       candidates.insert(candidates.end(), more.begin(), more.end());
       looked_at += candidates.size();
@@ -105,7 +109,10 @@ bool plain_star_store::renew(double distance) {
     const std::size_t block = work_->is_overworked(count, quarter) ? late_block : ordinary_block;
     const std::size_t end = std::min(count, at + block);
     const std::vector<disturbed> more = make_stars(at, end, distance);
-    if (pairs.empty()) pairs.reserve(more.size() * ((count - at) / (end - at) + 1));
+    // Where the first stars disturb many, others need not.
+    constexpr std::size_t likely = 8;
+    if (pairs.empty())
+      pairs.reserve(std::min(more.size() * ((count - at) / (end - at) + 1), likely * (count - at)));
     pairs.insert(pairs.end(), more.begin(), more.end());
     work_->count_disturbed(more.size());
     at = end;
@@ -166,7 +173,7 @@ void plain_star_store::follow_moves(const std::vector<vertex_index>& order) {
       if (is_enough(i)) break;
       const vertex_index v = order[i];
       candidates.clear();
-      for (const plain_gap& gap : stars_[v]) candidates.push_back(gap.neighbour);
+      add_neighbours(stars_[v], candidates);
       looked_at += candidates.size();
       stars_[v] = build_plain_star(sites_->all(), v, candidates);
     }
@@ -360,7 +367,7 @@ void plain_star_store::prefetch_star(vertex_index v) const {
 void plain_star_store::extend_star(vertex_index w, std::span<const vertex_index> more) {
   std::vector<vertex_index> candidates;
   candidates.reserve(stars_[w].size() + more.size());
-  for (const plain_gap& gap : stars_[w]) candidates.push_back(gap.neighbour);
+  add_neighbours(stars_[w], candidates);
   candidates.insert(candidates.end(), more.begin(), more.end());
   stars_[w] = build_plain_star(sites_->all(), w, candidates, stars_[w]);
 }

@@ -59,7 +59,7 @@ class plain_star_store {
   struct disturbed {
     vertex_index star, by;
   };
-  // What sites claim of stars, by star.
+  // Holds what sites claim of stars, by star.
   struct claims {
     std::vector<vertex_index> stars;
     std::vector<std::uint32_t> starts;  // of each star's in `by`, and the end

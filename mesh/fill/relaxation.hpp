@@ -31,8 +31,8 @@ class relaxation {
     std::array<double, 2> squared;
   };
 
-  // Of a fill that has come to its end. The index of its sites is not asked. `order` are all sites,
-  // in an order in which neighbours are near each other; it must outlive the object.
+  // Takes a fill that has come to its end, and does not ask the index of its sites. `order` are all
+  // sites, in an order in which neighbours are near each other; it must outlive the object.
   relaxation(const fill_parts& parts, const std::vector<vertex_index>& order)
       : parts_(parts), order_(order), locator_(parts.shape) {}
 

@@ -31,8 +31,8 @@ namespace asterism::internal {
 
 class site_index {
  public:
-  // What an index will be asked for: where sites are (visit_box, visit_clusters, spacing_near), or
-  // everything, which takes bounds of their metrics.
+  // Says what an index will be asked for: where sites are (visit_box, visit_clusters,
+  // spacing_near), or everything, which takes bounds of their metrics.
   enum class purpose { places, everything };
 
   site_index() = default;
@@ -98,7 +98,7 @@ class site_index {
     double m11 = 0, m22 = 0, determinant = 0;  // above, above, below
     double m12_low = 0, m12_high = 0;
   };
-  // What a descent reads of every node, and no more: the rest is kept beside it.
+  // Holds what a descent reads of every node, and no more: the rest is kept beside it.
   struct node {
     bounding_box box;  // tight around the sites below
     std::uint32_t first_child = none;

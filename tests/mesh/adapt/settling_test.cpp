@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "asterism/mesh/mesher.hpp"
+#include "fixtures/mesh_disorder.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -52,21 +53,6 @@ std::size_t count_low(const working_mesh& m, const settling::wanted_at& wanted) 
   return static_cast<std::size_t>(std::count(is_low.begin(), is_low.end(), char{1}));
 }
 
-// Counts low faces, and edges across which doubles do not see stars agree.
-std::size_t count_disorder(const working_mesh& m) {
-  const local_tests tests(m, bound);
-  std::size_t count = 0;
-  for (vertex_index t = 0; t < m.faces().size(); ++t) {
-    if (!m.faces()[t].exists()) continue;
-    if (tests.is_low(t) && !tests.is_exempt(t)) ++count;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (m.faces()[t].next[i] != none && m.faces()[t].segment[i] == none &&
-          !(tests.worst_clearance(tests.quad_at(t, i)) > 0))
-        ++count;
-  }
-  return count;
-}
-
 }  // namespace
 
 TEST_CASE("nodes that are moved have fewer low angles in the metric wanted, and agree as before") {
@@ -75,14 +61,14 @@ TEST_CASE("nodes that are moved have fewer low angles in the metric wanted, and 
   const auto wanted = stretched_by(3);
   const std::size_t before = count_low(m, wanted);
   REQUIRE(before > 0);
-  REQUIRE(count_disorder(m) == 0);
+  REQUIRE(count_disorder(m, bound) == 0);
   std::vector<metric_tensor> tensors;
   for (const node& n : m.nodes()) tensors.push_back(n.metric);
   settling settled(m, bound, 1, wanted);
   CHECK_FALSE(settled.is_in_vain());
   settled.run({});
   CHECK(count_low(m, wanted) < before);
-  CHECK(count_disorder(m) == 0);
+  CHECK(count_disorder(m, bound) == 0);
   for (vertex_index v = 0; v < tensors.size(); ++v) CHECK(identical(m.at(v).metric, tensors[v]));
 }
 

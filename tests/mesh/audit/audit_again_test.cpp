@@ -48,6 +48,22 @@ std::optional<std::size_t> flip_some_edge(mesh& m, std::size_t t) {
   return std::nullopt;
 }
 
+// A patch of metrics that are long in directions drawn at random.
+patch make_turned_patch(splitmix64& random) {
+  patch p = make_patch(8);
+  for (site& s : p.m.sites) {
+    const double turn = random.real(0, 3), c = std::cos(turn), d = std::sin(turn);
+    s.metric = {c * c + 40 * d * d, -39 * c * d, d * d + 40 * c * c};
+  }
+  return p;
+}
+
+std::size_t count_open_gaps(const star_memory& memory) {
+  return static_cast<std::size_t>(
+      std::count_if(memory.open.begin(), memory.open.end(),
+                    [](const open_question& q) { return q.what == open_question::about::gap; }));
+}
+
 }  // namespace
 
 TEST_CASE("an audit of what was changed finds what a whole audit finds") {
@@ -186,11 +202,7 @@ TEST_CASE("what an audit leaves open and what it finds is what a whole audit fin
   splitmix64 random{8};
   std::size_t gaps = 0;
   for (int round = 0; round < 20; ++round) {
-    patch p = make_patch(8);
-    for (site& s : p.m.sites) {
-      const double turn = random.real(0, 3), c = std::cos(turn), d = std::sin(turn);
-      s.metric = {c * c + 40 * d * d, -39 * c * d, d * d + 40 * c * c};
-    }
+    const patch p = make_turned_patch(random);
     audit_options asked;
     asked.findings_kept = std::numeric_limits<std::size_t>::max();
     star_memory memory;
@@ -198,9 +210,7 @@ TEST_CASE("what an audit leaves open and what it finds is what a whole audit fin
     const auto found_by_whole = stars_found(whole), found_quickly = stars_found(quick);
     CHECK(std::includes(found_by_whole.begin(), found_by_whole.end(), found_quickly.begin(),
                         found_quickly.end()));
-    gaps += static_cast<std::size_t>(
-        std::count_if(memory.open.begin(), memory.open.end(),
-                      [](const open_question& q) { return q.what == open_question::about::gap; }));
+    gaps += count_open_gaps(memory);
     std::vector<asterism::vertex_index> all(p.m.sites.size());
     std::iota(all.begin(), all.end(), asterism::vertex_index{0});
     const audit_report again = audit_again(p.m, asked, quick, all, memory, hard_questions::asked);
@@ -214,11 +224,7 @@ TEST_CASE("a gap of which no reach is known is left open where there are many si
   splitmix64 random{8};
   std::size_t with_many = 0, with_few = 0, found = 0;
   for (int round = 0; round < 5; ++round) {
-    patch p = make_patch(8);
-    for (site& s : p.m.sites) {
-      const double turn = random.real(0, 3), c = std::cos(turn), d = std::sin(turn);
-      s.metric = {c * c + 40 * d * d, -39 * c * d, d * d + 40 * c * c};
-    }
+    const patch p = make_turned_patch(random);
     audit_options asked;
     asked.findings_kept = std::numeric_limits<std::size_t>::max();
     star_memory many, few;
@@ -226,13 +232,8 @@ TEST_CASE("a gap of which no reach is known is left open where there are many si
     few.many_for_a_gap = p.m.sites.size() + 1;
     const audit_report left_open = audit_quickly(p.m, asked, many);
     const audit_report held = audit_quickly(p.m, asked, few);
-    const auto count_gaps = [](const star_memory& memory) {
-      return static_cast<std::size_t>(std::count_if(
-          memory.open.begin(), memory.open.end(),
-          [](const open_question& q) { return q.what == open_question::about::gap; }));
-    };
-    with_many += count_gaps(many);
-    with_few += count_gaps(few);
+    with_many += count_open_gaps(many);
+    with_few += count_open_gaps(few);
     const auto of_all = stars_found(audit(p.m, asked)), of_held = stars_found(held);
     CHECK(std::includes(of_all.begin(), of_all.end(), of_held.begin(), of_held.end()));
     if (of_held.size() > stars_found(left_open).size()) ++found;
