@@ -78,7 +78,7 @@ def test_a_callable_is_asked_for_many_points_at_a_time():
         x, y = p[:, 0], p[:, 1]
         return np.column_stack([1 + 12 * y * y, -12 * x * y, 1 + 12 * x * x])
 
-    made = asterism.mesh(asterism.Domain.square(), swirl, 0.1)
+    made = asterism.mesh(asterism.Domain.square(), swirl, 0.08)
     alone = sum(n == 1 for n in calls)
     assert made.certified and max(calls) > 1000 and sum(calls) > 2 * len(made.points)
     assert len(calls) < sum(calls) / 5, (len(calls), alone, sum(calls))
