@@ -81,15 +81,18 @@ vertex_index unit_mesher::locate(const point& q, vertex_index from) const {
   return none;
 }
 
-// True if a corner of t is nearer to the place than nodes may be, as either of the two measures it.
+// True if a corner of t is nearer to the place than nodes may be, as either of the two measures it,
+// and the edge between them is not one that will be split twice: beyond a jump of the metric the
+// coarser of the two finds everything near.
 bool unit_mesher::is_crowded(vertex_index t, const node& there) const {
-  constexpr double room = 0.8;
+  constexpr double room = 0.8, far = 4;  // units
   const double least = room * room * unit_ * unit_;
   const face& f = m_.faces()[t];
   return std::any_of(f.v.begin(), f.v.end(), [&](vertex_index v) {
     const node& n = m_.at(v);
     const double x = n.position.x - there.position.x, y = n.position.y - there.position.y;
-    return squared(there.metric, x, y) < least || squared(n.metric, x, y) < least;
+    const bool is_near = squared(there.metric, x, y) < least || squared(n.metric, x, y) < least;
+    return is_near && !(length_between(there, n) > far * unit_);
   });
 }
 

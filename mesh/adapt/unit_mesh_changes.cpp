@@ -166,7 +166,7 @@ std::size_t unit_mesher::split_long(double longest, std::size_t most) {
   std::size_t done = 0;
   const double shortest = 0.55 * unit_;
   for (const long_edge& e : edges_where(m_, [&](double l) { return l > longest; })) {
-    if (done >= most || m_.nodes().size() >= options_.most_nodes || options_.stop.is_requested())
+    if (done >= most || m_.count() >= options_.most_nodes || options_.stop.is_requested())
       return done;
     const auto [t, edge] = find_edge(m_, e.a, e.b);
     if (t == none || !(m_.length(e.a, e.b) > longest)) continue;

@@ -71,6 +71,15 @@ inline double root_of_determinant(const metric_tensor& m) {
   return std::sqrt(std::max(0.0, std::fma(m.m11, m.m22, -m.m12 * m.m12)));
 }
 
+// Returns the length from one node to another: the mean of what the two measure where they differ
+// little, and about that of a metric that changes geometrically between them where they differ
+// much.
+inline double length_between(const node& p, const node& q) {
+  const double x = q.position.x - p.position.x, y = q.position.y - p.position.y;
+  const double s = std::sqrt(squared(p.metric, x, y)), t = std::sqrt(squared(q.metric, x, y));
+  return (s + t) / 6 + 2.0 / 3 * std::sqrt(s * t);
+}
+
 class working_mesh {
  public:
   // Builds it from a mesh of `d` without disagreeing triangles. Fails, naming what is wrong, where
@@ -103,13 +112,8 @@ class working_mesh {
   // Lists the nodes joined to v by an edge.
   void neighbours(vertex_index v, face_list& out) const;
 
-  // Returns the length of an edge: the mean of the ends' where they differ little, and about that
-  // of a metric that changes geometrically between them where they differ much.
   double length(vertex_index a, vertex_index b) const {
-    const node &p = nodes_[a], &q = nodes_[b];
-    const double x = q.position.x - p.position.x, y = q.position.y - p.position.y;
-    const double s = std::sqrt(squared(p.metric, x, y)), t = std::sqrt(squared(q.metric, x, y));
-    return (s + t) / 6 + 2.0 / 3 * std::sqrt(s * t);
+    return length_between(nodes_[a], nodes_[b]);
   }
 
   // Adds a node on edge i of t; on a subsegment it becomes a sliding one. Refused where a face

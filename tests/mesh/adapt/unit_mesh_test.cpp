@@ -62,6 +62,25 @@ TEST_CASE("as many nodes are made as are wanted, within three percent") {
   }
 }
 
+TEST_CASE("places in a fine metric were all crowded by corners in one 1e4 times as coarse") {
+  const domain d = square();
+  working_mesh m = coarse(d);
+  unit_mesh_options options;
+  options.count = 6000;
+  options.most_nodes = 4 * options.count;
+  unit_mesher maker(m, options);
+  const auto jump = [](const point& q, vertex_index&) {
+    return q.x < 0.1 ? metric_tensor{2500, 0, 2500} : metric_tensor{2.5e-5, 0, 2.5e-5};
+  };
+  std::vector<point> seeds;
+  constexpr int across = 160;
+  for (int i = 1; i < across; ++i)
+    for (int j = 1; j < across; ++j) seeds.push_back({2.0 * i / across - 1, 2.0 * j / across - 1});
+  maker.run(jump, seeds);
+  CHECK(std::abs(static_cast<double>(m.count()) / 6000 - 1) < 0.03);
+  CHECK(is_whole(m));
+}
+
 TEST_CASE("without a count edges have length one") {
   const domain d = square();
   working_mesh m = coarse(d);

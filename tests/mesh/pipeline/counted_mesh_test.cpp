@@ -37,7 +37,7 @@ TEST_CASE(
     "the metric was scaled once, and a narrow strip had other numbers of vertices than were "
     "wanted") {
   const domain d = strip();
-  constexpr std::size_t wanted = 150;
+  constexpr std::size_t wanted = 40;
   const auto metric = in_metric("identity", d);
   scale_demand scale;
   scale.complexity = complexity_of_vertices(wanted);
