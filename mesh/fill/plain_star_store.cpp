@@ -35,47 +35,22 @@ bool has_neighbour(const plain_star& star, vertex_index w) {
                      [w](const plain_gap& gap) { return gap.neighbour == w; });
 }
 
-}  // namespace
-
-// Returns the pairs by their stars, and those of a star as they were. Counts where there are many:
-// a sort by comparisons guesses wrong at every other one.
-plain_star_store::claims plain_star_store::by_star(std::vector<disturbed> pairs) const {
-  constexpr std::size_t stars_to_a_pair = 16;
-  claims sorted;
-  sorted.by.resize(pairs.size());
-  const auto begin_star = [&sorted](vertex_index star, std::size_t at) {
-    sorted.stars.push_back(star);
-    sorted.starts.push_back(static_cast<std::uint32_t>(at));
-  };
-  if (pairs.size() < stars_.size() / stars_to_a_pair) {
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [](const disturbed& a, const disturbed& b) { return a.star < b.star; });
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (i == 0 || pairs[i].star != pairs[i - 1].star) begin_star(pairs[i].star, i);
-      sorted.by[i] = pairs[i].by;
-    }
-  } else {
-    std::vector<std::uint32_t> next(stars_.size() + 1);
-    for (const disturbed& each : pairs) ++next[each.star + 1];
-    const auto count = next.size() - static_cast<std::size_t>(
-                                         std::count(next.begin(), next.end(), std::uint32_t{0}));
-    sorted.stars.reserve(count);
-    sorted.starts.reserve(count + 1);
-    for (std::size_t v = 0; v < stars_.size(); ++v) {
-      if (next[v + 1] > 0) begin_star(static_cast<vertex_index>(v), next[v]);
-      next[v + 1] += next[v];
-    }
-    for (const disturbed& each : pairs) sorted.by[next[each.star]++] = each.by;
-  }
-  sorted.starts.push_back(static_cast<std::uint32_t>(pairs.size()));
-  pairs = {};  // at once: a run needs most memory when stars are made anew
-  return sorted;
+// Adds what append(begin, end, claims) adds to `claims` for each chunk, in order.
+template <class Append>
+void collect_claims(std::size_t count, claim_list& claims, const Append& append) {
+  std::vector<claim_list> parts(chunk_count(count, chunk));
+  parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    append(begin, end, parts[i]);
+  });
+  for (const claim_list& part : parts) claims.append(part);
 }
+
+}  // namespace
 
 // Makes the stars anew that something is claimed of, each as `make` does of its neighbours and what
 // makes the claims.
 template <class Make>
-void plain_star_store::make_anew(const claims& all, const Make& make) {
+void plain_star_store::make_anew(const claims_by_star& all, const Make& make) {
   parallel_chunks(all.stars.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
     std::vector<vertex_index> candidates;
     std::uint64_t looked_at = 0;
@@ -103,23 +78,25 @@ bool plain_star_store::renew(double distance) {
   constexpr std::size_t ordinary_block = 65536, late_block = 1024;
   constexpr std::uint64_t quarter = 4;
   const std::size_t count = sites_->size();
+  if (count > claim_list::most_sites) return false;
   stars_.resize(count);
-  std::vector<disturbed> pairs;
+  claim_list disturbed;
   for (std::size_t at = finished_; at < count;) {
     const std::size_t block = work_->is_overworked(count, quarter) ? late_block : ordinary_block;
     const std::size_t end = std::min(count, at + block);
-    const std::vector<disturbed> more = make_stars(at, end, distance);
+    const std::size_t claims = disturbed.size();
+    make_stars(at, end, distance, disturbed);
     // Where the first stars disturb many, others need not.
     constexpr std::size_t likely = 8;
-    if (pairs.empty())
-      pairs.reserve(std::min(more.size() * ((count - at) / (end - at) + 1), likely * (count - at)));
-    pairs.insert(pairs.end(), more.begin(), more.end());
-    work_->count_disturbed(more.size());
+    if (claims == 0)
+      disturbed.reserve(
+          std::min(disturbed.entries() * ((count - at) / (end - at) + 1), likely * (count - at)));
+    work_->count_disturbed(disturbed.size() - claims);
     at = end;
     if (work_->is_overworked(count)) return false;
   }
   changed_.clear();
-  renew_disturbed(by_star(std::move(pairs)));
+  renew_disturbed(disturbed);
   for (; finished_ < count; ++finished_) changed_.push_back(static_cast<vertex_index>(finished_));
   return true;
 }
@@ -179,7 +156,7 @@ void plain_star_store::follow_moves(const std::vector<vertex_index>& order) {
     }
     work_->count_candidates(looked_at);
   });
-  make_anew(by_star(new_neighbours(order)),
+  make_anew(sort_by_star(new_neighbours(order), 0, stars_.size()),
             [&](vertex_index v, const std::vector<vertex_index>& candidates) {
               return build_plain_star(sites_->all(), v, candidates, stars_[v]);
             });
@@ -187,23 +164,23 @@ void plain_star_store::follow_moves(const std::vector<vertex_index>& order) {
 
 // Returns the stars that lack a site which follows them around another star, each with that site.
 // The site that lacks them is told by the star on the other side of the two.
-std::vector<plain_star_store::disturbed> plain_star_store::new_neighbours(
-    const std::vector<vertex_index>& order) const {
-  return collect_chunks<disturbed>(
-      order.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const plain_star& star = stars_[order[i]];
-          for (std::size_t k = 0; k < star.size(); ++k) {
-            const vertex_index y = star[k].neighbour, x = star[following(star, k)].neighbour;
-            if (!has_neighbour(stars_[y], x)) out.push_back({y, x});
-          }
-        }
-      });
+claim_list plain_star_store::new_neighbours(const std::vector<vertex_index>& order) const {
+  claim_list lacking;
+  collect_claims(order.size(), lacking, [&](std::size_t begin, std::size_t end, claim_list& out) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const plain_star& star = stars_[order[i]];
+      for (std::size_t k = 0; k < star.size(); ++k) {
+        const vertex_index y = star[k].neighbour, x = star[following(star, k)].neighbour;
+        if (!has_neighbour(stars_[y], x)) out.add(y, x);
+      }
+    }
+  });
+  return lacking;
 }
 
 std::vector<char> plain_star_store::mend_disagreeing(const std::vector<vertex_index>& order) {
   std::vector<char> agrees = which_agree(order);
-  const claims all = by_star(claims_on_disagreeing(agrees));
+  const claims_by_star all = sort_by_star(claims_on_disagreeing(agrees), 0, stars_.size());
   make_anew(all, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
     return build_careful_star(sites_->all(), v, candidates);
   });
@@ -217,52 +194,55 @@ std::vector<char> plain_star_store::mend_disagreeing(const std::vector<vertex_in
 
 // Returns the stars that do not agree with their neighbours, each with the sites that have it as
 // one.
-std::vector<plain_star_store::disturbed> plain_star_store::claims_on_disagreeing(
-    const std::vector<char>& agrees) const {
-  return collect_chunks<disturbed>(
-      stars_.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
-        for (std::size_t v = begin; v < end; ++v)
-          for (const plain_gap& gap : stars_[v])
-            if (agrees[gap.neighbour] == 0)
-              out.push_back({gap.neighbour, static_cast<vertex_index>(v)});
-      });
+claim_list plain_star_store::claims_on_disagreeing(const std::vector<char>& agrees) const {
+  claim_list claims;
+  collect_claims(stars_.size(), claims, [&](std::size_t begin, std::size_t end, claim_list& out) {
+    for (std::size_t v = begin; v < end; ++v)
+      for (const plain_gap& gap : stars_[v])
+        if (agrees[gap.neighbour] == 0) out.add(gap.neighbour, static_cast<vertex_index>(v));
+  });
+  return claims;
 }
 
-// Makes the stars of the sites from `first` to before `last`; returns which stars of older sites
-// they disturb. Sites placed together follow a curve (fill/site_proposals.hpp), so that what was
-// read for one star is at hand for the next.
-std::vector<plain_star_store::disturbed> plain_star_store::make_stars(std::size_t first,
-                                                                      std::size_t last,
-                                                                      double distance) {
-  return collect_chunks<disturbed>(
-      last - first, chunk, [&](std::size_t begin, std::size_t end, std::vector<disturbed>& out) {
-        std::vector<vertex_index> near;
-        std::uint64_t looked_at = 0, gaps = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-          const auto w = static_cast<vertex_index>(first + i);
-          if (is_enough(i)) break;
-          make_star(w, distance, near, looked_at);
-          gaps += stars_[w].size();
-          for (const vertex_index u : near) {
-            if (u >= finished_) continue;
-            gaps += stars_[u].size();
-            if (disturbs(sites_->all(), u, stars_[u], w)) out.push_back({u, w});
-          }
-        }
-        work_->count_candidates(looked_at);
-        work_->count_gaps(gaps);
-      });
+// Makes the stars of the sites from `first` to before `last`; adds which stars of older sites they
+// disturb. Sites placed together follow a curve (fill/site_proposals.hpp), so that what was read
+// for one star is at hand for the next.
+void plain_star_store::make_stars(std::size_t first, std::size_t last, double distance,
+                                  claim_list& disturbed) {
+  collect_claims(last - first, disturbed, [&](std::size_t begin, std::size_t end, claim_list& out) {
+    std::vector<vertex_index> near;
+    std::uint64_t looked_at = 0, gaps = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto w = static_cast<vertex_index>(first + i);
+      if (is_enough(i)) break;
+      make_star(w, distance, near, looked_at);
+      gaps += stars_[w].size();
+      for (const vertex_index u : near) {
+        if (u >= finished_) continue;
+        gaps += stars_[u].size();
+        if (disturbs(sites_->all(), u, stars_[u], w)) out.add(u, w);
+      }
+    }
+    work_->count_candidates(looked_at);
+    work_->count_gaps(gaps);
+  });
 }
 
 // Makes each disturbed star anew from its neighbours and the sites that disturb it, and adds it to
-// changed_.
-void plain_star_store::renew_disturbed(const claims& all) {
-  make_anew(all, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
-    return build_plain_star(
-        sites_->all(), v, candidates, stars_[v],
-        [&](plain_gap& gap, vertex_index next) { return take_from_new(v, gap, next); });
-  });
-  changed_.insert(changed_.end(), all.stars.begin(), all.stars.end());
+// changed_. Goes part by part, since a run holds most in memory here.
+void plain_star_store::renew_disturbed(const claim_list& disturbed) {
+  constexpr std::size_t most_parts = 4, claims_for_a_part = 65536;
+  const std::size_t parts = std::min(most_parts, 1 + disturbed.size() / claims_for_a_part);
+  for (std::size_t part = 0; part < parts; ++part) {
+    const claims_by_star claims =
+        sort_by_star(disturbed, finished_ * part / parts, finished_ * (part + 1) / parts);
+    make_anew(claims, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
+      return build_plain_star(
+          sites_->all(), v, candidates, stars_[v],
+          [&](plain_gap& gap, vertex_index next) { return take_from_new(v, gap, next); });
+    });
+    changed_.insert(changed_.end(), claims.stars.begin(), claims.stars.end());
+  }
 }
 
 // Takes the vertex of a gap of an older site v from the star of a new one beside the gap, if that

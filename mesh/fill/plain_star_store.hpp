@@ -15,6 +15,7 @@
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/fill/fill.hpp"
 #include "asterism/mesh/fill/placed_sites.hpp"
+#include "asterism/mesh/fill/star_claims.hpp"
 #include "asterism/mesh/fill/work_meter.hpp"
 #include "asterism/mesh/numerics/approximate_star.hpp"
 
@@ -56,31 +57,17 @@ class plain_star_store {
   void forget_stars() { stars_.clear(); }
 
  private:
-  struct disturbed {
-    vertex_index star, by;
-  };
-  // Holds what sites claim of stars, by star.
-  struct claims {
-    std::vector<vertex_index> stars;
-    std::vector<std::uint32_t> starts;  // of each star's in `by`, and the end
-    std::vector<vertex_index> by;
-
-    std::span<const vertex_index> of(std::size_t nth) const {
-      return std::span(by).subspan(starts[nth], starts[nth + 1] - starts[nth]);
-    }
-  };
-  claims by_star(std::vector<disturbed> pairs) const;
   template <class Make>
-  void make_anew(const claims& all, const Make& make);
+  void make_anew(const claims_by_star& all, const Make& make);
   void prefetch_star(vertex_index v) const;
   bool is_between_segments(vertex_index v, vertex_index y, vertex_index x) const;
   std::vector<char> which_agree(const std::vector<vertex_index>& order) const;
   void note_disagreeing(vertex_index v, std::vector<vertex_index>& out) const;
-  std::vector<disturbed> new_neighbours(const std::vector<vertex_index>& order) const;
-  std::vector<disturbed> claims_on_disagreeing(const std::vector<char>& agrees) const;
+  claim_list new_neighbours(const std::vector<vertex_index>& order) const;
+  claim_list claims_on_disagreeing(const std::vector<char>& agrees) const;
 
-  std::vector<disturbed> make_stars(std::size_t first, std::size_t last, double distance);
-  void renew_disturbed(const claims& all);
+  void make_stars(std::size_t first, std::size_t last, double distance, claim_list& disturbed);
+  void renew_disturbed(const claim_list& disturbed);
   bool take_from_new(vertex_index v, plain_gap& gap, vertex_index next) const;
   void make_star(vertex_index w, double distance, std::vector<vertex_index>& near,
                  std::uint64_t& looked_at);

@@ -153,11 +153,30 @@ bool site_proposals::has_room(const site_index& among, const site& s, double dis
   });
 }
 
-// Places in bands, four for each doubling of the radius, and those of a band along the curve:
-// neighbours in memory stay neighbours. Those of a block are held against the blocks before side by
-// side, and then against each other in turn: the same are placed as if all were gone through in
+// Places those of a block that have room beside the blocks before side by side, and then those of
+// them that have room beside each other in turn: the same are placed as if all were gone through in
 // turn.
 void site_proposals::place(std::vector<site_proposal> proposals, double distance) {
+  const std::vector<std::uint32_t> order = in_order_of_placing(proposals, distance);
+  constexpr std::size_t block = 8192;
+  site_index placed(parts_.box, site_index::purpose::places);  // of the blocks before
+  for (std::size_t begin = 0; begin < order.size(); begin += block) {
+    std::vector<const site_proposal*> ready;
+    for (std::size_t i = begin; i < std::min(order.size(), begin + block); ++i)
+      ready.push_back(&proposals[order[i]]);
+    if (begin > 0) leave_out_crowded(ready, placed, distance);
+    const auto first = static_cast<vertex_index>(parts_.sites.size());
+    const bool goes_on = place_in_turn(ready, distance) && begin + block < order.size();
+    parts_.sites.find_from(first, goes_on ? &placed : nullptr);
+    if (!goes_on) return;
+  }
+}
+
+// Returns the numbers of the proposals in bands, four for each doubling of the radius, the farthest
+// from other sites first, and those of a band along the curve: neighbours in memory stay
+// neighbours.
+std::vector<std::uint32_t> site_proposals::in_order_of_placing(
+    const std::vector<site_proposal>& proposals, double distance) const {
   constexpr double bands_in_doubled_square = 2;
   constexpr int most_bands = 1 << 20;  // more than doubles have, either way
   const auto key = [&, squared = distance * distance](const site_proposal& p) {
@@ -166,22 +185,14 @@ void site_proposals::place(std::vector<site_proposal> proposals, double distance
     return static_cast<std::uint64_t>(most_bands - band) << bits_of_place_on_curve |
            place_on_curve(p.where.position, parts_.box);
   };
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;  // the key and the number
-  order.reserve(proposals.size());
-  for (std::uint32_t i = 0; i < proposals.size(); ++i) order.emplace_back(key(proposals[i]), i);
-  tbb::parallel_sort(order.begin(), order.end());
-  constexpr std::size_t block = 8192;
-  site_index placed(parts_.box, site_index::purpose::places);  // of the blocks before
-  for (std::size_t begin = 0; begin < order.size(); begin += block) {
-    std::vector<const site_proposal*> ready;
-    for (std::size_t i = begin; i < std::min(order.size(), begin + block); ++i)
-      ready.push_back(&proposals[order[i].second]);
-    if (begin > 0) leave_out_crowded(ready, placed, distance);
-    const auto first = static_cast<vertex_index>(parts_.sites.size());
-    const bool goes_on = place_in_turn(ready, distance) && begin + block < order.size();
-    parts_.sites.find_from(first, goes_on ? &placed : nullptr);
-    if (!goes_on) return;
-  }
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed;
+  keyed.reserve(proposals.size());
+  for (std::uint32_t i = 0; i < proposals.size(); ++i) keyed.emplace_back(key(proposals[i]), i);
+  tbb::parallel_sort(keyed.begin(), keyed.end());
+  std::vector<std::uint32_t> order;
+  order.reserve(keyed.size());
+  for (const auto& each : keyed) order.push_back(each.second);
+  return order;
 }
 
 // Leaves out those that have no room beside the sites placed so far.

@@ -74,6 +74,8 @@ class site_proposals {
                   std::uint64_t& looked_at) const;
   bool has_room(const site_index& among, const site& s, double distance,
                 std::uint64_t& looked_at) const;
+  std::vector<std::uint32_t> in_order_of_placing(const std::vector<site_proposal>& proposals,
+                                                 double distance) const;
   void leave_out_crowded(std::vector<const site_proposal*>& ready, const site_index& placed,
                          double distance);
   bool place_in_turn(const std::vector<const site_proposal*>& ready, double distance);

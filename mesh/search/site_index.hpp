@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <boost/container/deque.hpp>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -181,8 +182,10 @@ class site_index {
   bool bounds_metrics_ = true;
   std::vector<leaf_sites> leaves_{1};
   // The positions of the first sites of leaves, where places alone are asked for: then these are
-  // all that is read, and sites may be anywhere in memory.
-  std::vector<std::array<point, leaf_capacity>> places_;
+  // all that is read, and sites may be anywhere in memory. Large: a vector would hold them twice
+  // while it grows.
+  using place_blocks = boost::container::deque_options_t<boost::container::block_size<256>>;
+  boost::container::deque<std::array<point, leaf_capacity>, void, place_blocks> places_;
   std::vector<std::vector<vertex_index>> overflow_{1};
   cell root_;
   std::size_t size_ = 0;
