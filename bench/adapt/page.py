@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Makes docs/results/metrics_on_meshes.md of what scripts/bench-adapt --json has appended to files.
+"""Makes docs/results/metrics_on_meshes.md, but for the remarks there, of what scripts/bench-adapt --json has
+appended to files. `scripts/bench-adapt --page PAGE` measures and calls this.
 
   page.py [--picture OUT.svg] FILE... > PAGE     the last line for a function and a number of vertices counts
 """
 import argparse
 import json
+import os
 
 import numpy as np
 
@@ -12,7 +14,7 @@ import pictures
 
 HEAD = """# Metrics on meshes, in loops beside BAMG
 
-Made by `scripts/bench-adapt --json FILE` and `bench/adapt/page.py`. L2-optimal metrics of functions on
+Tables made by `scripts/bench-adapt --page PAGE.md --vertices 500 2000 8000 32000`. L2-optimal metrics of functions on
 [-1,1]^2, exact Hessians at the vertices of the mesh before (`~`: recovered from values, `~~`: with noise of
 1e-4 in them), five passes from a grid, both programs on the same functions in loops of their own, in the same
 run, one thread, Debian 12's BAMG (`freefem++`), two shared cores. mmg2d is not in Debian and was not run.
@@ -68,19 +70,29 @@ def summary_line(size, rows):
             f"| {np.mean(within):.0f} %, {np.nanmin([100 - 100 * median(each, 'changed') for each in ours]):.0f} % |")
 
 
+def slope(low, high, who, times):
+    """Of the error in the number of vertices, from one row to that of so many times the vertices."""
+    return np.log(median(high[who], "error") / median(low[who], "error")) / np.log(times) - 1
+
+
 def print_slopes(found, sizes):
     pairs = list(zip(sizes, sizes[1:]))
     heads = " | ".join(f"{low} to {high}" for low, high in pairs)
     print("## Slope of the error in the number of vertices\n\nOurs, then BAMG's, between medians of the last three "
           f"passes.\n\n| function | {heads} |\n|---{'|---' * len(pairs)}|")
+    columns = {pair: [] for pair in pairs}
     for name in dict.fromkeys(n for n, _ in found):
         cells = []
         for low, high in pairs:
-            both = (name, low) in found and (name, high) in found
-            cells.append(", ".join(
-                f"{np.log(median(found[name, high][who], 'error') / median(found[name, low][who], 'error')) / np.log(high / low) - 1:.2f}"
-                for who in ("Asterism", "BAMG")) if both else "-")
+            if (name, low) not in found or (name, high) not in found:
+                cells.append("-")
+                continue
+            both = [slope(found[name, low], found[name, high], who, high / low) for who in ("Asterism", "BAMG")]
+            columns[low, high].append(both)
+            cells.append(", ".join(f"{each:.2f}" for each in both))
         print(f"| {name} | {' | '.join(cells)} |")
+    means = [", ".join(f"{each:.2f}" for each in np.nanmean(columns[pair], axis=0)) for pair in pairs]
+    print(f"| mean | {' | '.join(means)} |")
 
 
 def draw(found, sizes, path):
@@ -120,7 +132,7 @@ def main():
     if options.picture:
         draw(found, sizes, options.picture)
         print("\n![Error against the number of vertices, a diagram for each function: ours, BAMG's, and the slope -1]"
-              "(../figures/metrics-on-meshes.svg)")
+              f"({os.path.basename(options.picture)})")
     for size in sizes:
         print(f"\n## {size} vertices\n\n| function | status 0 | error | time | v | BAMG's v | within 10 % |\n"
               "|---|---|---|---|---|---|---|")
