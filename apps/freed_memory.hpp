@@ -11,9 +11,9 @@ namespace asterism::apps {
 void give_back_large_blocks();
 
 // Keeps blocks of up to four megabytes for the next ones instead: a page that is asked for anew
-// takes the system a microsecond, which is 4 % of the time for a mesh of 100,000 triangles, where
-// what is held in vain is little. For as long as the run is small: then give_back_large_blocks()
-// again.
+// takes the system one to ten microseconds, which is 4 % of the time for a mesh of 100,000
+// triangles, where what is held in vain is little. For as long as the run is small: then
+// give_back_large_blocks() again.
 void keep_freed_blocks();
 
 // Gives back what is free among small blocks, as far as it fills pages. Takes milliseconds.

@@ -206,9 +206,8 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_in
   options.stop = stop;
   if (options.vertices) options.vertices = vertices_aimed_at(job);
   progress_line line(!job.quiet);
-  constexpr std::size_t many = 100'000;
+  constexpr std::size_t many = 300'000;
   bool keeps_blocks = !job.max_megabytes;
-  if (keeps_blocks) keep_freed_blocks();
   return make_certified_mesh(input.shape, *input.field, options,
                              [&](const mesh_progress& progress) {
                                if (progress.sites > many && std::exchange(keeps_blocks, false))
@@ -255,6 +254,7 @@ int run_within_limits(const mesh_job& asked) {
   // Until all is written: an interrupt during the audit must not lose the mesh, nor one between two
   // files the second.
   run_limits limits(job.max_seconds, job.max_megabytes);
+  if (!job.max_megabytes) keep_freed_blocks();
   auto input = prepare(job);
   if (!input) return complain(input.failure(), refused);
   const cancellation stop = [&limits] { return limits.reason(); };

@@ -60,22 +60,24 @@ std::string number_text(double value) {
 }
 
 result<double> parse_number(std::string_view token) {
-  const error no_number{quoted_token(token) + " is not a number", error_code::bad_number};
+  const auto no_number = [token] {
+    return error{quoted_token(token) + " is not a number", error_code::bad_number};
+  };
   std::string_view digits = token;
   const bool negative = !digits.empty() && digits.front() == '-';
   if (!digits.empty() && (negative || digits.front() == '+')) digits.remove_prefix(1);
   const bool hexadecimal = digits.starts_with("0x") || digits.starts_with("0X");
   if (hexadecimal) digits.remove_prefix(2);
   // from_chars would take a second sign here.
-  if (digits.empty() || digits.front() == '-' || digits.front() == '+') return no_number;
+  if (digits.empty() || digits.front() == '-' || digits.front() == '+') return no_number();
 
   double value = 0;
   const char* const end = digits.data() + digits.size();
   const auto read = std::from_chars(
       digits.data(), end, value, hexadecimal ? std::chars_format::hex : std::chars_format::general);
-  if (read.ec == std::errc::invalid_argument || read.ptr != end) return no_number;
+  if (read.ec == std::errc::invalid_argument || read.ptr != end) return no_number();
   // "0xinf" is not C99's; plain "inf" and "nan" are numbers, but not finite ones.
-  if (hexadecimal && !std::isfinite(value)) return no_number;
+  if (hexadecimal && !std::isfinite(value)) return no_number();
   // from_chars gives no value here and does not tell overflow from underflow.
   if (read.ec == std::errc::result_out_of_range)
     value = is_huge(digits, hexadecimal ? 16 : 10) ? HUGE_VAL : 0;

@@ -52,12 +52,18 @@ class poly_reader {
   failure read_segment(const words& record, std::size_t expected_size);
   failure read_region(const words& record);
   failure read_point(const words& record, std::string_view what, point& p);
+  // Reads x, word 1 of the record, or y, word 2. What it means is put into words only for a
+  // failure.
+  failure read_coordinate(const words& record, std::size_t at, std::string_view what,
+                          double& value);
   // Reads a header line with 1 to `most` words; `wanted` says what it should hold.
   failure read_header(std::string_view wanted, std::size_t most, words& header);
   // Reads the next line, as record `position` (from 0) of `count`: its number must follow on.
   failure read_record(std::string_view what, std::size_t position, std::size_t count,
                       std::size_t least, std::size_t most, words& record);
   failure check_number(std::string_view what, const word& number, std::size_t position);
+  // Says what is wrong with a number that does not follow on.
+  error wrong_number(const std::string& name, const word& number, std::size_t position) const;
   // Words `from` and later are numbers; they are not used.
   failure check_unused(const words& record, std::size_t from, std::string_view what);
   failure read_flag(const words& header, std::size_t at, std::string_view what, std::size_t& flag);
@@ -81,36 +87,41 @@ failure poly_reader::read_header(std::string_view wanted, std::size_t most, word
 
 failure poly_reader::read_record(std::string_view what, std::size_t position, std::size_t count,
                                  std::size_t least, std::size_t most, words& record) {
-  record = source_.next_line();
-  const std::string name(what);
+  source_.next_line(record);
+  const auto told = [what] { return std::string(what); };
   if (record.empty())
     return source_.failure(source_.line(), "the file ends after " + std::to_string(position) +
-                                               " of " + std::to_string(count) + " " + name +
+                                               " of " + std::to_string(count) + " " + told() +
                                                " lines");
   if (record.size() < least)
-    return source_.failure(record[0].line, "a " + name + " line needs " + std::to_string(least) +
+    return source_.failure(record[0].line, "a " + told() + " line needs " + std::to_string(least) +
                                                " numbers, this one has " +
                                                std::to_string(record.size()));
   if (record.size() > most)
     return source_.failure(record[most].line, quoted_token(record[most].text) + " is too much: a " +
-                                                  name + " line has " + std::to_string(most) +
+                                                  told() + " line has " + std::to_string(most) +
                                                   " numbers here");
   return check_number(what, record[0], position);
 }
 
 failure poly_reader::check_number(std::string_view what, const word& number, std::size_t position) {
-  const std::string name(what);
+  const auto value = to_integer(source_, number, what);
+  const bool is_first = position == 0 && value.ok() && (value.value() == 0 || value.value() == 1);
+  if (is_first) first_number_ = value.value();
+  const bool follows = position > 0 && value.ok() &&
+                       value.value() == *first_number_ + static_cast<long long>(position);
+  if (is_first || follows) return {};
+  return wrong_number(std::string(what), number, position);
+}
+
+error poly_reader::wrong_number(const std::string& name, const word& number,
+                                std::size_t position) const {
   const auto value = to_integer(source_, number, name + " number");
   if (!value.ok()) return value.failure();
-  if (position == 0 && (value.value() == 0 || value.value() == 1)) {
-    first_number_ = value.value();
-    return {};
-  }
   if (position == 0)
     return source_.failure(number.line,
                            name + " numbers start at 0 or 1, not at " + quoted_token(number.text));
   const long long expected = *first_number_ + static_cast<long long>(position);
-  if (value.value() == expected) return {};
   if (value.value() >= *first_number_ && value.value() < expected)
     return source_.failure(number.line,
                            name + " number " + std::to_string(value.value()) + " occurs twice");
@@ -188,13 +199,18 @@ failure poly_reader::read_vertex(const words& record) {
 }
 
 failure poly_reader::read_point(const words& record, std::string_view what, point& p) {
-  const std::string name(what);
-  const auto x = to_number(source_, record[1], "x of " + name + " " + std::string(record[0].text));
-  if (!x.ok()) return x.failure();
-  const auto y = to_number(source_, record[2], "y of " + name + " " + std::string(record[0].text));
-  if (!y.ok()) return y.failure();
-  p = {x.value(), y.value()};
-  return {};
+  if (auto failed = read_coordinate(record, 1, what, p.x)) return failed;
+  return read_coordinate(record, 2, what, p.y);
+}
+
+failure poly_reader::read_coordinate(const words& record, std::size_t at, std::string_view what,
+                                     double& value) {
+  if (const auto read = to_number(source_, record[at], what); read.ok()) {
+    value = read.value();
+    return {};
+  }
+  const std::string meaning = (at == 1 ? "x of " : "y of ") + std::string(what) + " ";
+  return to_number(source_, record[at], meaning + std::string(record[0].text)).failure();
 }
 
 failure poly_reader::read_segments() {

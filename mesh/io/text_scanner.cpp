@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <system_error>
 
@@ -28,7 +27,15 @@ result<std::string> read_text_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in)
     return error{path.string() + ": cannot be opened for reading", error_code::unreadable_file};
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string text;
+  constexpr std::size_t part = 1 << 16;
+  // Sizes that systems tell of files are not asked for: some have more in them than they say.
+  while (in) {
+    const std::size_t before = text.size();
+    text.resize(before + part);
+    in.read(text.data() + before, part);
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad())
     return error{path.string() + ": cannot be read to its end", error_code::unreadable_file};
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -71,12 +78,17 @@ word text_scanner::next() {
 
 std::vector<word> text_scanner::next_line() {
   std::vector<word> words;
+  next_line(words);
+  return words;
+}
+
+void text_scanner::next_line(std::vector<word>& words) {
+  words.clear();
   for (word w = next(); !w.empty(); w = next()) {
     words.push_back(w);
     skip_blanks(false);
     if (at_end() || text_[position_] == '\n') break;
   }
-  return words;
 }
 
 error text_scanner::failure(std::size_t line, const std::string& what, error_code code) const {

@@ -39,6 +39,8 @@ class text_scanner {
   word next();
   // Returns the words of the next line that has any; empty at the end of the text.
   std::vector<word> next_line();
+  // Puts them in the place of `words`, which a file of many lines asks for once.
+  void next_line(std::vector<word>& words);
   // Returns the comments passed so far, without their `#`.
   const std::vector<std::string_view>& comments() const { return comments_; }
 
