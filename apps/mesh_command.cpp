@@ -107,7 +107,7 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
       [&options](double x) { options.metric_tolerance = x; },
       "Greatest distance of the metric delivered from the one asked for, ln of a ratio of lengths; "
       "0: no tensor is changed, even where stars cannot agree then (default: any, and told, but at "
-      "half of the sites no more than ln 10)")
+      "half of the sites no more than ln 10, and no more than ten times as dense or as thin)")
       ->type_name("T");
   add_real(
       app, "--tol", positive_reals, [&options](double x) { options.tolerance = x; },

@@ -178,6 +178,10 @@ void compare_tolerance(contradictions& all, const certificate& claim) {
           "the certificate says that its mesh was completed, and of half of the sites the metric "
           "delivered is more than " +
           text_of(claim.delivered->median) + " from the one wanted");
+    if (claim.complete && claim.delivered && density_ratio(*claim.delivered) > most_density_ratio)
+      all.add("the certificate says that its mesh was completed, and the metric delivered is " +
+              text_of(density_ratio(*claim.delivered)) +
+              " times as dense or as thin as the one wanted");
     return;
   }
   const auto tolerated = number_of(option->second);

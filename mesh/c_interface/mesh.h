@@ -84,7 +84,7 @@ typedef struct asterism_mesh_options {
    * in that one: ln of the greatest ratio of two lengths of a displacement. Beyond it a mesh is not
    * complete. 0: no tensor is changed, and where stars cannot agree the mesh ends with triangles
    * that disagree; negative: any distance, but of half of the sites no more
-   * than ln 10; -1 */
+   * than ln 10, and on the whole no more than ten times as dense or as thin; -1 */
   double metric_tolerance;
 } asterism_mesh_options;
 

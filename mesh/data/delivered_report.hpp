@@ -34,4 +34,16 @@ struct delivered_report {
 // fronts that cross on 500 vertices, at 1.52 (docs/results/metrics_on_meshes.md).
 inline constexpr double most_median_distance = 2.302585092994046;
 
+// Greatest ratio of the two complexities, either way, of such a run. Beyond it the mesh is of
+// another size altogether, though half of its sites, in a flat part, may have the tensors wanted.
+// Of metrics as simulations make them, the worst are again two fronts that cross, at 3.4.
+inline constexpr double most_density_ratio = 10;
+
+// Returns how many times as dense, or as thin, the metric delivered is as the one wanted, on the
+// whole: at least 1, or no number where areas have none.
+inline double density_ratio(const delivered_report& report) {
+  const double ratio = report.complexity_delivered / report.complexity_wanted;
+  return ratio < 1 ? 1 / ratio : ratio;
+}
+
 }  // namespace asterism

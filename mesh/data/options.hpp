@@ -47,7 +47,8 @@ struct mesh_options {
   // the greatest ratio of the two lengths of a displacement, as delivered_report::greatest. 0: no
   // tensor is changed, and where stars cannot agree in the metric wanted a run ends with triangles
   // that disagree. Beyond it a run is not complete, and says the distance. Default: any, unless
-  // half of the sites are beyond most_median_distance (data/delivered_report.hpp).
+  // half of the sites are beyond most_median_distance, or the two complexities most_density_ratio
+  // apart (data/delivered_report.hpp).
   std::optional<double> metric_tolerance = {};
   // Has make_certified_mesh prove or refuse that the mesh is the dual of the anisotropic Voronoi
   // diagram of its sites. make_mesh ignores it.

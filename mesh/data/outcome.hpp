@@ -97,9 +97,13 @@ struct improvement_report {
 // Metric in which stars agree, though it is farther from the one wanted than
 // mesh_options::metric_tolerance allows.
 struct intolerable_distance {
-  double allowed = 0, found = 0;  // as delivered_report::greatest, or its median
-  bool is_median = false;         // no tolerance was asked for: most_median_distance is
-  double greatest = 0;            // the tolerance that would be kept
+  // What is too much: delivered_report::greatest, with a tolerance; else its median, or, where that
+  // is not, the ratio of complexities (density_ratio).
+  enum class measure { greatest, median, density };
+
+  double allowed = 0, found = 0;
+  measure of = measure::greatest;
+  double greatest = 0;  // the tolerance that would be kept
 };
 
 // Last resort of a run: one metric for all sites (pipeline/last_resort.hpp).

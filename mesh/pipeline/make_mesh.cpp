@@ -9,6 +9,7 @@
 #include "asterism/mesh/pipeline/adaptation.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "asterism/mesh/pipeline/last_resort.hpp"
+#include "asterism/mesh/pipeline/tolerated_metric.hpp"
 #include "asterism/mesh/pipeline/unconfirmed_mesh.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
@@ -17,18 +18,6 @@
 namespace asterism {
 using namespace internal;
 namespace {
-
-// Distance of the metric delivered from the one wanted; none where that is near enough.
-std::optional<intolerable_distance> excess_of(const mesh_outcome& made,
-                                              const mesh_options& options) {
-  if (!made.delivered || made.stopped) return std::nullopt;
-  const bool is_median = !options.metric_tolerance;
-  const double greatest = made.delivered->greatest;
-  const double allowed = options.metric_tolerance.value_or(most_median_distance);
-  const double found = is_median ? made.delivered->median : greatest;
-  if (found <= allowed) return std::nullopt;
-  return intolerable_distance{allowed, found, is_median, greatest};
-}
 
 // Notes that the metric is another one altogether.
 void note_excess(mesh_outcome& made, const mesh_options& options) {
@@ -42,7 +31,7 @@ std::optional<mesh_outcome> shown(std::optional<mesh_outcome>& delivered,
                                   const mesh_options& options) {
   if (!delivered) return std::nullopt;
   const auto excess = excess_of(*delivered, options);
-  if (excess && !excess->is_median) return std::nullopt;
+  if (excess && excess->of == intolerable_distance::measure::greatest) return std::nullopt;
   note_excess(*delivered, options);
   return std::move(delivered);
 }

@@ -146,8 +146,20 @@ std::string one_metric_text(const mesh_outcome& outcome) {
 
 // Names the distance to the last digit where it is what may be tolerated: rounded, it might not do.
 std::string intolerable_text(const mesh_outcome& outcome) {
+  using measure = intolerable_distance::measure;
   const intolerable_distance& distance = *outcome.intolerable;
-  if (distance.is_median)
+  if (distance.of == measure::density)
+    return fmt::format(
+        "{}, in a metric that is another one than the one wanted: on the whole it is {:.4g} times "
+        "as {}; a metric tolerance of {} is kept, and a smaller size or a gradation brings the two "
+        "nearer",
+        ending_text(outcome.ended), distance.found,
+        outcome.delivered &&
+                outcome.delivered->complexity_delivered < outcome.delivered->complexity_wanted
+            ? "thin"
+            : "dense",
+        number_text(distance.greatest));
+  if (distance.of == measure::median)
     return fmt::format(
         "{}, in a metric that is another one than the one wanted: half of the sites find some "
         "length more than {:.4g} times as long or as short; a metric tolerance of {} is kept, and "

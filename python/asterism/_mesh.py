@@ -155,7 +155,8 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
     metric measures it; the metric is scaled to that. A mesh with over 5 % more or fewer vertices than
     that is made again with another scale, ten times at most, and the nearest is returned.
     metric_tolerance: how far the metric delivered may be from the one wanted, as ln of the greatest
-    ratio of two lengths; 0: no tensor is changed; None: any, but of half of the sites no more than ln 10.
+    ratio of two lengths; 0: no tensor is changed; None: any, but of half of the sites no more than
+    ln 10, and on the whole no more than ten times as dense or as thin.
     progress: called now and then with a dict of counts. Ctrl-C ends the run.
     """
     if on is not None:

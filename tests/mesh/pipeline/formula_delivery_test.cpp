@@ -193,7 +193,7 @@ TEST_CASE("one metric for quarters stretched across each other passed for the on
   REQUIRE(made.delivered);
   CHECK(made.delivered->median > most_median_distance);
   REQUIRE(made.intolerable);
-  CHECK(made.intolerable->is_median);
+  CHECK(made.intolerable->of == intolerable_distance::measure::median);
   CHECK(made.how() == ending::intolerable);
   CHECK(ending_text(made).find("another one than the one wanted") != std::string::npos);
 

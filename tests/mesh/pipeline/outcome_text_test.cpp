@@ -112,7 +112,7 @@ TEST_CASE("outcome text: a run is told by what it delivers") {
               agree +
               "; as the metric given measures them 2 triangles are below 20 degrees, the worst "
               "12.34");
-    made.intolerable = {most_median_distance, 3, true, 4};
+    made.intolerable = {most_median_distance, 3, intolerable_distance::measure::median, 4};
     CHECK(ending_text(made).find("half of them, so that it is another one altogether: ") !=
           std::string::npos);
   }
