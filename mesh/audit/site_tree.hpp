@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "asterism/core/site.hpp"
@@ -37,8 +38,8 @@ class site_tree {
   const std::vector<std::size_t>& groups() const { return groups_; }
 
   // Calls visit(w) for each site that is not certainly too far from v, in an order that depends on
-  // the sites alone; v itself may be among them. `reach` is R of the lemma, in the metric of v and
-  // no less than each gap's; infinite: all sites.
+  // the sites alone; v itself may be among them. A visit that returns false ends it. `reach` is R
+  // of the lemma, in the metric of v and no less than each gap's; infinite: all sites.
   template <class Visit>
   void visit_near(const site& v, double reach, const Visit& visit) const;
 
@@ -155,8 +156,18 @@ class site_tree {
   static bool is_beside(const node& n, const centre& v, double far_squared);
   // True if |d|^2 is certainly more than that, d as the metric measures.
   static bool is_farther(const point& d, const metric_tensor& m, double far_squared);
+  // Calls visit(argument). False if that returns false, and not nothing.
+  template <class Visit, class Argument>
+  static bool goes_on(const Visit& visit, Argument argument) {
+    if constexpr (std::is_same_v<std::invoke_result_t<Visit, Argument>, bool>) {
+      return visit(argument);
+    } else {
+      visit(argument);
+      return true;
+    }
+  }
   template <class Visit>
-  void visit_leaf(const node& n, const centre& v, std::size_t from, const Visit& visit) const;
+  bool visit_leaf(const node& n, const centre& v, std::size_t from, const Visit& visit) const;
   // Calls visit(leaf) for each that is not too far and does not end before `from` in the order.
   template <class Visit>
   void visit_leaves(const centre& c, std::size_t from, const Visit& visit) const;
@@ -182,7 +193,7 @@ void site_tree::visit_leaves(const centre& c, std::size_t from, const Visit& vis
     const node& n = nodes_[self];
     if (n.last <= from || are_beyond(self, c) || too_far(n, c)) continue;
     if (n.right == 0) {
-      visit(self);
+      if (!goes_on(visit, self)) return;
       continue;
     }
     open[waiting++] = n.right;
@@ -191,22 +202,25 @@ void site_tree::visit_leaves(const centre& c, std::size_t from, const Visit& vis
 }
 
 template <class Visit>
-void site_tree::visit_leaf(const node& n, const centre& v, std::size_t from,
+bool site_tree::visit_leaf(const node& n, const centre& v, std::size_t from,
                            const Visit& visit) const {
   const double far = far_squared(n, v);
-  if (is_beside(n, v, far)) return;
+  if (is_beside(n, v, far)) return true;
   for (std::size_t i = n.first < from ? from : n.first; i < n.last; ++i) {
     const point d{places_[i].x - v.low.x, places_[i].y - v.low.y};
     if (!lengths_.empty() && is_beyond(d, lengths_[i], v)) continue;
     if (is_farther(d, v.metric, far)) continue;
-    if (!too_far(d, sites_[order_[i]].metric, inverse_determinants_[i], v)) visit(order_[i]);
+    if (!too_far(d, sites_[order_[i]].metric, inverse_determinants_[i], v) &&
+        !goes_on(visit, order_[i]))
+      return false;
   }
+  return true;
 }
 
 template <class Visit>
 void site_tree::visit_near(const site& v, double reach, const Visit& visit) const {
   const centre c = centre_with_covectors(v, reach);
-  visit_leaves(c, 0, [&](std::size_t leaf) { visit_leaf(nodes_[leaf], c, 0, visit); });
+  visit_leaves(c, 0, [&](std::size_t leaf) { return visit_leaf(nodes_[leaf], c, 0, visit); });
 }
 
 template <class Visit>
@@ -214,8 +228,9 @@ void site_tree::visit_near(const std::vector<std::size_t>& leaves, const site& v
                            const Visit& visit, std::size_t from) const {
   const centre c = centre_with_covectors(v, reach);
   for (const std::size_t leaf : leaves)
-    if (nodes_[leaf].last > from && !are_beyond(leaf, c) && !too_far(nodes_[leaf], c))
-      visit_leaf(nodes_[leaf], c, from, visit);
+    if (nodes_[leaf].last > from && !are_beyond(leaf, c) && !too_far(nodes_[leaf], c) &&
+        !visit_leaf(nodes_[leaf], c, from, visit))
+      return;
 }
 
 inline bool site_tree::is_beyond(const point& d, const by_covector& length, const centre& v) {

@@ -54,26 +54,45 @@ struct measured_part {
 
 std::string vertex_name(vertex_index v) { return "vertex " + std::to_string(v + 1); }
 
+std::array<site, 3> corners_of(const mesh& m, std::size_t i) {
+  const triangle& t = m.triangles[i];
+  return {m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]};
+}
+
+// Returns the triangle of a few whose covering radius is likely to be the greatest.
+std::size_t widest_of_some(const mesh& m) {
+  constexpr std::size_t step = 64;
+  std::size_t widest = 0;
+  double greatest = 0;
+  for (std::size_t i = 0; i < m.triangles.size(); i += step) {
+    const double radius = theorem::quick_covering_radius_above(corners_of(m, i), 0);
+    if (radius > greatest) {
+      greatest = radius;
+      widest = i;
+    }
+  }
+  return widest;
+}
+
 // A chunk's covering radius needs no measuring where the quick ones are below what another chunk
 // has already: so the triangle of each that is likely to have the greatest is measured before the
 // rest.
 double covering_radius(const mesh& m) {
+  if (m.triangles.empty()) return 0;
   const auto radius_of = [&](std::size_t i) {
-    const triangle& t = m.triangles[i];
-    return theorem::covering_radius_above({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]});
+    return theorem::covering_radius_above(corners_of(m, i));
   };
+  // Of a triangle whose radius is certainly no more than this it is not measured.
+  const double enough = radius_of(widest_of_some(m));
   std::vector<double> quick(m.triangles.size());
   const auto widest = collect_chunks<double>(
       m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<double>& out) {
+        std::size_t greatest = end;
         for (std::size_t i = begin; i < end; ++i) {
-          const triangle& t = m.triangles[i];
-          quick[i] =
-              theorem::quick_covering_radius_above({m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]});
+          quick[i] = theorem::quick_covering_radius_above(corners_of(m, i), enough);
+          if (quick[i] > 0 && (greatest == end || quick[i] > quick[greatest])) greatest = i;
         }
-        const auto first = quick.begin();
-        const auto greatest = std::max_element(first + static_cast<std::ptrdiff_t>(begin),
-                                               first + static_cast<std::ptrdiff_t>(end));
-        out.push_back(radius_of(static_cast<std::size_t>(greatest - first)));
+        out.push_back(greatest == end ? enough : radius_of(greatest));
       });
   double known = 0;
   for (const double part : widest) known = greatest_bound(known, part);
@@ -149,8 +168,9 @@ void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t f
     const vertex_index v = order[i];
     const auto measure = [&](vertex_index w) {
       patience.count(a_look);
-      if (sites.rank[w] > i && part.failure.empty() && !patience.is_over())
-        measure_near_pair(m, v, w, radius, part);
+      if (patience.is_over()) return false;
+      if (sites.rank[w] > i) measure_near_pair(m, v, w, radius, part);
+      return part.failure.empty();
     };
     if (!part.failure.empty()) return;
     if (gathered)

@@ -206,22 +206,28 @@ double covering_radius_above(const std::array<site, 3>& t) {
   return radius;
 }
 
-double quick_covering_radius_above(const std::array<site, 3>& t) {
+// No point of the triangle is farther from a corner, as that measures, than one of the other two.
+double quick_covering_radius_above(const std::array<site, 3>& t, double enough) {
   const point to_b = plain_between(t[0], t[1]), to_c = plain_between(t[0], t[2]);
-  const place x = plain_middle_place(t, to_b, to_c);
-  const point to_x{x.second * to_b.x + x.third * to_c.x, x.second * to_b.y + x.third * to_c.y};
   const point extent{std::abs(to_b.x) + std::abs(to_c.x), std::abs(to_b.y) + std::abs(to_c.y)};
   const std::array<point, 3> corners = {point{0, 0}, to_b, to_c};
-  double radius = 0;
+  std::array<double, 3> onwards, back;  // to the next corner, and from that
+  double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
-    const point &p = corners[i], &q = corners[next];
-    radius = greatest_bound(radius, plain_distance_above(t[i].metric, p, to_x, extent));
-    const double from_p = plain_distance_above(t[i].metric, p, q, extent),
-                 from_q = plain_distance_above(t[next].metric, q, p, extent);
-    const double share = from_q / (from_p + from_q);
+    onwards[i] = plain_distance_above(t[i].metric, corners[i], corners[next], extent);
+    back[i] = plain_distance_above(t[next].metric, corners[next], corners[i], extent);
+    longest = greatest_bound(longest, greatest_bound(onwards[i], back[i]));
+  }
+  if (longest * (1 + 0x1p-20) < enough) return 0;
+  const place x = plain_middle_place(t, to_b, to_c);
+  const point to_x{x.second * to_b.x + x.third * to_c.x, x.second * to_b.y + x.third * to_c.y};
+  double radius = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    radius = greatest_bound(radius, plain_distance_above(t[i].metric, corners[i], to_x, extent));
+    const double share = back[i] / (onwards[i] + back[i]);
     if (!(share > 0 && share < 1)) return infinity;
-    radius = greatest_bound(radius, greatest_bound(share * from_p, (1 - share) * from_q));
+    radius = greatest_bound(radius, greatest_bound(share * onwards[i], (1 - share) * back[i]));
   }
   return radius < infinity ? radius * (1 + 0x1p-50) : infinity;
 }
