@@ -56,22 +56,44 @@ class subsegment_distances {
     return squared_from_w(nearest_to_w()) - error() > (1 + 0x1p-47) * r * r;
   }
 
+  // True if w certainly does not encroach, found piece by piece: on one from t0 to t1 the nearer of
+  // a and b is nowhere farther than the lesser of t1 |d|_a and (1 - t0) |d|_b. t0 and t1 are exact,
+  // and so are their squares; the bounds of a and b are rounded once more. f_w is least at a t that
+  // is clamped to the piece, which makes the error of t no greater: error() holds as above.
+  bool surely_stay_clear_in_pieces() const {
+    const double squared_a = squared_length_above(a_, d_), squared_b = squared_length_above(b_, d_);
+    const double nearest = nearest_to_w(), off = error();
+    for (int i = 0; i < pieces; ++i) {
+      const double t0 = static_cast<double>(i) / pieces, t1 = static_cast<double>(i + 1) / pieces;
+      const double farthest = std::min(t1 * t1 * squared_a, (1 - t0) * (1 - t0) * squared_b);
+      if (!(farthest > near_underflow)) return false;
+      if (!(squared_from_w(std::clamp(nearest, t0, t1)) - off > (1 + 0x1p-47) * farthest))
+        return false;
+    }
+    return true;
+  }
+
   // True if w certainly encroaches: if at some t it is nearer than a and b. t is exact, as it is
   // chosen. f_a(t) is t^2 |d|_a^2, whose error squared_length_above tells, and f_b(t) likewise with
   // 1 - t, rounded once; f_w is off by less than 40 eps S as above.
   bool surely_encroached() const {
     const double squared_a = squared_length_below(a_, d_), squared_b = squared_length_below(b_, d_);
     const double from_a = std::sqrt(squared_a), from_b = std::sqrt(squared_b);
-    for (const double t : {from_b / (from_a + from_b), nearest_to_w()}) {
-      if (!(t > 0 && t < 1)) continue;
+    const auto is_nearer_at = [&](double t) {
+      if (!(t > 0 && t < 1)) return false;
       const double nearer = std::min(t * t * squared_a, (1 - t) * (1 - t) * squared_b);
-      if (!(nearer > near_underflow)) continue;
-      if (squared_from_w(t) + error() < (1 - 0x1p-47) * nearer) return true;
-    }
+      return nearer > near_underflow && squared_from_w(t) + error() < (1 - 0x1p-47) * nearer;
+    };
+    if (is_nearer_at(from_b / (from_a + from_b)) || is_nearer_at(nearest_to_w())) return true;
+    for (int i = 1; i < pieces; ++i)
+      if (is_nearer_at(static_cast<double>(i) / pieces)) return true;
     return false;
   }
 
  private:
+  // A power of two, so that ends of pieces are exact.
+  static constexpr int pieces = 32;
+
   double nearest_to_w() const {
     return std::clamp(inner_product(w_, d_, e_) / inner_product(w_, d_, d_), 0.0, 1.0);
   }
@@ -99,6 +121,7 @@ uncertain_bool encroaches_quickly(const site& a, const site& b, const site& w) {
       return uncertain_bool(product < 0);
   }
   if (along.surely_stay_clear()) return uncertain_bool(false);
+  if (along.surely_stay_clear_in_pieces()) return uncertain_bool(false);
   if (along.surely_encroached()) return uncertain_bool(true);
   return uncertain_bool();
 }

@@ -23,9 +23,9 @@ std::size_t shortest_edge(const triangle_sites& s) {
   return static_cast<std::size_t>(std::min_element(length.begin(), length.end()) - length.begin());
 }
 
-// Returns the point on the inner side of the shortest edge from which that is `degrees` wide, both
-// ends being equally far; none if the Voronoi vertex of the triangle is nearer to the edge.
-std::optional<point> off_centre(const triangle_sites& s, double degrees) {
+}  // namespace
+
+std::optional<point> off_centre(const triangle_sites& s, double degrees, double radius) {
   const std::size_t first = shortest_edge(s);
   const site &p = s[first], &q = s[(first + 1) % 3];
   const metric_tensor m{(p.metric.m11 + q.metric.m11) / 2, (p.metric.m12 + q.metric.m12) / 2,
@@ -35,18 +35,17 @@ std::optional<point> off_centre(const triangle_sites& s, double degrees) {
   // Orthogonal to d as m measures, as long, and to its left.
   const point across{-(m.m12 * d.x + m.m22 * d.y) / root, (m.m11 * d.x + m.m12 * d.y) / root};
   const double height = 0.5 / elementary::tan(degrees / 2 * std::numbers::pi / 180);
-  if (!(height * std::sqrt(inner_product(m, d, d)) < metric_circumradius(s))) return std::nullopt;
+  if (!(height * std::sqrt(inner_product(m, d, d)) < radius)) return std::nullopt;
   return point{p.position.x + d.x / 2 + height * across.x,
                p.position.y + d.y / 2 + height * across.y};
 }
-
-}  // namespace
 
 std::optional<site> find_off_centre(refine_state& state, const triangle& t, double degrees,
                                     double tolerance) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return std::nullopt;
   const auto& sites = state.sites();
-  const auto q = off_centre({sites[t[0]], sites[t[1]], sites[t[2]]}, degrees);
+  const triangle_sites corners{sites[t[0]], sites[t[1]], sites[t[2]]};
+  const auto q = off_centre(corners, degrees, metric_circumradius(corners));
   if (!q || !state.strictly_inside(*q)) return std::nullopt;
   const auto s = state.site_at(*q);
   if (!s || !state.is_farther(*s, tolerance) || !state.encroached_by(*s).empty())

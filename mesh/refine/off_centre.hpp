@@ -11,9 +11,15 @@
 #include <optional>
 
 #include "asterism/core/site.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
 
 namespace asterism::internal {
+
+// Returns the point on the inner side of the shortest edge from which that is `degrees` wide, both
+// ends being equally far; none if the Voronoi vertex of the triangle, which is as far as `radius`
+// from its sites, is nearer to the edge.
+std::optional<point> off_centre(const triangle_sites& s, double degrees, double radius);
 
 // Returns a site from which the shortest edge of the triangle is `degrees` wide. None if the
 // Voronoi vertex is nearer to the edge, or the site would not be strictly inside, farther than

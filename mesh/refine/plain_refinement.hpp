@@ -5,21 +5,30 @@
 //
 // Works on one triangulation (stars/mean_metric_net.hpp), which takes a site in a few microseconds
 // where stars take two hundred. What it leaves, or does that stars would not have, is mended by
-// them as ever. Adds nothing on the boundary, nor where low angles may have to stay.
+// them as ever. Adds nothing where low angles may have to stay.
 #pragma once
 
+#include <cstddef>
+
 #include "asterism/mesh/data/neighbour_lists.hpp"
+#include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/refine/insertion_tolerance.hpp"
 #include "asterism/mesh/refine/refine_state.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
 
-// Adds sites, none nearer than the tolerance to others, at Voronoi vertices of triangles with an
-// angle below what is required, the worst first. Returns the neighbours that all sites then are
+// True if that is worth it: many vertices are given, and their angles alone are to be mended.
+bool is_refined_plainly(const mesh_options& options, std::size_t given);
+
+// Adds sites, none nearer than the start of the tolerance to others, in
+// triangles with an angle below what is required, those with the shortest edges first: at their
+// off-centres (refine/off_centre.hpp), or at their Voronoi vertices. Splits subsegments on which
+// these would encroach. Returns the neighbours that all sites then are
 // likely to have, for construct_stars(); nothing where nothing could be done. Requires that the
 // state has no stars yet.
 neighbour_lists refine_plainly(refine_state& state, const angle_requirement& angle,
-                               double tolerance, const cancellation& cancelled);
+                               const tolerance_range& tolerance, const cancellation& cancelled);
 
 }  // namespace asterism::internal

@@ -182,6 +182,7 @@ bool refine_state::split_exactly_at(std::size_t subsegment, const point& q, doub
   segments_.put_on_subsegment(subsegment, *m, on_curve);
   const auto added = static_cast<vertex_index>(sites().size() - 1);
   if (has_stars_) stars_.split_subsegment(oracle(), whole.a, added, whole.b);
+  if (on_split_) on_split_(whole.a, whole.b);
   segments_.note_encroached_by(added);
   return true;
 }

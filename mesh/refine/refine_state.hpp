@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -93,6 +94,10 @@ class refine_state {
   // Splits subsegments until none is encroached by a site, as far as split() allows. Returns false
   // when it ended early, cancelled or overworked.
   bool clear_encroachments(double shortest);
+  // Calls the listener after each split of a subsegment from a to b by the last site; an empty one
+  // ends that.
+  using split_listener = std::function<void(vertex_index a, vertex_index b)>;
+  void listen_to_splits(split_listener listener) { on_split_ = std::move(listener); }
   // Splits subsegments longer than `longest`, as far as split() allows, until cancelled or
   // overworked.
   void shorten_subsegments(double longest);
@@ -127,6 +132,7 @@ class refine_state {
   neighbour_lists guesses_;  // by site; until the stars are made
   std::unique_ptr<edge_test_memory> memory_ = std::make_unique<edge_test_memory>();
   cancellation cancelled_;
+  split_listener on_split_;
   bool has_stars_ = false;
 };
 

@@ -116,12 +116,9 @@ class refinement_loop {
   // Makes all stars; where angles are demanded of many sites that are given, not before most of
   // what is low was mended without them.
   void construct_stars() {
-    constexpr vertex_index many = 1000;
-    const bool is_plain = options_.strategy == refinement_strategy::fill && !options_.limit_size &&
-                          angle_.degrees() > 0 && given_ >= many;
-    const neighbour_lists likely =
-        is_plain ? refine_plainly(state_, angle_, tolerance_.start, options_.stop)
-                 : neighbour_lists();
+    const neighbour_lists likely = is_refined_plainly(options_, given_)
+                                       ? refine_plainly(state_, angle_, tolerance_, options_.stop)
+                                       : neighbour_lists();
     if (likely.size() > 0)
       state_.construct_stars(likely, confirmed_ == star_confirmation::by_auditor
                                          ? star_confirmation::by_auditor_if_calm

@@ -13,6 +13,7 @@
 #include "asterism/mesh/metric/feature_size_field.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/refine/coarser_mesh.hpp"
+#include "asterism/mesh/refine/plain_refinement.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -128,7 +129,8 @@ result<budgeted_filling> fill_within_budget(const meshing_context& job) {
   const std::size_t counted =
       limit_size ? job.shape.vertices.size() : count_segment_ends(job.shape);
   const bool is_large = counted >= many_vertices;
-  if (job.options.strategy != refinement_strategy::fill || !(limit_size || is_large))
+  if (job.options.strategy != refinement_strategy::fill || !(limit_size || is_large) ||
+      is_refined_plainly(job.options, job.shape.vertices.size()))
     return nothing_proposed(job.shape);
   if (is_large) {
     auto featured = fill_by_features(job);

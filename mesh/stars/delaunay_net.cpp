@@ -195,13 +195,14 @@ void delaunay_net::split_edge(const place& p, vertex_index v) {
   const vertex_index d = second.corner[0];
   const auto g = static_cast<std::uint32_t>(faces_.size()), h = g + 1;
   faces_.resize(faces_.size() + 2);
-  put(f, {{v, a, b}, {first.across[2], h, g}, {first.fixed[2], false, false}});
-  put(g, {{v, c, a}, {first.across[1], f, o}, {first.fixed[1], false, false}});
-  put(o, {{v, d, c}, {second.across[2], g, h}, {second.fixed[2], false, false}});
-  put(h, {{v, b, d}, {second.across[1], o, f}, {second.fixed[1], false, false}});
+  const bool stays = first.fixed[0];
+  put(f, {{v, a, b}, {first.across[2], h, g}, {first.fixed[2], stays, false}});
+  put(g, {{v, c, a}, {first.across[1], f, o}, {first.fixed[1], false, stays}});
+  put(o, {{v, d, c}, {second.across[2], g, h}, {second.fixed[2], stays, false}});
+  put(h, {{v, b, d}, {second.across[1], o, f}, {second.fixed[1], false, stays}});
   relink(first.across[1], f, g);
   relink(second.across[1], o, h);
-  open_.assign({f, g, o, h});
+  open_.assign({f, g, o, h});  // the first two on the corner's side
 }
 
 // Replaces the edge across from the corner v by that from v to the corner d on the other side; v
@@ -369,11 +370,11 @@ bool delaunay_net::improve(std::uint32_t at, std::uint32_t first, const comparis
   return false;
 }
 
-void delaunay_net::flip_towards(const comparison& is_better, std::size_t most) {
+bool delaunay_net::flip_towards(const comparison& is_better, std::size_t most) {
   std::size_t flips = 0;
+  open_.clear();
   // Edges to faces before f were asked about from there, and again after each change.
   for (std::uint32_t f = 0; f < faces_.size() && flips < most; ++f) {
-    open_.clear();
     if (improve(f, f, is_better)) ++flips;
     while (!open_.empty() && flips < most) {
       const std::uint32_t at = open_.back();
@@ -381,18 +382,39 @@ void delaunay_net::flip_towards(const comparison& is_better, std::size_t most) {
       if (improve(at, 0, is_better)) ++flips;
     }
   }
+  return flips < most;
 }
 
-// Only edges across from the new site are looked at: each flip leaves two more.
-vertex_index delaunay_net::insert_towards(const site& s, const location& at,
-                                          const comparison& is_better, std::size_t most) {
+vertex_index delaunay_net::add_site(const site& s) {
   const auto v = static_cast<vertex_index>(sites_.size());
   sites_.push_back(s);
   face_at_.push_back(none);
+  return v;
+}
+
+vertex_index delaunay_net::insert_towards(const site& s, const location& at,
+                                          const comparison& is_better, std::size_t most) {
+  const vertex_index v = add_site(s);
   if (at.on_edge)
     split_edge(at.where, v);
   else
     split_face(at.where.face, v);
+  flip_around_towards(v, is_better, most);
+  return v;
+}
+
+vertex_index delaunay_net::split_towards(const site& s, const place& at, bool on_both_sides,
+                                         const comparison& is_better, std::size_t most) {
+  const vertex_index v = add_site(s);
+  split_edge(at, v);
+  if (!on_both_sides) open_.resize(2);
+  flip_around_towards(v, is_better, most);
+  return v;
+}
+
+// Looks at edges across from the new site alone: each flip leaves two more.
+void delaunay_net::flip_around_towards(vertex_index v, const comparison& is_better,
+                                       std::size_t most) {
   std::size_t flips = 0;
   while (!open_.empty() && flips < most) {
     const std::uint32_t f = open_.back();
@@ -405,7 +427,6 @@ vertex_index delaunay_net::insert_towards(const site& s, const location& at,
     open_.push_back(f);
     open_.push_back(other);
   }
-  return v;
 }
 
 }  // namespace asterism::internal

@@ -56,10 +56,11 @@ class delaunay_net {
   bool settle();
   // Flips edges while is_better(a, b, c, d) says that the edge from c to d is to take the place of
   // that from a to b, at most so many times. What comes out is a triangulation with the edges that
-  // stay, and in general not the Delaunay one: to be called last.
+  // stay, and in general not the Delaunay one: to be called last. Returns true if each edge that is
+  // left was asked about with the faces that it has in the end.
   using comparison =
       std::function<bool(vertex_index a, vertex_index b, vertex_index c, vertex_index d)>;
-  void flip_towards(const comparison& is_better, std::size_t most);
+  bool flip_towards(const comparison& is_better, std::size_t most);
   // Returns the face that q is in, or on an edge of, on a way from this face; the corner is the one
   // across from that edge. None where the way crosses an edge that stays, or is long.
   struct location {
@@ -72,6 +73,11 @@ class delaunay_net {
   // which is not the next one: the frame is in between. Requires that it is on no edge that stays.
   vertex_index insert_towards(const site& s, const location& at, const comparison& is_better,
                               std::size_t most);
+  // Does so with a site on or beside the edge across from the corner, which may be one that stays:
+  // then both its parts do. Edges are flipped on the corner's side, and on both if told. Of the two
+  // new faces the first is on the corner's side. Requires a face on either side.
+  vertex_index split_towards(const site& s, const place& at, bool on_both_sides,
+                             const comparison& is_better, std::size_t most);
   // Returns the face to the left of the edge from a to b, with the corner that is not on it; none
   // where there is no such edge, or too many steps were taken.
   std::optional<place> find_edge(vertex_index a, vertex_index b);
@@ -128,6 +134,8 @@ class delaunay_net {
   bool flip_around(vertex_index v);
   bool may_flip(const place& p, const comparison& is_better) const;
   bool improve(std::uint32_t face, std::uint32_t first, const comparison& is_better);
+  vertex_index add_site(const site& s);
+  void flip_around_towards(vertex_index v, const comparison& is_better, std::size_t most);
   bool cross(vertex_index a, vertex_index b, std::vector<std::pair<vertex_index, vertex_index>>&);
   bool clear_way(vertex_index a, vertex_index b,
                  std::vector<std::pair<vertex_index, vertex_index>> crossing);

@@ -25,6 +25,9 @@ metric_tensor mean_shape(const std::vector<site>& sites) {
   return sum;
 }
 
+// Most flips for one new site. Nearly all take less than ten.
+constexpr std::size_t most_flips = 64;
+
 }  // namespace
 
 std::optional<mean_metric_net> mean_metric_net::make(const site_oracle& oracle,
@@ -39,9 +42,7 @@ std::optional<mean_metric_net> mean_metric_net::make(const site_oracle& oracle,
   mean_metric_net made(std::move(questions), *std::move(from), std::move(inside));
   for (vertex_index v = 0; v < oracle.size(); ++v)
     made.sites_[v] = oracle.sites()[made.from_.original[v]];
-  made.from_.net.flip_towards([&made](vertex_index a, vertex_index b, vertex_index c,
-                                      vertex_index d) { return made.is_better(a, b, c, d); },
-                              flips_for_each * oracle.size());
+  made.from_.net.flip_towards(made.better(), flips_for_each * oracle.size());
   return made;
 }
 
@@ -81,46 +82,76 @@ bool mean_metric_net::is_better(vertex_index a, vertex_index b, vertex_index c,
   return excess(a, b, c, d) > tie;
 }
 
-// Asks where the mean is not clear, and no exact numbers: what is undecided stays as it is, as does
-// the rest after so much work that stars made without guesses would be no dearer.
+// Asks no exact numbers: what is undecided stays as it is, as does the rest after so much work that
+// stars made without guesses would be no dearer.
 bool mean_metric_net::is_better_in_stars(vertex_index a, vertex_index b, vertex_index c,
                                          vertex_index d) {
-  constexpr double clear = 0.5, most_for_each = 2;
+  constexpr double most_for_each = 2;
   for (const vertex_index v : {a, b, c, d})
     if (from_.net.is_frame(v)) return false;
-  if (excess(a, b, c, d) < -clear) return false;
-  const auto sites = static_cast<double>(from_.numbers.size());
-  if (work_units(questions_->counted) > most_for_each * sites) return false;
   const auto ask = [&](vertex_index v, vertex_index w, vertex_index x, vertex_index y) {
     return filtered_edge_test(sites_[v], sites_[w], sites_[x], sites_[y], questions_->counted);
   };
-  const uncertain_bool stays = ask(a, b, c, d);
-  if (!stays.certain() || stays.value()) return false;
+  const auto sites = static_cast<double>(from_.numbers.size());
+  const bool may_ask = work_units(questions_->counted) <= most_for_each * sites;
+  const uncertain_bool stays = may_ask ? ask(a, b, c, d) : uncertain_bool();
+  if (stays.certain() && stays.value()) return false;
+  doubtful_[a] = doubtful_[b] = 1;
+  if (!stays.certain()) return false;
   const uncertain_bool comes = ask(c, d, a, b);
   return comes.certain() && comes.value();
 }
 
-void mean_metric_net::insert(const site& s, const delaunay_net::location& at,
-                             std::vector<std::uint32_t>& around) {
-  // Nearly all take less than ten.
-  constexpr std::size_t most_flips = 64;
-  sites_.push_back(s);
-  const auto number = static_cast<vertex_index>(from_.numbers.size());
-  from_.original.push_back(number);
-  const vertex_index v = from_.net.insert_towards(
-      s, at,
-      [this](vertex_index a, vertex_index b, vertex_index c, vertex_index d) {
-        return is_better(a, b, c, d);
-      },
-      most_flips);
+void mean_metric_net::number_last(vertex_index v) {
+  from_.original.push_back(static_cast<vertex_index>(from_.numbers.size()));
   from_.numbers.push_back(v);
-  inside_.resize(faces(), 1);
+}
+
+// Leaves out faces outside of the domain.
+void mean_metric_net::collect_faces(vertex_index v, std::vector<std::uint32_t>& around) const {
   const delaunay_net::place first = from_.net.at(v);
   delaunay_net::place p = first;
   do {
-    around.push_back(p.face);
+    if (is_inside(p.face)) around.push_back(p.face);
     p = from_.net.next_around(p);
   } while (p.face != first.face);
+}
+
+void mean_metric_net::insert(const site& s, const delaunay_net::location& at,
+                             std::vector<std::uint32_t>& around) {
+  sites_.push_back(s);
+  const vertex_index v = from_.net.insert_towards(s, at, better(), most_flips);
+  number_last(v);
+  inside_.resize(faces(), 1);
+  collect_faces(v, around);
+}
+
+bool mean_metric_net::split(const site& s, vertex_index a, vertex_index b,
+                            std::vector<std::uint32_t>& around) {
+  const auto at = from_.net.find_edge(from_.numbers[a], from_.numbers[b]);
+  if (!at) return false;
+  const delaunay_net::face& left = from_.net.faces()[at->face];
+  const std::uint32_t other = left.across[at->corner];
+  if (other == delaunay_net::none) return false;
+  const auto is_beside = [&](vertex_index from, vertex_index to, vertex_index apex) {
+    const point &p = sites_[from].position, &q = sites_[to].position, &r = sites_[apex].position;
+    return questions_->kernel->orientation(p, s.position, r) == sign::positive &&
+           questions_->kernel->orientation(s.position, q, r) == sign::positive;
+  };
+  const vertex_index from = from_.numbers[a], to = from_.numbers[b];
+  const auto& [p, q, r] = from_.net.faces()[other].corner;
+  const vertex_index behind = p != from && p != to ? p : q != from && q != to ? q : r;
+  const bool is_internal = is_inside(other);
+  if (!is_inside(at->face) || !is_beside(from, to, left.corner[at->corner]) ||
+      (is_internal && !is_beside(to, from, behind)))
+    return false;
+  sites_.push_back(s);
+  const vertex_index v = from_.net.split_towards(s, *at, is_internal, better(), most_flips);
+  number_last(v);
+  inside_.push_back(1);
+  inside_.push_back(is_internal ? 1 : 0);
+  collect_faces(v, around);
+  return true;
 }
 
 void mean_metric_net::collect_ring(vertex_index v, std::vector<vertex_index>& ring) const {
@@ -145,9 +176,11 @@ void mean_metric_net::collect_ring(vertex_index v, std::vector<vertex_index>& ri
 }
 
 neighbour_lists mean_metric_net::settled_neighbours() {
-  from_.net.flip_towards([this](vertex_index a, vertex_index b, vertex_index c,
-                                vertex_index d) { return is_better_in_stars(a, b, c, d); },
-                         from_.numbers.size());
+  doubtful_.assign(sites_.size(), 0);
+  const bool is_settled =
+      from_.net.flip_towards([this](vertex_index a, vertex_index b, vertex_index c,
+                                    vertex_index d) { return is_better_in_stars(a, b, c, d); },
+                             from_.numbers.size());
   neighbour_lists lists;
   lists.reserve(from_.numbers.size());
   std::vector<vertex_index> ring;
@@ -156,6 +189,9 @@ neighbour_lists mean_metric_net::settled_neighbours() {
     for (const vertex_index w : ring) lists.add(w);
     lists.end_list();
   }
+  lists.make_room_for_marks();
+  for (std::size_t i = 0; is_settled && i < from_.numbers.size(); ++i)
+    if (doubtful_[from_.numbers[i]] == 0) lists.mark(i);
   return lists;
 }
 

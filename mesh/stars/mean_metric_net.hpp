@@ -42,9 +42,14 @@ class mean_metric_net {
   // Puts in the site that is the next one of the mesh, in such a place; adds the faces at it to
   // `around`.
   void insert(const site& s, const delaunay_net::location& at, std::vector<std::uint32_t>& around);
+  // Does so with one that splits the subsegment from a to b, as the sites are numbered. Returns
+  // false, with nothing changed, where the place of the site, which is rounded, is on the wrong
+  // side of something: then the net is of no use.
+  bool split(const site& s, vertex_index a, vertex_index b, std::vector<std::uint32_t>& around);
 
   // Flips edges as the sites at both ends want it, where these and the mean of the metrics may
-  // differ, then returns the neighbours of each site, counter-clockwise from the nearest.
+  // differ, then returns the neighbours of each site, counter-clockwise from the nearest. Marks
+  // those of which doubles tell that each stands, and are not in doubt.
   neighbour_lists settled_neighbours();
 
  private:
@@ -62,8 +67,16 @@ class mean_metric_net {
   // where the edge from c to d is the Delaunay one.
   double excess(vertex_index a, vertex_index b, vertex_index c, vertex_index d) const;
   bool is_better(vertex_index a, vertex_index b, vertex_index c, vertex_index d) const;
-  // Says whether the stars refuse the edge from a to b and accept that from c to d.
+  delaunay_net::comparison better() const {
+    return [this](vertex_index a, vertex_index b, vertex_index c, vertex_index d) {
+      return is_better(a, b, c, d);
+    };
+  }
+  // Says whether the stars refuse the edge from a to b and accept that from c to d. Notes at its
+  // ends if they do not plainly accept it.
   bool is_better_in_stars(vertex_index a, vertex_index b, vertex_index c, vertex_index d);
+  void number_last(vertex_index v);
+  void collect_faces(vertex_index v, std::vector<std::uint32_t>& around) const;
   // Collects the neighbours of a site by their numbers, the nearest first.
   void collect_ring(vertex_index v, std::vector<vertex_index>& ring) const;
 
@@ -71,6 +84,7 @@ class mean_metric_net {
   site_triangulation from_;
   std::vector<site> sites_;  // by number in the net
   std::vector<char> inside_;
+  std::vector<char> doubtful_;  // by number in the net: is an edge at it in doubt?
 };
 
 }  // namespace asterism::internal

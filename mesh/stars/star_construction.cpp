@@ -160,18 +160,18 @@ bool is_calm(const site_oracle& oracle, vertex_index v, const star& s) {
 }
 
 // Returns the star with the neighbours proposed if they stand and, unless that is left to the
-// auditor, exact tests confirm it at once against all sites. By_auditor, it is asked of those alone
-// that are in doubt whether they stand: the auditor asks it of all edges.
+// auditor, exact tests confirm it at once against all sites. What is left to the auditor is asked
+// of those alone that are in doubt whether they stand: the auditor asks it of all edges.
 std::optional<constructed_star> guessed_star(const site_oracle& oracle, vertex_index v,
                                              const star_proposal& proposed) {
   if (proposed.guess.empty()) return std::nullopt;
-  const bool is_audited = proposed.confirmed == star_confirmation::by_auditor;
-  auto s = is_audited && proposed.is_plain ? seen_star(oracle, v, proposed.guess)
-                                           : standing_star(oracle, v, proposed.guess);
+  auto s = seen_star(oracle, v, proposed.guess);
   if (!s) return std::nullopt;
-  if (is_audited ||
-      (proposed.confirmed == star_confirmation::by_auditor_if_calm && is_calm(oracle, v, *s)))
-    return constructed_star{*std::move(s), true, false, {}};
+  const bool is_audited =
+      proposed.confirmed == star_confirmation::by_auditor ||
+      (proposed.confirmed == star_confirmation::by_auditor_if_calm && is_calm(oracle, v, *s));
+  if (!(is_audited && proposed.is_plain) && prune(oracle, v, *s)) return std::nullopt;
+  if (is_audited) return constructed_star{*std::move(s), true, false, {}};
   const auto reach = final_reach(oracle, v, *s);
   if (!reach) return std::nullopt;
   return constructed_star{*std::move(s), true, false, reach};

@@ -47,8 +47,8 @@ struct star_proposal {
   // The neighbours that it is likely to have, counter-clockwise. They are the star if exact tests
   // find that each stands and, by_mesher, confirm them against all sites; else they are not used.
   std::span<const vertex_index> guess = {};
-  // True if doubles found of each of them that it stands, and are not in doubt: by_auditor, that
-  // is not asked once more.
+  // True if doubles found of each of them that it stands, and are not in doubt: where the auditor
+  // confirms the star, that is not asked once more.
   bool is_plain = false;
   star_confirmation confirmed = star_confirmation::by_mesher;
   std::span<const vertex_index> others = {};  // offered to it besides what is near
