@@ -96,9 +96,9 @@ void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::siz
   constexpr std::size_t large = 4 << 20;
   constexpr std::uintptr_t page = 4096;
   if (size < large) return;
-  const auto first = reinterpret_cast<std::uintptr_t>(block);
-  const std::uintptr_t begin = (first + page - 1) / page * page;
-  madvise(reinterpret_cast<void*>(begin), first + size / 2 - begin, MADV_HUGEPAGE);
+  const std::uintptr_t beyond = reinterpret_cast<std::uintptr_t>(block) % page;
+  const std::size_t to_page = beyond == 0 ? 0 : page - beyond;
+  madvise(static_cast<char*>(block) + to_page, size / 2 - to_page, MADV_HUGEPAGE);
 #endif
 }
 
