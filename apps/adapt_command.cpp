@@ -28,6 +28,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
+#include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
@@ -224,7 +225,7 @@ std::optional<error> write_all(const adapt_job& job, const fs::path& certificate
     std::move(rendered.value().begin(), rendered.value().end(), std::back_inserter(files));
   }
   if (made.values) files.push_back({job.values, solution_text(job.values, made.values->values)});
-  files.push_back({certificate_path, certificate_text(claim)});
+  files.push_back(certificate_file(certificate_path, claim));
   const held_signals held;
   const auto written = asterism::internal::write_files(files);
   if (!written) return written.failure();

@@ -26,6 +26,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -130,7 +131,7 @@ std::optional<error> write_result(const certify_options& options, const mesh& m,
   how.names = names_in(options.mesh);
   auto files = render(options.outputs, m, how);
   if (!files) return files.failure();
-  files.value().push_back({certificate_path(options), certificate_text(claim)});
+  files.value().push_back(certificate_file(certificate_path(options), claim));
   return write_together(files.value());
 }
 

@@ -26,6 +26,7 @@
 #include "asterism/apps/vertex_count.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -153,7 +154,7 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
                         ? "Incomplete, certified in a metric that is not the one asked for: "
                         : "Incomplete, not certified: ") +
                    claim.reason;
-  give_back_small_blocks();  // of the mesher's stars, so that texts have room under a limit
+  if (job.max_megabytes) give_back_small_blocks();  // of the mesher's stars: texts need the room
   const held_signals held;
   pending_files files;
   for (const fs::path& output : job.outputs) {
@@ -167,7 +168,7 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
                    error_code::unwritable_file};
     }
   }
-  if (auto failed = files.add({certificate_path, certificate_text(claim)})) return failed;
+  if (auto failed = files.add(certificate_file(certificate_path, claim))) return failed;
   const auto written = files.put_in_place();
   if (!written) return written.failure();
   return std::nullopt;

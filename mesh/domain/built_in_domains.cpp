@@ -109,6 +109,7 @@ result<domain> airfoil(const airfoil_options& options) {
 
 result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed) {
   constexpr std::size_t draws_per_point = 1000;
+  d.vertices.reserve(d.vertices.size() + count);
   known_points taken(d.vertices.size() + count);
   for (vertex_index v = 0; v < d.vertices.size(); ++v) taken.add(d.vertices, v);
   const bounding_box box = shrunk(d.box());

@@ -2,10 +2,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
+#include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/certificate_json.hpp"
-#include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 
 namespace asterism {
@@ -221,62 +222,72 @@ void append_item(std::string& text, bool is_first, const Values&... values) {
   text += "\n   ]";
 }
 
-void append_vertices(std::string& text, const domain& d) {
-  text += "[";
-  append_lines(text, d.vertices.size(), [&](std::size_t i, std::string& lines) {
+void write_vertices(const domain& d, const byte_sink& put) {
+  put("[");
+  const auto write = [&](std::size_t i, std::string& lines) {
     append_item(lines, i == 0, d.vertices[i].x, d.vertices[i].y);
-  });
-  text += "\n  ]";
+  };
+  make_lines(d.vertices.size(), write, put);
+  put("\n  ]");
 }
 
-void append_segments(std::string& text, const domain& d) {
-  text += "[";
-  append_lines(text, d.segments.size(), [&](std::size_t i, std::string& lines) {
+void write_segments(const domain& d, const byte_sink& put) {
+  put("[");
+  const auto write = [&](std::size_t i, std::string& lines) {
     const segment& s = d.segments[i];
     const std::size_t a = std::size_t{s.a} + 1, b = std::size_t{s.b} + 1;
     if (tells_sides(s))
       append_item(lines, i == 0, a, b, s.marker, s.internal ? 1 : 0, s.left_region, s.right_region);
     else
       append_item(lines, i == 0, a, b, s.marker);
-  });
-  text += "\n  ]";
+  };
+  make_lines(d.segments.size(), write, put);
+  put("\n  ]");
 }
 
-// Puts the two lists into a text that has them empty. The key is the only one that far from the
-// left, and no value holds the end of a line. The lists may be most of a large text: they are
-// written where they stay.
-void put_lists(std::string& text, const domain& d) {
-  const std::string empty = "[]";
+// Writes a text that has the two lists empty, with what is in them. The key is the only one that
+// far from the left, and no value holds the end of a line. The lists may be most of a large text,
+// which is never held whole.
+void write_with_lists(std::string_view text, const domain& d, const byte_sink& put) {
+  const std::string_view empty = "[]";
   const std::size_t first = text.find(empty, text.rfind("\n \"domain\": {")),
                     second = text.find(empty, first + empty.size());
-  const std::string between = text.substr(first + empty.size(), second - first - empty.size()),
-                    rest = text.substr(second + empty.size());
-  text.resize(first);
-  append_vertices(text, d);
-  text += between;
-  append_segments(text, d);
-  text += rest;
+  put(text.substr(0, first));
+  write_vertices(d, put);
+  put(text.substr(first + empty.size(), second - first - empty.size()));
+  write_segments(d, put);
+  put(text.substr(second + empty.size()));
 }
 
 }  // namespace
 
 certificate_json internal::json_of(const certificate& c) { return json_with(c, true); }
 
-std::string certificate_text(const certificate& c) {
+void internal::write_certificate_text(const certificate& c, const byte_sink& put) {
   const bool has_lists =
       c.original && !c.original->vertices.empty() && !c.original->segments.empty();
   // Text that is not UTF-8 (a file's name may be anything) is replaced, not refused.
-  std::string text =
+  const std::string text =
       json_with(c, !has_lists).dump(1, ' ', false, json::error_handler_t::replace) + "\n";
-  if (has_lists) put_lists(text, *c.original);
-  return text;
+  if (has_lists)
+    write_with_lists(text, *c.original, put);
+  else
+    put(text);
+}
+
+std::string certificate_text(const certificate& c) {
+  return bytes_of([&c](const byte_sink& put) { write_certificate_text(c, put); });
 }
 
 result<std::filesystem::path> write_certificate(const std::filesystem::path& path,
                                                 const certificate& c) {
-  const auto written = write_files({{path, certificate_text(c)}});
+  const auto written = write_files({certificate_file(path, c)});
   if (!written.ok()) return written.failure();
   return path;
+}
+
+output_file internal::certificate_file(const std::filesystem::path& path, const certificate& c) {
+  return {.path = path, .rest = [&c](const byte_sink& put) { write_certificate_text(c, put); }};
 }
 
 }  // namespace asterism

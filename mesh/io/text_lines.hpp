@@ -38,10 +38,12 @@ void append_integer(std::string& text, Integer n) {
 inline constexpr std::size_t lines_of_a_part = 2048;
 
 // Calls take(part) with the text that line(i, text) appends, for i in [0, count), part by part in
-// order. Some blocks of lines are made at a time, so that little is held.
+// order. Some parts are made at a time, so that little is held; by one thread only one, as each
+// takes memory that nothing was in before.
 template <class Line, class Take>
 void make_lines(std::size_t count, const Line& line, const Take& take) {
-  constexpr std::size_t chunk = lines_of_a_part, at_a_time = 64 * chunk;
+  constexpr std::size_t chunk = lines_of_a_part, most_parts = 64;
+  const std::size_t at_a_time = chunk * (thread_count() > 1 ? most_parts : 1);
   std::vector<std::string> parts(std::min(at_a_time, count) / chunk + 1);
   for (std::size_t first = 0; first < count; first += at_a_time) {
     const std::size_t lines = std::min(at_a_time, count - first);

@@ -9,6 +9,7 @@ namespace asterism::internal {
 result<site_set> site_set::start(const domain& d, const metric_field& field,
                                  std::size_t most_sites) {
   site_set set(field, most_sites);
+  set.reserve(d.vertices.size());
   for (const point& q : d.vertices) {
     const auto metric = field.at(q);
     if (!metric) return metric.failure();

@@ -50,7 +50,11 @@ bool pair_rays(const std::vector<ray>& rays, std::vector<boundary_corner>& corne
 
 result<boundary> boundary::build(const domain& d, const star_predicates& kernel) {
   boundary b;
-  std::vector<std::vector<ray>> rays(d.vertices.size());
+  // Vertices after these are isolated.
+  std::size_t on_segments = 0;
+  for (const segment& s : d.segments)
+    on_segments = std::max({on_segments, std::size_t{s.a} + 1, std::size_t{s.b} + 1});
+  std::vector<std::vector<ray>> rays(on_segments);
   for (std::size_t i = 0; i < d.segments.size(); ++i) {
     const segment& s = d.segments[i];
     const boundary_edge subsegment{s.a, s.b, static_cast<vertex_index>(i), s.marker, s.internal};
@@ -64,7 +68,7 @@ result<boundary> boundary::build(const domain& d, const star_predicates& kernel)
     b.companions_[last - 1].twin = last;
     b.companions_[last].twin = last - 1;
   }
-  b.corners_.resize(d.vertices.size());
+  b.corners_.resize(on_segments);
   for (std::size_t v = 0; v < rays.size(); ++v) {
     sort_rays(rays[v], d.vertices[v], d.vertices, kernel);
     if (!pair_rays(rays[v], b.corners_[v]))

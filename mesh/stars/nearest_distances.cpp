@@ -97,7 +97,8 @@ double least_to_subsegments(const std::vector<site>& sites, vertex_index v, cons
 // Returns the same of all sites, group by group: most are not near any subsegment.
 double shortest_of_all(const std::vector<site>& sites, const boundary& edges,
                        const neighbourhood& near, double most) {
-  double least = least_of_pairs(sites, near.sites(), most * most);
+  const double at_first = std::min(most * most, least_along(near.order(), sites));
+  double least = least_of_pairs(sites, near.sites(), at_first);
   near.sites().visit_groups([&](const bounding_box& box, const point& extent, const auto& each) {
     const double look = 2 * std::sqrt(least), x = look * extent.x, y = look * extent.y;
     const bounding_box around{{box.low.x - x, box.low.y - y}, {box.high.x + x, box.high.y + y}};

@@ -7,8 +7,11 @@
 // is parallel_for and nothing else.
 #pragma once
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
 
 #if defined(__SANITIZE_THREAD__)
@@ -63,5 +66,12 @@ void parallel_for(std::size_t count, const Body& body) {
 }
 
 #endif
+
+// Returns how many threads the caller's arena may have. Nothing that comes out may depend on it.
+inline std::size_t thread_count() {
+  const auto in_arena = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  return std::min(in_arena,
+                  tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
 
 }  // namespace asterism::internal

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/io/file_output.hpp"
+
+namespace asterism::internal {
+
+// Gives certificate_text(c) to a sink piece by piece.
+void write_certificate_text(const certificate& c, const byte_sink& put);
+
+// Returns the file that holds it, which refers to the certificate.
+output_file certificate_file(const std::filesystem::path& path, const certificate& c);
+
+}  // namespace asterism::internal
