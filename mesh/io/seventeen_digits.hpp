@@ -50,7 +50,8 @@ class seventeen_digits {
   static constexpr int digit_count = 17, most_digit = 10;
   static constexpr std::uint64_t least = 10'000'000'000'000'000U, beyond = 10 * least;
 
-  __extension__ typedef unsigned __int128 wide;
+  // The extension's mark goes with a typedef alone.
+  __extension__ typedef unsigned __int128 wide;  // NOLINT(modernize-use-using)
 
   struct decimal {
     std::uint64_t digits = 0;  // seventeen
@@ -128,7 +129,8 @@ class seventeen_digits {
     while (count > 1 && text[count - 1] == '0') --count;
     std::size_t whole = 0;  // digits before the point
     if (d.exponent < 0) {
-      std::memcpy(to, "0.000", 5);
+      constexpr std::array<char, 5> most_zeros = {'0', '.', '0', '0', '0'};
+      std::memcpy(to, most_zeros.data(), most_zeros.size());
       to += 1 - d.exponent;
     } else {
       whole = static_cast<std::size_t>(d.exponent) + 1;

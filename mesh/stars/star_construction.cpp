@@ -2,7 +2,6 @@
 #include "asterism/mesh/stars/star_construction.hpp"
 
 #include <algorithm>
-#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -228,7 +227,7 @@ struct star_extent {
   struct open_gap {
     vertex_index y, x;
   };
-  boost::container::small_vector<open_gap, 4> open;
+  std::vector<open_gap> open;
   bool is_wide = false;
 
   // Calls visit(w) for each site not certainly out of reach: of the gaps of finite radius, or of a
