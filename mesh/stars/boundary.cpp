@@ -102,6 +102,8 @@ bool boundary::is_subsegment(vertex_index a, vertex_index b) const {
 
 void boundary::split(std::size_t subsegment, vertex_index m) {
   const boundary_edge whole = subsegments_[subsegment];
+  // By a little at a time: sites that are no corners may be most.
+  if (corners_.capacity() <= m) corners_.reserve(m + 1 + m / 8);
   if (corners_.size() <= m) corners_.resize(m + 1);
   corners_[m] = {{whole.b, whole.a}};
   const std::size_t second = subsegments_.size();

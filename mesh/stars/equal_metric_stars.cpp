@@ -196,6 +196,7 @@ std::optional<std::vector<triangle>> triangles_of_equal_metrics(const site_oracl
   const std::vector<char> inside = faces_inside(*from, oracle.edges());
   const auto count = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), char{1}));
   const std::vector<triangle> all = sound_triangles(oracle, *from, inside, confirmed);
+  from.reset();  // makes room
   if (all.size() != count || !use_all(all, oracle.size())) return std::nullopt;
   return in_order(all, oracle.size());
 }
