@@ -374,10 +374,13 @@ bool found_nothing(const audit_context& context) {
   return context.report.total_found() == 0 && !are_open;
 }
 
-// True if all was looked at. The work ends where it has found more than `most`, has done the most
-// that is done for so many sites, or is cancelled.
-bool check_in_turn(audit_context& context, const star_surroundings& around,
-                   const check_order& in_order, bool neighbours_alone, std::size_t most) {
+// How a look at stars ended.
+enum class look_end { all, refused, unfinished };
+
+// Looks at stars one after the other. Refused where more than `most` was found, unfinished after
+// the most work that is done for so many sites, or when it is cancelled.
+look_end check_in_turn(audit_context& context, const star_surroundings& around,
+                       const check_order& in_order, bool neighbours_alone, std::size_t most) {
   const auto& [order, groups] = in_order;
   const std::size_t before = context.report.total_found();
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
@@ -387,21 +390,20 @@ bool check_in_turn(audit_context& context, const star_surroundings& around,
                neighbours_alone);
   };
   const auto is_refused = [&] { return context.report.total_found() - before > most; };
-  if (check_in_parts(context, groups.size() - 1, check, is_refused)) return true;
-  if (is_refused()) {
-    context.report.stars_cut_short = true;
-  } else {
-    context.report.stars_checked = false;
-    context.found(finding_kind::stopped, unfinished_text(context, "the stars"));
-  }
-  return false;
+  if (check_in_parts(context, groups.size() - 1, check, is_refused)) return look_end::all;
+  return is_refused() ? look_end::refused : look_end::unfinished;
+}
+
+void note_end(audit_context& context, look_end how) {
+  if (how == look_end::refused) context.report.stars_cut_short = true;
+  if (how != look_end::unfinished) return;
+  context.report.stars_checked = false;
+  context.found(finding_kind::stopped, unfinished_text(context, "the stars"));
 }
 
 // True if the neighbours, once none is rejected and nothing else is found or left open, leave no
-// other site to look for: where all sites have one metric (docs/math/certificate.md, 4.0).
-bool neighbours_may_suffice(const audit_context& context) {
-  if (context.options.own_filter_alone) return false;
-  const std::vector<site>& sites = context.subject.sites;
+// other site to look for (docs/math/certificate.md, 4.0).
+bool have_one_metric(const std::vector<site>& sites) {
   return std::all_of(sites.begin(), sites.end(),
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
@@ -424,8 +426,8 @@ bool may_walk(const audit_context& context, const star_surroundings& around) {
 
 // Looks at all sites in reach of the stars that a walk does not settle; of all stars where it
 // settles few, or something was found already.
-void check_others(audit_context& context, star_surroundings& around, std::size_t most,
-                  bool may_be_walked) {
+look_end check_others(audit_context& context, star_surroundings& around, std::size_t most,
+                      bool may_be_walked) {
   constexpr std::size_t few = 8;  // a part of the sites
   std::optional<walk_outcome> walked;
   if (may_be_walked) walked = walk_stars(context, around);
@@ -433,11 +435,24 @@ void check_others(audit_context& context, star_surroundings& around, std::size_t
   const auto left = walked ? static_cast<std::size_t>(std::count(walked->is_left.begin(),
                                                                  walked->is_left.end(), char{1}))
                            : around.at.size();
-  if (left == 0) return;
+  if (left == 0) return look_end::all;
   around.plant();
   const check_order all = in_order_of_tree(*around.sites);
   const bool is_part = left < around.at.size() / few;
-  check_in_turn(context, around, is_part ? part_of(all, walked->is_left) : all, false, most);
+  return check_in_turn(context, around, is_part ? part_of(all, walked->is_left) : all, false, most);
+}
+
+// Looks at all sites where neighbours suffice, as a second way to the answer, with half of the
+// work. What that is not enough for is settled as it was: thousands of sites on a line, where each
+// star sees them all.
+look_end check_others_again(audit_context& context, star_surroundings& around, std::size_t most) {
+  const double share = context.share_of_work;
+  context.share_of_work = share / 2;
+  const look_end how = check_others(context, around, most, false);
+  context.share_of_work = share;
+  if (how != look_end::unfinished || context.options.stop.poll()) return how;
+  context.unfinished = false;
+  return look_end::all;
 }
 
 }  // namespace
@@ -454,18 +469,24 @@ void check_stars(audit_context& context) {
   context.report.stars_checked = true;
   star_surroundings around(context);
   if (context.memory != nullptr) take_reaches(context, around.power_of_squares);
-  const bool may_suffice = neighbours_may_suffice(context), walks = may_walk(context, around);
+  const bool may_suffice = have_one_metric(context.subject.sites),
+             walks = may_walk(context, around);
+  const bool in_two_ways = context.options.own_filter_alone;
   check_order order;
-  if (may_suffice || walks) {
+  if ((may_suffice && !in_two_ways) || walks) {
     order = in_order_of_mesh(context.subject.sites.size());
   } else {
     around.plant();
     order = in_order_of_tree(*around.sites);
   }
   const std::size_t before = context.report.total_found();
-  if (!check_in_turn(context, around, order, true, most)) return;
-  if (may_suffice && found_nothing(context)) return;
-  check_others(context, around, most, walks && context.report.total_found() == before);
+  const look_end neighbours = check_in_turn(context, around, order, true, most);
+  if (neighbours != look_end::all) return note_end(context, neighbours);
+  const bool suffice = may_suffice && found_nothing(context);
+  if (suffice && !in_two_ways) return;
+  note_end(context, suffice ? check_others_again(context, around, most)
+                            : check_others(context, around, most,
+                                           walks && context.report.total_found() == before));
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -56,6 +56,23 @@ class Verify(command.CommandTest):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stdout, r"\Ano bound asked for: not certified: ")
 
+    def test_sites_near_a_line_in_one_metric_are_verified_as_well(self):
+        """Each star sees thousands of sites: to hold all against it took more than the most work."""
+        many = 3000
+        lines = [f"{many + 4} 2 0 0", "1 -1 -1", "2 1 -1", "3 1 1", "4 -1 1"]
+        lines += [f"{i + 5} {-0.9 + 1.8 * i / many!r} {0.25 + 1e-9 * (i * i % 101) / 101!r}" for i in range(many)]
+        self.write("line.poly", "\n".join([*lines, "4 0", "1 1 2", "2 2 3", "3 3 4", "4 4 1", "0", ""]))
+        done = self.run_command("mesh", "line.poly", "--metric", "identity", "--angle-bound", "0", "-o", "line.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.run_command("verify", "line.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_an_audit_that_does_not_end_contradicts_nothing(self):
+        done = self.verdict("--max-seconds", "1e-9")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("not looked at to its end", done.stdout)
+        self.assertNotIn("false of this mesh", done.stdout)
+
     def test_bound_and_domain_are_checked(self):
         for more in (["--angle-bound", "50"], ["--domain", "airfoil"]):
             done = self.verdict(*more)
