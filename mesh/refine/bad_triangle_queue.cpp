@@ -203,11 +203,8 @@ bad_triangle_queue::record bad_triangle_queue::examine(const refine_state& state
   const site_oracle oracle = state.oracle().with_kernel(kernel);
   const star_set& stars = state.stars();
   const auto has = [&](vertex_index u, vertex_index y, vertex_index x) {
-    return std::any_of(stars[u].sectors.begin(), stars[u].sectors.end(), [&](const sector& s) {
-      for (std::size_t gap = 0; gap < s.gaps(); ++gap)
-        if (s.neighbours[gap] == y && s.neighbours[s.after(gap)] == x) return true;
-      return false;
-    });
+    return std::any_of(stars[u].sectors.begin(), stars[u].sectors.end(),
+                       [&](const sector& s) { return gap_from(oracle, u, s, y, x).has_value(); });
   };
   for (const sector& s : stars[v].sectors) {
     const std::size_t before = found.disagreeing.size();

@@ -78,12 +78,29 @@ bool holds_triangle(const site_oracle& oracle, vertex_index v, const sector& s, 
   return oracle.orientation(v, s.neighbours[gap], s.neighbours[s.after(gap)]) == sign::positive;
 }
 
+std::optional<std::size_t> gap_from(const site_oracle& oracle, vertex_index v, const sector& s,
+                                    vertex_index y, vertex_index x) {
+  // Beyond these, few of which a star has, halving takes less than a look at each.
+  constexpr std::size_t many = 64;
+  const auto is_from = [&](std::size_t gap) {
+    return gap < s.gaps() && s.neighbours[gap] == y && s.neighbours[s.after(gap)] == x;
+  };
+  if (s.neighbours.empty() || y == v) return std::nullopt;
+  if (s.size() > many) {
+    const placement at = locate(oracle, v, s, y);
+    if (at.kind == placement_kind::on_ray && is_from(at.at)) return at.at;
+    return std::nullopt;
+  }
+  for (std::size_t gap = 0; gap < s.gaps(); ++gap)
+    if (is_from(gap)) return gap;
+  return std::nullopt;
+}
+
 bool has_triangle(const site_oracle& oracle, vertex_index v, const star& s, vertex_index y,
                   vertex_index x) {
   for (const sector& part : s.sectors)
-    for (std::size_t gap = 0; gap < part.gaps(); ++gap)
-      if (part.neighbours[gap] == y && part.neighbours[part.after(gap)] == x)
-        return holds_triangle(oracle, v, part, gap);
+    if (const auto gap = gap_from(oracle, v, part, y, x))
+      return holds_triangle(oracle, v, part, *gap);
   return false;
 }
 

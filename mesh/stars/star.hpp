@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "asterism/mesh/data/domain.hpp"
@@ -64,6 +65,10 @@ placement locate(const site_oracle& oracle, vertex_index v, const sector& s, ver
 
 // True if gap i of the sector is less than 180 degrees, so that it holds a triangle.
 bool holds_triangle(const site_oracle& oracle, vertex_index v, const sector& s, std::size_t gap);
+
+// Returns the gap of v's sector from the neighbour y to the neighbour x next to it.
+std::optional<std::size_t> gap_from(const site_oracle& oracle, vertex_index v, const sector& s,
+                                    vertex_index y, vertex_index x);
 
 // True if the star of v has the triangle v, y, x (counter-clockwise).
 bool has_triangle(const site_oracle& oracle, vertex_index v, const star& s, vertex_index y,

@@ -54,6 +54,29 @@ TEST_CASE("an open sector may be wider than half a turn, and has an outside") {
   CHECK(locate(oracle, 0, s, 6).kind == placement_kind::on_ray);
 }
 
+TEST_CASE("gaps of a star with very many neighbours are found as in one with few") {
+  std::vector<point> places = {{0, 0}};
+  for (int x = -30; x < 30; ++x) places.push_back({static_cast<double>(x), -30});
+  for (int y = -30; y < 30; ++y) places.push_back({30, static_cast<double>(y)});
+  for (int x = 30; x > -30; --x) places.push_back({static_cast<double>(x), 30});
+  for (int y = 30; y > -30; --y) places.push_back({-30, static_cast<double>(y)});
+  const star_setting setting(isotropic(places));
+  const site_oracle oracle = setting.oracle();
+  for (const bool closed : {true, false}) {
+    sector s{{}, closed};
+    for (vertex_index w = 1; w < places.size(); w += 2) s.neighbours.push_back(w);
+    if (!closed) s.neighbours.push_back(1);  // a slit
+    for (std::size_t gap = 0; gap < s.gaps(); ++gap) {
+      const vertex_index y = s.neighbours[gap], x = s.neighbours[s.after(gap)];
+      CHECK(gap_from(oracle, 0, s, y, x) == gap);
+      CHECK_FALSE(gap_from(oracle, 0, s, x, y));
+      CHECK_FALSE(gap_from(oracle, 0, s, y + 1, x));
+      CHECK_FALSE(gap_from(oracle, 0, s, y, x + 1));
+      CHECK_FALSE(gap_from(oracle, 0, s, 0, x));
+    }
+  }
+}
+
 TEST_CASE("a gap holds a triangle only below 180 degrees") {
   const star_setting setting(isotropic({{0, 0}, {1, 0}, {0, 1}, {-1, 0}}));
   const site_oracle oracle = setting.oracle();
