@@ -54,10 +54,12 @@ double product_bound(double a, double b) {
   return product < infinity ? product : infinity;
 }
 
-// Returns a lower bound of the determinant; 0 where none is known.
+// Returns a lower bound of the determinant; 0 where none is known. Both products are rounded once,
+// and the difference; in the range asked for underflow takes less than the rest of 2^-50.
 double determinant_below(const metric_tensor& m) {
-  const double below = positive_bound(tensor_of_doubles(m).determinant().lower());
-  return below < infinity ? below : 0;
+  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
+  const double below = product - square - 0x1p-50 * (product + square);
+  return below > 0x1p-900 && product < 0x1p1000 ? below : 0;
 }
 
 // Returns an upper bound of 1 / det m; infinite where none of use is known.
@@ -278,7 +280,8 @@ bool site_tree::gather(const std::vector<reaching>& stars, std::vector<std::size
 }
 
 // g is M h exactly; what is computed of it is off by `step` of the magnitudes. h, a pair of
-// doubles, need not be good.
+// doubles, need not be good. Where the box is too near even for equal metrics, as most are that are
+// asked about, the rest is not computed.
 site_tree::separation site_tree::separation_along(const point& h, const offset_box& to,
                                                   const centre& v, const inverse_bound& inverse) {
   const metric_tensor &m = v.metric, &b = inverse.tensor;
@@ -290,16 +293,17 @@ site_tree::separation site_tree::separation_along(const point& h, const offset_b
   const double least = g.x * (g.x > 0 ? to.low.x : to.high.x) +
                        g.y * (g.y > 0 ? to.low.y : to.high.y) -
                        step * (size.x * extent.x + size.y * extent.y);
-  const bool in_range = least > 0x1p-300 && size.x + size.y < 0x1p200 && b.m11 + b.m22 < 0x1p200 &&
-                        std::abs(h.x) + std::abs(h.y) < 0x1p200 && inverse.factor < 0x1p200;
-  if (!in_range) return {};
   const double own = g.x * h.x + g.y * h.y,
                own_size = size.x * std::abs(h.x) + size.y * std::abs(h.y);
+  const double own_squared = (own + step * own_size + 0x1p-300) * up;
+  if (!(least > 0x1p-300 && least * least > 4 * (v.reach * v.reach) * own_squared)) return {};
+  const bool in_range = size.x + size.y < 0x1p200 && b.m11 + b.m22 < 0x1p200 &&
+                        std::abs(h.x) + std::abs(h.y) < 0x1p200 && inverse.factor < 0x1p200;
+  if (!in_range) return {};
   const double other = b.m11 * g.x * g.x + b.m22 * g.y * g.y + 2 * (b.m12 * g.x * g.y),
                other_size = b.m11 * size.x * size.x + b.m22 * size.y * size.y +
                             2 * (std::abs(b.m12) * size.x * size.y);
   const double factor = inverse.factor / v.spread_squared;
-  const double own_squared = (own + step * own_size + 0x1p-300) * up;
   const double other_squared = (other + step * other_size + 0x1p-300) * factor * up;
   const double turned = trace_above(b, m) * factor * up * own_squared * up;
   return {least, own_squared, std::min(other_squared, turned)};
@@ -323,8 +327,7 @@ bool site_tree::too_far(const offset_box& to, const centre& v, const inverse_bou
   if (may_meet || !(inverse.factor < infinity)) return false;
   const point c{0.5 * to.low.x + 0.5 * to.high.x, 0.5 * to.low.y + 0.5 * to.high.y};
   const separation plain = separation_along(c, to, v, inverse);
-  if (!(plain.least * plain.least > 4 * (v.reach * v.reach) * plain.own_squared)) return false;
-  return plain.is_beyond(v.reach) || too_far_from_both(c, to, v, inverse);
+  return plain.least > 0 && (plain.is_beyond(v.reach) || too_far_from_both(c, to, v, inverse));
 }
 
 // Tries the covector along which both ellipses together are farthest from the middle c of the box:

@@ -45,7 +45,10 @@ namespace {
 
 // One gap of a fan, from x counter-clockwise to y.
 struct fan_gap {
-  vertex_index x = 0, y = 0;
+  // Leaves the memory of what is prepared later as it is.
+  fan_gap(vertex_index before, vertex_index after) : x(before), y(after) {}
+
+  vertex_index x, y;
   bool is_skipped = false;   // x -> y is a subsegment, beyond which nothing is seen, or left open
   bool is_concerned = true;  // or else changed sites alone are to be held against it
   double reach = 0;          // how far from v sites matter to it
@@ -222,9 +225,7 @@ class star_check {
     p.gaps.clear();
     const std::size_t n = fan.link.size();
     for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
-      fan_gap& gap = p.gaps.emplace_back();
-      gap.x = fan.link[i];
-      gap.y = fan.link[(i + 1) % n];
+      fan_gap& gap = p.gaps.emplace_back(fan.link[i], fan.link[(i + 1) % n]);
       gap.is_skipped = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
       if (gap.is_skipped) continue;
       gap.is_concerned = around_.concerns(v, gap.x, gap.y);
