@@ -279,6 +279,55 @@ bool site_tree::gather(const std::vector<reaching>& stars, std::vector<std::size
   return all.has_value();
 }
 
+bool site_tree::gather(const std::vector<reaching>& stars, nearby_sites& nearby) const {
+  nearby.nth.clear();
+  nearby.share.clear();
+  const std::optional<centre> all = centre_of(stars);
+  if (!all) return false;
+  constexpr double most = 0x1p398;
+  const auto is_in_range = [](const point& low, const point& high) {
+    return low.x > -most && low.y > -most && high.x < most && high.y < most;
+  };
+  nearby.are_in_range = is_in_range(all->low, all->high);
+  visit_leaves(*all, 0, [&](std::size_t leaf) {
+    const node& n = nodes_[leaf];
+    nearby.are_in_range = nearby.are_in_range && is_in_range(n.low, n.high);
+    for (std::size_t i = n.first; i < n.last; ++i) nearby.nth.push_back(i);
+    nearby.share.resize(nearby.nth.size(), share_of(n, *all));
+  });
+  nearby.x.resize(nearby.nth.size());
+  nearby.y.resize(nearby.nth.size());
+  nearby.measured.resize(nearby.nth.size());
+  for (std::size_t k = 0; k < nearby.nth.size(); ++k) {
+    nearby.x[k] = places_[nearby.nth[k]].x;
+    nearby.y[k] = places_[nearby.nth[k]].y;
+  }
+  return true;
+}
+
+bool site_tree::is_measurable(const site& v, double reach) {
+  const metric_tensor& m = v.metric;
+  return reach > 0x1p-200 && reach < 0x1p200 && m.m11 > 0x1p-900 && m.m22 > 0x1p-900 &&
+         m.m11 + m.m22 < 0x1p1000;
+}
+
+// The square is from below: of m11 dx^2 + 2 m12 dx dy + m22 dy^2 no monomial passes more than seven
+// roundings, 2^-49 of it, and the middle one is no more than the others together, as the metric is
+// positive definite: 2^-48 of those covers all, and they are taken with 2^-46 less. Places are less
+// than 2^399 apart, so that underflow takes less than 2^-670, of what is compared with 2^-400 or
+// more. What overflows is too far, or no number, which is compared with nothing.
+void site_tree::measure(nearby_sites& nearby, const site& v) {
+  constexpr double down = 1 - 0x1p-46;
+  const auto& [place, m] = v;
+  const double m11 = m.m11 * down, m12 = 2 * m.m12, m22 = m.m22 * down;
+  const double *xs = nearby.x.data(), *ys = nearby.y.data(), *shares = nearby.share.data();
+  double* measured = nearby.measured.data();
+  for (std::size_t k = 0; k < nearby.nth.size(); ++k) {
+    const double x = xs[k] - place.x, y = ys[k] - place.y;
+    measured[k] = ((m11 * x + m12 * y) * x + m22 * y * y) * shares[k];
+  }
+}
+
 // g is M h exactly; what is computed of it is off by `step` of the magnitudes. h, a pair of
 // doubles, need not be good. Where the box is too near even for equal metrics, as most are that are
 // asked about, the rest is not computed.
@@ -395,6 +444,20 @@ double site_tree::far_squared(const node& n, const centre& v) {
   const double trace = trace_above(n.inverse, v.metric) * n.spread_squared * up;
   const double far = 2 * (1 + (trace > 1 ? trace : 1)) * (v.reach * v.reach * up) * up;
   return far > 0x1p-500 && far < 0x1p700 ? far : infinity;
+}
+
+// (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2 is at most the spreads times the greater eigenvalue
+// of B M, B the node's tensor and M that of the stars, or 1. What is under the root is off by a few
+// roundings of the trace's square.
+double site_tree::share_of(const node& n, const centre& stars) {
+  if (!(n.spread_squared < 0x1p200)) return 0;
+  const double half = 0.5 * trace_above(n.inverse, stars.metric), square = half * half,
+               determinant = determinant_below(n.inverse) * determinant_below(stars.metric);
+  const double radicand = std::max(0.0, square - determinant) + step * square;
+  const double sigma_squared =
+      (half + std::sqrt(radicand)) * n.spread_squared * stars.spread_squared * (up * up);
+  if (!(sigma_squared < 0x1p200)) return 0;
+  return 1 / (2 * (1 + (sigma_squared > 1 ? sigma_squared : 1)) * up);
 }
 
 // |d|^2 m22 >= det m dx^2, and likewise dy. Both sides pass at most six roundings; the determinant
