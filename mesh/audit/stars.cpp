@@ -450,7 +450,7 @@ void check_others(audit_context& context, star_surroundings& around, std::size_t
                                                                  walked->is_left.end(), char{1}))
                            : around.at.size();
   if (left == 0) return;
-  around.plant();
+  around.plant(context);
   const check_order all = in_order_of_tree(*around.sites);
   const bool is_part = left < around.at.size() / few;
   check_in_turn(context, around, is_part ? part_of(all, walked->is_left) : all, false, most);
@@ -475,7 +475,7 @@ void check_stars(audit_context& context) {
   if (may_suffice || walks) {
     order = in_order_of_mesh(context.subject.sites.size());
   } else {
-    around.plant();
+    around.plant(context);
     order = in_order_of_tree(*around.sites);
   }
   const std::size_t before = context.report.total_found();

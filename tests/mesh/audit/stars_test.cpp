@@ -248,7 +248,7 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
   CHECK(left_out.all > 1000000);
   CHECK(2 * together > groups);
   CHECK(together < groups);
-  CHECK(measured > unmeasured);
+  CHECK(measured > 5000);
   CHECK(unmeasured > 0);
 }
 
