@@ -113,22 +113,26 @@ class angle_check {
     double above;  // its cotangent is at most this
   };
 
-  // True if all angles are ordinary, are measured by one metric, and are wide by their quick bounds
-  // alone: then nothing else is to be said of the triangle, seen from whichever vertex.
+  // True if all angles are ordinary, and wide by their quick bounds alone: then nothing else is to
+  // be said of the triangle. Where its vertices have one metric all see the same.
   bool passes_at_once(vertex_index t, const triangle& c, const plain_triangle& plain) {
-    const metric_tensor& m = context_.subject.sites[c[0]].metric;
-    if (beside_ || !identical(m, context_.subject.sites[c[1]].metric) ||
-        !identical(m, context_.subject.sites[c[2]].metric))
-      return false;
-    const std::array<double, 3> above = cotangents_above(plain, m);
-    const bool asked = wanted_.degrees > 0;
-    if (asked && !std::all_of(above.begin(), above.end(),
-                              [&](double a) { return a < wanted_.bound.root_below; }))
-      return false;
+    if (beside_) return false;
     constexpr std::size_t perspectives = 3;
-    if (asked) tally_.part.decisions += perspectives * above.size();
-    for (std::size_t i = 0; i < 3; ++i)
-      note({t, {c[i], c[(i + 1) % 3], c[(i + 2) % 3]}, c[0], angle_standing::ordinary, above[i]});
+    const auto metric = [&](std::size_t j) { return context_.subject.sites[c[j]].metric; };
+    const bool is_one = identical(metric(0), metric(1)) && identical(metric(0), metric(2));
+    const std::size_t asked_of = is_one ? 1 : perspectives;
+    std::array<std::array<double, 3>, perspectives> above;
+    for (std::size_t j = 0; j < asked_of; ++j) {
+      above[j] = cotangents_above(plain, metric(j));
+      for (const double a : above[j])
+        if (wanted_.degrees > 0 && !(a < wanted_.bound.root_below)) return false;
+    }
+    if (wanted_.degrees > 0) tally_.part.decisions += perspectives * 3;
+    constexpr auto ordinary = angle_standing::ordinary;
+    for (std::size_t j = 0; j < asked_of; ++j)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (!(above[j][i] < greatest_cotangent_[static_cast<std::size_t>(ordinary)]))
+          note({t, {c[i], c[(i + 1) % 3], c[(i + 2) % 3]}, c[j], ordinary, above[j][i]});
     return true;
   }
 

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "asterism/kernels/filtered_edge_test.hpp"
 #include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/audit/audit_work.hpp"
 #include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/shared_tree.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -71,10 +73,10 @@ std::vector<vertex_index> audit_report::refused_triangles() const {
 namespace {
 
 // Audits everything, or of the stars only what concerns the sites in `changed`, unless that is
-// null, as may be `memory`.
+// null, as may be `memory`, and `tree`, which is set to the tree that was made.
 audit_report audit_stars_of(const mesh& subject, const audit_options& options,
                             const std::vector<vertex_index>* changed, star_memory* memory,
-                            hard_questions hard) {
+                            hard_questions hard, shared_tree* tree = nullptr) {
   using namespace audit_detail;
   audit_report report;
   report.sites = subject.sites.size();
@@ -115,6 +117,7 @@ audit_report audit_stars_of(const mesh& subject, const audit_options& options,
                       a_decision * static_cast<double>(report.decisions) +
                       an_exact_one * static_cast<double>(report.exact_decisions) +
                       a_finding * static_cast<double>(report.findings.size()));
+  if (tree != nullptr) *tree = std::move(context.tree);
   return report;
 }
 
@@ -122,6 +125,11 @@ audit_report audit_stars_of(const mesh& subject, const audit_options& options,
 
 audit_report audit(const mesh& subject, const audit_options& options) {
   return audit_stars_of(subject, options, nullptr, nullptr, hard_questions::asked);
+}
+
+audit_report internal::audit_sharing(const mesh& subject, const audit_options& options,
+                                     shared_tree& tree) {
+  return audit_stars_of(subject, options, nullptr, nullptr, hard_questions::asked, &tree);
 }
 
 audit_report internal::audit_quickly(const mesh& subject, const audit_options& options,

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <utility>
 
 #include "asterism/core/version.h"
+#include "asterism/mesh/audit/shared_tree.hpp"
 
 namespace asterism {
 namespace {
@@ -67,6 +69,11 @@ std::uint64_t mesh_fingerprint(const mesh& subject) {
 
 certificate make_certificate(const mesh& subject, const audit_options& options,
                              const audit_report& report) {
+  return internal::make_certificate_sharing(subject, options, report, nullptr);
+}
+
+certificate internal::make_certificate_sharing(const mesh& subject, const audit_options& options,
+                                               const audit_report& report, shared_tree tree) {
   certificate c;
   c.version = ASTERISM_VERSION_TEXT;
   c.sites = report.sites;
@@ -101,7 +108,8 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.audit_counters = report.counters;
   // A bound of 0 asks for no angle.
   if (report.certified && options.angle_bound.value_or(0) > 0)
-    c.theorem = measure_theorem_hypotheses(subject, *options.angle_bound, options.stop);
+    c.theorem = measure_theorem_hypotheses_sharing(subject, *options.angle_bound, options.stop,
+                                                   std::move(tree));
   if (options.original != nullptr) c.original = *options.original;
   return c;
 }

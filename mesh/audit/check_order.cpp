@@ -5,7 +5,12 @@
 
 namespace asterism::internal::audit_detail {
 
-check_order in_order_of_tree(const site_tree& sites) { return {sites.order(), sites.groups()}; }
+// One, two and four leaves at a time were tried on a random mesh with 160,000 sites: two took the
+// least.
+check_order in_order_of_tree(const site_tree& sites) {
+  constexpr std::size_t together = 2;
+  return {sites.order(), sites.groups(), together};
+}
 
 check_order in_order_of_mesh(std::size_t vertices) {
   constexpr std::size_t together = 8;

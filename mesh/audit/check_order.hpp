@@ -12,13 +12,14 @@
 namespace asterism::internal::audit_detail {
 
 // The vertices in the order in which they are checked, and where groups of them begin that are
-// checked together; one more for the end.
+// near each other; one more for the end.
 struct check_order {
   std::vector<vertex_index> vertices;
   std::vector<std::size_t> groups;
+  std::size_t together = 1;  // groups that follow each other and are checked together
 };
 
-// Has the vertices of a leaf in one group.
+// Has the vertices of a leaf in one group, and those of some neighbouring leaves together.
 check_order in_order_of_tree(const site_tree& sites);
 
 // Has a few vertices that follow each other in one group.

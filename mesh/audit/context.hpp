@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,7 @@
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/audit/number.hpp"
+#include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/prefetch.hpp"
 
@@ -103,6 +105,12 @@ struct audit_context {
   audit_context(const mesh& m, const audit_options& o, audit_report& r)
       : subject(m), options(o), report(r) {}
 
+  // Returns the tree of the mesh's sites, which is made where it is first asked for.
+  const site_tree& plant() {
+    if (!tree) tree = std::make_unique<site_tree>(subject.sites);
+    return *tree;
+  }
+
   const mesh& subject;
   const audit_options& options;
   audit_report& report;
@@ -136,6 +144,7 @@ struct audit_context {
   double share_of_work = 1;  // of the most that an audit may do
   // Filled by check_fans, only when the edges match.
   fan_lists fans;
+  std::unique_ptr<site_tree> tree;  // of the mesh's sites; none where it was not asked for
 
   // Asks for the sites of one of `triangles`, or of the edges that leave v, to be read soon.
   void prefetch_corners(std::size_t nth) const {

@@ -54,10 +54,12 @@ double product_bound(double a, double b) {
   return product < infinity ? product : infinity;
 }
 
-// Returns a lower bound of the determinant; 0 where none is known.
+// Returns a lower bound of the determinant; 0 where none is known. Both products are rounded once,
+// and the difference; in the range asked for underflow takes less than the rest of 2^-50.
 double determinant_below(const metric_tensor& m) {
-  const double below = positive_bound(tensor_of_doubles(m).determinant().lower());
-  return below < infinity ? below : 0;
+  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
+  const double below = product - square - 0x1p-50 * (product + square);
+  return below > 0x1p-900 && product < 0x1p1000 ? below : 0;
 }
 
 // Returns an upper bound of 1 / det m; infinite where none of use is known.
@@ -277,8 +279,58 @@ bool site_tree::gather(const std::vector<reaching>& stars, std::vector<std::size
   return all.has_value();
 }
 
+bool site_tree::gather(const std::vector<reaching>& stars, nearby_sites& nearby) const {
+  nearby.nth.clear();
+  nearby.share.clear();
+  const std::optional<centre> all = centre_of(stars);
+  if (!all) return false;
+  constexpr double most = 0x1p398;
+  const auto is_in_range = [](const point& low, const point& high) {
+    return low.x > -most && low.y > -most && high.x < most && high.y < most;
+  };
+  nearby.are_in_range = is_in_range(all->low, all->high);
+  visit_leaves(*all, 0, [&](std::size_t leaf) {
+    const node& n = nodes_[leaf];
+    nearby.are_in_range = nearby.are_in_range && is_in_range(n.low, n.high);
+    for (std::size_t i = n.first; i < n.last; ++i) nearby.nth.push_back(i);
+    nearby.share.resize(nearby.nth.size(), share_of(n, *all));
+  });
+  nearby.x.resize(nearby.nth.size());
+  nearby.y.resize(nearby.nth.size());
+  nearby.measured.resize(nearby.nth.size());
+  for (std::size_t k = 0; k < nearby.nth.size(); ++k) {
+    nearby.x[k] = places_[nearby.nth[k]].x;
+    nearby.y[k] = places_[nearby.nth[k]].y;
+  }
+  return true;
+}
+
+bool site_tree::is_measurable(const site& v, double reach) {
+  const metric_tensor& m = v.metric;
+  return reach > 0x1p-200 && reach < 0x1p200 && m.m11 > 0x1p-900 && m.m22 > 0x1p-900 &&
+         m.m11 + m.m22 < 0x1p1000;
+}
+
+// The square is from below: of m11 dx^2 + 2 m12 dx dy + m22 dy^2 no monomial passes more than seven
+// roundings, 2^-49 of it, and the middle one is no more than the others together, as the metric is
+// positive definite: 2^-48 of those covers all, and they are taken with 2^-46 less. Places are less
+// than 2^399 apart, so that underflow takes less than 2^-670, of what is compared with 2^-400 or
+// more. What overflows is too far, or no number, which is compared with nothing.
+void site_tree::measure(nearby_sites& nearby, const site& v) {
+  constexpr double down = 1 - 0x1p-46;
+  const auto& [place, m] = v;
+  const double m11 = m.m11 * down, m12 = 2 * m.m12, m22 = m.m22 * down;
+  const double *xs = nearby.x.data(), *ys = nearby.y.data(), *shares = nearby.share.data();
+  double* measured = nearby.measured.data();
+  for (std::size_t k = 0; k < nearby.nth.size(); ++k) {
+    const double x = xs[k] - place.x, y = ys[k] - place.y;
+    measured[k] = ((m11 * x + m12 * y) * x + m22 * y * y) * shares[k];
+  }
+}
+
 // g is M h exactly; what is computed of it is off by `step` of the magnitudes. h, a pair of
-// doubles, need not be good.
+// doubles, need not be good. Where the box is too near even for equal metrics, as most are that are
+// asked about, the rest is not computed.
 site_tree::separation site_tree::separation_along(const point& h, const offset_box& to,
                                                   const centre& v, const inverse_bound& inverse) {
   const metric_tensor &m = v.metric, &b = inverse.tensor;
@@ -290,16 +342,17 @@ site_tree::separation site_tree::separation_along(const point& h, const offset_b
   const double least = g.x * (g.x > 0 ? to.low.x : to.high.x) +
                        g.y * (g.y > 0 ? to.low.y : to.high.y) -
                        step * (size.x * extent.x + size.y * extent.y);
-  const bool in_range = least > 0x1p-300 && size.x + size.y < 0x1p200 && b.m11 + b.m22 < 0x1p200 &&
-                        std::abs(h.x) + std::abs(h.y) < 0x1p200 && inverse.factor < 0x1p200;
-  if (!in_range) return {};
   const double own = g.x * h.x + g.y * h.y,
                own_size = size.x * std::abs(h.x) + size.y * std::abs(h.y);
+  const double own_squared = (own + step * own_size + 0x1p-300) * up;
+  if (!(least > 0x1p-300 && least * least > 4 * (v.reach * v.reach) * own_squared)) return {};
+  const bool in_range = size.x + size.y < 0x1p200 && b.m11 + b.m22 < 0x1p200 &&
+                        std::abs(h.x) + std::abs(h.y) < 0x1p200 && inverse.factor < 0x1p200;
+  if (!in_range) return {};
   const double other = b.m11 * g.x * g.x + b.m22 * g.y * g.y + 2 * (b.m12 * g.x * g.y),
                other_size = b.m11 * size.x * size.x + b.m22 * size.y * size.y +
                             2 * (std::abs(b.m12) * size.x * size.y);
   const double factor = inverse.factor / v.spread_squared;
-  const double own_squared = (own + step * own_size + 0x1p-300) * up;
   const double other_squared = (other + step * other_size + 0x1p-300) * factor * up;
   const double turned = trace_above(b, m) * factor * up * own_squared * up;
   return {least, own_squared, std::min(other_squared, turned)};
@@ -323,8 +376,7 @@ bool site_tree::too_far(const offset_box& to, const centre& v, const inverse_bou
   if (may_meet || !(inverse.factor < infinity)) return false;
   const point c{0.5 * to.low.x + 0.5 * to.high.x, 0.5 * to.low.y + 0.5 * to.high.y};
   const separation plain = separation_along(c, to, v, inverse);
-  if (!(plain.least * plain.least > 4 * (v.reach * v.reach) * plain.own_squared)) return false;
-  return plain.is_beyond(v.reach) || too_far_from_both(c, to, v, inverse);
+  return plain.least > 0 && (plain.is_beyond(v.reach) || too_far_from_both(c, to, v, inverse));
 }
 
 // Tries the covector along which both ellipses together are farthest from the middle c of the box:
@@ -392,6 +444,20 @@ double site_tree::far_squared(const node& n, const centre& v) {
   const double trace = trace_above(n.inverse, v.metric) * n.spread_squared * up;
   const double far = 2 * (1 + (trace > 1 ? trace : 1)) * (v.reach * v.reach * up) * up;
   return far > 0x1p-500 && far < 0x1p700 ? far : infinity;
+}
+
+// (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2 is at most the spreads times the greater eigenvalue
+// of B M, B the node's tensor and M that of the stars, or 1. What is under the root is off by a few
+// roundings of the trace's square.
+double site_tree::share_of(const node& n, const centre& stars) {
+  if (!(n.spread_squared < 0x1p200)) return 0;
+  const double half = 0.5 * trace_above(n.inverse, stars.metric), square = half * half,
+               determinant = determinant_below(n.inverse) * determinant_below(stars.metric);
+  const double radicand = std::max(0.0, square - determinant) + step * square;
+  const double sigma_squared =
+      (half + std::sqrt(radicand)) * n.spread_squared * stars.spread_squared * (up * up);
+  if (!(sigma_squared < 0x1p200)) return 0;
+  return 1 / (2 * (1 + (sigma_squared > 1 ? sigma_squared : 1)) * up);
 }
 
 // |d|^2 m22 >= det m dx^2, and likewise dy. Both sides pass at most six roundings; the determinant

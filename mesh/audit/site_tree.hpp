@@ -60,6 +60,30 @@ class site_tree {
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
                   const Visit& visit, std::size_t from = 0) const;
 
+  // The sites of the leaves that were gathered for several stars.
+  struct nearby_sites {
+    std::vector<std::size_t> nth;  // in the order
+    std::vector<double> x, y;      // their places
+    // Of each a number times |w - v|_v^2 that is no more than the square of v's reach unless it is
+    // too far from v, whichever of the stars that is.
+    std::vector<double> share;
+    bool are_in_range = true;      // of what visit_near can measure
+    std::vector<double> measured;  // scratch of visit_near
+  };
+  // Descends as the function for leaves does, and sets `nearby` to all sites of these.
+  bool gather(const std::vector<reaching>& stars, nearby_sites& nearby) const;
+  // Calls visit(w, squared) for each site that is not certainly too far from v, one of the stars
+  // they were gathered for; what `squared` says of lesser reaches tells is_too_far_by. False, and
+  // nothing is visited, where numbers are out of range.
+  template <class Visit>
+  bool visit_near(nearby_sites& nearby, const site& v, double reach, const Visit& visit) const;
+  // True if the site of which `squared` is told is certainly too far for this reach of the same v.
+  static bool is_too_far_by(double squared, double reach) {
+    constexpr double up = 1 + 0x1p-48, least = 0x1p-400;
+    const double square = reach * reach;
+    return squared > (square > least ? square : least) * up;
+  }
+
   // True if w is certainly too far from v.
   static bool is_too_far(const site& v, double reach, const site& w);
 
@@ -145,6 +169,13 @@ class site_tree {
                                 const inverse_bound& inverse);
   static bool too_far(const node& n, const centre& v);
   static bool too_far(const site& w, const centre& v);
+  // Returns a number times |w - v|_v^2 that is no more than the square of v's reach unless w is too
+  // far from v, for all sites w of the node and stars v; 0 where none is known.
+  static double share_of(const node& n, const centre& stars);
+  // True if measure() may be asked about v, and what it says compared with the square of the reach.
+  static bool is_measurable(const site& v, double reach);
+  // Sets what is measured of nearby sites to their shares of |w - v|_v^2, from below.
+  static void measure(nearby_sites& nearby, const site& v);
   // True if a site with the metric m is, at d from the one star v; of 1 / det m an upper bound.
   static bool too_far(const point& d, const metric_tensor& m, double inverse_determinant,
                       const centre& v);
@@ -231,6 +262,26 @@ void site_tree::visit_near(const std::vector<std::size_t>& leaves, const site& v
     if (nodes_[leaf].last > from && !are_beyond(leaf, c) && !too_far(nodes_[leaf], c) &&
         !visit_leaf(nodes_[leaf], c, from, visit))
       return;
+}
+
+// Holds the site's own metric against v's where the leaf's shows little.
+template <class Visit>
+bool site_tree::visit_near(nearby_sites& nearby, const site& v, double reach,
+                           const Visit& visit) const {
+  constexpr double little = 0.15;  // of a share, which is at most a quarter
+  if (!(nearby.are_in_range && is_measurable(v, reach))) return false;
+  measure(nearby, v);
+  const double* const measured = nearby.measured.data();
+  for (std::size_t k = 0, all = nearby.nth.size(); k < all; ++k) {
+    if (is_too_far_by(measured[k], reach)) continue;
+    const std::size_t i = nearby.nth[k];
+    const point d{places_[i].x - v.position.x, places_[i].y - v.position.y};
+    if (nearby.share[k] < little &&
+        too_far(d, sites_[order_[i]].metric, inverse_determinants_[i], centre_of(v, reach)))
+      continue;
+    visit(order_[i], measured[k]);
+  }
+  return true;
 }
 
 inline bool site_tree::is_beyond(const point& d, const by_covector& length, const centre& v) {

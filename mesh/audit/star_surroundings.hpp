@@ -25,15 +25,17 @@ struct star_surroundings {
     return is_changed.empty() || (is_changed[v] | ...);
   }
 
-  // Makes the tree of all sites, unless it is made.
-  void plant() {
-    if (!sites) sites.emplace(at);
+  // Sets the tree of all sites: that of the mesh, where they are as they should be.
+  void plant(audit_context& context) {
+    if (!unit.empty() && !of_unit) of_unit.emplace(unit);
+    sites = unit.empty() ? &context.plant() : &*of_unit;
   }
 
   int power_of_squares = 0;     // of the factor of two of all squares of lengths in `at`
   std::vector<site> unit;       // empty where the sites are as they should be
   const std::vector<site>& at;  // those to ask about
-  std::optional<site_tree> sites;
+  std::optional<site_tree> of_unit;
+  const site_tree* sites = nullptr;
   std::vector<site> few;  // the changed ones, in the context's order
   site_tree changed_sites;
   std::vector<char> is_changed;  // one flag a site; none where all is to be looked at

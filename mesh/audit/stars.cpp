@@ -25,6 +25,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "asterism/kernels/filtered_edge_test.hpp"
@@ -45,7 +46,10 @@ namespace {
 
 // One gap of a fan, from x counter-clockwise to y.
 struct fan_gap {
-  vertex_index x = 0, y = 0;
+  // Leaves the memory of what is prepared later as it is.
+  fan_gap(vertex_index before, vertex_index after) : x(before), y(after) {}
+
+  vertex_index x, y;
   bool is_skipped = false;   // x -> y is a subsegment, beyond which nothing is seen, or left open
   bool is_concerned = true;  // or else changed sites alone are to be held against it
   double reach = 0;          // how far from v sites matter to it
@@ -91,18 +95,13 @@ class star_check {
       context_.fans.visit(*v, [&](const vertex_fan& fan) { check_neighbours(*v, fan); });
     }
     if (neighbours_alone) return;
-    reaching_.clear();
-    for (std::size_t i = 0; i < used_; ++i)
-      if (prepared_[i].has_concerned && is_finite(prepared_[i].reach_concerned))
-        reaching_.push_back({at(prepared_[i].v), prepared_[i].reach_concerned});
-    const bool gathered = around_.sites->gather(reaching_, leaves_);
-    for (std::size_t i = 0; i < used_; ++i) {
-      const prepared_fan& p = prepared_[i];
-      if (p.has_concerned) hold_all(p, gathered);
+    const std::span<const prepared_fan> fans(prepared_.data(), used_);
+    hold_all(fans);
+    for (const prepared_fan& p : fans)
       if (p.has_others)
-        around_.changed_sites.visit_near(
-            at(p.v), p.reach, [&](vertex_index nth) { look(p, (*context_.changed)[nth], false); });
-    }
+        around_.changed_sites.visit_near(at(p.v), p.reach, [&](vertex_index nth) {
+          look(p, (*context_.changed)[nth], 0, false);
+        });
   }
 
  private:
@@ -113,18 +112,36 @@ class star_check {
 
   static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
 
-  // Holds all sites in reach against the gaps that are concerned.
-  void hold_all(const prepared_fan& p, bool gathered) {
-    const auto look_at = [&](vertex_index w) { look(p, w, true); };
-    if (gathered && is_finite(p.reach_concerned))
-      around_.sites->visit_near(leaves_, at(p.v), p.reach_concerned, look_at);
-    else
-      around_.sites->visit_near(at(p.v), p.reach_concerned, look_at);
+  // Holds all sites in reach of the fans against the gaps that are concerned. Looks for them once
+  // for all fans whose vertices measure much the same; else for each half, and each one.
+  void hold_all(std::span<const prepared_fan> fans) {
+    reaching_.clear();
+    for (const prepared_fan& p : fans)
+      if (p.has_concerned && is_finite(p.reach_concerned))
+        reaching_.push_back({at(p.v), p.reach_concerned});
+    const bool gathered = reaching_.size() > 1 && around_.sites->gather(reaching_, nearby_);
+    if (!gathered && reaching_.size() > 1) {
+      hold_all(fans.first(fans.size() / 2));
+      hold_all(fans.last(fans.size() - fans.size() / 2));
+      return;
+    }
+    for (const prepared_fan& p : fans)
+      if (p.has_concerned) hold_all(p, gathered);
   }
 
-  void look(const prepared_fan& p, vertex_index w, bool at_concerned) {
+  void hold_all(const prepared_fan& p, bool gathered) {
+    const double reach = p.reach_concerned;
+    const auto look_at = [&](vertex_index w, double squared) { look(p, w, squared, true); };
+    if (gathered && is_finite(reach) && around_.sites->visit_near(nearby_, at(p.v), reach, look_at))
+      return;
+    around_.sites->visit_near(at(p.v), reach, [&](vertex_index w) { look_at(w, 0); });
+  }
+
+  // Looks at w, of which the tree tells `squared`.
+  void look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
     patience_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
-    if (w != p.v && !is_neighbour(p, w) && !patience_.is_over()) check_other(p, w, at_concerned);
+    if (w != p.v && !is_neighbour(p, w) && !patience_.is_over())
+      check_other(p, w, squared, at_concerned);
   }
 
   static bool is_neighbour(const prepared_fan& p, vertex_index w) {
@@ -222,9 +239,7 @@ class star_check {
     p.gaps.clear();
     const std::size_t n = fan.link.size();
     for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
-      fan_gap& gap = p.gaps.emplace_back();
-      gap.x = fan.link[i];
-      gap.y = fan.link[(i + 1) % n];
+      fan_gap& gap = p.gaps.emplace_back(fan.link[i], fan.link[(i + 1) % n]);
       gap.is_skipped = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
       if (gap.is_skipped) continue;
       gap.is_concerned = around_.concerns(v, gap.x, gap.y);
@@ -291,7 +306,7 @@ class star_check {
     const std::size_t n = p.rays.size();
     sign before = side(p, 0, to_w, w);
     for (std::size_t i = 0; i < p.gaps.size(); ++i) {
-      const sign after = side(p, (i + 1) % n, to_w, w);
+      const sign after = side(p, i + 1 < n ? i + 1 : 0, to_w, w);
       if (before == sign::positive && after == sign::negative) return &p.gaps[i];
       before = after;
     }
@@ -299,10 +314,11 @@ class star_check {
   }
 
   // Holds w against the gap it is in, if that is one of those asked about.
-  void check_other(const prepared_fan& p, vertex_index w, bool at_concerned) {
+  void check_other(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
     const fan_gap* gap = gap_of(p, w);
     if (gap == nullptr || gap->is_skipped || gap->is_concerned != at_concerned) return;
-    if (gap->reach < p.reach && site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
+    if (site_tree::is_too_far_by(squared, gap->reach)) return;
+    if (site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
     ++tally_.part.star_pairs;
     if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
     tally_.found(finding_kind::star_site_missing,
@@ -364,7 +380,7 @@ class star_check {
   std::vector<prepared_fan> prepared_;  // the first used_
   std::size_t used_ = 0;
   std::vector<site_tree::reaching> reaching_;
-  std::vector<std::size_t> leaves_;
+  site_tree::nearby_sites nearby_;
   std::vector<measured_ray> measured_;
 };
 
@@ -381,13 +397,13 @@ enum class look_end { all, refused, unfinished };
 // the most work that is done for so many sites, or when it is cancelled.
 look_end check_in_turn(audit_context& context, const star_surroundings& around,
                        const check_order& in_order, bool neighbours_alone, std::size_t most) {
-  const auto& [order, groups] = in_order;
+  const auto& [order, groups, together] = in_order;
   const std::size_t before = context.report.total_found();
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     star_check part(context, tally, around);
-    for (std::size_t i = begin; i < end && !part.is_over(); ++i)
-      part.run(order.data() + groups[i], order.data() + groups[i + 1], order.data() + order.size(),
-               neighbours_alone);
+    for (std::size_t i = begin; i < end && !part.is_over(); i += together)
+      part.run(order.data() + groups[i], order.data() + groups[std::min(i + together, end)],
+               order.data() + order.size(), neighbours_alone);
   };
   const auto is_refused = [&] { return context.report.total_found() - before > most; };
   if (check_in_parts(context, groups.size() - 1, check, is_refused)) return look_end::all;
@@ -436,7 +452,7 @@ look_end check_others(audit_context& context, star_surroundings& around, std::si
                                                                  walked->is_left.end(), char{1}))
                            : around.at.size();
   if (left == 0) return look_end::all;
-  around.plant();
+  around.plant(context);
   const check_order all = in_order_of_tree(*around.sites);
   const bool is_part = left < around.at.size() / few;
   return check_in_turn(context, around, is_part ? part_of(all, walked->is_left) : all, false, most);
@@ -476,7 +492,7 @@ void check_stars(audit_context& context) {
   if ((may_suffice && !in_two_ways) || walks) {
     order = in_order_of_mesh(context.subject.sites.size());
   } else {
-    around.plant();
+    around.plant(context);
     order = in_order_of_tree(*around.sites);
   }
   const std::size_t before = context.report.total_found();

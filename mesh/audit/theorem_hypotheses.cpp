@@ -6,12 +6,14 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/audit_work.hpp"
 #include "asterism/mesh/audit/metric_ball.hpp"
 #include "asterism/mesh/audit/number.hpp"
+#include "asterism/mesh/audit/shared_tree.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/theorem_measures.hpp"
 #include "asterism/mesh/audit/theorem_table.hpp"
@@ -299,6 +301,13 @@ theorem_hypotheses unmeasured(const std::optional<std::string>& why) {
 
 theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_bound,
                                               const cancellation& stop) {
+  return internal::measure_theorem_hypotheses_sharing(subject, angle_bound, stop, nullptr);
+}
+
+theorem_hypotheses internal::measure_theorem_hypotheses_sharing(const mesh& subject,
+                                                                double angle_bound,
+                                                                const cancellation& stop,
+                                                                shared_tree shared) {
   theorem_hypotheses h;
   h.covering_radius = covering_radius(subject);
   if (!(h.covering_radius < infinity && !subject.triangles.empty())) {
@@ -311,7 +320,8 @@ theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_
   // have none.
   asked.stop = [&stop] { return stop.told(); };
   audit_context context(subject, asked, counted);
-  const site_tree tree(subject.sites);
+  context.tree = std::move(shared);
+  const site_tree& tree = context.plant();
   const measured_part subsegments = measure_all(
       context, subject.boundary.size(), looked_for_together,
       [&](std::size_t first, std::size_t last, audit_patience& patience, measured_part& part) {

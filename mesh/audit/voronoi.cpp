@@ -238,7 +238,7 @@ void check_voronoi(audit_context& context) {
       part.run(static_cast<vertex_index>(t));
   };
   bool ended = check_in_parts(context, vertices.size(), check_vertices, never);
-  const site_tree sites(context.subject.sites);
+  const site_tree& sites = context.plant();
   const std::vector<vertex_index>& order = sites.order();
   const auto check_cells = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     cell_check part(context, tally, vertices, sites);

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "asterism/mesh/audit/shared_tree.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/make_mesh.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
@@ -38,9 +39,10 @@ audit_options questions_for(const mesh_outcome& outcome, const domain& d,
 
 // Returns what the auditor finds. Where there is no memory for an audit, which takes more than the
 // mesh does, it says so: the mesh must not be lost for that.
-audit_report audit_if_possible(const mesh& subject, const audit_options& asked) {
+audit_report audit_if_possible(const mesh& subject, const audit_options& asked,
+                               internal::shared_tree& tree) {
   try {
-    return audit(subject, asked);
+    return internal::audit_sharing(subject, asked, tree);
   } catch (const std::bad_alloc&) {
     audit_report nothing;
     nothing.sites = subject.sites.size();
@@ -71,12 +73,13 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
   certified_mesh judged;
   const bool is_known =
       outcome.audited && asked.check_stars && !asked.check_voronoi && asked.exempt_corners.empty();
-  judged.report = is_known ? *outcome.audited : audit_if_possible(outcome.result, asked);
+  internal::shared_tree tree;
+  judged.report = is_known ? *outcome.audited : audit_if_possible(outcome.result, asked, tree);
   if (options.prove_voronoi && outcome.stopped)
     judged.report.voronoi = voronoi_verdict::not_reached;
   certificate& claim = judged.claim;
   asked.stop = options.stop;
-  claim = make_certificate(outcome.result, asked, judged.report);
+  claim = internal::make_certificate_sharing(outcome.result, asked, judged.report, std::move(tree));
   claim.complete = outcome.complete;
   claim.reason = ending_text(outcome);
   claim.mesher_counters = outcome.counters;

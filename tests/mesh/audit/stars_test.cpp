@@ -201,7 +201,7 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
   CAPTURE(seed);
   splitmix64 random(seed);
   left_out_sites left_out;
-  std::size_t together = 0, groups = 0;
+  std::size_t together = 0, groups = 0, measured = 0, unmeasured = 0;
   for (int round = 0; round < 36; ++round) {
     const double offset = round % 4 == 3 ? 1e8 : 0, scale = std::ldexp(1.0, 200 * (round % 5 - 2));
     // Stretched by up to 10^6 in one direction, nearly the same everywhere; or at random.
@@ -218,6 +218,7 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
     }
     const audit_detail::site_tree tree(sites);
     std::vector<std::size_t> leaves;
+    audit_detail::site_tree::nearby_sites nearby;
     for (std::size_t g = 0; g + 1 < tree.groups().size(); ++g) {
       std::vector<audit_detail::site_tree::reaching> stars;
       for (std::size_t i = tree.groups()[g]; i < tree.groups()[g + 1]; ++i)
@@ -225,9 +226,21 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
       ++groups;
       if (!tree.gather(stars, leaves)) continue;
       ++together;
+      REQUIRE(tree.gather(stars, nearby));
       for (const auto& [v, reach] : stars) {
         left_out.count(sites, v, reach,
                        [&](auto visit) { tree.visit_near(leaves, v, reach, visit); });
+        // And what is told of a lesser reach.
+        const double less = reach * random.real(0.1, 1);
+        bool is_measured = false;
+        for (const double asked : {reach, less})
+          left_out.count(sites, v, asked, [&](auto visit) {
+            is_measured = tree.visit_near(nearby, v, reach, [&](auto w, double squared) {
+              if (!audit_detail::site_tree::is_too_far_by(squared, asked)) visit(w);
+            });
+            if (!is_measured) tree.visit_near(leaves, v, reach, visit);
+          });
+        (is_measured ? measured : unmeasured) += 1;
       }
     }
   }
@@ -235,6 +248,8 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
   CHECK(left_out.all > 1000000);
   CHECK(2 * together > groups);
   CHECK(together < groups);
+  CHECK(measured > 5000);
+  CHECK(unmeasured > 0);
 }
 
 TEST_CASE("an infinite reach leaves nothing out") {
