@@ -2,6 +2,7 @@
 #include "asterism/mesh/adapt/agreement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,6 +19,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double degrees_above = 4;  // the bound, that are aimed at
 // Length of an edge that no merge makes, in units: twice the shortest that stay.
 constexpr double longest_edge = std::numbers::sqrt2;
+// Directions in which a node is moved, an equal part of a turn apart.
+constexpr std::size_t direction_count = 8;
+
+std::array<point, direction_count> find_directions() {
+  std::array<point, direction_count> all;
+  for (std::size_t k = 0; k < direction_count; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / direction_count;
+    all[k] = {elementary::cos(angle), elementary::sin(angle)};
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -112,7 +124,7 @@ double agreement::excess(const node& a, const node& b, const node& c) const {
   if (!turns_left(a.position, b.position, c.position)) return infinity;
   double sum = 0;
   for (const node* n : {&a, &b, &c}) {
-    const double beyond = std::max(0.0, greatest_cotangent(n->metric, a, b, c) - aim_);
+    const double beyond = std::max(0.0, greatest_cotangent(n->metric, n->root, a, b, c) - aim_);
     sum += beyond * beyond;
   }
   return sum;
@@ -219,11 +231,11 @@ void agreement::move_away(vertex_index v) {
   const auto asked = options_.wanted(here.position);
   const bool is_wanted = asked && identical(*asked, here.metric);
   const unit_displacements unit = unit_circle(here.metric);
-  constexpr int directions = 8;
+  static const std::array<point, direction_count> directions = find_directions();
   for (const double step : {0.3, 0.12, 0.04})
-    for (int k = 0; k < directions; ++k) {
-      const double angle = 2 * std::numbers::pi * k / directions, length = options_.unit * step;
-      const double x = length * elementary::cos(angle), y = length * elementary::sin(angle);
+    for (const point& direction : directions) {
+      const double length = options_.unit * step;
+      const double x = length * direction.x, y = length * direction.y;
       point to{here.position.x + x * unit.first.x + y * unit.second.x,
                here.position.y + x * unit.first.y + y * unit.second.y};
       m_.at(v) = here;

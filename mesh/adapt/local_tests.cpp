@@ -32,12 +32,13 @@ double cotangent_at(const metric_tensor& m, const node& a, const node& b, const 
 
 }  // namespace
 
-double greatest_cotangent(const metric_tensor& m, const node& a, const node& b, const node& c) {
+double greatest_cotangent(const metric_tensor& m, double root, const node& a, const node& b,
+                          const node& c) {
   const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
   const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
   const double uu = squared(m, ux, uy), ww = squared(m, wx, wy),
                uw = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
-  const double across = 1 / (root_of_determinant(m) * (ux * wy - uy * wx));
+  const double across = 1 / (root * (ux * wy - uy * wx));
   return std::max({uw, uu - uw, ww - uw}) * across;
 }
 
@@ -70,7 +71,7 @@ bool local_tests::is_low(vertex_index t) const {
   const face& f = m_.faces()[t];
   const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
   for (const node* n : {&a, &b, &c})
-    if (!(greatest_cotangent(n->metric, a, b, c) <= cotangent_)) return true;
+    if (!(greatest_cotangent(n->metric, n->root, a, b, c) <= cotangent_)) return true;
   return false;
 }
 

@@ -43,8 +43,14 @@ inline double clearance(const face_centre& c, const node& d) {
   return squared(d.metric, c.at.x - d.position.x, c.at.y - d.position.y) / c.squared_radius - 1;
 }
 
-// Returns the greatest cotangent of the three angles as the metric measures them.
-double greatest_cotangent(const metric_tensor& m, const node& a, const node& b, const node& c);
+// Returns the greatest cotangent of the three angles as the metric measures them; `root` is that of
+// its determinant.
+double greatest_cotangent(const metric_tensor& m, double root, const node& a, const node& b,
+                          const node& c);
+inline double greatest_cotangent(const metric_tensor& m, const node& a, const node& b,
+                                 const node& c) {
+  return greatest_cotangent(m, root_of_determinant(m), a, b, c);
+}
 double cotangent_of(double degrees);
 
 // The mesh must outlive it; what is asked is of the mesh at the time.

@@ -123,13 +123,16 @@ vertex_index nodal_field::search(const point& q, double (&w)[3]) const {
   return 0;
 }
 
-metric_tensor nodal_field::at(const point& q, vertex_index& hint) const {
-  double w[3];
+vertex_index nodal_field::locate(const point& q, vertex_index hint, double (&w)[3]) const {
   vertex_index t = hint < cells_.size() ? hint : 0;
   if (!walk(q, t, w)) t = search(q, w);
-  hint = t;
+  for (double& x : w) x = std::max(0.0, x);
+  return t;
+}
+
+metric_tensor nodal_field::mean(vertex_index t, const double (&w)[3]) const {
   double sum = 0;
-  for (double& x : w) sum += x = std::max(0.0, x);
+  for (const double x : w) sum += x;
   tensor_logarithm l;
   for (std::size_t i = 0; i < 3; ++i) {
     const tensor_logarithm& own = logarithms_[cells_[t].v[i]];
@@ -138,6 +141,22 @@ metric_tensor nodal_field::at(const point& q, vertex_index& hint) const {
     l.l22 += w[i] / sum * own.l22;
   }
   return exponential(l);
+}
+
+metric_tensor nodal_field::at(const point& q, vertex_index& hint) const {
+  double w[3];
+  hint = locate(q, hint, w);
+  return mean(hint, w);
+}
+
+std::optional<metric_tensor> nodal_field::where_other(const nodal_field& than, const point& q,
+                                                      vertex_index hint) const {
+  double w[3];
+  const vertex_index t = locate(q, hint, w);
+  const auto is_same = [&](vertex_index v) { return identical(tensors_[v], than.tensors_[v]); };
+  if (std::all_of(cells_[t].v.begin(), cells_[t].v.end(), is_same)) return std::nullopt;
+  const metric_tensor own = mean(t, w);
+  return identical(own, than.mean(t, w)) ? std::nullopt : std::optional(own);
 }
 
 std::vector<graph_edge> nodal_field::edges() const {

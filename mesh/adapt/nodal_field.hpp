@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,10 @@ class nodal_field {
   // Returns the tensor at the point, interpolated in the triangle it is in, or in one near it. The
   // walk begins at `hint`, which is set to where it ended.
   metric_tensor at(const point& q, vertex_index& hint) const;
+  // Returns what at() does, where that is another tensor than a field says which has the same
+  // triangles.
+  std::optional<metric_tensor> where_other(const nodal_field& than, const point& q,
+                                           vertex_index hint) const;
   // Returns how many triangles searches have looked at since the last call: few, but where
   // triangles are so thin that the box of each overlaps those of thousands. One thread asks.
   std::size_t take_looked_at() const { return std::exchange(looked_at_, 0); }
@@ -44,6 +49,9 @@ class nodal_field {
   };
 
   void link();
+  // Returns the triangle and sets the point's weights in it, none negative.
+  vertex_index locate(const point& q, vertex_index hint, double (&w)[3]) const;
+  metric_tensor mean(vertex_index t, const double (&w)[3]) const;
   bool walk(const point& q, vertex_index& t, double (&w)[3]) const;
   vertex_index search(const point& q, double (&w)[3]) const;
   double least_weight(const point& q, vertex_index t, double (&w)[3]) const;

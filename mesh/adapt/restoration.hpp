@@ -30,6 +30,8 @@ class restoration {
   // Takes back what was given to these nodes, and to those around whose edges do not agree then.
   // They keep it from then on. Adds those that had been given something to `taken`.
   void take_back(const std::vector<vertex_index>& nodes, std::vector<vertex_index>& taken);
+  // True if the node has something to take back.
+  bool has_given(vertex_index v) const { return !identical(m_.at(v).metric, before_[v]); }
   // Takes the tensors that these nodes have now for those to return to, and keeps them from now on.
   void keep(const std::vector<vertex_index>& nodes);
 

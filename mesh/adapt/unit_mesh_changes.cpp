@@ -13,6 +13,8 @@ namespace asterism::internal::adapting {
 namespace {
 
 constexpr double root3 = std::numbers::sqrt3;
+// No triangle's energy is less, far beyond what roundings take from 1.
+constexpr double least_energy = 0.9;
 
 struct long_edge {
   double length;
@@ -131,14 +133,16 @@ bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
   const double now = shape_of(t) + shape_of(s);
   // No triangle has less than 1: what is nearly that cannot get better.
   constexpr double good = 2.1;
-  if (now < good || !m_.can_flip(t, edge)) return false;
+  if (now < good) return false;
   const face& g = m_.faces()[s];
   const node &c = m_.at(f.v[edge]), &a = m_.at(f.v[after(edge)]), &b = m_.at(f.v[before(edge)]);
   const node& d = m_.at(g.v[after(g.corner_of(f.v[after(edge)]))]);
-  const double then = shape_energy(c, a, d, 0) + shape_energy(d, b, c, 0);
   // Far above the roundings of an energy: no two flips undo each other for ever.
   constexpr double margin = 1e-6;
-  if (!(then < now * (1 - margin))) return false;
+  const double most = now * (1 - margin);
+  // Infinite where the flip would turn a triangle over.
+  const double one = shape_energy(c, a, d, 0);
+  if (!(one + least_energy < most) || !(one + shape_energy(d, b, c, 0) < most)) return false;
   m_.flip(t, edge);
   note_change(t);
   note_change(s);
@@ -299,12 +303,16 @@ bool unit_mesher::try_move(vertex_index v, const point& to, const face_list& at,
   m_.move(v, to);
   measure(v);
   double sum = 0;
-  for (const vertex_index t : at) {
-    const face& f = m_.faces()[t];
+  std::size_t left = at.size();
+  const auto may_be_less = [&] {
+    return sum + least_energy * static_cast<double>(left) < before * (1 - gain);
+  };
+  for (auto t = at.begin(); t != at.end() && may_be_less(); ++t) {
+    const face& f = m_.faces()[*t];
     sum += shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
-    if (!(sum < before * (1 - gain))) break;
+    --left;
   }
-  if (sum < before * (1 - gain)) return true;
+  if (may_be_less()) return true;
   m_.at(v) = old;
   return false;
 }

@@ -138,6 +138,14 @@ audit_report internal::audit_quickly(const mesh& subject, const audit_options& o
   return audit_stars_of(subject, options, nullptr, &memory, hard_questions::left_open);
 }
 
+audit_report internal::audit_numbers(const mesh& subject) {
+  const audit_options options;
+  audit_report report;
+  audit_detail::audit_context context(subject, options, report);
+  check_values(context);
+  return report;
+}
+
 void internal::ask_filters(const mesh& subject, const cancellation& stop,
                            const std::function<bool(const open_question&)>& is_asked,
                            const std::function<void(const open_question&)>& refuse,

@@ -52,6 +52,9 @@ enum class hard_questions { asked, left_open };
 // is none the mesh is not certified.
 audit_report audit_quickly(const mesh& subject, const audit_options& options, star_memory& memory);
 
+// Audits the numbers of a mesh alone: points and tensors, indices and repetitions.
+audit_report audit_numbers(const mesh& subject);
+
 // Asks the filters of edge_test those open questions for which `is_asked`, in their order. What
 // they find in order leaves the list; of others `refuse` is told, among them gaps, and what only
 // exact numbers could answer. The report is certified then if nothing is found and nothing open.
@@ -64,8 +67,8 @@ void ask_filters(const mesh& subject, const cancellation& stop,
 // the counts of work, which are of both audits.
 // Requires: `before` is an audit of the same mesh but for the sites in `changed`, with the same
 // options, and `memory` its memory, or a new one; it looked at all stars, without cutting anything
-// short; and all vertices of its findings about stars, and of the questions that are still open,
-// are in `changed`, be they changed or not. Sites may have other tensors; inside, they may also be
+// short; and of each of its findings about stars, and of each question that is still open, a vertex
+// is in `changed`, be it changed or not. Sites may have other tensors; inside, they may also be
 // elsewhere, or be gone, and triangles be others, all corners of which are in `changed`.
 // Subsegments are the same. The memory has the reaches of the sites as they are numbered now.
 audit_report audit_again(const mesh& subject, const audit_options& options,

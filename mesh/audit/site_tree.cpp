@@ -282,19 +282,30 @@ bool site_tree::gather(const std::vector<reaching>& stars, std::vector<std::size
 bool site_tree::gather(const std::vector<reaching>& stars, nearby_sites& nearby) const {
   nearby.nth.clear();
   nearby.share.clear();
+  nearby.leaves.clear();
   const std::optional<centre> all = centre_of(stars);
   if (!all) return false;
+  visit_leaves(*all, 0, [&](std::size_t leaf) { nearby.leaves.push_back(leaf); });
+  // Beyond these a star has fewer to look at where it asks leaves by covectors first, as in two
+  // fronts that cross: 2.2 thousand million instructions for 2.5 in a pass of 2,000 sites.
+  constexpr std::size_t most_leaves = 40;
+  nearby.are_usable = covector_bounds_.empty() || nearby.leaves.size() <= most_leaves;
+  if (nearby.are_usable) list_sites(*all, nearby);
+  return true;
+}
+
+void site_tree::list_sites(const centre& stars, nearby_sites& nearby) const {
   constexpr double most = 0x1p398;
   const auto is_in_range = [](const point& low, const point& high) {
     return low.x > -most && low.y > -most && high.x < most && high.y < most;
   };
-  nearby.are_in_range = is_in_range(all->low, all->high);
-  visit_leaves(*all, 0, [&](std::size_t leaf) {
+  nearby.are_usable = is_in_range(stars.low, stars.high);
+  for (const std::size_t leaf : nearby.leaves) {
     const node& n = nodes_[leaf];
-    nearby.are_in_range = nearby.are_in_range && is_in_range(n.low, n.high);
+    nearby.are_usable = nearby.are_usable && is_in_range(n.low, n.high);
     for (std::size_t i = n.first; i < n.last; ++i) nearby.nth.push_back(i);
-    nearby.share.resize(nearby.nth.size(), share_of(n, *all));
-  });
+    nearby.share.resize(nearby.nth.size(), share_of(n, stars));
+  }
   nearby.x.resize(nearby.nth.size());
   nearby.y.resize(nearby.nth.size());
   nearby.measured.resize(nearby.nth.size());
@@ -302,7 +313,6 @@ bool site_tree::gather(const std::vector<reaching>& stars, nearby_sites& nearby)
     nearby.x[k] = places_[nearby.nth[k]].x;
     nearby.y[k] = places_[nearby.nth[k]].y;
   }
-  return true;
 }
 
 bool site_tree::is_measurable(const site& v, double reach) {

@@ -60,21 +60,23 @@ class site_tree {
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
                   const Visit& visit, std::size_t from = 0) const;
 
-  // The sites of the leaves that were gathered for several stars.
+  // The leaves that were gathered for several stars, and their sites, unless these are too many
+  // for each star to look at each.
   struct nearby_sites {
+    std::vector<std::size_t> leaves;
     std::vector<std::size_t> nth;  // in the order
     std::vector<double> x, y;      // their places
     // Of each a number times |w - v|_v^2 that is no more than the square of v's reach unless it is
     // too far from v, whichever of the stars that is.
     std::vector<double> share;
-    bool are_in_range = true;      // of what visit_near can measure
+    bool are_usable = true;        // not too many, and in the range of what can be measured
     std::vector<double> measured;  // scratch of visit_near
   };
-  // Descends as the function for leaves does, and sets `nearby` to all sites of these.
+  // Descends as the function for leaves does, and sets `nearby` to these and their sites.
   bool gather(const std::vector<reaching>& stars, nearby_sites& nearby) const;
   // Calls visit(w, squared) for each site that is not certainly too far from v, one of the stars
   // they were gathered for; what `squared` says of lesser reaches tells is_too_far_by. False, and
-  // nothing is visited, where numbers are out of range.
+  // nothing is visited, where numbers are out of range, or sites too many.
   template <class Visit>
   bool visit_near(nearby_sites& nearby, const site& v, double reach, const Visit& visit) const;
   // True if the site of which `squared` is told is certainly too far for this reach of the same v.
@@ -172,6 +174,8 @@ class site_tree {
   // Returns a number times |w - v|_v^2 that is no more than the square of v's reach unless w is too
   // far from v, for all sites w of the node and stars v; 0 where none is known.
   static double share_of(const node& n, const centre& stars);
+  // Lists the sites of the leaves.
+  void list_sites(const centre& stars, nearby_sites& nearby) const;
   // True if measure() may be asked about v, and what it says compared with the square of the reach.
   static bool is_measurable(const site& v, double reach);
   // Sets what is measured of nearby sites to their shares of |w - v|_v^2, from below.
@@ -269,7 +273,7 @@ template <class Visit>
 bool site_tree::visit_near(nearby_sites& nearby, const site& v, double reach,
                            const Visit& visit) const {
   constexpr double little = 0.15;  // of a share, which is at most a quarter
-  if (!(nearby.are_in_range && is_measurable(v, reach))) return false;
+  if (!(nearby.are_usable && is_measurable(v, reach))) return false;
   measure(nearby, v);
   const double* const measured = nearby.measured.data();
   for (std::size_t k = 0, all = nearby.nth.size(); k < all; ++k) {

@@ -132,12 +132,14 @@ class star_check {
   void hold_all(const prepared_fan& p, bool gathered) {
     const double reach = p.reach_concerned;
     const auto look_at = [&](vertex_index w, double squared) { look(p, w, squared, true); };
-    if (gathered && is_finite(reach) && around_.sites->visit_near(nearby_, at(p.v), reach, look_at))
-      return;
-    around_.sites->visit_near(at(p.v), reach, [&](vertex_index w) { look_at(w, 0); });
+    const auto look_at_any = [&](vertex_index w) { look_at(w, 0); };
+    if (!gathered || !is_finite(reach))
+      around_.sites->visit_near(at(p.v), reach, look_at_any);
+    else if (!around_.sites->visit_near(nearby_, at(p.v), reach, look_at))
+      around_.sites->visit_near(nearby_.leaves, at(p.v), reach, look_at_any);
   }
 
-  // Looks at w, of which the tree tells `squared`.
+  // Looks at w, of which the tree tells `squared`, or 0 where it tells nothing.
   void look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
     patience_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
     if (w != p.v && !is_neighbour(p, w) && !patience_.is_over())
@@ -318,7 +320,9 @@ class star_check {
     const fan_gap* gap = gap_of(p, w);
     if (gap == nullptr || gap->is_skipped || gap->is_concerned != at_concerned) return;
     if (site_tree::is_too_far_by(squared, gap->reach)) return;
-    if (site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
+    // Where nothing is told the tree has asked w's own metric, for the reach of the fan.
+    const bool is_asked = squared == 0 && !(gap->reach < p.reach);
+    if (!is_asked && site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
     ++tally_.part.star_pairs;
     if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
     tally_.found(finding_kind::star_site_missing,

@@ -86,19 +86,24 @@ class sampled_field final : public sized_field {
     found best;
     const bounding_box window{{q.x - half, q.y - half}, {q.x + half, q.y + half}};
     boxes_.visit(window, [&](std::uint32_t t) {
-      const weights w = weights_of(q, t);
-      const double depth = std::min({w[0], w[1], w[2]});
-      if (depth > best.depth || (depth == best.depth && t < best.triangle)) best = {t, w, depth};
+      take_if_deeper(q, t, best);
       return true;
     });
     return best;
   }
 
-  weights weights_of(const point& q, std::uint32_t t) const {
+  // Takes the triangle if q is deeper inside it than in the best one, or as deep and it is before
+  // that. The first weight that is less than the depth there is settles it.
+  void take_if_deeper(const point& q, std::uint32_t t, found& best) const {
     const auto [a, b, c] = corners(t);
     const double whole = doubled_area(a, b, c);
-    return {doubled_area(q, b, c) / whole, doubled_area(a, q, c) / whole,
-            doubled_area(a, b, q) / whole};
+    weights w{doubled_area(q, b, c) / whole, 0, 0};
+    if (w[0] < best.depth) return;
+    w[1] = doubled_area(a, q, c) / whole;
+    if (w[1] < best.depth) return;
+    w[2] = doubled_area(a, b, q) / whole;
+    const double depth = std::min({w[0], w[1], w[2]});
+    if (depth > best.depth || (depth == best.depth && t < best.triangle)) best = {t, w, depth};
   }
 
   metric_tensor mean(const triangle& t, weights w) const {

@@ -115,9 +115,10 @@ std::vector<node_list> audited_mesh::stars_with_open(std::size_t most) const {
   return found;
 }
 
-void audited_mesh::add_nodes_of_open(node_list& nodes) const {
-  for (const open_question& q : memory_.open)
-    for (const vertex_index s : q.sites) nodes.push_back(node_of_[s]);
+std::vector<node_list> audited_mesh::nodes_of_open() const {
+  std::vector<node_list> all;
+  for (const open_question& q : memory_.open) all.push_back(nodes_of(q.sites));
+  return all;
 }
 
 }  // namespace asterism::internal

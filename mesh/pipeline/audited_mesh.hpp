@@ -48,7 +48,8 @@ class audited_mesh {
   // Audits the mesh, keeping all findings, but leaves hard questions open.
   void judge_quickly();
   // Audits the mesh of which only these nodes were changed since the last audit, all corners of
-  // the faces that are new among them, and no node at the boundary but for its tensor.
+  // the faces that are new among them, and no node at the boundary but for its tensor. One node at
+  // least is there of each finding about a star and of each question that is open.
   void judge_again(node_list changed, hard_questions hard);
   // Answers open questions by filters, unless a tensor they are about has changed in m since the
   // mesh was taken. Calls refuse(nodes) for those that are not found in order.
@@ -61,8 +62,8 @@ class audited_mesh {
   // Returns the stars of which more than so many questions are open, a list of nodes for each: its
   // centre, and the neighbours that the questions are about.
   std::vector<node_list> stars_with_open(std::size_t most) const;
-  // Adds the nodes of the questions that are open.
-  void add_nodes_of_open(node_list& nodes) const;
+  // Returns the questions that are open, the nodes of each.
+  std::vector<node_list> nodes_of_open() const;
 
  private:
   audit_options question(std::size_t findings_kept) const;

@@ -11,7 +11,9 @@
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/work_units.hpp"
+#include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
@@ -143,18 +145,29 @@ void measure_edges(const mesh& m, certify_report& report) {
 }  // namespace
 
 result<adopted_mesh> adopt_mesh(mesh from_elsewhere) {
-  audit_options options;
-  options.check_stars = false;
-  const audit_report first = audit(from_elsewhere, options);
+  std::optional<audit_report> found;
+  return internal::adopt_mesh(std::move(from_elsewhere), found);
+}
+
+result<adopted_mesh> internal::adopt_mesh(mesh from_elsewhere, std::optional<audit_report>& found) {
+  const audit_report numbers = audit_numbers(from_elsewhere);
   for (const finding_kind kind : unusable)
-    for (const audit_finding& f : first.findings)
+    for (const audit_finding& f : numbers.findings)
       if (f.kind == kind) return error{f.witness, error_code::invalid_mesh};
   adopted_mesh adopted{std::move(from_elsewhere), {}};
   mesh& m = adopted.subject;
   const triangle_sides sides(m);
   put_boundary_in_order(m, sides);
   m.given = static_cast<vertex_index>(m.sites.size());
-  if (is_found(audit(m, options), finding_kind::wrong_region)) m.regions.clear();
+  if (!m.regions.empty()) {
+    audit_options options;
+    options.check_stars = false;
+    found = audit(m, options);
+    if (is_found(*found, finding_kind::wrong_region)) {
+      m.regions.clear();
+      found.reset();
+    }
+  }
   adopted.shape = domain_of(m, sides);
   return adopted;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/giving_back.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -30,6 +31,8 @@ bool sees_all(const adapting::working_mesh& m, const adapting::face& f, std::siz
 void take_back_at(adapting::working_mesh& m, adapting::restoration& giving, vertex_index t,
                   node_list& taken) {
   const adapting::face f = m.faces()[t];
+  if (std::none_of(f.v.begin(), f.v.end(), [&](vertex_index v) { return giving.has_given(v); }))
+    return;
   for (std::size_t i = 0; i < 3; ++i)
     for (const vertex_index v : {f.v[i], f.v[adapting::after(i)], f.v[adapting::before(i)]}) {
       if (!sees_all(m, f, i)) break;
@@ -110,11 +113,8 @@ class giver {
   // Takes back what was found by the last audit, or mends, and audits what has changed. Returns
   // false where that leads nowhere.
   bool go_on() {
-    node_list looked_at, taken;
-    const auto take_back = [&](const node_list& nodes) {
-      giving_.take_back(nodes, taken);
-      looked_at.insert(looked_at.end(), nodes.begin(), nodes.end());
-    };
+    node_list taken;
+    const auto take_back = [&](const node_list& nodes) { giving_.take_back(nodes, taken); };
     const std::vector<node_list> found = audited_.nodes_found();
     for (const node_list& nodes : found) take_back(nodes);
     // Stars that see far have nearly all of the questions, and few have them.
@@ -126,20 +126,34 @@ class giver {
     }
     audited_.ask_filters(m_, take_back);
     if (audited_.is_certified()) return true;
-    audited_.add_nodes_of_open(looked_at);
+    std::vector<node_list> questions = audited_.nodes_of_open();
+    questions.insert(questions.end(), found.begin(), found.end());
     if (taken.empty() && audited_.has_open()) {
-      audited_.judge_again(looked_at, hard_questions::asked);
+      audited_.judge_again(one_of_each(questions, {}), hard_questions::asked);
       return true;
     }
-    if (taken.empty()) return mend(found, looked_at);
-    judge_changed(looked_at, taken);
+    if (taken.empty()) return mend(found);
+    judge_changed(one_of_each(questions, taken), taken);
     return true;
+  }
+
+  // Returns a node of each question that is about none of the nodes in `but`: that will do for it
+  // to be asked again.
+  static node_list one_of_each(const std::vector<node_list>& questions, node_list but) {
+    std::sort(but.begin(), but.end());
+    const auto is_in = [&but](vertex_index v) {
+      return std::binary_search(but.begin(), but.end(), v);
+    };
+    node_list some;
+    for (const node_list& nodes : questions)
+      if (std::none_of(nodes.begin(), nodes.end(), is_in)) some.push_back(nodes.front());
+    return some;
   }
 
   // Mends the mesh where nothing is left to take back: sites that are no neighbours are in each
   // other's way, as neighbours are in rounds of agreement. Stops where that does not lead on, since
   // a change may be in the way of others.
-  bool mend(const std::vector<node_list>& found, node_list& looked_at) {
+  bool mend(const std::vector<node_list>& found) {
     if (found.size() > least_found_ || times_mended_++ >= most_mended) return false;
     least_found_ = found.size();
     const adapting::working_mesh before = m_;
@@ -150,7 +164,7 @@ class giver {
     if (changes.nodes.empty()) return false;
     giving_.keep(changes.nodes);
     if (changes.are_inside) {
-      judge_changed(looked_at, changes.nodes);
+      judge_changed(one_of_each(found, {}), changes.nodes);
     } else {
       audited_.take(m_);
       audited_.judge_quickly();
@@ -158,10 +172,10 @@ class giver {
     return true;
   }
 
-  void judge_changed(node_list& looked_at, const node_list& changed) {
+  void judge_changed(node_list looked_at, const node_list& changed) {
     looked_at.insert(looked_at.end(), changed.begin(), changed.end());
     audited_.take_changed(m_);
-    audited_.judge_again(looked_at, hard_questions::left_open);
+    audited_.judge_again(std::move(looked_at), hard_questions::left_open);
   }
 
   adapting::working_mesh& m_;

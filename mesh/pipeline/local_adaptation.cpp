@@ -62,7 +62,8 @@ class adaptation {
     options_.stop.expect(count_);
     // A formula has no noise. With more sites what turns from node to node is mostly a feature, and
     // errors of fine waves grow without it (docs/design/adaptation.md).
-    if (is_field_itself_ && wants_few()) fitted_.set_tensors(without_noise(wanted_, options_.stop));
+    is_without_noise_ = is_field_itself_ && wants_few();
+    if (is_without_noise_) fitted_.set_tensors(without_noise(wanted_, options_.stop));
     const cancellation whole = options_.stop;
     constexpr double for_ladder = 0.8;  // of the work; what is left is for one metric
     options_.stop = whole.part(for_ladder);
@@ -169,10 +170,8 @@ class adaptation {
   // Gives the node the metric without noise where that is another one than the metric wanted: both
   // are interpolated by the same operations.
   void leave_out_noise(working_mesh& m, vertex_index v) const {
-    const point& here = m.at(v).position;
-    vertex_index hint = m.at(v).hint;
-    const metric_tensor without = fitted_.at(here, hint);
-    if (!identical(without, wanted_.at(here, hint))) m.set_metric(v, without);
+    const auto without = fitted_.where_other(wanted_, m.at(v).position, m.at(v).hint);
+    if (without) m.set_metric(v, *without);
   }
 
   // Gives the nodes the metric wanted where they are, without noise. Returns false where it fails.
@@ -182,7 +181,7 @@ class adaptation {
       const auto there = wanted_at(m.at(v).position);
       if (!there) return false;
       m.set_metric(v, *there);
-      if (is_field_itself_) leave_out_noise(m, v);
+      if (is_without_noise_) leave_out_noise(m, v);
     }
     return true;
   }
@@ -418,7 +417,8 @@ class adaptation {
   mesh_options options_;  // with the work that the step at hand may do
   const mesh& start_;
   const nodal_field& wanted_;
-  nodal_field fitted_;  // what the mesh is made in: the metric wanted without noise
+  nodal_field fitted_;  // what the mesh is made in: the metric wanted, maybe without noise
+  bool is_without_noise_ = false;
   bool is_field_itself_;
   std::size_t count_;
   std::vector<point> seeds_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "asterism/mesh/audit/audit.hpp"
@@ -9,14 +10,16 @@
 namespace asterism::internal {
 
 result<adopted_mesh> checked_triangulation(mesh read, const std::string& path) {
-  auto adopted = adopt_mesh(std::move(read));
+  std::optional<audit_report> found;
+  auto adopted = adopt_mesh(std::move(read), found);
   if (!adopted) return error{path + ": " + adopted.failure().message};
-  audit_options options;
-  options.check_stars = false;
-  options.angle_bound = 0;
-  const audit_report found = audit(adopted.value().subject, options);
-  if (!found.certified)
-    return error{path + " is no triangulation: " + found.findings.at(0).witness};
+  if (!found) {
+    audit_options options;
+    options.check_stars = false;
+    found = audit(adopted.value().subject, options);
+  }
+  if (!found->certified)
+    return error{path + " is no triangulation: " + found->findings.at(0).witness};
   return adopted;
 }
 
