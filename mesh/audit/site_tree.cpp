@@ -279,16 +279,14 @@ bool site_tree::gather(const std::vector<reaching>& stars, std::vector<std::size
   return all.has_value();
 }
 
-bool site_tree::gather(const std::vector<reaching>& stars, nearby_sites& nearby) const {
+bool site_tree::gather(const std::vector<reaching>& stars, nearby_sites& nearby,
+                       std::size_t most_leaves) const {
   nearby.nth.clear();
   nearby.share.clear();
   nearby.leaves.clear();
   const std::optional<centre> all = centre_of(stars);
   if (!all) return false;
   visit_leaves(*all, 0, [&](std::size_t leaf) { nearby.leaves.push_back(leaf); });
-  // Beyond these a star has fewer to look at where it asks leaves by covectors first, as in two
-  // fronts that cross: 2.2 thousand million instructions for 2.5 in a pass of 2,000 sites.
-  constexpr std::size_t most_leaves = 40;
   nearby.are_usable = covector_bounds_.empty() || nearby.leaves.size() <= most_leaves;
   if (nearby.are_usable) list_sites(*all, nearby);
   return true;

@@ -72,8 +72,12 @@ class site_tree {
     bool are_usable = true;        // not too many, and in the range of what can be measured
     std::vector<double> measured;  // scratch of visit_near
   };
-  // Descends as the function for leaves does, and sets `nearby` to these and their sites.
-  bool gather(const std::vector<reaching>& stars, nearby_sites& nearby) const;
+  // Descends as the function for leaves does, and sets `nearby` to these and, unless they are more
+  // than `most_leaves` and have bounds by covectors, their sites. Beyond about 40 a star has fewer
+  // to look at where it asks leaves first, as in two fronts that cross: 2.2 thousand million
+  // instructions for 2.5 in a pass of 2,000 sites.
+  bool gather(const std::vector<reaching>& stars, nearby_sites& nearby,
+              std::size_t most_leaves = 40) const;
   // Calls visit(w, squared) for each site that is not certainly too far from v, one of the stars
   // they were gathered for; what `squared` says of lesser reaches tells is_too_far_by. False, and
   // nothing is visited, where numbers are out of range, or sites too many.
