@@ -47,10 +47,6 @@ inline double clearance(const face_centre& c, const node& d) {
 // its determinant.
 double greatest_cotangent(const metric_tensor& m, double root, const node& a, const node& b,
                           const node& c);
-inline double greatest_cotangent(const metric_tensor& m, const node& a, const node& b,
-                                 const node& c) {
-  return greatest_cotangent(m, root_of_determinant(m), a, b, c);
-}
 double cotangent_of(double degrees);
 
 // The mesh must outlive it; what is asked is of the mesh at the time.

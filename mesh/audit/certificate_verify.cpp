@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -107,10 +108,9 @@ void compare_audit(contradictions& all, const certificate& claim, const certific
     all.compare("audit.voronoi", claim.voronoi, found.voronoi);
   // A mesh that was not finished may not have had its stars looked at, nor what they tell.
   if (!claim.certified) return;
-  if (const auto stopped = found.found.find("stopped"); stopped != found.found.end()) {
-    all.add("what the certificate says of stars was not looked at to its end");
-    return;
-  }
+  const auto stopped = finding_kind_names[static_cast<std::size_t>(finding_kind::stopped)];
+  if (found.found.contains(std::string(stopped)))
+    return all.add("what the certificate says of stars was not looked at to its end");
   all.compare("audit.certified", claim.certified, found.certified);
   all.compare("audit.stars_checked", claim.stars_checked, found.stars_checked);
   compare_theorems(all, claim.theorem, found.theorem);

@@ -66,8 +66,8 @@ class site_tree {
     std::vector<std::size_t> leaves;
     std::vector<std::size_t> nth;  // in the order
     std::vector<double> x, y;      // their places
-    // Of each a number times |w - v|_v^2 that is no more than the square of v's reach unless it is
-    // too far from v, whichever of the stars that is.
+    // Factors: |w - v|_v^2 times w's is more than the square of v's reach only if w is too far from
+    // v, whichever of the stars that is.
     std::vector<double> share;
     bool are_usable = true;        // not too many, and in the range of what can be measured
     std::vector<double> measured;  // scratch of visit_near
@@ -175,8 +175,8 @@ class site_tree {
                                 const inverse_bound& inverse);
   static bool too_far(const node& n, const centre& v);
   static bool too_far(const site& w, const centre& v);
-  // Returns a number times |w - v|_v^2 that is no more than the square of v's reach unless w is too
-  // far from v, for all sites w of the node and stars v; 0 where none is known.
+  // Returns the factor of |w - v|_v^2 for all sites w of the node and stars v; 0 where none is
+  // known.
   static double share_of(const node& n, const centre& stars);
   // Lists the sites of the leaves.
   void list_sites(const centre& stars, nearby_sites& nearby) const;

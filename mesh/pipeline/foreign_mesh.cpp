@@ -13,7 +13,7 @@
 #include "asterism/kernels/work_units.hpp"
 #include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
-#include "asterism/mesh/pipeline/read_triangulation.hpp"
+#include "asterism/mesh/pipeline/adopt_sharing.hpp"
 #include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
@@ -146,10 +146,11 @@ void measure_edges(const mesh& m, certify_report& report) {
 
 result<adopted_mesh> adopt_mesh(mesh from_elsewhere) {
   std::optional<audit_report> found;
-  return internal::adopt_mesh(std::move(from_elsewhere), found);
+  return internal::adopt_sharing(std::move(from_elsewhere), found);
 }
 
-result<adopted_mesh> internal::adopt_mesh(mesh from_elsewhere, std::optional<audit_report>& found) {
+result<adopted_mesh> internal::adopt_sharing(mesh from_elsewhere,
+                                             std::optional<audit_report>& found) {
   const audit_report numbers = audit_numbers(from_elsewhere);
   for (const finding_kind kind : unusable)
     for (const audit_finding& f : numbers.findings)

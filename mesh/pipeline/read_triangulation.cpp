@@ -6,12 +6,13 @@
 
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
+#include "asterism/mesh/pipeline/adopt_sharing.hpp"
 
 namespace asterism::internal {
 
 result<adopted_mesh> checked_triangulation(mesh read, const std::string& path) {
   std::optional<audit_report> found;
-  auto adopted = adopt_mesh(std::move(read), found);
+  auto adopted = adopt_sharing(std::move(read), found);
   if (!adopted) return error{path + ": " + adopted.failure().message};
   if (!found) {
     audit_options options;

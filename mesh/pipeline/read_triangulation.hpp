@@ -3,11 +3,9 @@
 // Reads a mesh that is a triangulation, whoever made it.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 
 namespace asterism::internal {
@@ -19,10 +17,6 @@ result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wan
 // Reads a mesh without its metric, sites and triangles as they are in the file. Refuses what is no
 // triangulation.
 result<mesh> read_plain_triangulation(const std::string& path);
-
-// Adopts a mesh as the public function does. Sets `found` to what an audit finds against what was
-// adopted, but for its stars and its angles, if that was asked.
-result<adopted_mesh> adopt_mesh(mesh from_elsewhere, std::optional<audit_report>& found);
 
 // Refuses a mesh that is no triangulation; `path` is for the message.
 result<adopted_mesh> checked_triangulation(mesh read, const std::string& path);

@@ -46,9 +46,11 @@ std::size_t count_low(const working_mesh& m, const settling::wanted_at& wanted) 
   for (const face& f : m.faces()) {
     if (!f.exists()) continue;
     const node &a = m.at(f.v[0]), &b = m.at(f.v[1]), &c = m.at(f.v[2]);
-    for (const vertex_index v : f.v)
-      if (greatest_cotangent(wanted(m.at(v).position, hint), a, b, c) > cotangent_of(bound))
+    for (const vertex_index v : f.v) {
+      const metric_tensor as = wanted(m.at(v).position, hint);
+      if (greatest_cotangent(as, root_of_determinant(as), a, b, c) > cotangent_of(bound))
         is_low[v] = 1;
+    }
   }
   return static_cast<std::size_t>(std::count(is_low.begin(), is_low.end(), char{1}));
 }

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/star_check.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "asterism/kernels/filtered_edge_test.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+
+namespace asterism::internal::audit_detail {
+
+void star_check::run(const vertex_index* begin, const vertex_index* end, const vertex_index* last,
+                     bool neighbours_alone) {
+  used_ = 0;
+  for (const vertex_index* v = begin; v != end; ++v) {
+    if (!neighbours_alone) {
+      prepare(*v);
+      continue;
+    }
+    if (last - v > std::ptrdiff_t{sites_ahead}) context_.prefetch_around(v[sites_ahead]);
+    context_.fans.visit(*v, [&](const vertex_fan& fan) { check_neighbours(*v, fan); });
+  }
+  if (neighbours_alone) return;
+  const std::span<const prepared_fan> fans(prepared_.data(), used_);
+  hold_all(fans);
+  for (const prepared_fan& p : fans)
+    if (p.has_others)
+      around_.changed_sites.visit_near(
+          at(p.v), p.reach, [&](vertex_index nth) { look(p, (*context_.changed)[nth], 0, false); });
+}
+
+void star_check::hold_all(std::span<const prepared_fan> fans) {
+  reaching_.clear();
+  for (const prepared_fan& p : fans)
+    if (p.has_concerned && is_finite(p.reach_concerned))
+      reaching_.push_back({at(p.v), p.reach_concerned});
+  const bool gathered = reaching_.size() > 1 && around_.sites->gather(reaching_, nearby_);
+  if (!gathered && reaching_.size() > 1) {
+    hold_all(fans.first(fans.size() / 2));
+    hold_all(fans.last(fans.size() - fans.size() / 2));
+    return;
+  }
+  for (const prepared_fan& p : fans)
+    if (p.has_concerned) hold_all(p, gathered);
+}
+
+void star_check::hold_all(const prepared_fan& p, bool gathered) {
+  const double reach = p.reach_concerned;
+  const auto look_at = [&](vertex_index w, double squared) { look(p, w, squared, true); };
+  const auto look_at_any = [&](vertex_index w) { look_at(w, 0); };
+  if (!gathered || !is_finite(reach))
+    around_.sites->visit_near(at(p.v), reach, look_at_any);
+  else if (!around_.sites->visit_near(nearby_, at(p.v), reach, look_at))
+    around_.sites->visit_near(nearby_.leaves, at(p.v), reach, look_at_any);
+}
+
+void star_check::look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
+  patience_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
+  if (w != p.v && !is_neighbour(p, w) && !patience_.is_over())
+    check_other(p, w, squared, at_concerned);
+}
+
+void star_check::check_neighbours(vertex_index v, const vertex_fan& fan) {
+  const std::size_t n = fan.link.size();
+  const std::size_t skipped = fan.closed ? 0 : 1;
+  for (std::size_t i = skipped; i + skipped < n && !patience_.is_over(); ++i) {
+    const vertex_index w = fan.link[i], x = fan.link[(i + n - 1) % n], y = fan.link[(i + 1) % n];
+    if (w < v || !around_.concerns(v, w, x, y)) continue;
+    if (is_accepted_in_one_metric(v, w, x, y)) continue;
+    const bool by_v = is_asked(v, w, x, y), by_w = is_asked(w, v, y, x);
+    if ((!by_v && !by_w) || is_accepted_or_open(v, w, x, y)) continue;
+    if (by_v) report_rejected(v, w, x, y);
+    if (by_w) report_rejected(w, v, y, x);
+  }
+}
+
+bool star_check::is_accepted_in_one_metric(vertex_index v, vertex_index w, vertex_index x,
+                                           vertex_index y) const {
+  const metric_tensor& m = at(v).metric;
+  return identical(m, at(w).metric) && identical(m, at(x).metric) && identical(m, at(y).metric) &&
+         tally_.kernel().edge_test(at(v), at(w), at(x), at(y));
+}
+
+bool star_check::is_asked(vertex_index v, vertex_index w, vertex_index x, vertex_index y) const {
+  return turn(v, x, y) == sign::positive && turn(x, y, w) != sign::positive;
+}
+
+void star_check::report_rejected(vertex_index v, vertex_index w, vertex_index x, vertex_index y) {
+  tally_.found(finding_kind::star_neighbour_rejected,
+               "the star of " + vertex_text(context_, v) + " does not accept its neighbour " +
+                   vertex_text(context_, w) + " between " + vertex_text(context_, x) + " and " +
+                   vertex_text(context_, y),
+               {v, w, x, y});
+}
+
+void star_check::prepare(vertex_index v) {
+  double none = 0;
+  double& known = context_.memory == nullptr ? none : context_.memory->reaches[v];
+  double reach = 0;
+  context_.fans.visit(v, [&](const vertex_fan& fan) {
+    if (!concerns(v, fan) && !is_reached(v, known)) {
+      reach = greatest_bound(reach, known);
+      return;
+    }
+    prepare(v, fan);
+    reach = greatest_bound(reach, prepared_[used_ - 1].reach);
+  });
+  known = reach;
+}
+
+bool star_check::concerns(vertex_index v, const vertex_fan& fan) const {
+  return around_.concerns(v) || std::any_of(fan.link.begin(), fan.link.end(),
+                                            [this](vertex_index r) { return around_.concerns(r); });
+}
+
+bool star_check::is_reached(vertex_index v, double reach) {
+  patience_.count(unit_of_look);
+  bool any = false;
+  around_.changed_sites.visit_near(at(v), reach, [&any](vertex_index) { any = true; });
+  return any;
+}
+
+void star_check::prepare(vertex_index v, const vertex_fan& fan) {
+  if (used_ == prepared_.size()) prepared_.emplace_back();
+  prepared_fan& p = prepared_[used_++];
+  p.v = v;
+  p.link = fan.link;
+  p.reach = 0;
+  p.reach_concerned = 0;
+  p.has_concerned = p.has_others = false;
+  p.neighbours.clear();
+  context_.fans.visit(v, [&p](const vertex_fan& each) {
+    p.neighbours.insert(p.neighbours.end(), each.link.begin(), each.link.end());
+  });
+  p.rays.clear();
+  const quick_reaches reaches(at(v));
+  measured_.clear();
+  for (const vertex_index r : fan.link) {
+    p.rays.push_back(to(v, r));
+    measured_.push_back(reaches.ray_to(at(r)));
+  }
+  p.gaps.clear();
+  const std::size_t n = fan.link.size();
+  for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
+    fan_gap& gap = p.gaps.emplace_back(fan.link[i], fan.link[(i + 1) % n]);
+    gap.is_skipped = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
+    if (gap.is_skipped) continue;
+    gap.is_concerned = around_.concerns(v, gap.x, gap.y);
+    gap.reach = reach_of(v, gap, reaches, measured_[i], measured_[(i + 1) % n]);
+    if (gap.is_concerned && is_left_open(gap)) {
+      leave_open(v, v, gap.x, gap.y, open_question::about::gap);
+      gap.is_skipped = true;
+      continue;
+    }
+    p.reach = greatest_bound(p.reach, gap.reach);
+    (gap.is_concerned ? p.has_concerned : p.has_others) = true;
+    if (gap.is_concerned) p.reach_concerned = greatest_bound(p.reach_concerned, gap.reach);
+  }
+}
+
+bool star_check::is_left_open(const fan_gap& gap) const {
+  return context_.leaves_open && !is_finite(gap.reach) &&
+         around_.at.size() >= context_.memory->many_for_a_gap;
+}
+
+double star_check::reach_of(vertex_index v, const fan_gap& gap, const quick_reaches& reaches,
+                            const measured_ray& to_x, const measured_ray& to_y) const {
+  constexpr double edges = 2;
+  const double quick = reaches.between(to_x, to_y);
+  if (quick <= edges * std::max(to_x.length, to_y.length)) return quick;
+  if (const star_gap* prepared = prepared_gap(v, gap); prepared != nullptr)
+    if (const double reach = prepared->reach(); is_finite(reach)) return std::min(quick, reach);
+  if (is_finite(quick)) return quick;
+  return filter_of(v, gap).reach();
+}
+
+// The area is off by at most four roundings, 2^-50, of its magnitude; in the range asked for
+// underflow takes less than the rest of 2^-49.
+sign star_check::side(const prepared_fan& p, std::size_t i, const vector2<double>& to_w,
+                      vertex_index w) const {
+  const double left = p.rays[i].x * to_w.y, right = p.rays[i].y * to_w.x;
+  const double turned = left - right, size = std::abs(left) + std::abs(right);
+  if (std::abs(turned) > 0x1p-49 * size && size > 0x1p-900 && size < 0x1p1000)
+    return turned > 0 ? sign::positive : sign::negative;
+  return turn(p.v, p.link[i], w);
+}
+
+const fan_gap* star_check::gap_of(const prepared_fan& p, vertex_index w) const {
+  const auto to_w = to(p.v, w);
+  const std::size_t n = p.rays.size();
+  sign before = side(p, 0, to_w, w);
+  for (std::size_t i = 0; i < p.gaps.size(); ++i) {
+    const sign after = side(p, i + 1 < n ? i + 1 : 0, to_w, w);
+    if (before == sign::positive && after == sign::negative) return &p.gaps[i];
+    before = after;
+  }
+  return nullptr;
+}
+
+void star_check::check_other(const prepared_fan& p, vertex_index w, double squared,
+                             bool at_concerned) {
+  const fan_gap* gap = gap_of(p, w);
+  if (gap == nullptr || gap->is_skipped || gap->is_concerned != at_concerned) return;
+  if (site_tree::is_too_far_by(squared, gap->reach)) return;
+  // Leaves out what the tree has asked: w's own metric, for the reach of the fan, where it tells
+  // nothing.
+  const bool is_known = squared == 0 && !(gap->reach < p.reach);
+  if (!is_known && site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
+  ++tally_.part.star_pairs;
+  if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
+  tally_.found(finding_kind::star_site_missing,
+               "the star of " + vertex_text(context_, p.v) + " would accept " +
+                   vertex_text(context_, w) + " between " + vertex_text(context_, gap->x) +
+                   " and " + vertex_text(context_, gap->y),
+               {p.v, w, gap->x, gap->y});
+}
+
+bool star_check::is_accepted(vertex_index v, vertex_index w, const fan_gap& gap) {
+  const star_gap* prepared = prepared_gap(v, gap);
+  if (prepared != nullptr) {
+    const uncertain_bool by_v = prepared->accepts(at(w));
+    if (by_v.certain()) return by_v.value();
+  }
+  // Made once for a gap, and cheaper than a gap of w's.
+  if (filter_of(v, gap).excludes(at(w))) return false;
+  if (prepared != nullptr) {
+    // The question is the same to w, who often sees it more clearly.
+    const uncertain_bool by_w = star_gap(at(w), at(gap.y), at(gap.x)).accepts(at(v));
+    if (by_w.certain()) return by_w.value();
+  }
+  // Slower than both, and worth it: edge_test takes thirty times as long when it comes to
+  // intervals.
+  if (star_gap_filter(at(w), at(gap.y), at(gap.x)).excludes(at(v))) return false;
+  if (context_.leaves_open) {
+    if (sight_.clear(v, w)) leave_open(v, w, gap.x, gap.y, open_question::about::other_site);
+    return false;
+  }
+  ++tally_.part.star_pairs_tested;
+  return tally_.kernel().edge_test(at(v), at(w), at(gap.x), at(gap.y));
+}
+
+bool star_check::is_accepted_or_open(vertex_index v, vertex_index w, vertex_index x,
+                                     vertex_index y) {
+  if (!context_.leaves_open) return tally_.kernel().edge_test(at(v), at(w), at(x), at(y));
+  const uncertain_bool answer =
+      filtered_edge_test(at(v), at(w), at(x), at(y), tally_.part.counters);
+  if (answer.certain()) return answer.value();
+  leave_open(v, w, x, y, open_question::about::neighbour);
+  return true;
+}
+
+void star_check::leave_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y,
+                            open_question::about what) {
+  tally_.left_open.push_back({{v, w, x, y}, what});
+}
+
+}  // namespace asterism::internal::audit_detail

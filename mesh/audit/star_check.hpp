@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds the fans of a few stars against sites: their neighbours, or all that are in reach.
+//
+// How far a gap reaches takes few operations (audit/gap_reach.hpp); most are asked about no site.
+// Nearly every question is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
+// for a gap; what it does not know by the auditor's own filter of wider range, and then edge_test.
+// The mesher asks prepared gaps too. Where the two are not to share that, as in verify(), they are
+// left out (audit_options::own_filter_alone).
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "asterism/kernels/star_gap.hpp"
+#include "asterism/mesh/audit/audit_work.hpp"
+#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/gap_reach.hpp"
+#include "asterism/mesh/audit/site_tree.hpp"
+#include "asterism/mesh/audit/star_filter.hpp"
+#include "asterism/mesh/audit/star_surroundings.hpp"
+#include "asterism/mesh/audit/visibility_test.hpp"
+
+namespace asterism::internal::audit_detail {
+
+// One gap of a fan, from x counter-clockwise to y.
+struct fan_gap {
+  // Leaves the memory of what is prepared later as it is.
+  fan_gap(vertex_index before, vertex_index after) : x(before), y(after) {}
+
+  vertex_index x, y;
+  bool is_skipped = false;   // x -> y is a subsegment, beyond which nothing is seen, or left open
+  bool is_concerned = true;  // or else changed sites alone are to be held against it
+  double reach = 0;          // how far from v sites matter to it
+  mutable std::optional<star_gap> prepared;  // made for the first question, if it may be shared
+  mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
+};
+
+// One fan of v's star, made ready to be asked about other sites.
+struct prepared_fan {
+  vertex_index v = 0;
+  std::span<const vertex_index> link;
+  std::vector<vertex_index> neighbours;  // of all fans of v
+  std::vector<vector2<double>> rays;
+  std::vector<fan_gap> gaps;
+  double reach = 0;            // how far from v sites matter to one of the gaps
+  double reach_concerned = 0;  // to one of those that are concerned
+  bool has_concerned = false;  // gaps that all sites are to be held against
+  bool has_others = false;
+};
+
+// Asks about some stars, for one thread, and enters what is found into its tally.
+class star_check {
+ public:
+  star_check(const audit_context& context, audit_tally& tally, const star_surroundings& around)
+      : context_(context),
+        tally_(tally),
+        patience_(context, tally),
+        around_(around),
+        sight_(context, around.subsegments, tally.kernel()) {}
+
+  bool is_over() { return patience_.is_over(); }
+
+  // Checks vertices near each other: the sites around are looked for once for all of them. Needs
+  // the tree unless neighbours alone are asked about. The order of all vertices ends at `last`.
+  void run(const vertex_index* begin, const vertex_index* end, const vertex_index* last,
+           bool neighbours_alone);
+
+ private:
+  const site& at(vertex_index v) const { return around_.at[v]; }
+  sign turn(vertex_index a, vertex_index b, vertex_index c) const {
+    return tally_.kernel().orientation(context_.at(a), context_.at(b), context_.at(c));
+  }
+
+  static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
+
+  // Holds all sites in reach of the fans against the gaps that are concerned. Looks for them once
+  // for all fans whose vertices measure much the same; else for each half, and each one.
+  void hold_all(std::span<const prepared_fan> fans);
+  void hold_all(const prepared_fan& p, bool gathered);
+  // Looks at w, of which the tree tells `squared`, or 0 where it tells nothing.
+  void look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned);
+  static bool is_neighbour(const prepared_fan& p, vertex_index w) {
+    return std::find(p.neighbours.begin(), p.neighbours.end(), w) != p.neighbours.end();
+  }
+
+  // Asks about each inner edge of a fan once, from its lesser end: what edge_test is asked about
+  // the other end is the same question, and x and y are next to v there.
+  void check_neighbours(vertex_index v, const vertex_fan& fan);
+  // True if all four have one metric and edge_test accepts the edge: then it stands, whether or not
+  // either end asks. Elsewhere the answer would be dear where nobody does.
+  bool is_accepted_in_one_metric(vertex_index v, vertex_index w, vertex_index x,
+                                 vertex_index y) const;
+  // False where x to y is a half turn or more, or w inside the triangle v, x, y.
+  bool is_asked(vertex_index v, vertex_index w, vertex_index x, vertex_index y) const;
+  void report_rejected(vertex_index v, vertex_index w, vertex_index x, vertex_index y);
+  // Prepares the fans of v, but for those that no changed site is in reach of, and remembers how
+  // far they reach.
+  void prepare(vertex_index v);
+  bool concerns(vertex_index v, const vertex_fan& fan) const;
+  // True if a changed site may matter to a star of v that reaches so far.
+  bool is_reached(vertex_index v, double reach);
+  void prepare(vertex_index v, const vertex_fan& fan);
+  bool is_left_open(const fan_gap& gap) const;
+  // Returns how far the gap reaches: most do not need to be prepared for that, nor for any
+  // question. Nothing better than a few edges of the gap is worth its cost.
+  double reach_of(vertex_index v, const fan_gap& gap, const quick_reaches& reaches,
+                  const measured_ray& to_x, const measured_ray& to_y) const;
+  // Returns the kernel's gap, made when it is first asked for; null where it is not to be shared.
+  const star_gap* prepared_gap(vertex_index v, const fan_gap& gap) const {
+    if (context_.options.own_filter_alone) return nullptr;
+    if (!gap.prepared) gap.prepared.emplace(at(v), at(gap.x), at(gap.y));
+    return &*gap.prepared;
+  }
+  const star_gap_filter& filter_of(vertex_index v, const fan_gap& gap) const {
+    if (!gap.filter) gap.filter.emplace(at(v), at(gap.x), at(gap.y));
+    return *gap.filter;
+  }
+
+  vector2<double> to(vertex_index v, vertex_index w) const {
+    return {context_.at(w).x - context_.at(v).x, context_.at(w).y - context_.at(v).y};
+  }
+
+  // Returns on which side of the ray from v to link[i] w is.
+  sign side(const prepared_fan& p, std::size_t i, const vector2<double>& to_w,
+            vertex_index w) const;
+  // Returns the gap strictly between whose rays w lies; none on a ray or outside an open fan.
+  const fan_gap* gap_of(const prepared_fan& p, vertex_index w) const;
+  // Holds w against the gap it is in, if that is one of those asked about.
+  void check_other(const prepared_fan& p, vertex_index w, double squared, bool at_concerned);
+  bool is_accepted(vertex_index v, vertex_index w, const fan_gap& gap);
+  // Returns whether the neighbour w is accepted; true, once that is noted, where it is left open.
+  bool is_accepted_or_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y);
+  void leave_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y,
+                  open_question::about what);
+  // Work of a look at a site, and of the ray that it is held against, as they take 50 and 5
+  // nanoseconds.
+  static constexpr double unit_of_look = 0.005, unit_of_gap = 0.0005;
+
+  const audit_context& context_;
+  audit_tally& tally_;
+  audit_patience patience_;
+  const star_surroundings& around_;
+  visibility_test sight_;
+  // Scratch for the vertices at hand; members to spare allocations.
+  std::vector<prepared_fan> prepared_;  // the first used_
+  std::size_t used_ = 0;
+  std::vector<site_tree::reaching> reaching_;
+  site_tree::nearby_sites nearby_;
+  std::vector<measured_ray> measured_;
+};
+
+}  // namespace asterism::internal::audit_detail
