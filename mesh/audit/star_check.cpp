@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/audit/star_check.hpp"
 
-#include <cmath>
 #include <string>
 
 #include "asterism/kernels/filtered_edge_test.hpp"
@@ -52,12 +51,6 @@ void star_check::hold_all(const prepared_fan& p, bool gathered) {
     around_.sites->visit_near(at(p.v), reach, look_at_any);
   else if (!around_.sites->visit_near(nearby_, at(p.v), reach, look_at))
     around_.sites->visit_near(nearby_.leaves, at(p.v), reach, look_at_any);
-}
-
-void star_check::look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
-  patience_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
-  if (w != p.v && !is_neighbour(p, w) && !patience_.is_over())
-    check_other(p, w, squared, at_concerned);
 }
 
 void star_check::check_neighbours(vertex_index v, const vertex_fan& fan) {
@@ -172,17 +165,6 @@ double star_check::reach_of(vertex_index v, const fan_gap& gap, const quick_reac
     if (const double reach = prepared->reach(); is_finite(reach)) return std::min(quick, reach);
   if (is_finite(quick)) return quick;
   return filter_of(v, gap).reach();
-}
-
-// The area is off by at most four roundings, 2^-50, of its magnitude; in the range asked for
-// underflow takes less than the rest of 2^-49.
-sign star_check::side(const prepared_fan& p, std::size_t i, const vector2<double>& to_w,
-                      vertex_index w) const {
-  const double left = p.rays[i].x * to_w.y, right = p.rays[i].y * to_w.x;
-  const double turned = left - right, size = std::abs(left) + std::abs(right);
-  if (std::abs(turned) > 0x1p-49 * size && size > 0x1p-900 && size < 0x1p1000)
-    return turned > 0 ? sign::positive : sign::negative;
-  return turn(p.v, p.link[i], w);
 }
 
 const fan_gap* star_check::gap_of(const prepared_fan& p, vertex_index w) const {
