@@ -94,7 +94,8 @@ void add_in_circle(input_class which) {
   });
   add_contender(name + "/double, in-circle alone, inlined", questions, [](const edge_question& q) {
     const auto& [v, w, x, y] = q;
-    return to_number(asterism::in_circle(v.metric, v.position, w.position, x.position, y.position));
+    return to_number(
+        asterism::internal::in_circle(v.metric, v.position, w.position, x.position, y.position));
   });
   const auto points = converted(questions, [](const edge_question& q) {
     return std::array{to_epick(q[0].position), to_epick(q[1].position), to_epick(q[2].position),
