@@ -287,6 +287,39 @@ std::string obstacle(const theorem_hypotheses& h, const std::array<vertex_index,
          format_number(h.proved_angle) + " degrees are proved (" + spacing + ")";
 }
 
+// Enters what pairs of sites say, and what follows from that.
+void enter_pairs(theorem_hypotheses& h, const theorem::pair_measures& pairs) {
+  h.spacing = pairs.larger_distance_below;
+  h.distortion = pairs.distortion_above;
+  h.variation = pairs.variation_above;
+  h.sigma_eps = theorem::table_variation_above(h.variation, h.covering_radius, h.distortion);
+  h.proved_angle =
+      theorem::proved_angle(h.sigma_eps, theorem::quotient_above(h.covering_radius, h.spacing));
+}
+
+// Measures the pairs of neighbours in some triangles.
+measured_part measure_some_neighbours(const mesh& m, double radius) {
+  constexpr std::size_t step = 16;
+  measured_part some;
+  for (std::size_t k = 0; k < m.triangles.size() && some.failure.empty(); k += step) {
+    const triangle& t = m.triangles[k];
+    for (std::size_t i = 0; i < 3; ++i) measure_near_pair(m, t[i], t[(i + 1) % 3], radius, some);
+  }
+  return some;
+}
+
+// True if it could not apply, by far: nor if sites as near to each other as these were several
+// times as far apart. Then near pairs may be very many, as among random sites, where every site is
+// near hundreds.
+bool is_far_from_applying(theorem_hypotheses h, const measured_part& some, double angle_bound) {
+  constexpr double times = 4;
+  if (!some.failure.empty()) return true;
+  theorem::pair_measures pairs = some.pairs;
+  pairs.larger_distance_below *= times;
+  enter_pairs(h, pairs);
+  return !obstacle(h, some.nearest, angle_bound).empty();
+}
+
 constexpr std::string_view not_all_measured = "not all was measured: ";
 
 // Returns that nothing is known: a part of the numbers would pass for all of them.
@@ -330,19 +363,16 @@ theorem_hypotheses internal::measure_theorem_hypotheses_sharing(const mesh& subj
   h.longest_subsegment = subsegments.longest_subsegment;
   const ordered_sites sites(tree);
   const double radius = radius_that_matters(subject, h.covering_radius);
-  const measured_part near = measure_all(
-      context, tree.order().size(), looked_for_together,
-      [&](std::size_t first, std::size_t last, audit_patience& patience, measured_part& part) {
-        measure_near_pairs(subject, sites, first, last, radius, patience, part);
-      });
+  measured_part near = measure_some_neighbours(subject, radius);
+  if (!is_far_from_applying(h, near, angle_bound))
+    near = measure_all(
+        context, tree.order().size(), looked_for_together,
+        [&](std::size_t first, std::size_t last, audit_patience& patience, measured_part& part) {
+          measure_near_pairs(subject, sites, first, last, radius, patience, part);
+        });
   stop.charge(context.looked_units);
   if (context.unfinished) return unmeasured(stop.told());
-  h.spacing = near.pairs.larger_distance_below;
-  h.distortion = near.pairs.distortion_above;
-  h.variation = near.pairs.variation_above;
-  h.sigma_eps = theorem::table_variation_above(h.variation, h.covering_radius, h.distortion);
-  h.proved_angle =
-      theorem::proved_angle(h.sigma_eps, theorem::quotient_above(h.covering_radius, h.spacing));
+  enter_pairs(h, near.pairs);
   h.reason = !near.failure.empty()          ? near.failure
              : !subsegments.failure.empty() ? subsegments.failure
                                             : obstacle(h, near.nearest, angle_bound);

@@ -17,7 +17,8 @@
 namespace asterism {
 
 // Measurements of a mesh; lengths are metric. Two sites are `near` if their disks of the covering
-// radius, each in its own metric, are not certainly apart; all near pairs are measured.
+// radius, each in its own metric, are not certainly apart; where it applies all near pairs are
+// measured.
 struct theorem_hypotheses {
   bool applies = false;
   std::string reason;  // one sentence: which hypothesis fails, and where; or that all hold
@@ -39,9 +40,11 @@ struct theorem_hypotheses {
 };
 
 // Measures a mesh. Requires what points 0 to 2 of the certificate prove of it. `angle_bound` in
-// degrees; the theorem does not apply unless it proves so much. Measuring stops at the first of
-// every thousand sites that no theorem of the table could cover, so `distortion` and what follows
-// from it are then no maxima. O(n log n) where it applies. Where it is ended early, as `stop` says
+// degrees; the theorem does not apply unless it proves so much. Where neighbours in some triangles
+// are so near to each other that it is far from applying, no other pairs are measured; `spacing`
+// and all below are then of these neighbours. Measuring stops at the first of every thousand sites
+// that no theorem of the table could cover, so `distortion` and what follows from it are then no
+// maxima either. O(n log n) where it applies. Where it is ended early, as `stop` says
 // so or the most work is done that is done for so many sites, nothing but a reason is returned.
 // Charges its work to the account of `stop`, which ends nothing here: a measurement does not
 // depend on what a run did before it.

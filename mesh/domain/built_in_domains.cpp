@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "asterism/core/random.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -107,8 +109,10 @@ result<domain> airfoil(const airfoil_options& options) {
   return d;
 }
 
+// Numbers them along a curve: a mesh of points in the order drawn is met all over memory.
 result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed) {
   constexpr std::size_t draws_per_point = 1000;
+  const std::size_t given = d.vertices.size();
   d.vertices.reserve(d.vertices.size() + count);
   known_points taken(d.vertices.size() + count);
   for (vertex_index v = 0; v < d.vertices.size(); ++v) taken.add(d.vertices, v);
@@ -130,6 +134,7 @@ result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed
       if (!accepted) d.vertices.pop_back();
     }
   }
+  sort_along_curve(std::span(d.vertices).subspan(given), box);
   return d;
 }
 

@@ -8,6 +8,7 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/pipeline/adaptation.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/pipeline/given_order.hpp"
 #include "asterism/mesh/pipeline/last_resort.hpp"
 #include "asterism/mesh/pipeline/tolerated_metric.hpp"
 #include "asterism/mesh/pipeline/unconfirmed_mesh.hpp"
@@ -214,8 +215,11 @@ result<mesh_outcome> make(const domain& d, const metric_field& field, const mesh
   mesh_options bounded = options;
   bounded.stop = with_run_work(options.stop, work_for_ways(options));
   bounded.stop.expect(d.vertices.size());
-  auto outcome = ways_to_mesh(d, field, bounded, progress, confirmed).run();
-  if (outcome) note_stop(options.stop, outcome.value());
+  const given_order order(d);
+  auto outcome = ways_to_mesh(order.shape(), field, bounded, progress, confirmed).run();
+  if (!outcome) return outcome;
+  order.restore(outcome.value());
+  note_stop(options.stop, outcome.value());
   return outcome;
 }
 

@@ -93,6 +93,15 @@ class plain_refinement {
     return !is_broken_;
   }
 
+  // Returns the sites that were put inside, in the order in which that was.
+  std::vector<vertex_index> added_inside() const {
+    std::vector<vertex_index> inside;
+    for (std::size_t v = given_; v < state_.sites().size(); ++v)
+      if (v >= on_boundary_.size() || on_boundary_[v] == 0)
+        inside.push_back(static_cast<vertex_index>(v));
+    return inside;
+  }
+
  private:
   struct bad_face {
     double shortest_edge;  // squared
@@ -205,7 +214,9 @@ neighbour_lists refine_plainly(refine_state& state, const angle_requirement& ang
                                const tolerance_range& tolerance, const cancellation& cancelled) {
   auto net = mean_metric_net::make(state.oracle(), cancelled);
   if (!net) return {};
-  if (!plain_refinement(state, angle, tolerance, cancelled, *net).run()) return {};
+  plain_refinement refinement(state, angle, tolerance, cancelled, *net);
+  if (!refinement.run()) return {};
+  net->renumber(state.number_along_curve(refinement.added_inside()));
   return net->settled_neighbours();
 }
 

@@ -84,6 +84,11 @@ class refine_state {
   // anything is asked of the stars, add_stars() makes those left out.
   void add_interior_later(const site& s);
   void add_stars();
+  // Numbers sites inside, no vertices of the domain, anew among themselves (site_set). Requires
+  // that there are no stars yet.
+  std::vector<vertex_index> number_along_curve(const std::vector<vertex_index>& inside) {
+    return sites_->number_along_curve(inside);
+  }
   // Splits one subsegment at its split point, or at the point beside that on the curve that the
   // subsegment is a chord of, if it can be split there. Returns false, with nothing changed, when
   // the mesh is full or the subsegment cannot be split there (split_boundary::can_split_at).

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/refine/site_set.hpp"
 
+#include <numeric>
+
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism::internal {
 
@@ -44,6 +47,21 @@ vertex_index site_set::add(const site& s) {
   const auto added = static_cast<vertex_index>(sites_.size() - 1);
   near_.add_site(sites_, added);
   return added;
+}
+
+std::vector<vertex_index> site_set::number_along_curve(const std::vector<vertex_index>& which) {
+  std::vector<vertex_index> sorted = which, to(sites_.size());
+  sort_along_curve(sorted, sites_, near_.box());
+  std::vector<site> moved;
+  moved.reserve(sorted.size());
+  for (const vertex_index v : sorted) moved.push_back(sites_[v]);
+  std::iota(to.begin(), to.end(), vertex_index{0});
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    sites_[which[i]] = moved[i];
+    to[sorted[i]] = which[i];
+  }
+  near_.renumber(to);
+  return to;
 }
 
 }  // namespace asterism::internal

@@ -54,6 +54,9 @@ class site_set {
 
   // Adds a site and returns its index.
   vertex_index add(const site& s);
+  // Numbers some of the sites anew among themselves, along a curve, so that what is near is near in
+  // memory. Takes their numbers in ascending order; returns the new number of each site.
+  std::vector<vertex_index> number_along_curve(const std::vector<vertex_index>& which);
 
  private:
   site_set(const metric_field& field, std::size_t most_sites)

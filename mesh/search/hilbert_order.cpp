@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "asterism/mesh/support/parallel.hpp"
@@ -60,6 +61,31 @@ std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
   return place;
 }
 
+// Returns the order in which the curve comes to so many points; those of one cell keep theirs.
+template <class PointAt>
+std::vector<std::uint32_t> order_of(std::size_t count, const PointAt& at, const bounding_box& box) {
+  constexpr std::size_t chunk = 1024;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> places(count);
+  parallel_chunks(count, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      places[i] = {internal::place_on_curve(at(i), box), static_cast<std::uint32_t>(i)};
+  });
+  tbb::parallel_sort(places.begin(), places.end());
+  std::vector<std::uint32_t> order;
+  order.reserve(count);
+  for (const auto& [place, i] : places) order.push_back(i);
+  return order;
+}
+
+// Puts the numbers of some points into that order.
+template <class PointOf>
+void sort_numbers(std::vector<std::uint32_t>& which, const PointOf& of, const bounding_box& box) {
+  auto order = order_of(
+      which.size(), [&](std::size_t i) { return of(which[i]); }, box);
+  for (std::uint32_t& i : order) i = which[i];
+  which = std::move(order);
+}
+
 }  // namespace
 
 std::uint64_t place_on_curve(const point& q, const bounding_box& box) {
@@ -68,17 +94,21 @@ std::uint64_t place_on_curve(const point& q, const bounding_box& box) {
 
 void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<site>& sites,
                       const bounding_box& box) {
-  constexpr std::size_t chunk = 1024;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> places(which.size());
-  parallel_chunks(which.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const point& q = sites[which[i]].position;
-      places[i] = {place_on_curve(q, box), static_cast<std::uint32_t>(i)};
-    }
-  });
-  tbb::parallel_sort(places.begin(), places.end());
-  for (auto& [place, i] : places) i = which[i];
-  for (std::size_t i = 0; i < which.size(); ++i) which[i] = places[i].second;
+  sort_numbers(
+      which, [&](std::uint32_t v) { return sites[v].position; }, box);
+}
+
+void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<point>& points,
+                      const bounding_box& box) {
+  sort_numbers(
+      which, [&](std::uint32_t v) { return points[v]; }, box);
+}
+
+void sort_along_curve(std::span<point> points, const bounding_box& box) {
+  const std::vector<point> unsorted(points.begin(), points.end());
+  const auto order = order_of(
+      points.size(), [&](std::size_t i) { return unsorted[i]; }, box);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = unsorted[order[i]];
 }
 
 std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,

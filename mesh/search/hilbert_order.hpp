@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "asterism/core/site.hpp"
@@ -20,10 +21,13 @@ std::uint64_t place_on_curve(const point& q, const bounding_box& box);
 // the finest grid keep their order.
 std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,
                                              const bounding_box& box);
-// Puts the numbers of some of the sites into that order.
+// Puts the numbers of some of the sites, or points, into that order.
 void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<site>& sites,
                       const bounding_box& box);
-// Puts the sites into that order.
+void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<point>& points,
+                      const bounding_box& box);
+// Puts the sites, or points, into that order.
 void sort_along_curve(std::vector<site>& sites, const bounding_box& box);
+void sort_along_curve(std::span<point> points, const bounding_box& box);
 
 }  // namespace asterism::internal

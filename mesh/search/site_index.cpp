@@ -93,6 +93,17 @@ void site_index::insert(const std::vector<site>& sites, vertex_index w) {
   ++size_;
 }
 
+void site_index::renumber(const std::vector<vertex_index>& to) {
+  for (const node& n : nodes_) {
+    if (n.first_child != none || n.count == 0) continue;
+    leaf_sites& here = leaves_[n.leaf];
+    const std::uint32_t at_hand = std::min<std::uint32_t>(n.count, leaf_capacity);
+    for (std::uint32_t i = 0; i < at_hand; ++i) here.first[i] = to[here.first[i]];
+  }
+  for (auto& rest : overflow_)
+    for (vertex_index& w : rest) w = to[w];
+}
+
 void site_index::put_in_leaf(std::uint32_t at, const point& q, vertex_index w) {
   node& n = nodes_[at];
   if (n.leaf == none) {

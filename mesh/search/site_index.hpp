@@ -43,6 +43,8 @@ class site_index {
   std::size_t size() const { return size_; }
   // Adds sites[w]. Requires a finite position and a positive definite metric; each index once.
   void insert(const std::vector<site>& sites, vertex_index w);
+  // Follows a renumbering: what was sites[w] is sites[to[w]] from now on.
+  void renumber(const std::vector<vertex_index>& to);
 
   // Calls visit(w) for each site in the closed box. visit returns whether to go on; so does this.
   template <class Visit>

@@ -154,6 +154,14 @@ bool mean_metric_net::split(const site& s, vertex_index a, vertex_index b,
   return true;
 }
 
+void mean_metric_net::renumber(const std::vector<vertex_index>& to) {
+  const std::vector<vertex_index> before = from_.numbers;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    from_.numbers[to[v]] = before[v];
+    from_.original[before[v]] = to[v];
+  }
+}
+
 void mean_metric_net::collect_ring(vertex_index v, std::vector<vertex_index>& ring) const {
   ring.clear();
   const delaunay_net::place first = from_.net.at(v);

@@ -47,6 +47,9 @@ class mean_metric_net {
   // side of something: then the net is of no use.
   bool split(const site& s, vertex_index a, vertex_index b, std::vector<std::uint32_t>& around);
 
+  // Follows a renumbering: what was site v of the mesh is site to[v] from now on.
+  void renumber(const std::vector<vertex_index>& to);
+
   // Flips edges as the sites at both ends want it, where these and the mean of the metrics may
   // differ, then returns the neighbours of each site, counter-clockwise from the nearest. Marks
   // those of which doubles tell that each stands, and are not in doubt.

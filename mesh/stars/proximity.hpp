@@ -40,6 +40,11 @@ class neighbourhood {
     sites_.insert(sites, w);
     order_.push_back(w);
   }
+  // Follows a renumbering: what was site w is site to[w] from now on.
+  void renumber(const std::vector<vertex_index>& to) {
+    sites_.renumber(to);
+    for (vertex_index& w : order_) w = to[w];
+  }
   // Takes a subsegment out of the index, or puts its parts in. To be called before and after
   // edges.split(subsegment, ...). `twin` is the subsegment's twin, if any; `first_new` is the
   // number of subsegments there were before the split.
