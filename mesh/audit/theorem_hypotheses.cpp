@@ -308,14 +308,15 @@ measured_part measure_some_neighbours(const mesh& m, double radius) {
   return some;
 }
 
-// True if it could not apply, by far: nor if sites as near to each other as these were several
-// times as far apart. Then near pairs may be very many, as among random sites, where every site is
+// True if sites are far too near to each other for it to apply: it would not if they were several
+// times as far apart. Near pairs may be very many then, as among random sites, where every site is
 // near hundreds.
 bool is_far_from_applying(theorem_hypotheses h, const measured_part& some, double angle_bound) {
   constexpr double times = 4;
   if (!some.failure.empty()) return true;
   theorem::pair_measures pairs = some.pairs;
   pairs.larger_distance_below *= times;
+  if (!(pairs.larger_distance_below < h.covering_radius)) return false;
   enter_pairs(h, pairs);
   return !obstacle(h, some.nearest, angle_bound).empty();
 }

@@ -109,9 +109,9 @@ result<domain> airfoil(const airfoil_options& options) {
   return d;
 }
 
-// Numbers them along a curve: a mesh of points in the order drawn is met all over memory.
+// Numbers many along a curve: a mesh of points in the order drawn is met all over memory.
 result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed) {
-  constexpr std::size_t draws_per_point = 1000;
+  constexpr std::size_t draws_per_point = 1000, many = 5000;
   const std::size_t given = d.vertices.size();
   d.vertices.reserve(d.vertices.size() + count);
   known_points taken(d.vertices.size() + count);
@@ -134,7 +134,7 @@ result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed
       if (!accepted) d.vertices.pop_back();
     }
   }
-  sort_along_curve(std::span(d.vertices).subspan(given), box);
+  if (count >= many) sort_along_curve(std::span(d.vertices).subspan(given), d.box());
   return d;
 }
 

@@ -31,9 +31,9 @@ ASTERISM_EXPORT result<domain> airfoil(const airfoil_options& options = {});
 
 // Adds `count` vertices to `d`: drawn uniformly, from a generator that gives the same points
 // everywhere, in the bounding box shrunk to nine tenths about its centre, kept when strictly inside
-// the domain and on no earlier vertex, and numbered along a Hilbert curve. `d` must have been accepted by check_domain, which accepts
-// the outcome too. Fails when the domain fills so little of its box that 1000 draws a point are not
-// enough.
+// the domain and on no earlier vertex; 5000 or more are numbered along a Hilbert curve, fewer as
+// they are drawn. `d` must have been accepted by check_domain, which accepts the outcome too. Fails
+// when the domain fills so little of its box that 1000 draws a point are not enough.
 ASTERISM_EXPORT result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed);
 
 }  // namespace asterism

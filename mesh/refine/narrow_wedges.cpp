@@ -12,9 +12,12 @@
 namespace asterism::internal {
 namespace {
 
-// Angle in degrees below which the segments of a wedge are split alike. Wider wedges, and those
-// without an internal segment, have room to mend their triangles.
-constexpr double mirrored_angle = 10;
+// True if the segments of a wedge are split alike. Wider wedges, and those without an internal
+// segment, have room to mend their triangles.
+bool is_mirrored_in(const domain_wedge& w) {
+  constexpr double mirrored_angle = 10;
+  return w.internal && w.corner.angle < mirrored_angle;
+}
 
 double distance_from(const site& corner, const point& q) {
   return std::sqrt(squared_distance(corner, q));
@@ -108,12 +111,18 @@ const domain_wedge* narrow_wedges::across(
   return nullptr;
 }
 
+bool narrow_wedges::is_mirrored(vertex_index segment) const {
+  const std::vector<std::size_t>& its = wedges_of_segment_[segment];
+  return std::any_of(its.begin(), its.end(),
+                     [this](std::size_t i) { return is_mirrored_in(wedges_[i]); });
+}
+
 std::optional<point> narrow_wedges::mirrored_point(const std::vector<site>& sites,
                                                    const boundary_edge& subsegment,
                                                    vertex_index encroacher) const {
   for (const std::size_t i : wedges_of_segment_[subsegment.segment]) {
     const domain_wedge& w = wedges_[i];
-    if (!w.internal || w.corner.angle >= mirrored_angle) continue;
+    if (!is_mirrored_in(w)) continue;
     const bool is_first = subsegment.segment == w.first;
     const bool across = is_split(encroacher)
                             ? *split_segment_[encroacher] == (is_first ? w.last : w.first)
@@ -140,7 +149,7 @@ std::optional<point> narrow_wedges::split_point(const std::vector<site>& sites,
   double least = 0;
   for (const std::size_t i : wedges_of_segment_[subsegment.segment]) {
     const domain_wedge& w = wedges_[i];
-    if (!w.internal || w.corner.angle >= mirrored_angle) continue;
+    if (!is_mirrored_in(w)) continue;
     const point& c = sites[w.corner.vertex].position;
     const double far =
         std::abs(a.x - c.x) + std::abs(a.y - c.y) + std::abs(b.x - c.x) + std::abs(b.y - c.y);

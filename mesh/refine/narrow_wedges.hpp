@@ -47,9 +47,9 @@ class narrow_wedges {
   void note_split(vertex_index v, vertex_index segment);
 
   const std::vector<domain_wedge>& all() const { return wedges_; }
-  // True if the segment is one of a wedge's. Of other segments mirrored_point() has none, whatever
-  // encroaches on them.
-  bool has_wedge(vertex_index segment) const { return !wedges_of_segment_[segment].empty(); }
+  // True if the segment is one of a narrow wedge inside the domain. Of other segments
+  // mirrored_point() has none, whatever encroaches on them.
+  bool is_mirrored(vertex_index segment) const;
   // Returns the wedges one of whose segments the site splits.
   std::vector<const domain_wedge*> at_split(vertex_index v) const;
   // Returns the first wedge that accepts() and whose two segments hold all three corners of the

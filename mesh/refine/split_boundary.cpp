@@ -220,7 +220,7 @@ void split_boundary::visit_near(const boundary_edge& p, const Visit& visit) cons
 // Otherwise what doubles do not decide waits until none is found that they do.
 std::optional<vertex_index> split_boundary::find_encroacher(std::size_t subsegment) const {
   const boundary_edge& p = edges_.subsegments()[subsegment];
-  const bool any_will_do = !wedges_.has_wedge(p.segment);
+  const bool any_will_do = !wedges_.is_mirrored(p.segment);
   std::optional<vertex_index> first;
   std::vector<vertex_index> undecided;
   visit_near(p, [&](vertex_index w) {

@@ -37,6 +37,14 @@ TEST_CASE("the first random point has these bits everywhere") {
   REQUIRE(d.value().vertices[4] == point{0x1.eabec435d0434p-4, 0x1.c5066223a804fp-2});
 }
 
+TEST_CASE("many random points are numbered along a curve") {
+  const domain d = add_random_points(square(), 5000, 42).value();
+  double way = 0;
+  for (std::size_t v = 5; v < d.vertices.size(); ++v)
+    way += std::hypot(d.vertices[v].x - d.vertices[v - 1].x, d.vertices[v].y - d.vertices[v - 1].y);
+  CHECK(way < 200);  // in the order drawn about 4700
+}
+
 TEST_CASE("random points stay out of holes") {
   const auto checked = check_domain(airfoil().value());
   const auto d = add_random_points(checked.value(), 300, 5);

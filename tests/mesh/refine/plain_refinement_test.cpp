@@ -12,8 +12,10 @@
 #include <vector>
 
 #include "asterism/core/random.hpp"
+#include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/stars/consistency.hpp"
 #include "asterism/mesh/stars/mean_metric_net.hpp"
 #include "asterism/mesh/stars/star_insertion.hpp"
@@ -87,6 +89,36 @@ TEST_CASE("sites added without stars keep their distance, and their neighbours a
                            squared_distance(sites[w], sites[v].position)) < tolerance * tolerance;
   CHECK(too_near == 0);
   CHECK(confirmed(state, likely) > sites.size() * 9 / 10);
+}
+
+TEST_CASE("sites added inside without stars are numbered along a curve") {
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> kernel(decided);
+  const domain d = scattered(3000);
+  const formula_field field = swirl_field(3);
+  refine_state state = started(d, field, kernel, 100000);
+  const std::size_t before = state.sites().size();
+  const neighbour_lists likely =
+      refine_plainly(state, angle_requirement(25), tolerance_range(), cancellation());
+  REQUIRE(likely.size() == state.sites().size());
+  std::vector<char> is_on_boundary(state.sites().size(), 0);
+  for (const boundary_edge& e : state.edges().subsegments())
+    is_on_boundary[e.a] = is_on_boundary[e.b] = 1;
+  const bounding_box box = box_of_sites(state.sites());
+  std::uint64_t last = 0;
+  std::size_t inside = 0, back = 0;
+  for (std::size_t v = before; v < state.sites().size(); ++v) {
+    if (is_on_boundary[v] != 0) continue;
+    const std::uint64_t place = place_on_curve(state.sites()[v].position, box);
+    back += place < last ? 1 : 0;
+    last = place;
+    ++inside;
+  }
+  CHECK(inside > 500);
+  CHECK(back == 0);
+  // The index follows: each site is found at its place.
+  for (vertex_index v = 0; v < state.sites().size(); ++v)
+    CHECK_FALSE(state.is_farther(state.sites()[v], 1e-12));
 }
 
 TEST_CASE("neighbours of which doubles tell that they stand do stand") {

@@ -220,6 +220,21 @@ TEST_CASE("an index made for a smaller box still finds the sites outside it") {
   }
 }
 
+TEST_CASE("an index follows a renumbering of its sites") {
+  for (const site_cloud& c : clouds()) {
+    INFO(c.name);
+    site_index tree = index_of(c.sites, box_of_sites(c.sites));
+    site_cloud renumbered = c;
+    std::vector<vertex_index> to;
+    for (std::size_t w = 0; w < c.sites.size(); ++w) {
+      to.push_back(static_cast<vertex_index>((7 * w + 3) % c.sites.size()));
+      renumbered.sites[to.back()] = c.sites[w];
+    }
+    tree.renumber(to);
+    check_boxes(renumbered, tree);
+  }
+}
+
 TEST_CASE("an index narrows its answers, and stops when told to") {
   const site_cloud c = clouds().front();
   const site_index tree = index_of(c.sites, box_of_sites(c.sites));
