@@ -40,7 +40,9 @@ void refine_state::construct_stars(star_confirmation confirmed) {
 
 void refine_state::construct_stars(const neighbour_lists& likely, star_confirmation confirmed) {
   stars_.bound_work(given_, work_share_);
+  is_overworked();  // charges the run's account: what is left of it bounds the stars
   stars_.construct_all(oracle(), likely, confirmed);
+  is_overworked();
   guesses_ = {};
   has_stars_ = true;
 }
