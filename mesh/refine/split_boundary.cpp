@@ -225,13 +225,12 @@ std::optional<vertex_index> split_boundary::find_encroacher(std::size_t subsegme
   std::vector<vertex_index> undecided;
   visit_near(p, [&](vertex_index w) {
     if (first && w > *first) return true;
-    const site& s = sites()[w];
-    if (any_will_do && w != p.a && w != p.b &&
-        !encroaches_quickly(sites()[p.a], sites()[p.b], s).certain()) {
-      undecided.push_back(w);
-      return true;
+    if (any_will_do && w != p.a && w != p.b) {
+      const uncertain_bool quickly = encroaches_quickly(sites()[p.a], sites()[p.b], sites()[w]);
+      if (!quickly.certain()) undecided.push_back(w);
+      if (!quickly.certain() || !quickly.value()) return true;
     }
-    if (is_encroached(*kernel_, subsegment, s, w)) first = w;
+    if (is_encroached(*kernel_, subsegment, sites()[w], w)) first = w;
     return !(first && any_will_do);
   });
   for (std::size_t i = 0; i < undecided.size() && !first; ++i)

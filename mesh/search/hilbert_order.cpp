@@ -47,15 +47,32 @@ constexpr quarters quarters_of_curve() {
   return all;
 }
 
+// The same for a quarter of a quarter, by the way and by 4 x + y, of two bits each.
+using sixteenths = std::array<std::array<quarter, 16>, 4>;
+
+constexpr sixteenths sixteenths_of_curve() {
+  constexpr quarters all = quarters_of_curve();
+  sixteenths twice{};
+  for (std::uint32_t way = 0; way < 4; ++way)
+    for (std::uint32_t at = 0; at < 16; ++at) {
+      const std::uint32_t x = at >> 2, y = at & 3U;
+      const quarter first = all[way][(x >> 1) << 1 | y >> 1],
+                    second = all[first.way][(x & 1U) << 1 | (y & 1U)];
+      twice[way][at] = {first.number << 2 | second.number, second.way};
+    }
+  return twice;
+}
+
 // Each level picks one of four quarters; the curve enters and leaves it turned or mirrored. From a
-// table: which one it is is past guessing.
+// table, two levels at a time: which one it is is past guessing.
 std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
-  static constexpr quarters all = quarters_of_curve();
+  static_assert(levels % 2 == 0);
+  static constexpr sixteenths all = sixteenths_of_curve();
   std::uint64_t place = 0;
   std::uint32_t way = 0;
-  for (int level = levels - 1; level >= 0; --level) {
-    const quarter& next = all[way][(x >> level & 1U) << 1 | (y >> level & 1U)];
-    place = place << 2 | next.number;
+  for (int level = levels - 2; level >= 0; level -= 2) {
+    const quarter& next = all[way][(x >> level & 3U) << 2 | (y >> level & 3U)];
+    place = place << 4 | next.number;
     way = next.way;
   }
   return place;
