@@ -65,13 +65,9 @@ class plain_refinement {
         net_(net),
         given_(static_cast<vertex_index>(state.sites().size())),
         on_boundary_(state.sites().size(), 0),
-        at_tight_corner_(state.sites().size(), 0),
-        beside_sharp_corner_(state.sites().size(), 0) {
-    for (const boundary_edge& e : state.edges().subsegments()) {
+        at_tight_corner_(state.sites().size(), 0) {
+    for (const boundary_edge& e : state.edges().subsegments())
       on_boundary_[e.a] = on_boundary_[e.b] = 1;
-      if (state.segments().has_sharp_corner(e.segment))
-        beside_sharp_corner_[e.a] = beside_sharp_corner_[e.b] = 1;
-    }
     for (const domain_corner& c : state.segments().corners())
       if (c.angle < 2 * angle.degrees()) at_tight_corner_[c.vertex] = 1;
   }
@@ -116,7 +112,7 @@ class plain_refinement {
   };
 
   // Puts a face with a low angle into the queue, unless it is for the stars: at a corner that must
-  // not be divided, or with nothing but the boundary around where that has sharp corners.
+  // not be divided, or across the wedge of a sharp one.
   void judge(std::uint32_t face) {
     if (!net_.is_inside(face)) return;
     const triangle t = net_.corners(face);
@@ -125,7 +121,7 @@ class plain_refinement {
     };
     if (std::any_of(t.begin(), t.end(), is_marked(at_tight_corner_)) ||
         (std::all_of(t.begin(), t.end(), is_marked(on_boundary_)) &&
-         std::any_of(t.begin(), t.end(), is_marked(beside_sharp_corner_))))
+         state_.segments().wedges().across(t, [](const domain_wedge&) { return true; }) != nullptr))
       return;
     const triangle_sites sites = sites_of(t);
     if (angle_.is_low(sites)) bad_.push({squared_shortest_edge(sites), t, face});
@@ -184,8 +180,6 @@ class plain_refinement {
     const vertex_index m = static_cast<vertex_index>(state_.sites().size() - 1);
     on_boundary_.resize(m + 1, 0);
     on_boundary_[m] = 1;
-    beside_sharp_corner_.resize(m + 1, 0);
-    beside_sharp_corner_[m] = beside_sharp_corner_[a] & beside_sharp_corner_[b];
     is_broken_ = is_broken_ || !net_.split(state_.sites()[m], a, b, around_);
   }
 
@@ -196,7 +190,7 @@ class plain_refinement {
   mean_metric_net& net_;
   const vertex_index given_;  // the sites before these
   // By site; fewer where the rest are inside.
-  std::vector<char> on_boundary_, at_tight_corner_, beside_sharp_corner_;
+  std::vector<char> on_boundary_, at_tight_corner_;
   std::priority_queue<bad_face> bad_;
   std::vector<std::uint32_t> around_;  // faces that are new or changed
   bool is_broken_ = false;             // has the net missed a split?

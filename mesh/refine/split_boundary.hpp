@@ -58,8 +58,6 @@ class split_boundary {
 
   // Returns the subsegments a site at this place would encroach on.
   std::vector<std::size_t> encroached_by(const star_predicates& kernel, const site& s) const;
-  // True if the segment has a sharp corner at an end, on either side.
-  bool has_sharp_corner(std::uint32_t segment) const { return !sharp_at_[segment].empty(); }
   // Suspects the subsegments on which site w encroaches. suspect_all() suspects all.
   void note_encroached_by(vertex_index w);
   void suspect_all();

@@ -55,6 +55,32 @@ refine_state started(const domain& d, const metric_field& field, const star_pred
   return state;
 }
 
+// A square with so many random points in a swirl, before there are stars.
+struct scattered_refinement {
+  scattered_refinement(std::size_t points, double k, std::size_t most_sites)
+      : d(scattered(points)), field(swirl_field(k)), state(started(d, field, kernel, most_sites)) {}
+
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> kernel{decided};
+  const domain d;
+  const formula_field field;
+  refine_state state;
+};
+
+// Returns a strip from 0 to `teeth`, a tenth high, whose upper side is a zigzag of teeth that are
+// next to flat; at both its ends corners of 11 degrees.
+domain flat_comb(vertex_index teeth) {
+  domain d;
+  d.vertices = {{0, -0.1}, {static_cast<double>(teeth), -0.1}};
+  for (vertex_index i = teeth; i > 0; --i) {
+    d.vertices.push_back({i - 0.49, 1e-6});
+    d.vertices.push_back({i - 0.5, 0});
+  }
+  const auto count = static_cast<vertex_index>(d.vertices.size());
+  for (vertex_index i = 0; i < count; ++i) d.segments.push_back({i, (i + 1) % count, 1});
+  return accepted(std::move(d));
+}
+
 // Counts the guesses that are the star of their site, of all sites inside the domain.
 std::size_t confirmed(refine_state& state, const neighbour_lists& likely) {
   state.construct_stars(likely, star_confirmation::by_mesher);
@@ -70,11 +96,8 @@ std::size_t confirmed(refine_state& state, const neighbour_lists& likely) {
 }  // namespace
 
 TEST_CASE("sites added without stars keep their distance, and their neighbours are guessed right") {
-  tier_counters decided;
-  const star_predicates_on<filtered_kernel> kernel(decided);
-  const domain d = scattered(1500);
-  const formula_field field = swirl_field(3);
-  refine_state state = started(d, field, kernel, 100000);
+  scattered_refinement begun(1500, 3, 100000);
+  refine_state& state = begun.state;
   const std::size_t before = state.sites().size();
   constexpr double tolerance = 1e-3;
   const neighbour_lists likely =
@@ -92,11 +115,8 @@ TEST_CASE("sites added without stars keep their distance, and their neighbours a
 }
 
 TEST_CASE("sites added inside without stars are numbered along a curve") {
-  tier_counters decided;
-  const star_predicates_on<filtered_kernel> kernel(decided);
-  const domain d = scattered(3000);
-  const formula_field field = swirl_field(3);
-  refine_state state = started(d, field, kernel, 100000);
+  scattered_refinement begun(3000, 3, 100000);
+  refine_state& state = begun.state;
   const std::size_t before = state.sites().size();
   const neighbour_lists likely =
       refine_plainly(state, angle_requirement(25), tolerance_range(), cancellation());
@@ -122,11 +142,8 @@ TEST_CASE("sites added inside without stars are numbered along a curve") {
 }
 
 TEST_CASE("neighbours of which doubles tell that they stand do stand") {
-  tier_counters decided;
-  const star_predicates_on<filtered_kernel> kernel(decided);
-  const domain d = scattered(1500);
-  const formula_field field = swirl_field(12);
-  refine_state state = started(d, field, kernel, 100000);
+  scattered_refinement begun(1500, 12, 100000);
+  refine_state& state = begun.state;
   const neighbour_lists likely =
       refine_plainly(state, angle_requirement(20), {1e-3, 1e-3}, cancellation());
   const site_oracle oracle = state.oracle();
@@ -146,11 +163,8 @@ TEST_CASE("neighbours of which doubles tell that they stand do stand") {
 }
 
 TEST_CASE("subsegments on which new sites would encroach are split without stars") {
-  tier_counters decided;
-  const star_predicates_on<filtered_kernel> kernel(decided);
-  const domain d = scattered(1500);
-  const formula_field field = swirl_field(12);
-  refine_state state = started(d, field, kernel, 100000);
+  scattered_refinement begun(1500, 12, 100000);
+  refine_state& state = begun.state;
   const std::size_t before = state.segments().splits();
   const neighbour_lists likely =
       refine_plainly(state, angle_requirement(20), {1e-3, 1e-6}, cancellation());
@@ -171,11 +185,8 @@ TEST_CASE("subsegments on which new sites would encroach are split without stars
 }
 
 TEST_CASE("a net takes a split of a subsegment, unless its place is on the wrong side of a site") {
-  tier_counters decided;
-  const star_predicates_on<filtered_kernel> kernel(decided);
-  const domain d = scattered(40);
-  const formula_field field = swirl_field(1);
-  refine_state state = started(d, field, kernel, 100000);
+  scattered_refinement begun(40, 1, 100000);
+  refine_state& state = begun.state;
   auto net = mean_metric_net::make(state.oracle(), cancellation());
   REQUIRE(net);
   const std::vector<site>& sites = state.sites();
@@ -214,12 +225,21 @@ TEST_CASE("a noisy ring of given vertices takes fewer sites than one that is fil
   }
 }
 
+// All of the lower side counted as beside the corners at its ends, so that thousands of triangles
+// were left to stars, which gave up.
+TEST_CASE("of a strip with sharp corners at its ends the whole was left to the stars") {
+  mesh_options options;
+  options.angle_bound = 20;
+  const certified_mesh made = make_certified_mesh(flat_comb(520), swirl_field(0), options).value();
+  CHECK(made.certified());
+  CHECK(made.outcome.ended.how == ending::complete);
+  INFO(made.outcome.sites);
+  CHECK(made.outcome.sites < 13000);
+}
+
 TEST_CASE("there are no more sites without stars than there may be") {
-  tier_counters decided;
-  const star_predicates_on<filtered_kernel> kernel(decided);
-  const domain d = scattered(1500);
-  const formula_field field = swirl_field(3);
-  refine_state state = started(d, field, kernel, 1600);
+  scattered_refinement begun(1500, 3, 1600);
+  refine_state& state = begun.state;
   const std::size_t before = state.sites().size();
   refine_plainly(state, angle_requirement(20), {1e-3, 1e-3}, cancellation());
   CHECK(state.sites().size() == std::max<std::size_t>(before, 1600));
