@@ -308,9 +308,9 @@ measured_part measure_some_neighbours(const mesh& m, double radius) {
   return some;
 }
 
-// True if sites are far too near to each other for it to apply: it would not if they were several
-// times as far apart. Near pairs may be very many then, as among random sites, where every site is
-// near hundreds.
+// True if some neighbours alone tell that it does not apply: metrics differ too much, or sites are
+// far too near to each other, so that it would not if they were several times as far apart. Near
+// pairs may be very many then, as among random sites, where every site is near hundreds.
 bool is_far_from_applying(theorem_hypotheses h, const measured_part& some, double angle_bound) {
   constexpr double times = 4;
   if (!some.failure.empty()) return true;
@@ -362,15 +362,16 @@ theorem_hypotheses internal::measure_theorem_hypotheses_sharing(const mesh& subj
         check_subsegments(subject, tree, first, last, patience, part);
       });
   h.longest_subsegment = subsegments.longest_subsegment;
-  const ordered_sites sites(tree);
   const double radius = radius_that_matters(subject, h.covering_radius);
   measured_part near = measure_some_neighbours(subject, radius);
-  if (!is_far_from_applying(h, near, angle_bound))
+  if (!is_far_from_applying(h, near, angle_bound)) {
+    const ordered_sites sites(tree);
     near = measure_all(
         context, tree.order().size(), looked_for_together,
         [&](std::size_t first, std::size_t last, audit_patience& patience, measured_part& part) {
           measure_near_pairs(subject, sites, first, last, radius, patience, part);
         });
+  }
   stop.charge(context.looked_units);
   if (context.unfinished) return unmeasured(stop.told());
   enter_pairs(h, near.pairs);

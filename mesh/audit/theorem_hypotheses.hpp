@@ -41,13 +41,13 @@ struct theorem_hypotheses {
 
 // Measures a mesh. Requires what points 0 to 2 of the certificate prove of it. `angle_bound` in
 // degrees; the theorem does not apply unless it proves so much. Where neighbours in some triangles
-// are so near to each other that it is far from applying, no other pairs are measured; `spacing`
-// and all below are then of these neighbours. Measuring stops at the first of every thousand sites
-// that no theorem of the table could cover, so `distortion` and what follows from it are then no
-// maxima either. O(n log n) where it applies. Where it is ended early, as `stop` says
-// so or the most work is done that is done for so many sites, nothing but a reason is returned.
-// Charges its work to the account of `stop`, which ends nothing here: a measurement does not
-// depend on what a run did before it.
+// tell that it does not, as their metrics differ too much or they are far too near to each other,
+// no other pairs are measured: `spacing`, `distortion` and what follows from them are then of these
+// neighbours alone. Measuring stops at the first of every thousand sites that no theorem of the
+// table could cover, so `distortion` and what follows from it are then no maxima either.
+// O(n log n) where it applies. Where it is ended early, as `stop` says so or the most work is done
+// that is done for so many sites, nothing but a reason is returned. Charges its work to the account
+// of `stop`, which ends nothing here: a measurement does not depend on what a run did before it.
 ASTERISM_EXPORT theorem_hypotheses measure_theorem_hypotheses(const mesh& subject,
                                                               double angle_bound,
                                                               const cancellation& stop = {});

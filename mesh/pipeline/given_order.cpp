@@ -49,16 +49,11 @@ given_order::given_order(const domain& d) : given_(d) {
 
 void given_order::renumber(const bounding_box& box) {
   along_curve_ = given_;
-  const auto move_lines = [this](const std::vector<std::size_t>& from,
-                                 std::vector<std::size_t>& to) {
-    if (from.size() != given_.vertices.size()) return;
-    for (std::size_t i = 0; i < isolated_.size(); ++i) to[isolated_[i]] = from[sorted_[i]];
-  };
   sorted_ = isolated_;
   sort_along_curve(sorted_, given_.vertices, box);
+  along_curve_.origin.vertex_lines.clear();  // of the numbers given; nothing asks for them here
   for (std::size_t i = 0; i < isolated_.size(); ++i)
     along_curve_.vertices[isolated_[i]] = given_.vertices[sorted_[i]];
-  move_lines(given_.origin.vertex_lines, along_curve_.origin.vertex_lines);
 }
 
 // Triangles stay in their order, which is along the curve.

@@ -40,9 +40,9 @@ void refine_state::construct_stars(star_confirmation confirmed) {
 
 void refine_state::construct_stars(const neighbour_lists& likely, star_confirmation confirmed) {
   stars_.bound_work(given_, work_share_);
-  is_overworked();  // charges the run's account: what is left of it bounds the stars
+  is_overworked();  // charges the run's account, what is left of which bounds the stars
   stars_.construct_all(oracle(), likely, confirmed);
-  is_overworked();
+  is_overworked();  // so that mending has what is left after them
   guesses_ = {};
   has_stars_ = true;
 }

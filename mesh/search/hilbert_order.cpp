@@ -47,7 +47,8 @@ constexpr quarters quarters_of_curve() {
   return all;
 }
 
-// The same for a quarter of a quarter, by the way and by 4 x + y, of two bits each.
+// Says which sixteenth of a cell a point is in, and how the curve enters that one: by the way, and
+// by 4 x + y, of two bits each.
 using sixteenths = std::array<std::array<quarter, 16>, 4>;
 
 constexpr sixteenths sixteenths_of_curve() {
@@ -78,29 +79,24 @@ std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
   return place;
 }
 
-// Returns the order in which the curve comes to so many points; those of one cell keep theirs.
-template <class PointAt>
-std::vector<std::uint32_t> order_of(std::size_t count, const PointAt& at, const bounding_box& box) {
-  constexpr std::size_t chunk = 1024;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> places(count);
-  parallel_chunks(count, chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      places[i] = {internal::place_on_curve(at(i), box), static_cast<std::uint32_t>(i)};
-  });
-  tbb::parallel_sort(places.begin(), places.end());
-  std::vector<std::uint32_t> order;
-  order.reserve(count);
-  for (const auto& [place, i] : places) order.push_back(i);
-  return order;
-}
-
-// Puts the numbers of some points into that order.
+// Puts the numbers of some points into the order of the curve; those of one cell keep theirs.
 template <class PointOf>
 void sort_numbers(std::vector<std::uint32_t>& which, const PointOf& of, const bounding_box& box) {
-  auto order = order_of(
-      which.size(), [&](std::size_t i) { return of(which[i]); }, box);
-  for (std::uint32_t& i : order) i = which[i];
-  which = std::move(order);
+  constexpr std::size_t chunk = 1024;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> places(which.size());
+  parallel_chunks(which.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      places[i] = {internal::place_on_curve(of(which[i]), box), static_cast<std::uint32_t>(i)};
+  });
+  tbb::parallel_sort(places.begin(), places.end());
+  for (auto& [place, i] : places) i = which[i];
+  for (std::size_t i = 0; i < which.size(); ++i) which[i] = places[i].second;
+}
+
+std::vector<std::uint32_t> all_numbers(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::uint32_t{0});
+  return numbers;
 }
 
 }  // namespace
@@ -123,15 +119,14 @@ void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<point
 
 void sort_along_curve(std::span<point> points, const bounding_box& box) {
   const std::vector<point> unsorted(points.begin(), points.end());
-  const auto order = order_of(
-      points.size(), [&](std::size_t i) { return unsorted[i]; }, box);
+  std::vector<std::uint32_t> order = all_numbers(points.size());
+  sort_along_curve(order, unsorted, box);
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = unsorted[order[i]];
 }
 
 std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,
                                              const bounding_box& box) {
-  std::vector<std::uint32_t> order(sites.size());
-  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::vector<std::uint32_t> order = all_numbers(sites.size());
   sort_along_curve(order, sites, box);
   return order;
 }
