@@ -15,6 +15,8 @@
 #include <limits>
 #include <new>
 
+#include "asterism/mesh/support/large_page_allocator.hpp"
+
 namespace {
 
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
@@ -85,20 +87,25 @@ bool may_hold(std::size_t more) {
   return then <= most.load(std::memory_order_relaxed);
 }
 
-// Asks the system for large pages in the first half of a large block, where it has them for those
-// who ask: each page that is touched first takes it one to ten microseconds. The other half of a
-// list that has grown may never be touched, and would be resident in pages of two megabytes: 2 % of
-// all at a million triangles. A system that does not know of them says so, and nothing is different
-// then.
-void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t size) {
+// Asks the system for large pages, where it has them for those who ask: each page that is touched
+// first takes it one to ten microseconds, and what is read all over has a page to be found for each
+// read. Asks for all of a block that is aligned to such pages (mesh/support/large_page_allocator),
+// and for the first half of another large one: the other half of a list that has grown may never be
+// touched, and the page in which it begins would be resident, which is 2 % of all at a million
+// triangles. Of still larger ones it is little. A system that does not know of such pages says so,
+// and nothing is different then.
+void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t size,
+                         [[maybe_unused]] std::size_t alignment) {
 #ifdef MADV_HUGEPAGE
   // Smaller ones are kept when they are freed (apps/freed_memory.hpp).
-  constexpr std::size_t large = 4 << 20;
+  constexpr std::size_t large = 4 << 20, very_large = 32 << 20;
   constexpr std::uintptr_t page = 4096;
-  if (size < large) return;
+  const bool is_for_pages = alignment >= asterism::internal::large_page;
+  if (size < large && !is_for_pages) return;
+  const std::size_t asked = is_for_pages || size >= very_large ? size : size / 2;
   const std::uintptr_t beyond = reinterpret_cast<std::uintptr_t>(block) % page;
   const std::size_t to_page = beyond == 0 ? 0 : page - beyond;
-  madvise(static_cast<char*>(block) + to_page, size / 2 - to_page, MADV_HUGEPAGE);
+  madvise(static_cast<char*>(block) + to_page, asked - to_page, MADV_HUGEPAGE);
 #endif
 }
 
@@ -106,15 +113,16 @@ void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::siz
 void* take(std::size_t size, std::size_t alignment) {
   const bool counting = is_counting.load(std::memory_order_relaxed);
   if (counting && !may_hold(size)) return nullptr;
-  void* const block =
-      alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__
-          ? std::malloc(std::max<std::size_t>(size, 1))
-          : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  void* block = nullptr;
+  if (alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__)
+    block = std::malloc(std::max<std::size_t>(size, 1));
+  else if (posix_memalign(&block, alignment, std::max<std::size_t>(size, 1)) != 0)
+    block = nullptr;
   if (block == nullptr) return block;
   if (counting)
     held.fetch_add(static_cast<std::int64_t>(malloc_usable_size(block)), std::memory_order_relaxed);
   else
-    ask_for_large_pages(block, size);
+    ask_for_large_pages(block, size, alignment);
   return block;
 }
 

@@ -18,6 +18,7 @@
 #include "asterism/mesh/fill/star_claims.hpp"
 #include "asterism/mesh/fill/work_meter.hpp"
 #include "asterism/mesh/numerics/approximate_star.hpp"
+#include "asterism/mesh/support/large_page_allocator.hpp"
 
 namespace asterism::internal {
 
@@ -84,8 +85,9 @@ class plain_star_store {
   const fill_options* options_;
   work_meter* work_;
   // Many and large: a vector would hold them twice while it grows.
-  using star_blocks = boost::container::deque_options_t<boost::container::block_size<1024>>;
-  boost::container::deque<plain_star, void, star_blocks> stars_;
+  using star_blocks =
+      boost::container::deque_options_t<boost::container::block_bytes<within_large_page>>;
+  boost::container::deque<plain_star, large_page_allocator<plain_star>, star_blocks> stars_;
   std::size_t finished_ = 0;  // sites whose stars are made and known to their neighbours
   std::vector<vertex_index> changed_;
 };

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Gives blocks that fill a large page of the system to what is read all over, as the stars of a
+// fill are: at ten million triangles every star is on another page, and most of the time would go
+// into finding pages. Only aligns the blocks; that they are on large pages is for the program's
+// operator new to ask (apps/memory_account.cpp).
+#pragma once
+
+#include <cstddef>
+#include <new>
+
+namespace asterism::internal {
+
+inline constexpr std::size_t large_page = std::size_t{2} << 20;
+// The most that a block of one page should hold: allocators keep some bytes beside each block, and
+// two pages would be taken for one.
+inline constexpr std::size_t within_large_page = large_page - 64;
+
+template <class T>
+struct large_page_allocator {
+  using value_type = T;
+
+  large_page_allocator() = default;
+  template <class U>
+  explicit(false) large_page_allocator(const large_page_allocator<U>& /*other*/) {}
+
+  T* allocate(std::size_t count) {
+    const std::size_t bytes = count * sizeof(T);
+    return static_cast<T*>(fills_page(bytes) ? ::operator new (bytes, std::align_val_t{large_page})
+                                             : ::operator new(bytes));
+  }
+  void deallocate(T* block, std::size_t count) {
+    if (fills_page(count * sizeof(T)))
+      ::operator delete (block, std::align_val_t{large_page});
+    else
+      ::operator delete(block);
+  }
+
+  template <class U>
+  bool operator==(const large_page_allocator<U>& /*other*/) const {
+    return true;
+  }
+
+ private:
+  static constexpr bool fills_page(std::size_t bytes) { return bytes > large_page / 2; }
+};
+
+}  // namespace asterism::internal
