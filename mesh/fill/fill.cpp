@@ -45,6 +45,7 @@ class filling {
     if (options_.is_uneven) begin_unevenly();
     renew_stars(distance_at(coarsest));
     for (int level = coarsest; level >= 0 && !is_over(); --level) {
+      if (level < coarsest) expect_next_level();
       divide_segments_at(level);
       while (!is_over() && rounds_ < most_rounds && goes_on(progress) && round(level)) {
       }
@@ -96,6 +97,12 @@ class filling {
   // Brings all stars up to date, unless the fill is over.
   void renew_stars(double distance) {
     if (!is_over()) crowded_ = !stars_.renew(distance);
+  }
+
+  // Half the distance takes up to four times the sites.
+  void expect_next_level() {
+    constexpr std::size_t times = 4;
+    sites_.expect(times * sites_.size());
   }
 
   void divide_segments_at(int level) {

@@ -49,6 +49,12 @@ class placed_sites {
   // True once a site was wanted for which there was no room.
   bool is_exhausted() const { return exhausted_; }
 
+  // Makes room for as many sites in all: a list that grows otherwise is there twice while it does.
+  void expect(std::size_t count) {
+    sites_.reserve(std::min(count, most_));
+    on_segment_.reserve(std::min(count, most_));
+  }
+
   vertex_index place(const site& s, bool on_segment) {
     const vertex_index w = place_later(s, on_segment);
     index_.insert(sites_, w);
