@@ -54,6 +54,6 @@ int main(int argc, char** argv) {
               "\n",
               WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), late ? "true" : "false",
               wall.count(), seconds(usage.ru_utime) + seconds(usage.ru_stime),
-              static_cast<double>(usage.ru_maxrss) / 1024);
+              static_cast<double>(usage.ru_maxrss) * 1024 / 1e6);
   return 0;
 }
