@@ -65,11 +65,14 @@ class plain_refinement {
         net_(net),
         given_(static_cast<vertex_index>(state.sites().size())),
         on_boundary_(state.sites().size(), 0),
-        at_tight_corner_(state.sites().size(), 0) {
+        at_tight_corner_(state.sites().size(), 0),
+        at_wedge_end_(state.sites().size(), 0) {
     for (const boundary_edge& e : state.edges().subsegments())
       on_boundary_[e.a] = on_boundary_[e.b] = 1;
     for (const domain_corner& c : state.segments().corners())
       if (c.angle < 2 * angle.degrees()) at_tight_corner_[c.vertex] = 1;
+    for (const domain_wedge& w : state.segments().wedges().all())
+      at_wedge_end_[w.first_end] = at_wedge_end_[w.last_end] = 1;
   }
 
   // Returns false if the net is of no use in the end.
@@ -112,7 +115,8 @@ class plain_refinement {
   };
 
   // Puts a face with a low angle into the queue, unless it is for the stars: at a corner that must
-  // not be divided, or across the wedge of a sharp one.
+  // not be divided, across the wedge of a sharp one, or between far ends of such wedges alone. What
+  // is put there would divide the wedges, and so all along them, where stars put one site.
   void judge(std::uint32_t face) {
     if (!net_.is_inside(face)) return;
     const triangle t = net_.corners(face);
@@ -120,6 +124,7 @@ class plain_refinement {
       return [&marks](vertex_index v) { return v < marks.size() && marks[v] != 0; };
     };
     if (std::any_of(t.begin(), t.end(), is_marked(at_tight_corner_)) ||
+        std::all_of(t.begin(), t.end(), is_marked(at_wedge_end_)) ||
         (std::all_of(t.begin(), t.end(), is_marked(on_boundary_)) &&
          state_.segments().wedges().across(t, [](const domain_wedge&) { return true; }) != nullptr))
       return;
@@ -190,7 +195,7 @@ class plain_refinement {
   mean_metric_net& net_;
   const vertex_index given_;  // the sites before these
   // By site; fewer where the rest are inside.
-  std::vector<char> on_boundary_, at_tight_corner_;
+  std::vector<char> on_boundary_, at_tight_corner_, at_wedge_end_;
   std::priority_queue<bad_face> bad_;
   std::vector<std::uint32_t> around_;  // faces that are new or changed
   bool is_broken_ = false;             // has the net missed a split?

@@ -81,6 +81,18 @@ domain flat_comb(vertex_index teeth) {
   return accepted(std::move(d));
 }
 
+// Returns a star of so many spikes, a thousand times as long as wide where there are 2,000.
+domain needles(vertex_index count) {
+  domain d;
+  const double apart = std::numbers::pi / count;
+  for (vertex_index i = 0; i < 2 * count; ++i) {
+    const double radius = i % 2 == 0 ? 1 : 0.2;
+    d.vertices.push_back({radius * std::cos(apart * i), radius * std::sin(apart * i)});
+    d.segments.push_back({i, (i + 1) % (2 * count), 1});
+  }
+  return accepted(std::move(d));
+}
+
 // Counts the guesses that are the star of their site, of all sites inside the domain.
 std::size_t confirmed(refine_state& state, const neighbour_lists& likely) {
   state.construct_stars(likely, star_confirmation::by_mesher);
@@ -235,6 +247,18 @@ TEST_CASE("of a strip with sharp corners at its ends the whole was left to the s
   CHECK(made.outcome.ended.how == ending::complete);
   INFO(made.outcome.sites);
   CHECK(made.outcome.sites < 13000);
+}
+
+// Sites in the middle of them divided the spikes, and so all along: 31,023 sites for 2,000 spikes,
+// and no mesh; so it was with 900.
+TEST_CASE("spikes with sharp corners were divided for triangles between their feet") {
+  mesh_options options;
+  options.angle_bound = 20;
+  const certified_mesh made = make_certified_mesh(needles(900), swirl_field(0), options).value();
+  CHECK(made.certified());
+  CHECK(made.outcome.ended.how == ending::complete);
+  INFO(made.outcome.sites);
+  CHECK(made.outcome.sites < 3000);
 }
 
 TEST_CASE("there are no more sites without stars than there may be") {
