@@ -176,7 +176,8 @@ def arguments():
     parser.add_argument("--metrics", nargs="*", default=["identity", "swirl:24", "sink:24", "layer:0.001,0.1"])
     parser.add_argument("--triangles", nargs="*", type=int, default=[1000, 10000, 100000, 1000000])
     parser.add_argument("--ours", nargs="*", default=["--refine fill", "--refine voronoi@1000"])
-    parser.add_argument("--alone", nargs="*", default=["swirl:24@4000000"], help="METRIC@N: without the rival")
+    parser.add_argument("--alone", nargs="*", default=["swirl:24@4000000", "swirl:24@10000000"],
+                        help="METRIC@N: without the rival")
     parser.add_argument("--phases", type=int, default=1000000, help="triangles; 0: none")
     parser.add_argument("--plot", type=pathlib.Path, help="the plot's file")
     parser.add_argument("--limit", type=int, default=600, help="seconds a call")

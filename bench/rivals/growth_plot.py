@@ -4,7 +4,7 @@ import math
 
 SIZE, LEFT, TOP, GAP = (300, 220), 66, 34, 78
 COLOURS = ["#c77f2a", "#4a6fa5", "#3d8b5f", "#8a4f9e"]
-FEWEST, MOST = 500, 8e6  # triangles
+FEWEST, MOST = 500, 2e7  # triangles
 LEAST, GREATEST = 3e-6, 1e-4  # seconds
 
 
@@ -28,7 +28,7 @@ class Panel:
             y = self.y(k)
             self.parts += [f'<line x1="{left}" x2="{left + width}" y1="{y:.1f}" y2="{y:.1f}" stroke="#ddd"/>',
                            text(left - 6, y + 4, label, "end")]
-        for k in range(3, 7):
+        for k in range(3, 8):
             self.parts.append(text(self.x(10 ** k), top + height + 17, f'10<tspan dy="-4" font-size="9">{k}</tspan>'))
         self.parts.append(text(left + width / 2, top + height + 34, "triangles"))
 
