@@ -25,12 +25,12 @@ struct large_page_allocator {
   explicit(false) large_page_allocator(const large_page_allocator<U>& /*other*/) {}
 
   T* allocate(std::size_t count) {
-    const std::size_t bytes = count * sizeof(T);
+    const std::size_t bytes = bytes_of(count);
     return static_cast<T*>(fills_page(bytes) ? ::operator new (bytes, std::align_val_t{large_page})
                                              : ::operator new(bytes));
   }
   void deallocate(T* block, std::size_t count) {
-    if (fills_page(count * sizeof(T)))
+    if (fills_page(bytes_of(count)))
       ::operator delete (block, std::align_val_t{large_page});
     else
       ::operator delete(block);
@@ -42,6 +42,10 @@ struct large_page_allocator {
   }
 
  private:
+  // Of a deque the list of its blocks is allocated here as well, and T is a pointer there.
+  static constexpr std::size_t bytes_of(std::size_t count) {
+    return count * sizeof(T);  // NOLINT(bugprone-sizeof-expression)
+  }
   static constexpr bool fills_page(std::size_t bytes) { return bytes > large_page / 2; }
 };
 
