@@ -109,15 +109,19 @@ void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::siz
 #endif
 }
 
+// Allocates no more than asked for: aligned_alloc() wants multiples of the alignment, which would
+// take two large pages for one.
+void* allocate(std::size_t size, std::size_t alignment) {
+  if (alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__) return std::malloc(size);
+  void* block = nullptr;
+  return posix_memalign(&block, alignment, size) == 0 ? block : nullptr;
+}
+
 // Returns the block, or nothing where there is no memory or no room under the limit.
 void* take(std::size_t size, std::size_t alignment) {
   const bool counting = is_counting.load(std::memory_order_relaxed);
   if (counting && !may_hold(size)) return nullptr;
-  void* block = nullptr;
-  if (alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__)
-    block = std::malloc(std::max<std::size_t>(size, 1));
-  else if (posix_memalign(&block, alignment, std::max<std::size_t>(size, 1)) != 0)
-    block = nullptr;
+  void* const block = allocate(std::max<std::size_t>(size, 1), alignment);
   if (block == nullptr) return block;
   if (counting)
     held.fetch_add(static_cast<std::int64_t>(malloc_usable_size(block)), std::memory_order_relaxed);

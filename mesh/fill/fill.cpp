@@ -45,7 +45,7 @@ class filling {
     if (options_.is_uneven) begin_unevenly();
     renew_stars(distance_at(coarsest));
     for (int level = coarsest; level >= 0 && !is_over(); --level) {
-      if (level < coarsest) expect_next_level();
+      if (level < coarsest) reserve_next_level();
       divide_segments_at(level);
       while (!is_over() && rounds_ < most_rounds && goes_on(progress) && round(level)) {
       }
@@ -99,10 +99,10 @@ class filling {
     if (!is_over()) crowded_ = !stars_.renew(distance);
   }
 
-  // Half the distance takes up to four times the sites.
-  void expect_next_level() {
+  // Makes room for the sites of the next level: half the distance takes up to four times as many.
+  void reserve_next_level() {
     constexpr std::size_t times = 4;
-    sites_.expect(times * sites_.size());
+    sites_.reserve(times * sites_.size());
   }
 
   void divide_segments_at(int level) {

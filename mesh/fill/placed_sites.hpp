@@ -50,7 +50,7 @@ class placed_sites {
   bool is_exhausted() const { return exhausted_; }
 
   // Makes room for as many sites in all: a list that grows otherwise is there twice while it does.
-  void expect(std::size_t count) {
+  void reserve(std::size_t count) {
     sites_.reserve(std::min(count, most_));
     on_segment_.reserve(std::min(count, most_));
   }

@@ -125,8 +125,7 @@ class plain_refinement {
     };
     if (std::any_of(t.begin(), t.end(), is_marked(at_tight_corner_)) ||
         std::all_of(t.begin(), t.end(), is_marked(at_wedge_end_)) ||
-        (std::all_of(t.begin(), t.end(), is_marked(on_boundary_)) &&
-         state_.segments().wedges().across(t, [](const domain_wedge&) { return true; }) != nullptr))
+        state_.segments().wedges().across(t, [](const domain_wedge&) { return true; }) != nullptr)
       return;
     const triangle_sites sites = sites_of(t);
     if (angle_.is_low(sites)) bad_.push({squared_shortest_edge(sites), t, face});

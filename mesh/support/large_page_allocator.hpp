@@ -42,7 +42,7 @@ struct large_page_allocator {
   }
 
  private:
-  // Of a deque the list of its blocks is allocated here as well, and T is a pointer there.
+  // Counts pointers, too: a deque allocates the list of its blocks here.
   static constexpr std::size_t bytes_of(std::size_t count) {
     return count * sizeof(T);  // NOLINT(bugprone-sizeof-expression)
   }

@@ -105,6 +105,17 @@ std::size_t confirmed(refine_state& state, const neighbour_lists& likely) {
   return same;
 }
 
+// Checks that the domain gets a certified mesh of fewer sites than these.
+void check_meshed_with_20_degrees(const domain& d, std::size_t sites) {
+  mesh_options options;
+  options.angle_bound = 20;
+  const certified_mesh made = make_certified_mesh(d, swirl_field(0), options).value();
+  CHECK(made.certified());
+  CHECK(made.outcome.ended.how == ending::complete);
+  INFO(made.outcome.sites);
+  CHECK(made.outcome.sites < sites);
+}
+
 }  // namespace
 
 TEST_CASE("sites added without stars keep their distance, and their neighbours are guessed right") {
@@ -240,25 +251,13 @@ TEST_CASE("a noisy ring of given vertices takes fewer sites than one that is fil
 // All of the lower side counted as beside the corners at its ends, so that thousands of triangles
 // were left to stars, which gave up.
 TEST_CASE("of a strip with sharp corners at its ends the whole was left to the stars") {
-  mesh_options options;
-  options.angle_bound = 20;
-  const certified_mesh made = make_certified_mesh(flat_comb(520), swirl_field(0), options).value();
-  CHECK(made.certified());
-  CHECK(made.outcome.ended.how == ending::complete);
-  INFO(made.outcome.sites);
-  CHECK(made.outcome.sites < 13000);
+  check_meshed_with_20_degrees(flat_comb(520), 13000);
 }
 
 // Sites in the middle of them divided the spikes, and so all along: 31,023 sites for 2,000 spikes,
 // and no mesh; so it was with 900.
 TEST_CASE("spikes with sharp corners were divided for triangles between their feet") {
-  mesh_options options;
-  options.angle_bound = 20;
-  const certified_mesh made = make_certified_mesh(needles(900), swirl_field(0), options).value();
-  CHECK(made.certified());
-  CHECK(made.outcome.ended.how == ending::complete);
-  INFO(made.outcome.sites);
-  CHECK(made.outcome.sites < 3000);
+  check_meshed_with_20_degrees(needles(900), 3000);
 }
 
 TEST_CASE("there are no more sites without stars than there may be") {
