@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/job_input.hpp"
 
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "asterism/apps/notes.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
@@ -22,6 +22,8 @@
 namespace asterism::apps {
 using namespace internal;
 namespace {
+
+note_options notes_of(const mesh_job& job) { return {job.quiet, job.strict}; }
 
 // Returns what makes the metric of any size; a mesh is read once.
 result<field_of_size> metric_of(const mesh_job& job, const domain& shape) {
@@ -94,9 +96,9 @@ result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repair
   if (job.chord_tolerance && loaded.curves.empty())
     return error{"--chord-tolerance: " + job.domain + " has no curves"};
   auto checked = checked_domain(job, loaded, nullptr, repairs);
-  if (checked && !job.quiet)
-    for (const std::string& message : repairs.messages)
-      std::cerr << "asterism: note: " << message << '\n';
+  if (!checked) return checked;
+  for (const auto& notes : {loaded.origin.notes, repairs.messages})
+    if (auto refused = say_notes(notes, notes_of(job))) return *refused;
   return checked;
 }
 
@@ -109,6 +111,7 @@ result<domain> domain_of_mesh(const mesh_job& job) {
     return error{"--regions: " + job.domain + " is a mesh, which has its regions already"};
   auto adopted = read_triangulation(job.domain, false);
   if (!adopted) return adopted.failure();
+  if (auto refused = say_notes(adopted.value().subject.notes, notes_of(job))) return *refused;
   return std::move(adopted.value().shape);
 }
 

@@ -34,7 +34,8 @@ struct mesh_job {
   std::optional<double> max_megabytes;  // of resident memory
   bool ellipses = false;
   bool quiet = false;
-  bool json = false;  // the summary for programs
+  bool strict = false;  // what readers change is refused
+  bool json = false;    // the summary for programs
 
   // True if lines for people go to standard output.
   bool tells() const { return !quiet && !json; }

@@ -47,6 +47,8 @@ struct domain_origin {
   std::vector<std::size_t> vertex_lines, segment_lines, hole_lines,
       region_lines = {}, curve_lines = {},
       curve_numbers = {};  // of the lines that the curves are of: a line may make several
+  // What the reader changed or passed over, a sentence each.
+  std::vector<std::string> notes = {};
 };
 
 // A domain. After `check_domain` (mesh/domain/check_domain.hpp) accepted it:

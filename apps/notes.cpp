@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/notes.hpp"
+
+#include <iostream>
+
+namespace asterism::apps {
+
+std::optional<error> say_notes(const std::vector<std::string>& notes, const note_options& how) {
+  if (how.strict && !notes.empty()) return error{"--strict: " + notes.front()};
+  if (how.quiet) return std::nullopt;
+  for (const std::string& note : notes) std::cerr << "asterism: note: " << note << '\n';
+  return std::nullopt;
+}
+
+}  // namespace asterism::apps
