@@ -34,7 +34,7 @@ and the copy of the arguments is the difference. `asterism_ask` gets its argumen
 tier that decided. A batch of C copies its rows into columns, which several questions share a register for.
 
 Edge tests here have their sites in any order and four metrics; those of a mesh generator, which knows its
-neighbours' order, are many times cheaper ([performance](../manual/performance.md)).
+neighbours' order, are many times cheaper ([performance](../results/performance.md)).
 
 ## numpy
 
