@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/audit/star_check.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "asterism/kernels/filtered_edge_test.hpp"
@@ -121,10 +122,6 @@ void star_check::prepare(vertex_index v, const vertex_fan& fan) {
   p.reach = 0;
   p.reach_concerned = 0;
   p.has_concerned = p.has_others = false;
-  p.neighbours.clear();
-  context_.fans.visit(v, [&p](const vertex_fan& each) {
-    p.neighbours.insert(p.neighbours.end(), each.link.begin(), each.link.end());
-  });
   p.rays.clear();
   const quick_reaches reaches(at(v));
   measured_.clear();

@@ -44,7 +44,6 @@ struct fan_gap {
 struct prepared_fan {
   vertex_index v = 0;
   std::span<const vertex_index> link;
-  std::vector<vertex_index> neighbours;  // of all fans of v
   std::vector<vector2<double>> rays;
   std::vector<fan_gap> gaps;
   double reach = 0;            // how far from v sites matter to one of the gaps
@@ -88,8 +87,10 @@ class star_check {
     if (w != p.v && !is_neighbour(p, w) && !patience_.is_over())
       check_other(p, w, squared, at_concerned);
   }
+  // In this fan: neighbours in other fans of v, of which there may be thousands, are in none of its
+  // gaps.
   static bool is_neighbour(const prepared_fan& p, vertex_index w) {
-    return std::find(p.neighbours.begin(), p.neighbours.end(), w) != p.neighbours.end();
+    return std::find(p.link.begin(), p.link.end(), w) != p.link.end();
   }
 
   // Asks about each inner edge of a fan once, from its lesser end: what edge_test is asked about
