@@ -7,11 +7,11 @@
 #include <map>
 #include <system_error>
 
+#include "asterism/apps/repair_hint.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
-#include "asterism/mesh/domain/repair_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -42,6 +42,18 @@ std::string text_of(const std::map<int, std::size_t>& counts,
   return text.empty() ? "none" : text;
 }
 
+std::string text_of(repair_answer answer) {
+  switch (answer) {
+    case repair_answer::mends:
+      return "yes";
+    case repair_answer::fails:
+      return "no";
+    case repair_answer::not_known:
+      break;
+  }
+  return "not known: so much crosses that it takes long";
+}
+
 file_facts facts_of(const domain& d) {
   file_facts facts = {{"kind", "domain"},
                       {"vertices", d.vertices.size()},
@@ -58,7 +70,7 @@ file_facts facts_of(const domain& d) {
   const auto checked = divided ? check_domain(divided.value(), &repairs) : divided;
   if (!checked) {
     facts.emplace_back("can be meshed", "no: " + checked.failure().message);
-    facts.emplace_back("with --repair-domain", repair_domain(d).ok() ? "yes" : "no");
+    facts.emplace_back("with --repair-domain", text_of(try_repair(d).answer));
     return facts;
   }
   std::string put_in_order;

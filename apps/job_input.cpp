@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "asterism/apps/notes.hpp"
+#include "asterism/apps/repair_hint.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
@@ -58,11 +59,21 @@ result<prepared_input> with_metric(const mesh_job& job, domain shape) {
                         made.value().complexity};
 }
 
-// Adds to a refusal that there is an option which mends it, if there is.
+// Adds to a refusal that there is an option which mends it, if there is, or may be.
 error with_remedy(const error& refusal, const domain& d) {
-  domain_repairs repairs;
-  if (!repair_domain(d, {}, &repairs)) return refusal;
-  return {refusal.message + "; --repair-domain mends it: " + text_of(repairs), refusal.code};
+  const repair_hint hint = try_repair(d);
+  switch (hint.answer) {
+    case repair_answer::mends:
+      return {refusal.message + "; --repair-domain mends it: " + hint.changes, refusal.code};
+    case repair_answer::not_known:
+      return {refusal.message +
+                  "; --repair-domain may mend it, and takes long: so much crosses that it was not "
+                  "tried to its end",
+              refusal.code};
+    case repair_answer::fails:
+      break;
+  }
+  return refusal;
 }
 
 error without_repair(const error& refusal) {

@@ -36,14 +36,14 @@ double distance_to_segment(const point& v, const point& a, const point& b) {
 
 class repairer {
  public:
-  repairer(const domain& input, double distance, domain_repairs& report)
-      : input_(input), names_(input), distance_(distance), report_(report) {
+  repairer(const domain& input, double distance, domain_repairs& report, const cancellation& stop)
+      : input_(input), names_(input), distance_(distance), report_(report), stop_(stop) {
     report_ = {};
     report_.distance = distance;
   }
 
   result<domain> repair() {
-    auto snapped = snap_segments(input_, distance_);
+    auto snapped = snap_segments(input_, distance_, stop_);
     if (!snapped) return snapped.failure().at(names_.at_start() + "repair");
     snapped_graph& graph = snapped.value();
     tell_joined(graph);
@@ -71,6 +71,7 @@ class repairer {
   const domain_names names_;
   double distance_;
   domain_repairs& report_;
+  const cancellation& stop_;
 };
 
 void repairer::tell_joined(const snapped_graph& graph) {
@@ -209,7 +210,7 @@ double least_distance(const domain& d) {
 }  // namespace
 
 result<domain> repair_domain(const domain& input, std::optional<double> distance,
-                             domain_repairs* repairs) {
+                             domain_repairs* repairs, const cancellation& stop) {
   domain_repairs unasked;
   domain_repairs& report = repairs != nullptr ? *repairs : unasked;
   if (auto failed = check_domain_values(input)) return failed->as(error_code::invalid_domain);
@@ -235,8 +236,8 @@ result<domain> repair_domain(const domain& input, std::optional<double> distance
   result<domain> repaired = error{};
   for (int power = finest; power <= coarsest; power += step) {
     const double chosen = distance ? *distance : std::max(least, std::ldexp(side, power));
-    repaired = repairer(input, chosen, report).repair();
-    if (repaired || distance) break;
+    repaired = repairer(input, chosen, report, stop).repair();
+    if (repaired || distance || stop.is_requested()) break;
   }
   if (repaired) return repaired;
   return error{repaired.failure().message + " (after repairs up to a distance of " +

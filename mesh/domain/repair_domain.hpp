@@ -29,13 +29,16 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism {
 
 // Returns a domain that check_domain accepts as it is, or refuses the input. `distance`, if given,
-// is D: positive, finite. `repairs`, when given, is overwritten.
+// is D: positive, finite. `repairs`, when given, is overwritten. Fails when `stop` says so; its
+// account is charged with the work, which is quadratic in the crossings at worst.
 ASTERISM_EXPORT result<domain> repair_domain(const domain& input,
                                              std::optional<double> distance = {},
-                                             domain_repairs* repairs = nullptr);
+                                             domain_repairs* repairs = nullptr,
+                                             const cancellation& stop = {});
 
 }  // namespace asterism

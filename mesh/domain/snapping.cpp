@@ -31,7 +31,8 @@ struct edge {
 
 class snapper {
  public:
-  snapper(const domain& d, double distance) : distance_(distance), near_(distance) {
+  snapper(const domain& d, double distance, const cancellation& stop)
+      : distance_(distance), near_(distance), stop_(stop) {
     made_.vertices = d.vertices;
     join_vertices(d);
     for (std::size_t s = 0; s < d.segments.size(); ++s)
@@ -44,6 +45,7 @@ class snapper {
     for (bool changed = true; changed; ++made_.rounds) {
       while (bend_to_vertices())
         if (is_too_much()) return too_much();
+      if (is_too_much()) return too_much();
       changed = cut_crossings();
       if (is_too_much()) return too_much();
     }
@@ -51,10 +53,16 @@ class snapper {
   }
 
  private:
-  bool is_too_much() const {
-    return std::max(made_.pieces.size(), made_.meetings.size()) > most_pieces;
+  // Work in units of kernels/work_units.hpp: a vertex or an edge looked at, of which one may lie
+  // beside the other, and a crossing entered. Measured as those are.
+  static constexpr double a_look = 0.0005, a_close_look = 0.005, a_crossing = 0.3, an_edge = 0.05;
+
+  bool is_too_much() {
+    if (!why_ended_) why_ended_ = stop_.poll();
+    return why_ended_ || std::max(made_.pieces.size(), made_.meetings.size()) > most_pieces;
   }
-  static error too_much() {
+  error too_much() const {
+    if (why_ended_) return {"the repair was ended: " + *why_ended_};
     return {"the segments cross too often to be repaired: they fall into more than " +
             std::to_string(most_pieces) + " pieces"};
   }
@@ -78,6 +86,8 @@ class snapper {
 
   double distance_;
   near_vertices near_;
+  const cancellation& stop_;
+  std::optional<std::string> why_ended_;
   std::vector<vertex_index> kept_;  // what no other vertex replaces
   snapped_graph made_;
 };
@@ -130,6 +140,7 @@ bool snapper::bend_to_vertices() {
   });
   std::vector<edge> all = edges();
   for (edge& e : all) {
+    double units = an_edge;
     const bounding_box box = box_of(e);
     // Wider than half the distance, so that rounding excludes nothing.
     const double low = box.low.x - distance_, high = box.high.x + distance_;
@@ -137,12 +148,16 @@ bool snapper::bend_to_vertices() {
                               [&](vertex_index w, double x) { return at(w).x < x; });
     for (; v != by_x.end() && at(*v).x <= high; ++v) {
       const point& p = at(*v);
+      units += a_look;
       if (p.y < box.low.y - distance_ || p.y > box.high.y + distance_) continue;
+      units += a_close_look;
       if (*v == e.a || *v == e.b || !is_beside(p, at(e.a), at(e.b), distance_ / 2)) continue;
       e.through.push_back(*v);
       made_.meetings.push_back({*v, e.source, *v, false});
     }
     order_along(e);
+    stop_.charge(units);
+    if (is_too_much()) return false;
   }
   return replace(all);
 }
@@ -167,12 +182,18 @@ bool snapper::cut_crossings() {
   for (std::size_t i = 0; i < by_x.size(); ++i) {
     edge& e = all[by_x[i]];
     const bounding_box& box = boxes[by_x[i]];
+    double units = an_edge;
     for (std::size_t j = i + 1; j < by_x.size() && boxes[by_x[j]].low.x <= box.high.x; ++j) {
       const bounding_box& other = boxes[by_x[j]];
+      units += a_look;
       if (other.low.y > box.high.y || other.high.y < box.low.y) continue;
-      if (cross(e, all[by_x[j]])) meet(e, all[by_x[j]]);
+      units += a_close_look;
+      if (!cross(e, all[by_x[j]])) continue;
+      units += a_crossing;
+      meet(e, all[by_x[j]]);
     }
-    if (made_.meetings.size() > most_pieces) break;
+    stop_.charge(units);
+    if (is_too_much()) return false;
   }
   for (edge& e : all) order_along(e);
   return replace(all);
@@ -251,8 +272,8 @@ bool snapper::replace(const std::vector<edge>& edges) {
 
 }  // namespace
 
-result<snapped_graph> snap_segments(const domain& d, double distance) {
-  return snapper(d, distance).snap();
+result<snapped_graph> snap_segments(const domain& d, double distance, const cancellation& stop) {
+  return snapper(d, distance, stop).snap();
 }
 
 }  // namespace asterism::internal

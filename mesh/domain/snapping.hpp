@@ -28,6 +28,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
 
@@ -54,7 +55,8 @@ struct snapped_graph {
 
 // Builds the graph. Requires finite coordinates, indices in range, and a distance of four units in
 // the last place of every coordinate at least. Fails where there would be more than four million
-// pieces.
-result<snapped_graph> snap_segments(const domain& d, double distance);
+// pieces, or when `stop` says so, whose account is charged with the work.
+result<snapped_graph> snap_segments(const domain& d, double distance,
+                                    const cancellation& stop = {});
 
 }  // namespace asterism::internal

@@ -127,6 +127,25 @@ TEST_CASE("two hundred random segments fall into thousands of pieces") {
   CHECK(clean.vertices.size() > repairs.crossings);
 }
 
+TEST_CASE("a repair ends with the work that it is given, at the same place each time") {
+  const domain d = crossing_segments(400);
+  std::string said;
+  for (int time = 0; time < 2; ++time) {
+    const cancellation bounded = cancellation().with_work(500);
+    const auto refused = repair_domain(d, {}, nullptr, bounded);
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.failure().message.find("the repair was ended: the most work") !=
+          std::string::npos);
+    CHECK(bounded.units_left() <= 0);
+    CHECK(bounded.units_left() > -500);
+    CHECK((time == 0 || said == refused.failure().message));
+    said = refused.failure().message;
+  }
+  const cancellation ample = cancellation().with_work(1e6);
+  CHECK(repair_domain(d, {}, nullptr, ample).ok());
+  CHECK(ample.units_left() < 1e6);
+}
+
 TEST_CASE("after a repair points are apart, and segments pass none of them") {
   domain_repairs repairs;
   const domain clean = repaired(near_points(), repairs);
