@@ -168,6 +168,10 @@ void add_limits(CLI::App& app, challenge_options& options) {
       app, "--slow", waits, [&options](double s) { options.limits.slow = s; },
       "An answer that takes longer is called slow (default 1)")
       ->type_name("SECONDS");
+  add_real(
+      app, "--max-seconds", positive_reals, [&options](double s) { options.limits.whole = s; },
+      "The run ends after this time, and what is left counts as not asked (default 3600)")
+      ->type_name("S");
 }
 
 void add_choices(CLI::App& app, challenge_options& options) {

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/challenge/foreign_program.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#if defined(__linux__)
-#include <sys/prctl.h>
-#endif
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <optional>
 
-#include "asterism/core/number_text.hpp"
+#include "asterism/challenge/kept_program.hpp"
 
 namespace asterism::challenge {
 namespace {
@@ -28,43 +21,6 @@ using clock = std::chrono::steady_clock;
 double seconds_since(clock::time_point start) {
   return std::chrono::duration<double>(clock::now() - start).count();
 }
-
-// A descriptor that is closed when it goes.
-class descriptor {
- public:
-  descriptor() = default;
-  explicit descriptor(int number) : number_(number) {}
-  ~descriptor() { close(); }
-  descriptor(const descriptor&) = delete;
-  descriptor& operator=(const descriptor&) = delete;
-
-  int number() const { return number_; }
-  bool open() const { return number_ >= 0; }
-  void reset(int number) {
-    close();
-    number_ = number;
-  }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-
- private:
-  int number_ = -1;
-};
-
-// The two ends of a pipe; neither is left to the programs that are run.
-struct channel {
-  descriptor read, write;
-
-  bool make() {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return false;
-    read.reset(ends[0]);
-    write.reset(ends[1]);
-    return true;
-  }
-};
 
 // Writing to a program that has gone is an error of the call, not the end of ours.
 class ignored_broken_pipe {
@@ -81,85 +37,6 @@ class ignored_broken_pipe {
  private:
   struct sigaction before_ = {};
 };
-
-// Becomes the program, in the child. Only calls that are allowed between fork and exec.
-[[noreturn]] void become(const std::vector<char*>& arguments, const channel& in, const channel& out,
-                         const channel& error, const channel& failure) {
-  ::setpgid(0, 0);
-#if defined(__linux__)
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // so that an interrupt of ours leaves nothing behind
-#endif
-  const rlimit none = {0, 0};
-  ::setrlimit(RLIMIT_CORE, &none);
-  ::signal(SIGPIPE, SIG_DFL);
-  ::dup2(in.read.number(), STDIN_FILENO);
-  ::dup2(out.write.number(), STDOUT_FILENO);
-  ::dup2(error.write.number(), STDERR_FILENO);
-  ::execvp(arguments[0], arguments.data());
-  const int why = errno;
-  (void)!::write(failure.write.number(), &why, sizeof why);
-  ::_exit(127);
-}
-
-// A program that runs, and its ends of the pipes. Killed with all its kind when this goes.
-class running_program {
- public:
-  running_program() = default;
-  ~running_program() { end(); }
-  running_program(const running_program&) = delete;
-  running_program& operator=(const running_program&) = delete;
-
-  // Empty if the program runs.
-  std::optional<error> start(const std::vector<std::string>& command);
-  // True once it has ended; the status is then kept.
-  bool ended() {
-    if (!over_ && ::waitpid(process_, &status_, WNOHANG) == process_) over_ = true;
-    return over_;
-  }
-  int status() const { return status_; }
-  void end();
-
-  descriptor in, out, error_out;
-
- private:
-  pid_t process_ = -1;
-  int status_ = 0;
-  bool over_ = false;
-};
-
-std::optional<error> running_program::start(const std::vector<std::string>& command) {
-  channel to, from, said, failure;
-  const error no_process = {"no process can be made for " +
-                            internal::quoted_token(command.front())};
-  if (!to.make() || !from.make() || !said.make() || !failure.make()) return no_process;
-  std::vector<char*> arguments;
-  arguments.reserve(command.size() + 1);
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  process_ = ::fork();
-  if (process_ < 0) return no_process;
-  if (process_ == 0) become(arguments, to, from, said, failure);
-  ::setpgid(process_, process_);
-  failure.write.close();
-  int why = 0;
-  if (::read(failure.read.number(), &why, sizeof why) == static_cast<ssize_t>(sizeof why))
-    return error{internal::quoted_token(command.front()) + " cannot be run: " + std::strerror(why)};
-  for (const auto& [ours, theirs] : {std::pair{&to.write, &in}, std::pair{&from.read, &out},
-                                     std::pair{&said.read, &error_out}}) {
-    theirs->reset(::dup(ours->number()));
-    ::fcntl(theirs->number(), F_SETFD, FD_CLOEXEC);
-    ::fcntl(theirs->number(), F_SETFL, O_NONBLOCK);
-  }
-  return std::nullopt;
-}
-
-void running_program::end() {
-  if (process_ <= 0) return;
-  ::kill(-process_, SIGKILL);  // children it left behind, too
-  if (!over_) ::waitpid(process_, &status_, 0);
-  over_ = true;
-  process_ = -1;
-}
 
 // Cuts the output into lines, and notes when they came.
 class answer_reader {
@@ -207,7 +84,7 @@ class answer_reader {
 // A conversation with a program: what is still to be written, and what was read.
 class conversation {
  public:
-  conversation(running_program& program, program_run& run, const std::string& text,
+  conversation(kept_program& program, program_run& run, const std::string& text,
                answer_reader& reader, std::size_t expected, const run_limits& limits)
       : program_(program),
         run_(run),
@@ -266,13 +143,15 @@ class conversation {
 
   bool waited_too_long() {
     const bool all = run_.answers.size() == expected_;
-    if (reader_.silence() <= (all ? limits_.patience : limits_.silence)) return false;
+    const bool is_out_of_time = clock::now() > limits_.until;
+    if (!is_out_of_time && reader_.silence() <= (all ? limits_.patience : limits_.silence))
+      return false;
     run_.lingered = all;
-    if (!all) run_.how = run_end::hung;
+    if (!all) run_.how = is_out_of_time ? run_end::out_of_time : run_end::hung;
     return true;
   }
 
-  running_program& program_;
+  kept_program& program_;
   program_run& run_;
   const std::string& text_;
   answer_reader& reader_;
@@ -308,14 +187,14 @@ result<program_run> run_program(const std::vector<std::string>& command,
   const ignored_broken_pipe ignored;
   std::string text;
   for (const std::string& line : questions) text += line + '\n';
-  running_program program;
+  kept_program program;
   if (auto failure = program.start(command)) return *failure;
   program_run run;
   const clock::time_point start = clock::now();
   answer_reader reader(run, questions.size(), limits.slow);
   conversation(program, run, text, reader, questions.size(), limits).hold();
   run.seconds = seconds_since(start);
-  program.end();
+  run.left_behind = !program.end();
   note_status(run, program.status(), questions.size());
   run.said = last_line(run.said);
   return run;
@@ -337,6 +216,8 @@ std::string ending_text(const program_run& run) {
       return "gave no answer in time and was killed";
     case run_end::endless:
       return "wrote a line longer than any answer";
+    case run_end::out_of_time:
+      return "was killed when the time for the whole run was over";
   }
   return {};
 }

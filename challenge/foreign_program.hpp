@@ -4,6 +4,7 @@
 // to it, whatever it does. It may crash, hang, read nothing, write for ever or not at all.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -18,16 +19,20 @@ struct run_limits {
   double silence = 10;   // seconds without an answer until it is killed
   double slow = 1;       // seconds until an answer is called slow
   double patience = 10;  // seconds from its last answer until it is killed
+  double whole = 3600;   // seconds for all runs of a challenge
+  // When the whole is over, by a clock that was started with it (challenge/referee.cpp).
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
 
 // How a run ended.
 enum class run_end {
-  answered,  // as many answers as questions, and not one of the others
-  too_few,   // it ended by itself before
-  too_many,  // killed at the first answer that no question belongs to
-  crashed,   // ended by a signal
-  hung,      // killed after the silence
-  endless,   // killed within a line longer than any answer
+  answered,     // as many answers as questions, and not one of the others
+  too_few,      // it ended by itself before
+  too_many,     // killed at the first answer that no question belongs to
+  crashed,      // ended by a signal
+  hung,         // killed after the silence
+  endless,      // killed within a line longer than any answer
+  out_of_time,  // killed when the time for the whole was over, before it had answered all
 };
 
 // Result of a run.
@@ -37,6 +42,7 @@ struct program_run {
   std::vector<std::string> answers;  // lines, no more than questions
   std::vector<std::size_t> slow;     // indices of the answers that came late
   bool lingered = false;             // all answered, and killed since it did not end
+  bool left_behind = false;          // something that it started could not be ended
   double seconds = 0;                // by the clock
   std::string said;                  // last line of standard error, cut when long
 };
@@ -45,9 +51,9 @@ struct program_run {
 inline constexpr std::size_t longest_answer = 4096;
 
 // Runs `command` (a program and its arguments) on the questions, one a line, and closes its input
-// after the last. It gets a process group of its own, of which nothing is left afterwards. A gap
-// between answers is counted from the start or the answer before, so that of a program that
-// collects its output the first line collected is late.
+// after the last. Nothing that it started is left afterwards (challenge/kept_program.hpp says what
+// holds). A gap between answers is counted from the start or the answer before, so that of a
+// program that collects its output the first line collected is late.
 //
 // Errors: no such program, or no process can be made.
 result<program_run> run_program(const std::vector<std::string>& command,

@@ -23,8 +23,13 @@ class search {
         take(whole.value(), from, questions_.size());
         return std::nullopt;
       }
+      if (all_.out_of_time) {
+        take(whole.value(), from, from + whole.value().answers.size());
+        return std::nullopt;
+      }
       const auto at = first_failure(from, whole.value());
       if (!at) return at.failure();
+      if (all_.out_of_time) return std::nullopt;
       from = at.value() + 1;
       ++failures;
     }
@@ -34,8 +39,12 @@ class search {
   batch_replies all() && { return std::move(all_); }
 
  private:
-  result<program_run> ask(std::size_t from, std::size_t to) const {
-    return run_program(command_, questions_.subspan(from, to - from), limits_);
+  result<program_run> ask(std::size_t from, std::size_t to) {
+    auto run = run_program(command_, questions_.subspan(from, to - from), limits_);
+    if (!run) return run;
+    all_.left_behind = all_.left_behind || run.value().left_behind;
+    all_.out_of_time = all_.out_of_time || run.value().how == run_end::out_of_time;
+    return run;
   }
 
   void take(const program_run& run, std::size_t from, std::size_t to) {
@@ -53,7 +62,8 @@ class search {
     all_.hung += run.how == run_end::hung ? 1 : 0;
   }
 
-  // The failing run asked from `from` to the end. Answers before the failure are taken.
+  // The failing run asked from `from` to the end. Answers before the failure are taken. Means
+  // nothing where the time is over before the question is found.
   result<std::size_t> first_failure(std::size_t from, const program_run& failed) {
     const std::size_t answered = failed.answers.size();
     const std::size_t rest = questions_.size() - from;
@@ -62,6 +72,7 @@ class search {
       auto alone = ask(from + answered, from + answered + 1);
       if (!alone || alone.value().how != run_end::answered) {
         if (!alone) return alone.failure();
+        if (all_.out_of_time) return from;
         take(failed, from, from + answered);
         fail(from + answered, alone.value());
         return from + answered;
@@ -78,6 +89,7 @@ class search {
       const std::size_t middle = good + (bad - good) / 2;
       auto run = ask(from, from + middle);
       if (!run) return run.failure();
+      if (all_.out_of_time) return from;
       const bool answered = run.value().how == run_end::answered;
       (answered ? good : bad) = middle;
       (answered ? well : failed) = std::move(run.value());

@@ -28,12 +28,15 @@ struct batch_replies {
   double seconds = 0;          // of the runs whose answers were taken
   std::size_t hung = 0;        // questions at which it hung
   bool lingered = false;       // it did not end by itself after its last answer
+  bool left_behind = false;    // something that it started could not be ended
+  bool out_of_time = false;    // the time for the whole was over, and the rest was not asked
 };
 
 // Failures in one batch after which the rest is not asked. A search for one takes some ten runs.
 inline constexpr std::size_t most_failures = 5;
 
-// Asks the questions. After most_failures failures, or one hang, the rest is not asked. A program
+// Asks the questions. After most_failures failures, or one hang, or when the time for the whole is
+// over, the rest is not asked. A program
 // that fails here and there without a pattern is told at the question at which the search ended.
 result<batch_replies> ask_in_turn(const std::vector<std::string>& command,
                                   std::span<const std::string> questions, const run_limits& limits);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <numeric>
 
 #include "asterism/challenge/isolation.hpp"
@@ -42,6 +43,7 @@ verdict judge(const reply& r, int exact) {
     case run_end::hung:
       return verdict::hung;
     case run_end::endless:
+    case run_end::out_of_time:
     case run_end::answered:
       break;
   }
@@ -58,7 +60,12 @@ std::string simple_record(const question& asked) {
 
 class referee {
  public:
-  explicit referee(const challenge_plan& plan) : plan_(plan), limits_(plan.limits) {}
+  explicit referee(const challenge_plan& plan) : plan_(plan), limits_(plan.limits) {
+    using clock = std::chrono::steady_clock;
+    constexpr double longest = 1e9;  // thirty years, which the clock can count
+    const std::chrono::duration<double> whole(std::min(limits_.whole, longest));
+    limits_.until = clock::now() + std::chrono::duration_cast<clock::duration>(whole);
+  }
 
   // Each question alone, in a run of its own: a program may end at a name that it does not know.
   std::optional<error> find_questions() {
@@ -67,6 +74,9 @@ class referee {
         const std::vector<std::string> simple = {simple_record(asked)};
         const auto run = run_program(plan_.command, simple, limits_);
         if (!run) return run.failure();
+        outcome_.left_behind = outcome_.left_behind || run.value().left_behind;
+        outcome_.out_of_time = run.value().how == run_end::out_of_time;
+        if (outcome_.out_of_time) return std::nullopt;
         note_lingering(run.value().lingered);
         if (!knows(run.value())) {
           note_unknown(asked, run.value());
@@ -119,7 +129,7 @@ class referee {
     tally counted;
     batch_replies all;
     all.replies.resize(records.size());
-    if (!outcome_.gave_up && !records.empty()) {
+    if (!outcome_.gave_up && !outcome_.out_of_time && !records.empty()) {
       std::vector<std::string> lines;
       lines.reserve(records.size());
       for (const asked_record& r : records) lines.push_back(r.text);
@@ -129,6 +139,8 @@ class referee {
       hangs_ += all.hung;
       outcome_.gave_up = hangs_ >= most_hangs;
       note_lingering(all.lingered);
+      outcome_.left_behind = outcome_.left_behind || all.left_behind;
+      outcome_.out_of_time = all.out_of_time;
     }
     counted.seconds = all.seconds;
     for (std::size_t i = 0; i < records.size(); ++i) {
@@ -178,7 +190,7 @@ bool challenge_outcome::all_right(bool undecided_passes) const {
       good += t.at(verdict::right) + (undecided_passes ? t.at(verdict::undecided) : 0);
       records += t.records();
     }
-  return good == records && records > 0 && !lingered;
+  return good == records && records > 0 && !lingered && !left_behind && !out_of_time;
 }
 
 tally challenge_outcome::of_class(std::size_t which) const {

@@ -76,15 +76,18 @@ struct challenge_outcome {
   std::vector<std::vector<tally>> counts;  // by class, then by question
   std::vector<witness> witnesses;          // in the order of the classes
   bool lingered = false;                   // it did not end after its last answer
+  bool left_behind = false;                // something that it started could not be ended
   bool gave_up = false;                    // most_hangs reached
+  bool out_of_time = false;                // run_limits::whole was over before all was asked
 
-  // True if every record was answered, rightly; `undecided` may pass for right.
+  // True if every record was answered, rightly, and nothing is left of the program; `undecided` may
+  // pass for right.
   bool all_right(bool undecided_passes) const;
   tally of_class(std::size_t which) const;
   tally of_question(std::size_t which) const;
 };
 
-// Asks the program. Errors: it cannot be run.
+// Asks the program, for plan.limits.whole seconds at most. Errors: it cannot be run.
 result<challenge_outcome> challenge_program(const challenge_plan& plan);
 
 }  // namespace asterism::challenge

@@ -131,12 +131,17 @@ std::vector<std::string> remarks(const challenge_outcome& outcome) {
     all.push_back("Not asked, since a simple question got no answer: " + joined(outcome.unknown) +
                   " (" + std::string(outcome.unknown.front().name) + ": " + outcome.unknown_told +
                   ").");
-  if (outcome.questions.empty()) all.emplace_back("The program answered none of them.");
+  if (outcome.questions.empty() && !outcome.out_of_time)
+    all.emplace_back("The program answered none of them.");
   if (outcome.lingered)
     all.emplace_back("The program did not end after its last answer, and was killed.");
   if (outcome.gave_up)
     all.push_back("Given up after " + std::to_string(most_hangs) +
                   " questions that got no answer in time: the rest was not asked.");
+  if (outcome.out_of_time)
+    all.emplace_back("The time for the whole run is over: the rest was not asked.");
+  if (outcome.left_behind)
+    all.emplace_back("Something that the program started could not be ended, and goes on.");
   return all;
 }
 

@@ -208,6 +208,70 @@ class Challenge(command.CommandTest):
                 if os.path.exists(p) and self.runs(p, str(self.folder))]
         self.assertEqual(left, [])
 
+    # Each leaves a process in a session of its own, and ends or goes on.
+    DAEMONS = {
+        "a child in a session of its own": "setsid sleep 98765 & sleep 98765",
+        "a daemon of two forks": "(setsid sh -c 'sleep 98765 & exit' &) ; exit 0",
+        "daemons of daemons": "for i in 1 2 3; do setsid sh -c 'setsid sh -c \"setsid sleep 98765 & "
+                              "sleep 98765\" & exit' & done; sleep 98765",
+        "one that ignores signals": "setsid sh -c 'trap \"\" TERM HUP INT; while :; do sleep 1; done' & "
+                                    "exit 0",
+        "one without its standard output": "setsid sleep 98765 </dev/null >/dev/null 2>&1 & exit 0",
+    }
+
+    def left_in_folder(self):
+        """The processes whose folder is this test's, with their commands."""
+        left = []
+        for process in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                if os.readlink(process / "cwd") == str(self.folder):
+                    left.append((process.name, (process / "cmdline").read_bytes()))
+            except OSError:
+                continue  # ended meanwhile, or another user's
+        return left
+
+    def test_what_calls_setsid_is_ended_too(self):
+        self.write("one.txt", "orient2d 0 0 1 0 0 1\n")
+        for what, script in self.DAEMONS.items():
+            with self.subTest(what):
+                program = self.program(f"#!/bin/sh\n{script}\n")
+                done = self.challenge("--classes", "one.txt", "--predicate", "orient2d", "--timeout", "0.2",
+                                      program)
+                self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+                self.assertNotIn("could not be ended", done.stdout)
+                self.assertEqual(self.left_in_folder(), [])
+
+    def test_what_calls_setsid_is_ended_when_the_command_is_killed(self):
+        self.write("one.txt", "orient2d 0 0 1 0 0 1\n")
+        program = self.program("#!/bin/sh\nsetsid sleep 98765 &\nsleep 98765\n")
+        for signal_sent in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+            asked = subprocess.Popen([command.PROGRAM, "challenge", "--classes", "one.txt", program],
+                                     cwd=self.folder, stdout=subprocess.DEVNULL)
+            until = time.monotonic() + 20
+            while sum(b"sleep" in words for _, words in self.left_in_folder()) < 2:
+                self.assertLess(time.monotonic(), until, "the program was not started")
+                time.sleep(0.02)
+            asked.send_signal(signal_sent)
+            asked.wait(20)
+            while self.left_in_folder():
+                self.assertLess(time.monotonic(), until, self.left_in_folder())
+                time.sleep(0.02)
+
+    def test_the_whole_run_has_a_limit(self):
+        # Never silent for long, and never done.
+        program = self.program(f"#!{sys.executable} -S\nimport sys, time\n"
+                               "for line in iter(sys.stdin.readline, ''):\n"
+                               "    print(1, flush=True)\n    time.sleep(0.05)\n")
+        self.write("many.txt", "orient2d 0 0 1 0 0 1\n" * 1000)
+        done = self.challenge("--classes", "many.txt", "--predicate", "orient2d", "--max-seconds", "2", program,
+                              seconds=30)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        counts = self.counts(done)
+        self.assertGreater(int(counts["right"]), 0)
+        self.assertEqual(int(counts["right"]) + int(counts["not asked"]), 1000)
+        self.assertIn("The time for the whole run is over: the rest was not asked.", done.stdout)
+        self.assertEqual(self.left_in_folder(), [])
+
     @staticmethod
     def runs(process, folder):
         try:

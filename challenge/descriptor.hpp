@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Descriptors that are closed when they go, and pipes of them.
+#pragma once
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+
+namespace asterism::challenge {
+
+// A descriptor that is closed when it goes.
+class descriptor {
+ public:
+  descriptor() = default;
+  explicit descriptor(int number) : number_(number) {}
+  ~descriptor() { close(); }
+  descriptor(const descriptor&) = delete;
+  descriptor& operator=(const descriptor&) = delete;
+
+  int number() const { return number_; }
+  bool open() const { return number_ >= 0; }
+  void reset(int number) {
+    close();
+    number_ = number;
+  }
+  // Hands it over to one that does not close it.
+  int release() {
+    const int number = number_;
+    number_ = -1;
+    return number;
+  }
+  void close() {
+    if (number_ >= 0) ::close(number_);
+    number_ = -1;
+  }
+
+ private:
+  int number_ = -1;
+};
+
+// The two ends of a pipe; neither is left to the programs that are run.
+struct channel {
+  descriptor read, write;
+
+  bool make() {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+    read.reset(ends[0]);
+    write.reset(ends[1]);
+    return true;
+  }
+};
+
+}  // namespace asterism::challenge

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// A program that runs under a keeper, and of which nothing is left afterwards.
+//
+// The keeper is a process of ours between us and the program. Whatever the program starts, with
+// setsid or not, becomes the keeper's child when its own parent ends (Linux: a child subreaper,
+// prctl(2)), so that the keeper ends one generation after the other until it has no child. It does
+// so when it is told to, and when we end, however that happens.
+//
+// What holds: on Linux with a list of children in /proc (CONFIG_PROC_CHILDREN, as distributions
+// have it) all that descends from the program is ended, but for processes of another user, which
+// may not be sent signals. Elsewhere the program's process group is. Something that forks faster
+// than it is ended is given up after some seconds, and told.
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/challenge/descriptor.hpp"
+#include "asterism/core/result.hpp"
+
+namespace asterism::challenge {
+
+class kept_program {
+ public:
+  kept_program() = default;
+  ~kept_program() { end(); }
+  kept_program(const kept_program&) = delete;
+  kept_program& operator=(const kept_program&) = delete;
+
+  // Runs a program and its arguments. Empty if it runs.
+  std::optional<error> start(const std::vector<std::string>& command);
+  // True once it has ended; the status, as waitpid tells it, is then kept.
+  bool ended();
+  int status() const { return status_; }
+  // Ends it and all that it started. False if some of that could not be ended.
+  bool end();
+
+  // Ends of the pipes to its standard input, output and error, which do not block.
+  descriptor in, out, error_out;
+
+ private:
+  pid_t keeper_ = -1;
+  descriptor orders_;   // closed, it tells the keeper to end the program
+  descriptor reports_;  // the status comes from there
+  int status_ = 0;
+  bool over_ = false;
+};
+
+}  // namespace asterism::challenge
