@@ -103,6 +103,14 @@ def fan(count, degrees):
     return poly_text(points, ring(0, 4) + [(4, 5 + i) for i in range(count)])
 
 
+def crossing_segments(count, seed=1):
+    """Segments between random points of a square, with its sides: nearly a quarter of all pairs cross."""
+    rng = random.Random(seed)
+    points = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0),
+              *((rng.uniform(0.01, 0.99), rng.uniform(0.01, 0.99)) for _ in range(2 * count))]
+    return poly_text(points, [*ring(0, 4), *((4 + 2 * i, 5 + 2 * i) for i in range(count))])
+
+
 def comb(teeth, depth=1.0):
     points = [(0.0, -0.1), (float(teeth), -0.1)]
     for i in reversed(range(teeth)):

@@ -139,6 +139,25 @@ class BoundedWork(command.CommandTest):
         self.assertIn("1000 exempt at 1 corners", done.stdout)
         self.assertEqual(self.bounded("verify", "fan.mesh").returncode, 0)
 
+    def test_thousands_of_segments_at_one_vertex_took_a_minute_to_be_verified_again(self):
+        self.write("fan.poly", hostile_inputs.fan(4900, 360 / 4900))
+        self.assertEqual(self.bounded("mesh", "fan.poly", "-o", "fan.mesh").returncode, 0)
+        for more in ((), ("--domain", "fan.poly")):
+            done = self.bounded("verify", "fan.mesh", *more)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_to_say_what_mends_thousands_of_crossing_segments_took_minutes_and_half_a_gigabyte(self):
+        for count, is_known in ((200, True), (2498, False)):
+            name = f"crossing{count}.poly"
+            self.write(name, hostile_inputs.crossing_segments(count))
+            done = self.bounded("info", name)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stdout, "can be meshed +no: .* crosses ")
+            self.assertRegex(done.stdout, "with --repair-domain +" + ("yes" if is_known else "not known: "))
+            done = self.bounded("mesh", name, "-o", "out.mesh")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("--repair-domain mends it: " if is_known else "--repair-domain may mend it", done.stderr)
+
     def test_a_mesh_without_a_triangle_was_called_complete_where_no_work_was_left_for_stars(self):
         source = self.prepare("random_1e12")
         done = self.bounded("mesh", source, "--metric", source, "--size", "1", "--max-sites", "2000", "-o", "out.mesh")
