@@ -56,6 +56,8 @@ class arc_insertion {
   enum class pass_result { progressed, field_failed, exhausted };
 
   pass_result insert_at_worst();
+  // Splits a subsegment for the worst triangle with a candidate just beyond one; true if it did.
+  bool split_before_worst();
   void insert_for_large();
   bool insert_at(const triangle& t, double tolerance);
   bool is_set_aside(const bad_triangle& b) const {

@@ -194,6 +194,11 @@ bool refine_state::split_at_place(const point& q, double shortest) {
   return through && split(*through, shortest);
 }
 
+bool refine_state::split_before(const triangle& t, const point& q, double shortest) {
+  const auto before = segments_.subsegment_before(t, q);
+  return before && split(*before, shortest);
+}
+
 bool refine_state::clear_encroachments(double shortest) {
   while (segments_.has_suspects() && !is_full()) {
     if (is_overworked()) return false;

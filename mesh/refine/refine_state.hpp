@@ -96,6 +96,10 @@ class refine_state {
   // Splits the subsegment that q lies on, if there is one, at its split point, not at q. Returns
   // false where split() does, and where there is none.
   bool split_at_place(const point& q, double shortest);
+  // Splits the subsegment that hides q, a place outside the domain, from a corner of the triangle,
+  // if a site at q would encroach on it from behind. Returns false where split() does, and where
+  // there is none.
+  bool split_before(const triangle& t, const point& q, double shortest);
   // Splits subsegments until none is encroached by a site, as far as split() allows. Returns false
   // when it ended early, cancelled or overworked.
   bool clear_encroachments(double shortest);

@@ -176,6 +176,16 @@ bool split_boundary::is_excused(const boundary_edge& subsegment, vertex_index w)
   return false;
 }
 
+// True if the cell of a site at this place meets the subsegment, from whichever side.
+bool split_boundary::is_reached(const star_predicates& kernel, const boundary_edge& p,
+                                const site& s) const {
+  const site &a = sites()[p.a], &b = sites()[p.b];
+  const uncertain_bool quickly = encroaches_quickly(a, b, s);
+  if (!quickly.certain()) return kernel.encroaches(a, b, s);
+  ++kernel.counters().at(predicate::encroaches, tier::semi_static);
+  return quickly.value();
+}
+
 bool split_boundary::is_encroached(const star_predicates& kernel, std::size_t subsegment,
                                    const site& s, std::optional<vertex_index> self) const {
   const boundary_edge& p = edges_.subsegments()[subsegment];
@@ -183,10 +193,7 @@ bool split_boundary::is_encroached(const star_predicates& kernel, std::size_t su
   const site &a = sites()[p.a], &b = sites()[p.b];
   if (kernel.orientation(a.position, b.position, s.position) != sign::positive) return false;
   if (self && is_excused(p, *self)) return false;
-  const uncertain_bool quickly = encroaches_quickly(a, b, s);
-  if (!quickly.certain()) return kernel.encroaches(a, b, s);
-  ++kernel.counters().at(predicate::encroaches, tier::semi_static);
-  return quickly.value();
+  return is_reached(kernel, p, s);
 }
 
 std::vector<std::size_t> split_boundary::encroached_by(const star_predicates& kernel,
@@ -320,6 +327,22 @@ std::optional<std::size_t> split_boundary::subsegment_through(const point& q) co
     const boundary_edge& p = edges_.subsegments()[subsegment];
     const point &a = sites()[p.a].position, &b = sites()[p.b].position;
     if ((!first || subsegment < *first) && on_open_segment(*kernel_, a, b, q)) first = subsegment;
+    return true;
+  });
+  return first;
+}
+
+std::optional<std::size_t> split_boundary::subsegment_before(const triangle& t,
+                                                             const point& q) const {
+  std::optional<std::size_t> first;
+  near().influences().visit({q, q}, [&](std::uint32_t subsegment) {
+    const boundary_edge& p = edges_.subsegments()[subsegment];
+    const point &a = sites()[p.a].position, &b = sites()[p.b].position;
+    const bool is_before = std::any_of(t.begin(), t.end(), [&](vertex_index v) {
+      return properly_cross(*kernel_, sites()[v].position, q, a, b) &&
+             is_reached(*kernel_, p, {q, sites()[v].metric});
+    });
+    if (is_before && (!first || subsegment < *first)) first = subsegment;
     return true;
   });
   return first;

@@ -53,6 +53,10 @@ class split_boundary {
   std::size_t find_subsegment(vertex_index a, vertex_index b) const;
   // Returns the subsegment that q lies on, its ends left out; none if there is none.
   std::optional<std::size_t> subsegment_through(const point& q) const;
+  // Returns the subsegment that hides q, a place outside the domain, from a corner of the triangle,
+  // and that a site at q would encroach on from behind if it measured as the corner does: the field
+  // need not be there outside. None if there is none. Decided exactly.
+  std::optional<std::size_t> subsegment_before(const triangle& t, const point& q) const;
   // Returns the subsegment's length as `from` measures it.
   double subsegment_length(std::size_t subsegment, vertex_index from) const;
 
@@ -100,6 +104,7 @@ class split_boundary {
 
   void find_corners();
   void note_sharp_corners();
+  bool is_reached(const star_predicates& kernel, const boundary_edge& p, const site& s) const;
   bool is_encroached(const star_predicates& kernel, std::size_t subsegment, const site& s,
                      std::optional<vertex_index> self) const;
   bool is_excused(const boundary_edge& subsegment, vertex_index w) const;

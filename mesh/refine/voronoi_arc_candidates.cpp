@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/refine/voronoi_arc_candidates.hpp"
 
+#include <algorithm>
+
 #include "asterism/mesh/numerics/constructions.hpp"
 
 namespace asterism::internal {
@@ -39,6 +41,14 @@ std::optional<site> find_place(refine_state& state, const triangle& t, double to
     ++rejected;
   }
   return std::nullopt;
+}
+
+bool split_before_candidates(refine_state& state, const triangle& t, double tolerance) {
+  state.count_triangle_tried();
+  const std::vector<point> candidates = arc_candidates(state, t);
+  return std::any_of(candidates.begin(), candidates.end(), [&](const point& q) {
+    return !state.strictly_inside(q) && state.split_before(t, q, tolerance);
+  });
 }
 
 }  // namespace asterism::internal

@@ -28,4 +28,10 @@ bool refine_by_arcs(refine_state& state, const triangle& t, double tolerance,
 std::optional<site> find_place(refine_state& state, const triangle& t, double tolerance,
                                std::size_t& rejected);
 
+// Splits a subsegment that hides a candidate of t outside the domain from t, if the candidate is
+// near enough to encroach on it from behind; true if one was split. In one metric, candidates are
+// outside by rounding alone where nothing is encroached: a Voronoi vertex on a slanted side, such
+// as that of a right angle across from it, is no double, and what it is rounded to may lie beyond.
+bool split_before_candidates(refine_state& state, const triangle& t, double tolerance);
+
 }  // namespace asterism::internal
