@@ -149,23 +149,17 @@ result<prepared_input> prepare(const mesh_job& job) {
   domain loaded;
   auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job, loaded, repairs);
   if (!checked) return checked.failure();
-  // The metric before the points: where curves are divided for it, the domain changes once more.
-  const bool has_curves = job.refinement.limit_size && !checked.value().curves.empty();
-  std::optional<prepared_input> curved;
-  if (has_curves) {
-    auto prepared = with_metric(job, checked.value());
-    if (!prepared) return prepared.failure();
-    curved = std::move(prepared).value();
-    checked = checked_domain(job, loaded, curved->field.get(), repairs);
+  // Curves are divided for the metric once it is known. What is placed in the domain's box is made
+  // anew then: in the box of the chords that are meshed, which the certificate holds.
+  if (job.refinement.limit_size && !checked.value().curves.empty()) {
+    const auto rough = with_metric(job, checked.value());
+    if (!rough) return rough.failure();
+    checked = checked_domain(job, loaded, rough.value().field.get(), repairs);
     if (!checked) return checked.failure();
   }
   auto populated = add_random_points(checked.value(), job.random_points, job.refinement.seed);
   if (!populated) return populated.failure();
   if (auto refused = check_counts(job, populated.value().vertices.size())) return *refused;
-  if (curved) {
-    curved->shape = std::move(populated).value();
-    return *std::move(curved);
-  }
   auto prepared = with_metric(job, std::move(populated).value());
   if (prepared) prepared.value().repairs = std::move(repairs);
   return prepared;
