@@ -29,8 +29,8 @@ void write_findings(std::ostream& out, const audit_report& report) {
 std::string angles_text(const audit_report& report) {
   std::string text = worst_angle_text(report.worst().degrees);
   if (!report.exempt_corners.empty())
-    text += fmt::format(", {} exempt at {} corners", report.exempt_triangles.size(),
-                        report.exempt_corners.size());
+    text += fmt::format(", {} of {} triangles exempt at {} corners", report.exempt_triangles.size(),
+                        report.triangles, report.exempt_corners.size());
   if (!report.exempt_triangles.empty())
     text += fmt::format(", the sharpest {:.2f}", report.worst_exempt.degrees);
   if (!report.collateral_triangles.empty())

@@ -245,19 +245,55 @@ void check_angles(audit_context& context) {
   check_in_parallel(context, context.triangles.size(), check);
 }
 
-void check_something_judged(audit_context& context) {
-  if (context.report.exempt_triangles.empty()) return;
+namespace {
+
+// True if all three sides of the triangle are segments, one of them inside the domain: it is what
+// it is because the segments say so. Where all are of the outer boundary, the triangle is all that
+// there is to mesh.
+bool is_enclosed(const audit_context& context, vertex_index t) {
+  const triangle& c = context.subject.triangles[t];
+  bool is_inner = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t e = find_subsegment(context, c[i], c[(i + 1) % 3]);
+    if (e == context.subject.boundary.size()) return false;
+    is_inner = is_inner || context.subject.boundary[e].internal;
+  }
+  return is_inner;
+}
+
+// True if every inner edge is a segment; there is one at least.
+bool has_no_free_edge(const audit_context& context, std::size_t& inner) {
   std::size_t internal = 0;
   for (const vertex_index e : context.subsegments)
     internal += context.subject.boundary[e].internal ? 1 : 0;
-  const std::size_t inner = (context.edges.size() - (context.subsegments.size() - internal)) / 2;
-  if (inner == 0 || internal < inner) return;
+  inner = (context.edges.size() - (context.subsegments.size() - internal)) / 2;
+  return inner > 0 && internal >= inner;
+}
+
+}  // namespace
+
+void check_something_judged(audit_context& context) {
+  const std::vector<vertex_index>& exempt = context.report.exempt_triangles;
+  if (exempt.empty()) return;
+  std::size_t inner = 0;
+  if (context.options.domain_is_the_mesh && has_no_free_edge(context, inner)) {
+    context.found(finding_kind::nothing_judged,
+                  "all " + std::to_string(inner) +
+                      " inner edges are listed as segments of the domain, and " +
+                      std::to_string(exempt.size()) +
+                      " triangles are at corners between them that are below the bound: nothing of "
+                      "the mesh is judged");
+    return;
+  }
+  const auto enclosed = static_cast<std::size_t>(std::count_if(
+      exempt.begin(), exempt.end(), [&](vertex_index t) { return is_enclosed(context, t); }));
+  const std::size_t all = context.subject.triangles.size();
+  if (2 * enclosed <= all) return;
   context.found(finding_kind::nothing_judged,
-                "all " + std::to_string(inner) +
-                    " inner edges are listed as segments of the domain, and " +
-                    std::to_string(context.report.exempt_triangles.size()) +
-                    " triangles are at corners between them that are below the bound: nothing of "
-                    "the mesh is judged");
+                std::to_string(enclosed) + " of " + std::to_string(all) +
+                    " triangles have segments for all their sides, some inside the domain, and an "
+                    "angle below the bound: these are the domain's own, and next to nothing of the "
+                    "mesh is judged");
 }
 
 }  // namespace asterism::internal::audit_detail

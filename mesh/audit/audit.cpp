@@ -103,7 +103,7 @@ audit_report audit_stars_of(const mesh& subject, const audit_options& options,
   if (options.original != nullptr) check_domain_kept(context);
   check_regions(context);
   check_angles(context);
-  if (options.domain_is_the_mesh) check_something_judged(context);
+  check_something_judged(context);
   if (options.check_stars && triangulation) check_stars(context);
 
   report.certified = report.total_found() == 0 && (memory == nullptr || memory->open.empty());

@@ -77,7 +77,7 @@ enum class finding_kind : std::size_t {
   collateral_angle_below_bound,  // in a triangle at a sharp corner or across a narrow wedge, and
                                  // not the corner's own
   exemption_not_proven,          // the corner's own angle is not below the bound
-  nothing_judged,                // every edge is a segment, and corners are exempt
+  nothing_judged,                // most triangles are exempt, and between segments on all sides
   star_neighbour_rejected,       // a neighbour the star would not accept again
   star_site_missing,             // a visible site the star would accept
   stopped,                       // the stars were not all looked at
@@ -114,7 +114,9 @@ struct audit_options {
   // The domain as it was meshed (after check_domain); not owned, may be null.
   const domain* original = nullptr;
   // True if the domain is what the mesh itself says. A mesh of which every inner edge is a segment
-  // is then refused where an angle is exempt: nothing of it would be judged.
+  // is then refused where any angle is exempt. Whoever says what the domain is, a mesh is refused
+  // of which more than half of the triangles have an exempt angle and segments for all their sides,
+  // one of them inside: next to nothing of it would be judged.
   bool domain_is_the_mesh = false;
   bool check_stars = true;
   // True to check stars with the auditor's own filter and edge_test alone. Otherwise the kernel's

@@ -216,14 +216,14 @@ class Mesh(command.CommandTest):
         self.write("needle.poly", NEEDLE)
         done = self.run_command("mesh", "needle.poly", "-o", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("1 triangles, worst angle 87.14 degrees, 1 exempt at 1 corners, the sharpest 2.86, 0 dis",
+        self.assertIn("1 triangles, worst angle 87.14 degrees, 1 of 1 triangles exempt at 1 corners, the sharpest 2.86, 0 dis",
                       done.stdout)
         audit = json.loads((self.folder / "m.certificate.json").read_text())["audit"]
         self.assertAlmostEqual(audit["worst_angle"], 87.14, places=2)
         self.assertAlmostEqual(audit["worst_exempt_angle"], 2.86, places=2)
         done = self.run_command("verify", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stdout)
-        self.assertIn("worst angle 87.14 degrees, 1 exempt at 1 corners, the sharpest 2.86", done.stdout)
+        self.assertIn("worst angle 87.14 degrees, 1 of 1 triangles exempt at 1 corners, the sharpest 2.86", done.stdout)
 
     def test_the_metric_was_blamed_where_it_is_the_same_everywhere(self):
         for most, reason in ((90, "no mesh was found that meets the demands (the limit of 90 sites was reached), "
