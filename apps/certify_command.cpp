@@ -37,6 +37,7 @@
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/outcome_claims.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -186,7 +187,7 @@ int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
   if (options.outputs.empty()) return status;
   certificate claim = claim_of_judgement(options, adopted, report);
   claim.complete = true;
-  claim.reason = "the mesh as it came is certified";
+  claim.reason = certified_as_it_came;
   const report_facts facts = facts_of_page(options, report);
   if (const auto failure = write_result(options, adopted.subject, claim, facts))
     return complain(*failure, not_reached);

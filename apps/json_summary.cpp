@@ -25,6 +25,7 @@ void add_audit(json& object, const audit_report& audit) {
   object["worst_collateral_angle"] = angle(audit.worst_collateral);
   object["worst_exempt_angle"] = angle(audit.worst_exempt);
   object["exempt_corners"] = audit.exempt_corners.size();
+  object["exempt_triangles"] = audit.exempt_triangles.size();
   object["low_triangles"] = audit.low_triangles.size();
   object["largest_boundary_deviation"] = audit.largest_deviation;
   if (audit.curves.curves > 0) object["distance_from_curves"] = audit.curves.largest_distance;
@@ -63,12 +64,57 @@ std::string summary_json(const certified_mesh& made, int status,
   return text_of(object);
 }
 
-std::string summary_json(const verify_report& verdict, int status, const std::string& scope) {
+namespace {
+
+json word(const std::string& text) { return text.empty() ? json() : json(text); }
+
+// Returns each part of what was asked, and who asked it.
+json question_of(const judgement& judged) {
+  const asked_domain& shape = judged.shape;
+  const metric_answer& metric = judged.metric;
+  const bool is_repaired = shape.repaired_by != asked_by::nobody;
+  const bool has_bound = judged.bound_by != asked_by::nobody;
+  return {{"angle_bound", has_bound ? json(judged.bound) : json()},
+          {"angle_bound_by", word(name_of(judged.bound_by))},
+          {"domain", word(shape.name)},
+          {"domain_by", word(name_of(shape.by))},
+          {"repair_distance", is_repaired ? json(shape.distance) : json()},
+          {"repair_distance_by", word(name_of(shape.repaired_by))},
+          {"greatest_move", is_repaired ? json(shape.greatest_move) : json()},
+          {"metric", word(metric.name)},
+          {"metric_by", word(name_of(metric.by))},
+          {"metric_tolerance", metric.tolerance ? json(*metric.tolerance) : json()},
+          {"metric_tolerance_by", word(name_of(metric.tolerance_by))}};
+}
+
+// Returns how far the metric of the mesh is from the one asked for; null where it is the same, or
+// nothing is known.
+json distance_of(const metric_answer& metric) {
+  if (!metric.apart) return json();
+  const delivered_report& apart = *metric.apart;
+  return {{"vertices_changed", apart.changed},
+          {"beyond_tenth", apart.beyond_tenth},
+          {"median", apart.median},
+          {"ninetieth", apart.ninetieth},
+          {"greatest", apart.greatest},
+          {"worst_angle_as_wanted",
+           apart.worst_angle_wanted < 180 ? json(apart.worst_angle_wanted) : json()},
+          {"low_triangles_as_wanted", apart.low_wanted.size()}};
+}
+
+}  // namespace
+
+std::string summary_json(const judgement& judged, int status, const std::string& scope) {
+  const verify_report& verdict = judged.verdict;
   json object = {{"command", "verify"},
                  {"status", status},
                  {"verified", verdict.verified},
                  {"scope", scope},
-                 {"contradictions", verdict.contradictions}};
+                 {"question", question_of(judged)},
+                 {"metric_checked", judged.metric.made},
+                 {"metric_delivered", distance_of(judged.metric)},
+                 {"contradictions", verdict.contradictions},
+                 {"refusals", judged.metric.refusals}};
   add_audit(object, verdict.audit);
   return text_of(object);
 }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/apps/verify_question.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 
@@ -19,8 +19,8 @@ namespace asterism::apps {
 std::string summary_json(const certified_mesh& made, int status,
                          const std::vector<std::filesystem::path>& files, const std::string& next);
 
-// Returns the object of `verify`. `scope` is what was checked, and against what.
-std::string summary_json(const verify_report& verdict, int status, const std::string& scope);
+// Returns the object of `verify`. `scope` is what was checked, and against what, in words.
+std::string summary_json(const judgement& judged, int status, const std::string& scope);
 
 // Returns the object of `certify`.
 std::string summary_json(const certify_report& report, int status, double angle_bound);

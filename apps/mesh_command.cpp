@@ -39,7 +39,6 @@ const std::map<std::string, refinement_strategy> strategies = {
     {"darts", refinement_strategy::poisson_darts}};
 
 constexpr real_range complexities = {0, 1e100, false, true, "positive, at most 1e100"};
-constexpr real_range gradations = {1, 1e100, false, true, "above 1, at most 1e100"};
 
 void add_domain_options(CLI::App& app, mesh_job& job) {
   app.add_option("DOMAIN", job.domain, "What to mesh")->required();

@@ -28,6 +28,9 @@ inline constexpr real_range angle_bounds = {
 // Range of --size. Beyond it the square of the size leaves the range of doubles, or nearly so.
 inline constexpr real_range sizes = {1e-150, 1e150, true, true, "positive, from 1e-150 to 1e150"};
 
+// Range of --gradation.
+inline constexpr real_range gradations = {1, 1e100, false, true, "above 1, at most 1e100"};
+
 // Returns the number that the text of an option is. Throws CLI::ValidationError, as an option's
 // reader may, where it is none or out of range.
 double real_of(const std::string& name, const std::string& text, const real_range& range);

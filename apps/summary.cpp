@@ -80,7 +80,10 @@ void write_summary(std::ostream& out, const certified_mesh& made,
                    std::optional<double> unit_edges) {
   const mesh_outcome& outcome = made.outcome;
   const audit_report& report = made.report;
-  if (made.claim.theorem) out << "theorem on nets: " << theorem_text(*made.claim.theorem) << '\n';
+  const bool is_other = outcome.delivered && outcome.delivered->changed > 0;
+  if (made.claim.theorem)
+    out << "theorem on nets" << (is_other ? ", in the metric delivered: " : ": ")
+        << theorem_text(*made.claim.theorem) << '\n';
   out << report.sites << " sites, " << report.triangles << " triangles, " << angles_text(report)
       << ", " << std::fixed << std::setprecision(2) << outcome.disagreeing << " disagreeing, "
       << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle) << " low-angle";

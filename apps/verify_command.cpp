@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
@@ -18,40 +18,26 @@
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/apps/verdict_text.hpp"
-#include "asterism/core/number_text.hpp"
+#include "asterism/apps/verify_domain.hpp"
+#include "asterism/apps/verify_metric.hpp"
+#include "asterism/apps/verify_question.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
-#include "asterism/mesh/domain/built_in_domains.hpp"
-#include "asterism/mesh/domain/check_domain.hpp"
-#include "asterism/mesh/domain/divide_curves.hpp"
-#include "asterism/mesh/domain/point_in_domain.hpp"
-#include "asterism/mesh/domain/repair_domain.hpp"
-#include "asterism/mesh/io/file_ending.hpp"
-#include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
-#include "asterism/mesh/pipeline/field_claims.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
+#include "asterism/mesh/pipeline/outcome_claims.hpp"
 
 namespace asterism::apps {
 using namespace internal;
 namespace fs = std::filesystem;
 namespace {
 
-struct verify_options {
-  fs::path mesh, certificate;
-  std::optional<double> angle_bound;
-  std::string domain;
-  bool number_regions = false;
-  bool prove_voronoi = false;
-  bool all_findings = false, all_edges = false, json = false;
-  std::optional<double> max_seconds;
-};
-
 constexpr const char* examples =
     R"(MESH is a Medit file NAME.mesh, with its metric in NAME.sol. Everything is checked again from the
 files, in exact arithmetic. NAME.certificate.json beside the mesh is used when there is one and none
-is named. The domain is the certificate's unless --domain names it; random points added to it
-need not be named.
+is named. Each part of the question that an option names is judged: the domain, the bound, the
+metric and how far the mesh's may be from it. What no option names is taken from the certificate,
+and the verdict says so. Random points added to the domain need not be named.
 
 Exit status: 0 certified; 1 refused, with witnesses (numbers count from 1), or no angle bound is
 known, from a certificate or --angle-bound, and nothing is certified; 2 unreadable.
@@ -59,7 +45,9 @@ known, from a certificate or --angle-bound, and nothing is certified; 2 unreadab
 Examples:
   asterism verify swirl.mesh
   asterism verify part.mesh --certificate part.json
-  asterism verify other.mesh --angle-bound 15 --domain part.poly)";
+  asterism verify other.mesh --angle-bound 15 --domain part.poly
+  asterism verify part.mesh --domain part.poly --repair-distance 0.01 --angle-bound 20 \
+                  --metric swirl:3 --size 0.1 --metric-tolerance 0.5)";
 
 // Reads the certificate that was named, or the one beside the mesh, or none.
 result<std::optional<certificate>> find_certificate(const verify_options& options) {
@@ -74,110 +62,61 @@ result<std::optional<certificate>> find_certificate(const verify_options& option
   return std::optional<certificate>(std::move(read).value());
 }
 
-// Repairs the domain as the certificate says it was: the same distance gives the same domain.
-result<domain> repaired_as_claimed(const domain& d, const std::optional<certificate>& claim) {
-  if (claim)
-    if (const auto found = claim->options.find("repair-distance");
-        found != claim->options.end() && found->second != "none") {
-      const auto distance = parse_number(found->second);
-      if (!distance) return distance.failure().at("certificate: repair-distance");
-      return repair_domain(d, distance.value());
-    }
-  return check_domain(d);
-}
-
-// Divides the curves of the domain as the certificate says they were.
-result<domain> divided_as_claimed(const domain& d, const std::optional<certificate>& claim) {
-  if (!claim || !claim->original || d.curves.empty()) return divide_curves(d);
-  std::vector<std::vector<double>> parameters;
-  for (const domain_curve& c : claim->original->curves) parameters.push_back(c.parameters);
-  return divide_curves_at(d, parameters);
-}
-
-// Reads the domain that was named; empty when none was. Vertices given to the mesh beyond the
-// domain's own, as random points are, belong to it when they lie inside.
-result<std::optional<domain>> find_domain(const verify_options& options, const mesh& subject,
-                                          const std::optional<certificate>& claim) {
-  if (options.domain.empty()) return std::optional<domain>();
-  auto loaded = load_domain(options.domain);
-  if (!loaded) return loaded.failure();
-  if (options.number_regions) loaded.value().number_all_regions = true;
-  const auto divided = divided_as_claimed(loaded.value(), claim);
-  if (!divided) return divided.failure();
-  auto checked = repaired_as_claimed(divided.value(), claim);
-  if (!checked) return checked.failure();
-  const domain bare = checked.value();
-  for (std::size_t v = bare.vertices.size();
-       v < std::min<std::size_t>(subject.given, subject.sites.size()); ++v)
-    if (contains(bare, subject.sites[v].position))
-      checked.value().vertices.push_back(subject.sites[v].position);
-  return std::optional<domain>(std::move(checked).value());
-}
-
-// Checks that the tensors are those of the metric asked for. Returns the answer in words, and
-// enters it into the verdict.
-std::string check_metric(const mesh& subject, const certificate& claim, verify_report& verdict) {
-  const field_check check = check_field(subject, claim);
-  for (const std::string& said : check.contradictions) {
-    verdict.contradictions.push_back(said);
-    verdict.verified = false;
-  }
-  const std::string name =
-      claim.delivered ? "another than asked for, " + claim.metric : claim.metric;
-  if (!check.made) return name + ": field not checked, " + check.why_not;
-  if (!check.contradictions.empty()) return name + ": REFUSED";
-  return name + (claim.delivered ? ", whose distance was measured again"
-                                 : ", held against it at every vertex");
-}
-
-void check_measured(const mesh& subject, const certificate& claim, verify_report& verdict) {
-  for (std::string& said : contradictions_in_measured(subject, claim)) {
+void contradict(std::vector<std::string> all, verify_report& verdict) {
+  for (std::string& said : all) {
     verdict.contradictions.push_back(std::move(said));
     verdict.verified = false;
   }
 }
 
-std::string bound_text(const audit_report& audit, const audit_options& asked,
-                       const std::optional<certificate>& claim) {
-  if (!audit.angles_checked) return "no bound asked for";
-  const double bound = asked.angle_bound ? *asked.angle_bound : *claim->angle_bound;
-  return fmt::format("bound {} degrees", bound);
+std::string bound_text(const judgement& judged) {
+  if (judged.bound_by == asked_by::nobody) return "no bound asked for";
+  return fmt::format("bound {} degrees{}", judged.bound, by_text(judged.bound_by));
 }
 
-std::string domain_text(const verify_options& options, const std::optional<certificate>& claim) {
-  if (!options.domain.empty()) return "domain " + options.domain;
-  if (claim && claim->original) return "the certificate's domain";
-  return "no domain to compare with but what the boundary encloses";
+// Returns what is said of sizes: that they were not checked.
+std::string size_text(const std::optional<certificate>& claim) {
+  if (!claim) return "";
+  const auto size = claim->options.find("size");
+  if (size == claim->options.end() || size->second == "none") return "";
+  std::string text = "; size asked for " + size->second + ", not checked";
+  const auto delivered = claim->options.find("size-delivered");
+  if (delivered != claim->options.end() && delivered->second != size->second)
+    text += ", delivered " + delivered->second;
+  return text;
+}
+
+// Returns of which metric the theorem on nets speaks: the mesh's own.
+std::string theorem_metric_text(const metric_answer& metric) {
+  if (metric.apart) return "in the metric delivered, ";
+  return metric.made ? "in the metric asked for, " : "in the metric of the file, ";
 }
 
 // Returns what is claimed, what was checked, and against what.
-std::string scope_text(const verify_options& options, const audit_options& asked,
-                       const std::optional<certificate>& claim, const verify_report& verdict,
-                       const std::string& metric) {
-  std::string text = "; " + bound_text(verdict.audit, asked, claim) + "; " +
-                     domain_text(options, claim) + "; metric: " + metric;
+std::string scope_text(const judgement& judged, const std::optional<certificate>& claim) {
+  const verify_report& verdict = judged.verdict;
+  std::string text = "; " + bound_text(judged) + "; " + text_of(judged.shape, claim) +
+                     "; metric: " + text_of(judged.metric);
   text += deviation_text(verdict.audit) + curves_text(verdict.audit);
   if (!verdict.audit.stars_checked) text += "; stars not checked";
   if (verdict.audit.stars_cut_short) text += "; " + cut_short_text(verdict.audit);
-  if (claim) {
-    const auto size = claim->options.find("size");
-    if (size != claim->options.end() && size->second != "none") {
-      const auto delivered = claim->options.find("size-delivered");
-      text += "; size asked for " + size->second + ", not checked";
-      if (delivered != claim->options.end() && delivered->second != size->second)
-        text += ", delivered " + delivered->second;
-    }
-  }
-  if (verdict.theorem) text += "; the theorem on nets " + theorem_text(*verdict.theorem);
+  text += size_text(claim);
+  if (verdict.theorem)
+    text += "; the theorem on nets, " + theorem_metric_text(judged.metric) +
+            theorem_text(*verdict.theorem);
   return text + voronoi_text(verdict.audit);
 }
 
-void write_verdict(const verify_report& verdict, const std::string& scope) {
+void write_verdict(const judgement& judged, const std::string& scope) {
+  const verify_report& verdict = judged.verdict;
   const audit_report& audit = verdict.audit;
   for (const std::string& contradiction : verdict.contradictions)
     std::cout << "certificate: " << contradiction << '\n';
+  for (const std::string& refusal : judged.metric.refusals)
+    std::cout << "metric: " << refusal << '\n';
   write_findings(std::cout, audit);
-  const bool unasked = audit.certified && verdict.contradictions.empty() && !audit.angles_checked;
+  const bool unasked = audit.certified && verdict.contradictions.empty() &&
+                       judged.metric.refusals.empty() && !audit.angles_checked;
   std::cout << (verdict.verified ? in_colour("certified", ink::green, 1) + ": "
                 : unasked ? in_colour("no bound asked for: not certified", ink::yellow, 1) + ": "
                           : in_colour("REFUSED", ink::red, 1) + ": ")
@@ -195,38 +134,61 @@ verify_report verify_alone(adopted_mesh& adopted, const audit_options& asked) {
   return verify(adopted.subject, std::nullopt, questions);
 }
 
-int judge(const verify_options& options, mesh subject, const std::optional<certificate>& claim,
-          const std::optional<domain>& original, run_limits& limits) {
+audit_options questions_of(const verify_options& options, const asked_domain& shape) {
   audit_options asked;
   asked.angle_bound = options.angle_bound;
   asked.check_voronoi = options.prove_voronoi;
   asked.findings_kept = findings_kept(options.all_findings);
-  limits.expect(subject.sites.size());
-  asked.stop = [&limits] { return limits.reason(); };
-  progress_line line(true);
-  line.show({.phase = mesh_phase::auditing, .sites = subject.sites.size()});
-  if (original) asked.original = &*original;
-  verify_report verdict;
-  std::string metric = "the file's, field not checked";
-  if (!claim && !original) {
+  if (shape.shape) asked.original = &*shape.shape;
+  return asked;
+}
+
+// Judges a mesh of which the domain is named, or in the certificate.
+void judge_claimed(const mesh& subject, const std::optional<certificate>& claim,
+                   const audit_options& asked, judgement& judged) {
+  judged.verdict = verify(subject, claim, asked);
+  contradict(judged.shape.contradictions, judged.verdict);
+  if (!claim) return;
+  contradict(contradictions_in_measured(subject, *claim), judged.verdict);
+  contradict(contradictions_in_outcome(*claim), judged.verdict);
+}
+
+// Judges the mesh. Its own boundary is its domain where nobody says what that is.
+result<judgement> judge(const verify_options& options, mesh subject,
+                        const std::optional<certificate>& claim, asked_domain shape,
+                        const cancellation& stop) {
+  judgement judged;
+  judged.shape = std::move(shape);
+  audit_options asked = questions_of(options, judged.shape);
+  asked.stop = stop;
+  const domain* where = asked.original;
+  if (where == nullptr && claim && claim->original) where = &*claim->original;
+  auto metric = judge_metric(options, subject, claim, where);
+  if (!metric) return metric.failure();
+  judged.metric = std::move(metric).value();
+  if (!claim && !judged.shape.shape) {
     auto adopted = adopt_mesh(std::move(subject));
-    if (!adopted) return complain(adopted.failure().at(options.mesh.string()), refused);
-    verdict = verify_alone(adopted.value(), asked);
+    if (!adopted) return adopted.failure().at(options.mesh.string());
+    judged.verdict = verify_alone(adopted.value(), asked);
   } else {
-    verdict = verify(subject, claim, asked);
-    if (claim) {
-      metric = check_metric(subject, *claim, verdict);
-      check_measured(subject, *claim, verdict);
-    }
+    judge_claimed(subject, claim, asked, judged);
   }
-  limits.conclude();
-  line.clear();
-  const int status = verdict.verified ? done : not_reached;
-  const std::string scope = scope_text(options, asked, claim, verdict, metric);
+  contradict(judged.metric.contradictions, judged.verdict);
+  if (!judged.metric.refusals.empty()) judged.verdict.verified = false;
+  if (!judged.verdict.audit.angles_checked) return judged;
+  judged.bound_by = options.angle_bound ? asked_by::option : asked_by::certificate;
+  judged.bound = options.angle_bound ? *options.angle_bound : *claim->angle_bound;
+  return judged;
+}
+
+int tell(const verify_options& options, const std::optional<certificate>& claim,
+         const judgement& judged) {
+  const int status = judged.verdict.verified ? done : not_reached;
+  const std::string scope = scope_text(judged, claim);
   if (options.json)
-    std::cout << summary_json(verdict, status, scope.substr(2));
+    std::cout << summary_json(judged, status, scope.substr(2));
   else
-    write_verdict(verdict, scope);
+    write_verdict(judged, scope);
   return status;
 }
 
@@ -238,9 +200,58 @@ int run_verify(const verify_options& options) {
   if (!subject) return complain(subject.failure(), refused);
   const auto claim = find_certificate(options);
   if (!claim) return complain(claim.failure(), refused);
-  const auto original = find_domain(options, subject.value(), claim.value());
-  if (!original) return complain(original.failure(), refused);
-  return judge(options, std::move(subject).value(), claim.value(), original.value(), limits);
+  auto shape = find_domain(options, subject.value(), claim.value());
+  if (!shape) return complain(shape.failure(), refused);
+  limits.expect(subject.value().sites.size());
+  progress_line line(true);
+  line.show({.phase = mesh_phase::auditing, .sites = subject.value().sites.size()});
+  const auto judged = judge(options, std::move(subject).value(), claim.value(),
+                            std::move(shape).value(), [&limits] { return limits.reason(); });
+  limits.conclude();
+  line.clear();
+  if (!judged) return complain(judged.failure(), refused);
+  return tell(options, claim.value(), judged.value());
+}
+
+// Adds the options that are parts of the question.
+void add_question(CLI::App& app, verify_options& options) {
+  add_real(
+      app, "--angle-bound", angle_bounds, [&options](double x) { options.angle_bound = x; },
+      "Check this bound (default: the certificate's)")
+      ->type_name("DEG");
+  auto* const shape = app.add_option("--domain", options.domain, "What it should be a mesh of")
+                          ->type_name("DOMAIN");
+  add_real(
+      app, "--repair-distance", positive_reals,
+      [&options](double x) { options.repair_distance = x; },
+      "It should be a mesh of that domain as --repair-domain repairs it within this distance")
+      ->type_name("D")
+      ->needs(shape);
+  app.add_flag("--regions", options.number_regions,
+               "The domain named by --domain was meshed with --regions");
+  auto* const metric =
+      app.add_option("--metric", options.metric, "The metric it should be in, as `mesh` takes it")
+          ->type_name("SPEC");
+  add_real(
+      app, "--size", sizes, [&options](double x) { options.size = x; },
+      "Length of an edge of metric length 1, in the metric as given by --metric (default: the "
+      "certificate's, or 1)")
+      ->type_name("H")
+      ->needs(metric);
+  add_real(
+      app, "--gradation", gradations, [&options](double x) { options.gradation = x; },
+      "Gradation of that metric (default: the certificate's, or none)")
+      ->type_name("BETA")
+      ->needs(metric);
+  add_real(
+      app, "--metric-tolerance", reals_from_zero,
+      [&options](double x) { options.metric_tolerance = x; },
+      "How far the metric of the mesh may be from the one asked for: the logarithm of the greatest "
+      "ratio of lengths (default: what the certificate says was asked of its metric, and 0)")
+      ->type_name("T");
+  app.add_flag("--voronoi", options.prove_voronoi,
+               "Prove it the dual of the anisotropic Voronoi diagram (done without, too, when "
+               "the certificate claims it)");
 }
 
 }  // namespace
@@ -251,16 +262,7 @@ void add_verify_command(CLI::App& program, command& chosen) {
   app->add_option("MESH", options->mesh, "What to check")->required();
   app->add_option("--certificate", options->certificate, "What is claimed of it")
       ->type_name("FILE");
-  add_real(
-      *app, "--angle-bound", angle_bounds, [options](double x) { options->angle_bound = x; },
-      "Check this bound (default: the certificate's)")
-      ->type_name("DEG");
-  app->add_option("--domain", options->domain, "What it should be a mesh of")->type_name("DOMAIN");
-  app->add_flag("--regions", options->number_regions,
-                "The domain named by --domain was meshed with --regions");
-  app->add_flag("--voronoi", options->prove_voronoi,
-                "Prove it the dual of the anisotropic Voronoi diagram (done without, too, when "
-                "the certificate claims it)");
+  add_question(*app, *options);
   add_real(
       *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
       "Checking ends after this time, with status 1 if it was not done")

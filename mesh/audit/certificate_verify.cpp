@@ -9,6 +9,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/certificate_options.hpp"
+#include "asterism/mesh/audit/same_domain.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -171,51 +172,69 @@ bool is_of_mesh(const std::string& metric) {
                      [&lower](std::string_view ending) { return lower.ends_with(ending); });
 }
 
-// A metric farther from the one wanted than is tolerated is no reason to refuse a mesh, but the run
-// was not complete then.
-void compare_tolerance(contradictions& all, const certificate& claim) {
-  const auto option = claim.options.find("metric-tolerance");
-  if (option == claim.options.end()) return;
-  if (option->second == "none") {
-    if (claim.complete && claim.delivered && claim.delivered->median > most_median_distance)
-      all.add(
-          "the certificate says that its mesh was completed, and of half of the sites the metric "
-          "delivered is more than " +
-          text_of(claim.delivered->median) + " from the one wanted");
-    if (claim.complete && claim.delivered && density_ratio(*claim.delivered) > most_density_ratio)
-      all.add("the certificate says that its mesh was completed, and the metric delivered is " +
-              text_of(density_ratio(*claim.delivered)) +
-              " times as dense or as thin as the one wanted");
-    return;
-  }
-  const auto tolerated = number_of(option->second);
-  if (!tolerated || !(*tolerated >= 0)) {
-    all.add("\"asked.options.metric-tolerance\" is no number of at least 0");
-    return;
-  }
-  if (!claim.complete) return;
-  if (claim.delivered && !(claim.delivered->greatest <= *tolerated))
-    all.add("the certificate says that its mesh was completed, and the metric delivered is " +
-            text_of(claim.delivered->greatest) + " from the one wanted, where " + option->second +
-            " is tolerated");
+std::string option_of(const certificate& claim, const char* name) {
+  const auto place = claim.options.find(name);
+  return place == claim.options.end() ? std::string() : place->second;
 }
 
-// Whoever calls the library may leave the options away, but not some of them.
-void compare_options(contradictions& all, const certificate& claim) {
-  compare_bounds(all, claim);
-  if (claim.options.empty()) return;
-  compare_tolerance(all, claim);
-  if (claim.options.count("adapt-mesh") != 0) return compare_adapted_names(all, claim);
-  if (claim.options.count("mesh") != 0) return compare_names(all, claim, certify_option_names);
-  compare_names(all, claim, mesh_option_names);
-  const auto option = [&claim](const char* name) {
-    const auto place = claim.options.find(name);
-    return place == claim.options.end() ? std::string() : place->second;
-  };
-  if (claim.complete && option("size") != option("size-delivered"))
+// Compares with the rule for a metric that nobody limited.
+void compare_with_rule(contradictions& all, const delivered_report& delivered) {
+  if (delivered.median > most_median_distance)
+    all.add(
+        "the certificate says that its mesh was completed, and of half of the sites the metric "
+        "delivered is more than " +
+        text_of(delivered.median) + " from the one wanted");
+  if (density_ratio(delivered) > most_density_ratio)
+    all.add("the certificate says that its mesh was completed, and the metric delivered is " +
+            text_of(density_ratio(delivered)) + " times as dense or as thin as the one wanted");
+}
+
+// Derives from the numbers of the certificate whether its mesh was completed, where it says so. A
+// metric farther from the one wanted than is tolerated is no reason to refuse a mesh, but the run
+// was not complete then; nor was it with longer edges. The numbers themselves are measured again.
+void compare_completeness(contradictions& all, const certificate& claim) {
+  const std::string tolerance = option_of(claim, "metric-tolerance");
+  const bool is_limited = !tolerance.empty() && tolerance != "none";
+  const double tolerated = is_limited ? number_of(tolerance).value_or(-1) : 0;
+  if (!(tolerated >= 0))
+    return all.add("\"asked.options.metric-tolerance\" is no number of at least 0");
+  if (!claim.complete) return;
+  if (option_of(claim, "size") != option_of(claim, "size-delivered") &&
+      claim.options.count("size-delivered") != 0)
     all.add(
         "the certificate says that its mesh was completed, and \"asked.options.size\" is not "
         "\"asked.options.size-delivered\"");
+  if (!claim.delivered) return;
+  if (!is_limited) return compare_with_rule(all, *claim.delivered);
+  if (!(claim.delivered->greatest <= tolerated))
+    all.add("the certificate says that its mesh was completed, and the metric delivered is " +
+            text_of(claim.delivered->greatest) + " from the one wanted, where " + tolerance +
+            " is tolerated");
+}
+
+// Whoever calls the library need not say how the question was worded: then there is no metric, and
+// no option but the tolerance, on which it depends whether the mesh was completed.
+void compare_unworded(contradictions& all, const certificate& claim) {
+  for (const auto& [name, value] : claim.options)
+    if (name != "metric-tolerance")
+      all.add("\"asked.options." + name + "\" is there, and \"asked.metric\" names no metric");
+}
+
+// The options of `certify`. A metric that came from a file has no size.
+void compare_certify_options(contradictions& all, const certificate& claim) {
+  compare_names(all, claim, certify_option_names);
+  if (claim.metric.starts_with("of ") != (option_of(claim, "size") == "none"))
+    all.add("\"asked.options.size\" does not go with \"asked.metric\"");
+}
+
+void compare_options(contradictions& all, const certificate& claim) {
+  compare_bounds(all, claim);
+  compare_completeness(all, claim);
+  if (claim.metric.empty()) return compare_unworded(all, claim);
+  if (claim.options.count("adapt-mesh") != 0) return compare_adapted_names(all, claim);
+  if (claim.options.count("mesh") != 0) return compare_certify_options(all, claim);
+  compare_names(all, claim, mesh_option_names);
+  const auto option = [&claim](const char* name) { return option_of(claim, name); };
   if ((option("gradation") == "none") != (option("gradation-done") == "none"))
     all.add(
         "\"asked.options.gradation\" and \"asked.options.gradation-done\" contradict each other");
@@ -260,12 +279,16 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
   const bool must_be_dual =
       options.check_voronoi || (claim && claim->voronoi == voronoi_verdict::proved);
   if (claim) {
+    const bool is_claimed_domain =
+        options.original == nullptr ||
+        (claim->original && is_same_domain(*options.original, *claim->original));
     as_claimed = (!options.angle_bound || options.angle_bound == claim->angle_bound) &&
-                 options.original == nullptr && options.exempt_corners.empty();
+                 is_claimed_domain && options.exempt_corners.empty();
     if (!options.angle_bound) options.angle_bound = claim->angle_bound;
     if (options.original == nullptr && claim->original) options.original = &*claim->original;
     if (claim->voronoi != voronoi_verdict::not_asked) options.check_voronoi = true;
   }
+  if (options.original == nullptr) options.domain_is_the_mesh = true;
   options.find_exempt_corners = true;
   options.own_filter_alone = true;
   verify_report report;

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/shared_tree.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/make_mesh.hpp"
@@ -85,6 +86,8 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
   claim.mesher_counters = outcome.counters;
   claim.star_repairs = outcome.star_repairs;
   claim.delivered = outcome.delivered;
+  if (options.metric_tolerance)
+    claim.options["metric-tolerance"] = internal::number_text(*options.metric_tolerance);
   claim.measured = by_name(measure(outcome.result));
   judged.outcome = std::move(outcome);
   return judged;

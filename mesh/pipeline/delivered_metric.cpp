@@ -113,11 +113,15 @@ result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& 
 
 std::vector<std::string> contradictions_in_delivered(const mesh& subject, const certificate& claim,
                                                      const metric_field& wanted) {
-  std::vector<std::string> said;
-  if (!claim.delivered) return said;
+  if (!claim.delivered) return {};
   const auto found = compare_with_wanted(subject, wanted, claim.angle_bound);
   if (!found) return {"the metric wanted fails: " + found.failure().message};
-  const delivered_report &claimed = *claim.delivered, &measured = found.value();
+  return contradictions_in_delivered(*claim.delivered, found.value());
+}
+
+std::vector<std::string> contradictions_in_delivered(const delivered_report& claimed,
+                                                     const delivered_report& measured) {
+  std::vector<std::string> said;
   if (claimed.changed != measured.changed)
     said.push_back(
         fmt::format("{} sites have another tensor than the one wanted, and the "

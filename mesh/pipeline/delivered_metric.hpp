@@ -19,6 +19,11 @@ namespace asterism::internal {
 result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& wanted,
                                              std::optional<double> angle_bound);
 
+// Returns a sentence for each number of the first report that is another one in the second, to the
+// last bit, but for the length factor.
+std::vector<std::string> contradictions_in_delivered(const delivered_report& claimed,
+                                                     const delivered_report& measured);
+
 // Returns a sentence for each number of claim.delivered that is another one, to the last bit; none
 // where the claim has no such report.
 std::vector<std::string> contradictions_in_delivered(const mesh& subject, const certificate& claim,

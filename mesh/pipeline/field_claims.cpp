@@ -25,12 +25,6 @@ std::string option_of(const certificate& claim, const std::string& name) {
   return place == claim.options.end() ? "none" : place->second;
 }
 
-// Returns the number an option has; 1 where it is "none".
-result<double> size_of(const certificate& claim, const std::string& name) {
-  const std::string text = option_of(claim, name);
-  return text == "none" ? result<double>(1.0) : parse_number(text);
-}
-
 bool is_near(const metric_tensor& a, const metric_tensor& b) {
   const double allowed = 0x1p-40 * std::sqrt(b.m11) * std::sqrt(b.m22);
   return std::abs(a.m11 - b.m11) <= 0x1p-40 * b.m11 && std::abs(a.m12 - b.m12) <= allowed &&
@@ -57,54 +51,72 @@ std::optional<std::string> difference_from(const metric_field& field, const mesh
 }
 
 // Returns the metric of a mesh, where its file is still there.
-result<std::unique_ptr<metric_field>> background_of(const certificate& claim, double size) {
-  auto background = read_mesh(claim.metric);
+result<std::unique_ptr<metric_field>> background_of(const metric_wording& asked) {
+  auto background = read_mesh(asked.name);
   if (!background) return background.failure();
   const auto adopted = adopt_mesh(std::move(background).value());
   if (!adopted) return adopted.failure();
-  return make_sampled_field(adopted.value().subject, size);
+  return make_sampled_field(adopted.value().subject, asked.size);
 }
 
-// Passes on a field that is on a mesh if that is the mesh the certificate names, graded as it was.
-result<std::unique_ptr<metric_field>> if_the_same(const certificate& claim,
-                                                  std::unique_ptr<metric_field> field) {
-  const mesh* const background = field->background();
+// Makes the metric the certificate says was asked for, of the size asked for even where the limit
+// on sites made edges longer. One on a mesh has to be that of the mesh it names.
+result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) {
+  if (!claim.original) return error{"the certificate has no domain to place it in"};
+  const auto asked = wording_in(claim);
+  if (!asked) return asked.failure();
+  auto field = field_of(asked.value(), *claim.original);
+  if (!field) return field;
+  const mesh* const background = field.value()->background();
   if (background != nullptr &&
       option_of(claim, "metric-fingerprint") != std::to_string(mesh_fingerprint(*background)))
     return error{"its file holds another mesh now"};
   return field;
 }
 
+// True if the metric came as numbers: from a file that `certify` read, or from a program.
+bool is_of_numbers(const certificate& claim) { return claim.metric.starts_with("of "); }
+
+// Holds the mesh against the metric it is delivered in another one than.
+void check_delivered(const mesh& subject, const certificate& claim, const metric_field& wanted,
+                     field_check& check) {
+  auto measured = compare_with_wanted(subject, wanted, claim.angle_bound);
+  if (!measured) {
+    check.contradictions.push_back("the metric wanted fails: " + measured.failure().message);
+    return;
+  }
+  for (std::string& said : contradictions_in_delivered(*claim.delivered, measured.value()))
+    check.contradictions.push_back(std::move(said));
+  check.apart = std::move(measured).value();
+}
+
 }  // namespace
 
-// Tensors are those of the size asked for even where the limit on sites made edges longer.
-result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) {
-  if (!claim.original) return error{"the certificate has no domain to place it in"};
-  const auto size = size_of(claim, "size");
-  if (!size) return error{"the size is no number"};
-  const bounding_box box = claim.original->box();
-  auto field = is_mesh_file(claim.metric) ? background_of(claim, size.value())
-                                          : make_metric_field(claim.metric, box, size.value());
-  const std::string gradation = option_of(claim, "gradation");
-  if (!field) return field;
-  if (gradation == "none") return if_the_same(claim, std::move(field).value());
-  const auto beta = parse_number(gradation);
-  if (!beta) return error{"the gradation is no number"};
+result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, const domain& shape) {
+  auto field = is_mesh_file(asked.name) ? background_of(asked)
+                                        : make_metric_field(asked.name, shape.box(), asked.size);
+  if (!field || !asked.gradation) return field;
   gradation_options options;
-  options.beta = beta.value();
-  auto graded = grade_as_given(std::move(field).value(), *claim.original, options);
+  options.beta = *asked.gradation;
+  auto graded = grade_as_given(std::move(field).value(), shape, options);
   if (!graded) return graded.failure();
-  return if_the_same(claim, std::move(graded.value().field));
+  return std::move(graded.value().field);
 }
 
-namespace {
-
-// True if the metric came as numbers, and is named by its file; `mesh` takes them on a mesh alone.
-bool is_of_file(const certificate& claim) {
-  return claim.options.count("mesh") != 0 && claim.metric.starts_with("of ");
+result<metric_wording> wording_in(const certificate& claim) {
+  metric_wording asked{claim.metric, 1, std::nullopt};
+  if (const std::string size = option_of(claim, "size"); size != "none") {
+    const auto number = parse_number(size);
+    if (!number) return error{"the size is no number"};
+    asked.size = number.value();
+  }
+  if (const std::string gradation = option_of(claim, "gradation"); gradation != "none") {
+    const auto number = parse_number(gradation);
+    if (!number) return error{"the gradation is no number"};
+    asked.gradation = number.value();
+  }
+  return asked;
 }
-
-}  // namespace
 
 field_check check_field(const mesh& subject, const certificate& claim) {
   field_check check;
@@ -112,13 +124,9 @@ field_check check_field(const mesh& subject, const certificate& claim) {
     check.why_not = "the certificate is of another mesh";
     return check;
   }
-  if (is_of_file(claim)) {
-    check.why_not = "it was read from a file";
-    return check;
-  }
   // Whoever calls the library need not name a metric.
-  if (claim.options.empty() && claim.metric.empty()) {
-    check.why_not = "the certificate names none";
+  if (claim.metric.empty() || is_of_numbers(claim)) {
+    check.why_not = claim.metric.empty() ? "the certificate names none" : "it came as numbers";
     return check;
   }
   const bool is_adapted = is_of_adaptation(claim);
@@ -131,13 +139,23 @@ field_check check_field(const mesh& subject, const certificate& claim) {
     return check;
   }
   check.made = true;
-  if (claim.delivered) {
-    for (std::string& said : contradictions_in_delivered(subject, claim, *field.value()))
-      check.contradictions.push_back(std::move(said));
-    return check;
-  }
-  if (const auto said = difference_from(*field.value(), subject))
+  if (claim.delivered)
+    check_delivered(subject, claim, *field.value(), check);
+  else if (const auto said = difference_from(*field.value(), subject))
     check.contradictions.push_back(*said);
+  return check;
+}
+
+field_check check_against(const mesh& subject, const metric_field& wanted,
+                          std::optional<double> angle_bound) {
+  field_check check;
+  check.made = true;
+  if (!difference_from(wanted, subject)) return check;
+  auto measured = compare_with_wanted(subject, wanted, angle_bound);
+  if (measured)
+    check.apart = std::move(measured).value();
+  else
+    check.contradictions.push_back("the metric asked for fails: " + measured.failure().message);
   return check;
 }
 

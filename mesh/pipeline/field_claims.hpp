@@ -1,33 +1,58 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks whether the tensors of a mesh are those of the metric its certificate says was asked for.
+// Checks whether the tensors of a mesh are those of the metric that was asked for, by whoever
+// judges it or as its certificate says.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/data/delivered_report.hpp"
+#include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 
 namespace asterism::internal {
 
-// Makes the metric asked for again, of the size asked for, graded as it was. Fails, saying why in
-// half a sentence, where the certificate does not hold what that takes: a metric on a mesh.
-result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim);
+// A metric as it was asked for.
+struct metric_wording {
+  std::string name;  // as --metric takes it
+  double size = 1;
+  std::optional<double> gradation;
 
+  friend bool operator==(const metric_wording&, const metric_wording&) = default;
+};
+
+// Makes a metric of the size asked for, graded as it was. `shape` is the domain as meshed, curves
+// divided: formulas are placed in its box, and gradation knows its width.
+result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, const domain& shape);
+
+// Returns how the certificate of a mesh says its metric was asked for. Fails, saying why in half a
+// sentence, where size or gradation are no numbers.
+result<metric_wording> wording_in(const certificate& claim);
+
+// A mesh held against a metric.
 struct field_check {
   bool made = false;    // true if the metric asked for could be made again
   std::string why_not;  // half a sentence on why it could not
   std::vector<std::string> contradictions;
+  // Set where the tensors are others than asked for: by how much, as measured here.
+  std::optional<delivered_report> apart;
 };
 
-// Holds the tensor of every vertex against the metric asked for, or, where the certificate says
-// that the mesh is of another, the triangles it lists as low in the one asked for. A tensor may be
-// off by 2^-40 of itself: libraries of elementary functions differ in the last places. Nothing is
-// checked of a mesh that is not the certificate's, by its fingerprint.
+// Holds the tensor of every vertex against the metric the certificate says was asked for, or, where
+// it says that the mesh is of another, the report on how far that is. A tensor may be off by 2^-40
+// of itself: libraries of elementary functions differ in the last places. Nothing is checked of a
+// mesh that is not the certificate's, by its fingerprint.
 field_check check_field(const mesh& subject, const certificate& claim);
+
+// Holds the tensor of every vertex against a metric; `apart` says how far they are from it, and
+// which triangles are below the bound in it.
+field_check check_against(const mesh& subject, const metric_field& wanted,
+                          std::optional<double> angle_bound);
 
 }  // namespace asterism::internal

@@ -5,16 +5,19 @@ namespace asterism::internal {
 
 std::optional<intolerable_distance> excess_of(const mesh_outcome& made,
                                               const mesh_options& options) {
-  using measure = intolerable_distance::measure;
   if (!made.delivered || made.stopped) return std::nullopt;
-  const delivered_report& report = *made.delivered;
+  return excess_of(*made.delivered, options.metric_tolerance);
+}
+
+std::optional<intolerable_distance> excess_of(const delivered_report& report,
+                                              std::optional<double> tolerance) {
+  using measure = intolerable_distance::measure;
   const auto beyond = [&report](double allowed, double found,
                                 measure of) -> std::optional<intolerable_distance> {
     if (found <= allowed) return std::nullopt;
     return intolerable_distance{allowed, found, of, report.greatest};
   };
-  if (options.metric_tolerance)
-    return beyond(*options.metric_tolerance, report.greatest, measure::greatest);
+  if (tolerance) return beyond(*tolerance, report.greatest, measure::greatest);
   if (const auto excess = beyond(most_median_distance, report.median, measure::median))
     return excess;
   // Areas of domains at the ends of the range of doubles have no ratio, and say nothing.

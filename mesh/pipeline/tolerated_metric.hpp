@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
 
@@ -16,5 +17,9 @@ namespace asterism::internal {
 // the sites find counts, and how dense the metric is on the whole.
 std::optional<intolerable_distance> excess_of(const mesh_outcome& made,
                                               const mesh_options& options);
+
+// The same of what was measured, with a tolerance or without.
+std::optional<intolerable_distance> excess_of(const delivered_report& report,
+                                              std::optional<double> tolerance);
 
 }  // namespace asterism::internal

@@ -140,11 +140,11 @@ python_metric metric_of(const py::object& metric, const domain& d, double size,
     const auto pair = metric.cast<py::tuple>();
     if (!py::isinstance<py_mesh>(pair[0]))
       throw input_error("metric: a pair must be a mesh and its tensors");
-    return {"given at the vertices of a mesh", sampled(pair[0], pair[1], size), nullptr};
+    return {"of tensors at the vertices of a mesh", sampled(pair[0], pair[1], size), nullptr};
   }
   if (!PyCallable_Check(metric.ptr()))
     throw input_error("metric: a text, a callable or a pair of a mesh and tensors is wanted");
-  python_metric made{"a callable", nullptr, nullptr};
+  python_metric made{"of a callable", nullptr, nullptr};
   made.callable = std::make_unique<called_field>(metric.cast<py::function>(), errors);
   asterism_metric asked{};
   asked.batch_function = &called_field::ask;

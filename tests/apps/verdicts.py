@@ -136,8 +136,9 @@ class Verdicts(command.CommandTest):
     def test_the_line_of_verify_says_what_was_checked(self):
         claim = self.make_good()
         done = self.run_command("verify", "good.mesh")
-        self.assertRegex(done.stdout, "^certified: .*; bound 20 degrees; the certificate's domain; metric: "
-                         "swirl:3, held against it at every vertex; size asked for 0.4, not checked; the theorem on nets .*\n$")
+        self.assertRegex(done.stdout, "^certified: .*; bound 20 degrees, by the certificate; the certificate's domain; metric: "
+                         "swirl:3, by the certificate, held against it at every vertex; size asked for 0.4, not checked; "
+                         "the theorem on nets, in the metric asked for, .*\n$")
         claim["asked"]["metric"] = "swirl:4"
         self.write("good.certificate.json", json.dumps(claim))
         done = self.run_command("verify", "good.mesh")
@@ -156,7 +157,7 @@ class Verdicts(command.CommandTest):
             claim = json.loads((self.folder / "m.certificate.json").read_text())
             self.assertIs(claim["theorem"]["theorem_applies"], applies)
             line = self.run_command("verify", "m.mesh").stdout
-            self.assertIn("; the " + said.replace("nets:", "nets"), line)
+            self.assertIn("; the " + said.replace("nets:", "nets, in the metric asked for,"), line)
             if applies:
                 self.assertGreater(claim["theorem"]["sigma_eps"], 0)
                 self.assertGreaterEqual(claim["theorem"]["proved_angle"], 20)

@@ -310,6 +310,41 @@ TEST_CASE("altered numbers of a certificate passed") {
   CHECK(verify(made.p.m, made.c, lower).verified);
 }
 
+TEST_CASE("numbers were not compared where the domain of the certificate was named") {
+  const certified_patch made;
+  audit_options named;
+  named.original = &made.p.d;
+  CHECK(verify(made.p.m, made.c, named).verified);
+  certificate altered = made.c;
+  altered.worst_angle = std::nextafter(altered.worst_angle, 60);
+  const verify_report report = verify(made.p.m, altered, named);
+  CHECK_FALSE(report.verified);
+  REQUIRE(report.contradictions.size() == 1);
+  CHECK_THAT(report.contradictions[0], Contains("\"audit.worst_angle\""));
+}
+
+TEST_CASE("a certificate without options passed for completed, whatever was delivered") {
+  certified_patch made;
+  made.c.options.clear();
+  const auto first_of = [&] { return verify(made.p.m, made.c, {}).contradictions.at(0); };
+  CHECK_THAT(first_of(), Contains("\"asked.options.angle-bound\" is missing"));
+  made.c.metric.clear();
+  CHECK(verify(made.p.m, made.c, {}).verified);
+  made.c.delivered = delivered_report{};
+  made.c.delivered->complexity_wanted = made.c.delivered->complexity_delivered = 1;
+  CHECK(verify(made.p.m, made.c, {}).verified);
+  made.c.delivered->median = made.c.delivered->greatest = 2.4;  // more than ln 10
+  CHECK_THAT(first_of(), Contains("of half of the sites"));
+  made.c.options["metric-tolerance"] = "2.4";
+  CHECK(verify(made.p.m, made.c, {}).verified);
+  made.c.options["metric-tolerance"] = "2.3";
+  CHECK_THAT(first_of(), Contains("where 2.3 is tolerated"));
+  made.c.options["metric-tolerance"] = "soon";
+  CHECK_THAT(first_of(), Contains("is no number of at least 0"));
+  made.c.options = {{"size", "1"}};
+  CHECK_THAT(first_of(), Contains("\"asked.metric\" names no metric"));
+}
+
 TEST_CASE("what is measured of the theorem on nets is written and read, or null") {
   certified_patch made;
   REQUIRE(made.c.theorem);
