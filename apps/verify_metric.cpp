@@ -148,7 +148,7 @@ std::string apart_text(const delivered_report& apart) {
 
 std::string text_of(const metric_answer& answer) {
   if (answer.by == asked_by::nobody) return "the file's, field not checked";
-  std::string name = answer.name;
+  std::string name = answer.name.empty() ? "unnamed" : answer.name;
   if (!answer.filled_in.empty()) name += " (" + answer.filled_in + " by the certificate)";
   name += by_text(answer.by);
   const std::string unchecked = "field not checked, " + answer.why_not;

@@ -272,6 +272,9 @@ bool has_no_free_edge(const audit_context& context, std::size_t& inner) {
 
 }  // namespace
 
+// Refuses a mesh of which next to nothing is judged: more than half of the triangles have an exempt
+// angle, and segments for all their sides. Whoever says what the domain is, nothing of these could
+// be otherwise.
 void check_something_judged(audit_context& context) {
   const std::vector<vertex_index>& exempt = context.report.exempt_triangles;
   if (exempt.empty()) return;

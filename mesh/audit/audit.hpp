@@ -114,9 +114,7 @@ struct audit_options {
   // The domain as it was meshed (after check_domain); not owned, may be null.
   const domain* original = nullptr;
   // True if the domain is what the mesh itself says. A mesh of which every inner edge is a segment
-  // is then refused where any angle is exempt. Whoever says what the domain is, a mesh is refused
-  // of which more than half of the triangles have an exempt angle and segments for all their sides,
-  // one of them inside: next to nothing of it would be judged.
+  // is then refused where any angle is exempt; any other as check_something_judged has it.
   bool domain_is_the_mesh = false;
   bool check_stars = true;
   // True to check stars with the auditor's own filter and edge_test alone. Otherwise the kernel's

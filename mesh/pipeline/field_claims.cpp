@@ -87,7 +87,7 @@ void check_delivered(const mesh& subject, const certificate& claim, const metric
   }
   for (std::string& said : contradictions_in_delivered(*claim.delivered, measured.value()))
     check.contradictions.push_back(std::move(said));
-  check.apart = std::move(measured).value();
+  if (measured.value().changed > 0) check.apart = std::move(measured).value();
 }
 
 }  // namespace
