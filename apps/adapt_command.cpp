@@ -162,10 +162,7 @@ result<adapted> adapt(const adapt_job& job, run_limits& limits) {
 
 void describe(const adapt_job& job, adapted& made) {
   certificate& claim = made.next.made.claim;
-  claim.metric = job.request.solution.empty()
-                     ? (job.request.implied ? "implied by " + job.request.mesh
-                                            : "metric " + job.request.metric)
-                     : "solution " + job.request.solution;
+  claim.metric = name_of(job.request);
   const auto adopted = adopt_mesh(made.wanted.background);
   std::string fingerprint = "none";
   if (adopted) {

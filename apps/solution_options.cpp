@@ -133,12 +133,7 @@ void set_defaults(metric_request& request) {
 }
 
 std::optional<error> check_request(const metric_request& request) {
-  const int sources = (request.solution.empty() ? 0 : 1) + (request.metric.empty() ? 0 : 1) +
-                      (request.implied ? 1 : 0);
-  if (sources != 1)
-    return error{"one of --solution, --metric and --implied is wanted, and there " +
-                     std::string(sources == 0 ? "is none" : "are several"),
-                 error_code::bad_option};
+  if (auto failed = internal::check_sources(request)) return failed;
   if (!request.fields.empty() && request.solution.empty())
     return error{"--field is of a --solution, and there is none", error_code::bad_option};
   const solution_metric_options& w = request.wishes;
@@ -149,9 +144,6 @@ std::optional<error> check_request(const metric_request& request) {
     if (is_named && request.solution.empty())
       return error{std::string(name) + " is of a --solution, and there is none",
                    error_code::bad_option};
-  if (w.vertices.has_value() + w.complexity.has_value() + w.error.has_value() > 1)
-    return error{"one of --vertices, --complexity and --error can be wanted, not several",
-                 error_code::bad_option};
   if (!(w.least_size < w.greatest_size))
     return error{"--hmin " + number_text(w.least_size) + " is not less than --hmax " +
                      number_text(w.greatest_size),

@@ -36,6 +36,10 @@ void compare(const words& found, const certificate& claim, field_check& check) {
 void compare_transfer(const mesh& subject, const certificate& claim, const requested_metric& made,
                       field_check& check) {
   const std::string claimed = word_of(claim, "transfer-how");
+  const bool is_method = std::find(methods.begin(), methods.end(), claimed) != methods.end();
+  if (!is_method && claim.options.count("transfer-how") != 0)
+    check.contradictions.push_back("\"transfer-how\" is no way to transfer a solution: " +
+                                   quoted_token(claimed));
   for (std::size_t i = 0; i < methods.size(); ++i) {
     if (claimed != methods[i]) continue;
     const auto how = static_cast<transfer_method>(i);
@@ -59,6 +63,8 @@ void compare_domain(const certificate& claim, const adopted_mesh& adopted, field
   if (word_of(claim, "domain") != "of " + word_of(claim, "adapt-mesh")) return;
   const auto marks = read_medit_marks(word_of(claim, "adapt-mesh"));
   const auto angle = parse_number(word_of(claim, "corner-angle"));
+  if (!angle)
+    check.contradictions.push_back("\"corner-angle\" is no number: " + angle.failure().message);
   if (!marks || !angle || !claim.original) return;
   const auto outline = outline_of_mesh(adopted.subject, marks.value(), angle.value());
   if (!outline) {
@@ -102,11 +108,35 @@ words words_of(const transfer_report& report, transfer_method how) {
   return all;
 }
 
+namespace {
+
+// Holds the words of a request against each other, whatever the files say.
+void compare_request(const certificate& claim, const metric_request& request, field_check& check) {
+  compare(words_of(request), claim, check);
+  if (const auto failed = check_sources(request))
+    check.contradictions.push_back("\"adapt-...\": " + failed->message);
+  if (claim.metric != name_of(request))
+    check.contradictions.push_back("\"asked.metric\" is " + quoted_token(claim.metric) +
+                                   " in the certificate, and \"adapt-...\" speak of the " +
+                                   name_of(request));
+  if (!request.solution.empty()) return;
+  // Wishes about a solution where there is none are those that nobody named.
+  const words unnamed = words_of(metric_request{});
+  for (const char* const name : {"adapt-hessian", "adapt-norm", "adapt-error", "adapt-fields"})
+    compare({{name, unnamed.at(name)}}, claim, check);
+}
+
+}  // namespace
+
 result<std::unique_ptr<metric_field>> check_adaptation(const mesh& subject,
                                                        const certificate& claim,
                                                        field_check& check) {
   const auto request = request_of(claim.options);
-  if (!request) return request.failure();
+  if (!request) {
+    check.contradictions.push_back(request.failure().message);
+    return request.failure();
+  }
+  compare_request(claim, request.value(), check);
   auto made = answer(request.value());
   if (!made) return made.failure();
   compare(words_of(made.value().report), claim, check);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/metric_request.hpp"
 
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "asterism/mesh/io/medit.hpp"
@@ -58,6 +60,25 @@ result<solution_metric> metric_given(const metric_request& request,
 }
 
 }  // namespace
+
+std::optional<error> check_sources(const metric_request& request) {
+  const int sources = (request.solution.empty() ? 0 : 1) + (request.metric.empty() ? 0 : 1) +
+                      (request.implied ? 1 : 0);
+  if (sources != 1)
+    return error{"one of --solution, --metric and --implied is wanted, and there " +
+                     std::string(sources == 0 ? "is none" : "are several"),
+                 error_code::bad_option};
+  const solution_metric_options& w = request.wishes;
+  if (w.vertices.has_value() + w.complexity.has_value() + w.error.has_value() > 1)
+    return error{"one of --vertices, --complexity and --error can be wanted, not several",
+                 error_code::bad_option};
+  return std::nullopt;
+}
+
+std::string name_of(const metric_request& request) {
+  if (!request.solution.empty()) return "solution " + request.solution;
+  return request.implied ? "implied by " + request.mesh : "metric " + request.metric;
+}
 
 result<requested_metric> answer(const metric_request& request) {
   auto read = read_plain_triangulation(request.mesh);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,12 @@ struct requested_metric {
   asterism::solution values;  // empty where there is no solution
   solution_metric_report report;
 };
+
+// Refuses a request for several metrics, for none, or for several numbers of vertices.
+std::optional<error> check_sources(const metric_request& request);
+
+// Returns what the metric is made of, as certificates name it: "solution u.sol".
+std::string name_of(const metric_request& request);
 
 // Reads the files and makes the metric. Sites of the background are numbered as in its file.
 result<requested_metric> answer(const metric_request& request);
