@@ -6,6 +6,10 @@
 //
 // The compiler does not order arithmetic against a change of the environment: do the arithmetic in
 // a function that is not inlined into the one that holds the scope.
+//
+// Without directed rounding (core/directed_rounding.hpp) both modes are the one to nearest, and
+// rounded_interval rounds outward by itself. WebAssembly has one environment, and a scope does
+// nothing there.
 #pragma once
 
 // Clang tells of parts of -ffast-math only when all are on.
@@ -17,9 +21,11 @@
 #error "asterism: exact predicates need doubles that are rounded to doubles: -mfpmath=sse"
 #endif
 
-#if defined(__SSE2__)
+#include "asterism/core/directed_rounding.hpp"
+
+#if defined(__SSE2__) && !defined(__wasm__)
 #include <xmmintrin.h>
-#else
+#elif !defined(__wasm__)
 #include <cfenv>
 #endif
 
@@ -27,15 +33,23 @@ namespace asterism::internal {
 
 enum class rounding { nearest, upward };
 
+// True if a scope of this mode has arithmetic round upward.
+constexpr bool is_upward(rounding mode) {
+  return ASTERISM_DIRECTED_ROUNDING && mode == rounding::upward;
+}
+
 class floating_point_scope {
  public:
   floating_point_scope(const floating_point_scope&) = delete;
   floating_point_scope& operator=(const floating_point_scope&) = delete;
 
-#if defined(__SSE2__)
+#if defined(__wasm__)
+  explicit floating_point_scope(rounding) {}
+  ~floating_point_scope() {}
+#elif defined(__SSE2__)
   explicit floating_point_scope(rounding mode) : saved_(_mm_getcsr()) {
     constexpr unsigned all_masked = 0x1F80, round_up = 0x4000;
-    _mm_setcsr(mode == rounding::upward ? all_masked | round_up : all_masked);
+    _mm_setcsr(is_upward(mode) ? all_masked | round_up : all_masked);
   }
   ~floating_point_scope() { _mm_setcsr(saved_); }
 
@@ -45,7 +59,9 @@ class floating_point_scope {
   explicit floating_point_scope(rounding mode) {
     std::fegetenv(&saved_);
     std::fesetenv(FE_DFL_ENV);
-    std::fesetround(mode == rounding::upward ? FE_UPWARD : FE_TONEAREST);
+#if ASTERISM_DIRECTED_ROUNDING
+    std::fesetround(is_upward(mode) ? FE_UPWARD : FE_TONEAREST);
+#endif
   }
   ~floating_point_scope() { std::fesetenv(&saved_); }
 

@@ -2,7 +2,8 @@
 //
 // Defines interval arithmetic on doubles whose ends are rounded outward. Every operation stands in
 // a floating_point_scope(rounding::upward), in a function that is not inlined into the one that
-// holds the scope, and is compiled with -frounding-math.
+// holds the scope, and is compiled with -frounding-math. Where there is no directed rounding, each
+// end that was rounded inward is moved outward by one unit: the same ends (core/two_lanes.hpp).
 //
 // Stores [low, high] as the pair {-low, high}. Rounding upward then widens at both ends, because
 // -low rounded up is minus low rounded down, and no operation has to change the rounding mode.
@@ -91,8 +92,8 @@ inline rounded_interval squared(const rounded_interval& a) {
 // below r lies below it. That is minus the sum of -r and the least positive double, rounded upward.
 inline double root_rounded_down(double x) {
   const double root = rounded_root(x);
-  if (opaque_here(root * opaque_here(root)) == x) return root;
-  return -opaque_here(opaque_here(-root) + 0x1p-1074);
+  if (rounded_product(root, root) == x) return root;
+  return -rounded_sum(-root, 0x1p-1074);
 }
 
 inline rounded_interval root_of_non_negative(const rounded_interval& a) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Works on a pair of doubles at once: an SSE2 register where there is one, two doubles elsewhere or
-// with ASTERISM_PORTABLE_LANES, by which a test compares the two. Sums, products and roots are
-// rounded by the rounding mode in force.
+// with ASTERISM_PORTABLE_LANES, by which a test compares the two. Sums, products, quotients and
+// roots are rounded by the rounding mode in force, or upward by core/upward_arithmetic.hpp where
+// there is no directed rounding (core/directed_rounding.hpp).
 //
 // A compiler may fold or move arithmetic as if the rounding mode were to nearest, for instance turn
 // -(a * b) into (-a) * b. `opaque` hides a value from that. `opaque_here` also stays on its side of
@@ -10,17 +11,21 @@
 // a value that went through it and whose result goes through it is thus done in the mode meant.
 #pragma once
 
-#if defined(__SSE2__) && !defined(ASTERISM_PORTABLE_LANES)
-#include <emmintrin.h>
-#else
 #include <cmath>
-#endif
-
 #include <limits>
+
+#include "asterism/core/directed_rounding.hpp"
+
+#if !ASTERISM_DIRECTED_ROUNDING
+#include "asterism/core/upward_arithmetic.hpp"
+#elif defined(__SSE2__) && !defined(ASTERISM_PORTABLE_LANES)
+#define ASTERISM_LANES_IN_A_REGISTER
+#include <emmintrin.h>
+#endif
 
 namespace asterism::internal {
 
-#if defined(__SSE2__) && !defined(ASTERISM_PORTABLE_LANES)
+#if defined(ASTERISM_LANES_IN_A_REGISTER)
 
 inline double opaque_here(double x) {
   asm volatile("" : "+x"(x));
@@ -71,15 +76,12 @@ class two_lanes {
   __m128d lanes_;
 };
 
-inline double rounded_root(double x) {
-  const __m128d wide = _mm_set_sd(opaque_here(x));
-  return opaque_here(_mm_cvtsd_f64(_mm_sqrt_sd(wide, wide)));
-}
-
 #else
 
 inline double opaque_here(double x) {
-#if defined(__GNUC__)
+#if !ASTERISM_DIRECTED_ROUNDING
+  return x;  // no mode is changed, and folding to nearest is right
+#elif defined(__GNUC__)
   asm volatile("" : "+m"(x));
   return x;
 #else
@@ -87,6 +89,14 @@ inline double opaque_here(double x) {
   return hidden;
 #endif
 }
+
+#if ASTERISM_DIRECTED_ROUNDING
+inline double lane_product(double a, double b) { return a * b; }
+inline double lane_sum(double a, double b) { return a + b; }
+#else
+inline double lane_product(double a, double b) { return upward::product(a, b); }
+inline double lane_sum(double a, double b) { return upward::sum(a, b); }
+#endif
 
 class two_lanes {
  public:
@@ -100,7 +110,7 @@ class two_lanes {
   two_lanes first_negated() const { return {-first_, second_}; }
 
   friend two_lanes product(const two_lanes& a, const two_lanes& b) {
-    return {a.first_ * b.first_, a.second_ * b.second_};
+    return {lane_product(a.first_, b.first_), lane_product(a.second_, b.second_)};
   }
   // These two return the second of two numbers if one is NaN or both are zeros.
   friend two_lanes greatest(const two_lanes& a, const two_lanes& b) {
@@ -122,15 +132,39 @@ class two_lanes {
   friend two_lanes opaque(const two_lanes& a) { return opaque_here(a); }
   friend two_lanes rounded_sum(const two_lanes& a, const two_lanes& b) {
     const two_lanes x = opaque_here(a), y = opaque_here(b);
-    return opaque_here(two_lanes(x.first_ + y.first_, x.second_ + y.second_));
+    return opaque_here(two_lanes(lane_sum(x.first_, y.first_), lane_sum(x.second_, y.second_)));
   }
 
  private:
   double first_, second_;
 };
 
-inline double rounded_root(double x) { return opaque_here(std::sqrt(opaque_here(x))); }
+#endif
 
+// One number at a time.
+#if ASTERISM_DIRECTED_ROUNDING
+inline double rounded_sum(double a, double b) {
+  return opaque_here(opaque_here(a) + opaque_here(b));
+}
+inline double rounded_product(double a, double b) {
+  return opaque_here(opaque_here(a) * opaque_here(b));
+}
+inline double rounded_quotient(double a, double b) {
+  return opaque_here(opaque_here(a) / opaque_here(b));
+}
+inline double rounded_root(double x) {
+#if defined(ASTERISM_LANES_IN_A_REGISTER)
+  const __m128d wide = _mm_set_sd(opaque_here(x));
+  return opaque_here(_mm_cvtsd_f64(_mm_sqrt_sd(wide, wide)));
+#else
+  return opaque_here(std::sqrt(opaque_here(x)));
+#endif
+}
+#else
+inline double rounded_sum(double a, double b) { return upward::sum(a, b); }
+inline double rounded_product(double a, double b) { return upward::product(a, b); }
+inline double rounded_quotient(double a, double b) { return upward::quotient(a, b); }
+inline double rounded_root(double x) { return upward::root(x); }
 #endif
 
 // Returns a, infinite where it is NaN.
@@ -140,3 +174,5 @@ inline two_lanes not_nan(const two_lanes& a) {
 }
 
 }  // namespace asterism::internal
+
+#undef ASTERISM_LANES_IN_A_REGISTER

@@ -17,6 +17,7 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/kernels/double_arithmetic.hpp"
 #include "asterism/kernels/lasting_reasons.hpp"
+#include "asterism/kernels/proposal.hpp"
 #include "asterism/predicates/insertion_test.hpp"
 
 namespace asterism::internal {
@@ -66,7 +67,7 @@ class arc_search {
   // True if no good point has a parameter in (low, high). Also false if a witness was found.
   bool refute(double low, double high) {
     if (--budget_ < 0 || witness_) return false;
-    const double middle = sample(low, high);
+    const double middle = proposal([&] { return sample(low, high); });
     if (!(middle > low && middle < high)) return false;
     const parameter_range over{low, high};
     const uncertain_bool inside = on_arc(middle);

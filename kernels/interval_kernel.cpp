@@ -8,6 +8,7 @@
 #include "asterism/kernels/interval_arithmetic.hpp"
 #include "asterism/kernels/magnitude.hpp"
 #include "asterism/kernels/predicate_kernel.hpp"
+#include "asterism/kernels/proposal.hpp"
 #include "asterism/kernels/staged_search.hpp"
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/predicates/arc_intersections.hpp"
@@ -159,7 +160,8 @@ uncertain_int interval_kernel::arc_intersection_count(const site& v, const site&
 uncertain_bool interval_kernel::encroaches(const site& a, const site& b, const site& w) const {
   return ask_interval<uncertain_bool>(std::array{&a, &b, &w}, no_points{}, [](const auto& in) {
     const auto& s = in.sites;
-    const auto witness = numeric::find_witness(encroachment_question<double>(s[0], s[1], s[2]));
+    const auto witness = proposal(
+        [&] { return numeric::find_witness(encroachment_question<double>(s[0], s[1], s[2])); });
     return certified::exists(
         encroachment_question<interval>(convert<interval>(s[0]), convert<interval>(s[1]),
                                         convert<interval>(s[2])),

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "asterism/kernels/arc_search.hpp"
+#include "asterism/kernels/proposal.hpp"
 #include "asterism/kernels/turn_scale.hpp"
 #include "asterism/kernels/vertex_hints.hpp"
 
@@ -22,11 +23,11 @@ uncertain_bool search_in_stages(const insertion_question<Number>& question,
   const auto search = [&](const numeric::search_hints& hints, int budget) {
     return arc_search<Number, PointOnArc, Source>(question, source, hints, budget).exists();
   };
-  if (const auto hints = numeric::find_quick_hints(proposing)) {
+  if (const auto hints = proposal([&] { return numeric::find_quick_hints(proposing); })) {
     const uncertain_bool answer = search(*hints, most_quick_ranges);
     if (answer.certain()) return answer;
   }
-  return search(numeric::find_hints(proposing), most_ranges);
+  return search(proposal([&] { return numeric::find_hints(proposing); }), most_ranges);
 }
 
 // Requires sites of harmless magnitude (kernels/magnitude.hpp).
@@ -34,7 +35,8 @@ uncertain_bool search_in_stages(const insertion_question<Number>& question,
 template <class Number, class PointOnArc, class Source = Number>
 uncertain_bool search_in_stages(const std::array<site, 4>& s, int most_ranges) {
   const double turn = std::ldexp(1.0, turn_scale_exponent(s[0].metric));
-  const insertion_question<double> proposing(s[0], s[1], s[2], s[3], turn);
+  const auto proposing =
+      proposal([&] { return insertion_question<double>(s[0], s[1], s[2], s[3], turn); });
   const auto ask_in = [&]<class Type>(std::type_identity<Type>) {
     return insertion_question<Type>(convert<Type>(s[0]), convert<Type>(s[1]), convert<Type>(s[2]),
                                     convert<Type>(s[3]), Type(turn));

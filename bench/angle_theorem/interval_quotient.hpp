@@ -16,11 +16,12 @@ namespace asterism::internal {
 inline interval operator/(const interval& a, const interval& b) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (b.inf() <= 0 && b.sup() >= 0) return {-infinity, infinity};
-  const auto quotient = [](double x, double y) { return opaque_here(opaque_here(x) / y); };
-  const double high = std::max({quotient(a.inf(), b.inf()), quotient(a.inf(), b.sup()),
-                                quotient(a.sup(), b.inf()), quotient(a.sup(), b.sup())});
-  const double minus_low = std::max({quotient(-a.inf(), b.inf()), quotient(-a.inf(), b.sup()),
-                                     quotient(-a.sup(), b.inf()), quotient(-a.sup(), b.sup())});
+  const double high =
+      std::max({rounded_quotient(a.inf(), b.inf()), rounded_quotient(a.inf(), b.sup()),
+                rounded_quotient(a.sup(), b.inf()), rounded_quotient(a.sup(), b.sup())});
+  const double minus_low =
+      std::max({rounded_quotient(-a.inf(), b.inf()), rounded_quotient(-a.inf(), b.sup()),
+                rounded_quotient(-a.sup(), b.inf()), rounded_quotient(-a.sup(), b.sup())});
   return {-minus_low, high};
 }
 

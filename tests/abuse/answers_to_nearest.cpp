@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// Answers a file of records with a library that has no directed rounding; what each tier settled
+// goes to standard error.
+//     answers_to_nearest FILE
+#include <fstream>
+#include <iostream>
+
+#include "asterism/core/directed_rounding.hpp"
+#include "asterism/kernels/batch_protocol.hpp"
+
+static_assert(!ASTERISM_DIRECTED_ROUNDING, "tells nothing about arithmetic to nearest");
+
+int main(int count, char** arguments) {
+  std::ifstream in(count == 2 ? arguments[1] : "");
+  if (!in) return 2;
+  asterism::batch_evaluator evaluator(asterism::kernel_choice::filtered);
+  evaluator.answer_all(in, std::cout);
+  asterism::write_statistics(std::cerr, evaluator.statistics());
+  return evaluator.statistics().errors == 0 ? 0 : 1;
+}
