@@ -4,6 +4,10 @@ function(asterism_configure target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   # Contraction would change the value of a*b+c; the filters' error bounds assume it does not.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
+  if(EMSCRIPTEN)  # whose standard library may lack something
+    target_compile_options(${target} PRIVATE
+      -include ${PROJECT_SOURCE_DIR}/packages/npm/standard_library.hpp)
+  endif()
   if(ASTERISM_WARNINGS_ARE_ERRORS)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion
                                              -Wno-sign-conversion -Werror)
@@ -19,6 +23,10 @@ endfunction()
 # marks and nothing else. Nobody replaces our functions at load time, so they may be inlined.
 function(asterism_hide target)
   set_target_properties(${target} PROPERTIES
-    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  if(EMSCRIPTEN)  # a module is linked once, and independence of positions would cost time
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()

@@ -17,7 +17,7 @@ packages=(
 # Large ones, for tests alone, which say so and are skipped without them. ASTERISM_LARGE_PACKAGES=1
 # has them installed as well. rustc with its library and LLVM unpacks to 375 MB.
 large_packages=(chromium chromium-driver python3-selenium python3-pil gmsh python3-vtk9 rustc
-  zsh fish)
+  zsh fish emscripten nodejs npm)
 [ "${ASTERISM_LARGE_PACKAGES:-0}" = 0 ] || packages+=("${large_packages[@]}")
 
 installed() { dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }
