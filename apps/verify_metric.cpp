@@ -80,7 +80,7 @@ std::optional<error> judge_named(const verify_options& options, const mesh& subj
 void judge_distance(metric_answer& answer) {
   const bool is_asked = answer.by == asked_by::option || answer.tolerance_by == asked_by::option;
   if (!is_asked || !answer.apart) return;
-  const auto excess = excess_of(*answer.apart, answer.tolerance);
+  const auto excess = excess_in(*answer.apart, answer.tolerance);
   if (!excess) return;
   const std::string than = answer.tolerance && *answer.tolerance > 0
                                ? ", where " + number_text(*answer.tolerance) + " is tolerated"

@@ -6,10 +6,10 @@ namespace asterism::internal {
 std::optional<intolerable_distance> excess_of(const mesh_outcome& made,
                                               const mesh_options& options) {
   if (!made.delivered || made.stopped) return std::nullopt;
-  return excess_of(*made.delivered, options.metric_tolerance);
+  return excess_in(*made.delivered, options.metric_tolerance);
 }
 
-std::optional<intolerable_distance> excess_of(const delivered_report& report,
+std::optional<intolerable_distance> excess_in(const delivered_report& report,
                                               std::optional<double> tolerance) {
   using measure = intolerable_distance::measure;
   const auto beyond = [&report](double allowed, double found,

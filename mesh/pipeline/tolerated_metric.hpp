@@ -19,7 +19,7 @@ std::optional<intolerable_distance> excess_of(const mesh_outcome& made,
                                               const mesh_options& options);
 
 // The same of what was measured, with a tolerance or without.
-std::optional<intolerable_distance> excess_of(const delivered_report& report,
+std::optional<intolerable_distance> excess_in(const delivered_report& report,
                                               std::optional<double> tolerance);
 
 }  // namespace asterism::internal
