@@ -6,7 +6,9 @@
 #include <cmath>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -56,12 +58,14 @@ struct adapt_job {
   bool quiet = false, json = false;
 };
 
+constexpr double vertices_of_unit_edges = 2 / std::numbers::sqrt3;  // for each of complexity
+
 constexpr const char* examples =
     R"(Makes the mesh on which the next solution is best: the metric that the solution asks for (see
 `asterism metric --help`), a mesh of the same domain in it, certified, and the solution on that.
 The domain is the mesh's: its corners, required vertices and edges, ends of markers, and where it
 turns by more than --corner-angle stay; all else may go. Or it is the one named by --domain.
-A mesh that meets its metric already stays as it is.
+A mesh that is as good as a new one already stays as it is (--keep).
 
 Exit status: 0 complete and certified; 1 not reached, what is certain is written and says so;
 2 bad usage or input, nothing is written.
@@ -70,6 +74,9 @@ Examples:
   asterism adapt old.mesh --solution u.sol --vertices 4000 -o new.mesh --solution-out new_u.sol
   asterism adapt old.mesh --solution u.bb --error 1e-3 --domain wing.poly --transfer project \
                  -o new.mesh --solution-out new_u.bb)";
+
+const std::map<std::string, keep_rule> keep_rules = {
+    {"auto", keep_rule::automatic}, {"never", keep_rule::never}, {"always", keep_rule::always}};
 
 // Everything that was made, before it is written.
 struct adapted {
@@ -119,22 +126,31 @@ std::optional<error> take_domain(adapt_job& job) {
 }
 
 // Sets the number of vertices where the request names one, and room for what it asks for in other
-// words. A target that was not met leaves the number to the metric.
-void take_target(const metric_request& request, const requested_metric& wanted,
-                 mesh_adaptation_options& options) {
+// words. A target that was not met leaves the number to the metric. Refuses what is beyond the
+// default limit on sites: it would take long to get there, and be another mesh.
+std::optional<error> take_target(const metric_request& request, const requested_metric& wanted,
+                                 mesh_adaptation_options& options) {
   const solution_metric_options& wishes = request.wishes;
   const bool names_other = wishes.complexity || wishes.error;
+  const auto own = static_cast<double>(wanted.background.sites.size());
+  const double vertices = names_other ? vertices_of_unit_edges * wanted.report.complexity_delivered
+                                      : wishes.vertices.value_or(own);
+  const bool says_how_many = names_other || wishes.vertices || !request.solution.empty();
+  constexpr auto most = static_cast<double>(most_sites_unasked);
+  if (!options.keeps_site_limit && says_how_many && vertices > most)
+    return error{fmt::format("{:.4g} vertices are wanted, and no more than {:.0f} are made unless "
+                             "--max-sites names a greater limit",
+                             vertices, most),
+                 error_code::bad_option};
   if (names_other && !options.keeps_site_limit) {
-    constexpr double most = 1e8, times = 4;
+    constexpr double times = 4;
     const double room = std::min(most, times * wanted.report.complexity_delivered);
     options.refinement.max_sites =
         std::max(options.refinement.max_sites, static_cast<std::size_t>(room));
   }
-  if (names_other || !wanted.report.reached) return;
-  const auto own = static_cast<double>(wanted.background.sites.size());
-  if (wishes.vertices || !request.solution.empty())
-    options.refinement.vertices =
-        static_cast<std::size_t>(std::max(1L, std::lround(wishes.vertices.value_or(own))));
+  if (names_other || !wanted.report.reached || !says_how_many) return std::nullopt;
+  options.refinement.vertices = static_cast<std::size_t>(std::max(1L, std::lround(vertices)));
+  return std::nullopt;
 }
 
 result<adapted> adapt(const adapt_job& job, run_limits& limits) {
@@ -144,7 +160,7 @@ result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   const auto marks = read_medit_marks(job.request.mesh);
   if (!marks) return marks.failure();
   mesh_adaptation_options options = job.options;
-  take_target(job.request, made.wanted, options);
+  if (auto failed = take_target(job.request, made.wanted, options)) return *failed;
   made.vertices_wanted = options.refinement.vertices;
   options.refinement.stop = [&limits] { return limits.reason(); };
   progress_line line(!job.quiet);
@@ -229,7 +245,17 @@ std::optional<error> write_all(const adapt_job& job, const fs::path& certificate
   return std::nullopt;
 }
 
-void summarize(const adapted& made) {
+// Says whether the mesh given stays, where that is not plain from what was asked.
+void say_kept(const adapt_job& job, const adapted& made) {
+  const bool always = job.options.keep == keep_rule::always;
+  if (made.next.kept)
+    std::cout << (always ? "the mesh stays as it is, as --keep always wants it\n"
+                         : "the mesh meets its metric and stays as it is\n");
+  else if (always)
+    std::cout << "a new mesh: the one given is not certified in the metric, as one of its domain\n";
+}
+
+void summarize(const adapt_job& job, const adapted& made) {
   std::cout << "metric: " << internal::text_of(made.wanted.report) << '\n';
   if (made.next.keeps_boundary)
     std::cout << "domain: all boundary vertices kept, as its parts touch; --domain names one "
@@ -238,7 +264,7 @@ void summarize(const adapted& made) {
     std::cout << fmt::format("domain: {} of {} boundary vertices kept, others within {:.3g}\n",
                              made.next.boundary_kept, made.next.boundary_vertices,
                              made.next.boundary_distance);
-  if (made.next.kept) std::cout << "the mesh meets its metric and stays as it is\n";
+  say_kept(job, made);
   if (made.next.made.outcome.delivered)
     std::cout << "delivered: " << text_of(*made.next.made.outcome.delivered) << '\n';
   if (made.values) std::cout << text_of(made.values->report);
@@ -246,7 +272,7 @@ void summarize(const adapted& made) {
 }
 
 // Says in a sentence what was not reached: the mesh, the metric's target, or the number of vertices
-// to a tenth.
+// to a tenth, or, of few, to five or half of them.
 std::optional<std::string> what_is_missed(const adapted& made) {
   const certified_mesh& next = made.next.made;
   if (!next.certified()) return next.claim.reason;
@@ -255,7 +281,8 @@ std::optional<std::string> what_is_missed(const adapted& made) {
   constexpr double tolerable = 0.1, few = 5;
   const auto wanted = static_cast<double>(*made.vertices_wanted),
              got = static_cast<double>(next.outcome.result.sites.size());
-  if (std::abs(got - wanted) <= std::max(tolerable * wanted, few)) return std::nullopt;
+  if (std::abs(got - wanted) <= std::max(tolerable * wanted, std::min(few, wanted / 2)))
+    return std::nullopt;
   return fmt::format("{} vertices were wanted, and {} are there, {} of them on the boundary",
                      wanted, got, next.outcome.result.boundary.size());
 }
@@ -287,7 +314,7 @@ int run_adapt(adapt_job job) {
   if (job.json)
     std::cout << adapt_json(facts_of(made.value()), status, written_files(job, certificate_path));
   else if (!job.quiet)
-    summarize(made.value());
+    summarize(job, made.value());
   return missed ? complain({"not reached: " + *missed}, not_reached) : done;
 }
 
@@ -317,14 +344,21 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
       "Greatest distance of the metric delivered from the one wanted, ln of a ratio of lengths; 0: "
       "no tensor is changed (default: any, and told)")
       ->type_name("T");
+  app.add_option_function<std::string>(
+         "--keep", [&job](const std::string& word) { job.options.keep = keep_rules.at(word); },
+         "Whether MESH may stay. auto (default): where it is as good as a new one; never; always: "
+         "wherever it is certified in the metric")
+      ->check(CLI::IsMember(keep_rules))
+      ->type_name("WHEN");
   add_count(
       app, "--max-sites", 3, 100000000,
       [&job](std::uint64_t n) {
         job.options.refinement.max_sites = static_cast<std::size_t>(n);
         job.options.keeps_site_limit = true;
       },
-      "Refinement ends at this many (default 100000, or three times those wanted; where a metric "
-      "alone wants them, no more than ten times those of MESH)")
+      "Refinement ends at this many (default 100000, or three times those wanted, 10000000 at "
+      "most; "
+      "where a metric alone wants them, no more than ten times those of MESH)")
       ->type_name("N");
   add_real(
       app, "--max-seconds", positive_reals, [&job](double x) { job.max_seconds = x; },

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -120,7 +121,8 @@ void add_run_options(CLI::App& app, mesh_job& job) {
   add_count(
       app, "--max-sites", 3, 100000000,
       [&options](std::uint64_t n) { options.max_sites = static_cast<std::size_t>(n); },
-      "Refinement ends at this many (default 100000)")
+      "Refinement ends at this many (default 100000, or three times those that --vertices or "
+      "--complexity ask for)")
       ->type_name("N");
   add_count(
       app, "--improve", 0, 1000,
@@ -144,6 +146,17 @@ void add_run_options(CLI::App& app, mesh_job& job) {
       app, "--seed", 0, UINT64_MAX, [&options](std::uint64_t n) { options.seed = n; },
       "Of the random points and of the darts (default 1)")
       ->type_name("N");
+}
+
+// Raises the default limit where more sites are asked for in numbers, with room for what boundaries
+// and angles take besides.
+void make_room(mesh_job& job) {
+  constexpr double most = 1e8, times = 3, more = 1000, vertices_of_complexity = 1.2;
+  const double asked = job.refinement.vertices
+                           ? static_cast<double>(*job.refinement.vertices)
+                           : vertices_of_complexity * job.complexity.value_or(0);
+  const auto room = static_cast<std::size_t>(std::min(times * asked + more, most));
+  job.refinement.max_sites = std::max(job.refinement.max_sites, room);
 }
 
 void add_output_options(CLI::App& app, mesh_job& job) {
@@ -177,8 +190,9 @@ void add_mesh_command(CLI::App& program, command& chosen) {
   add_run_options(*app, *job);
   add_output_options(*app, *job);
   app->footer(examples);
-  app->callback([job, &chosen] {
+  app->callback([app, job, &chosen] {
     job->refinement.limit_size = job->size || job->complexity || job->refinement.vertices;
+    if (app->count("--max-sites") == 0) make_room(*job);
     chosen = [job] { return run_mesh_job(*job); };
   });
 }

@@ -2,7 +2,9 @@
 #include "asterism/mesh/solution/optimal_metric.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
@@ -15,20 +17,127 @@ double power(double x, double exponent) {
   return x > 0 ? elementary::exp(exponent * elementary::log(x)) : 0;
 }
 
-double root_of(const metric_tensor& m) {
+double determinant_of(const metric_tensor& m) {
   const double product = m.m12 * m.m12;
-  const double determinant = std::fma(m.m11, m.m22, -product) + std::fma(-m.m12, m.m12, product);
-  return std::sqrt(std::max(0.0, determinant));
+  return std::fma(m.m11, m.m22, -product) + std::fma(-m.m12, m.m12, product);
 }
 
-double greatest_modulus(const std::vector<metric_tensor>& hessian) {
-  double greatest = 0;
-  for (const metric_tensor& h : hessian) {
-    const symmetric_eigen e = eigen_of(h);
-    greatest = std::max({greatest, std::abs(e.first), std::abs(e.second)});
+double root_of(const metric_tensor& m) { return std::sqrt(std::max(0.0, determinant_of(m))); }
+
+// The optimum in logarithms, so that no power overflows: of the moduli as parts of the greatest of
+// all, of D, and of the least eigenvalue allowed.
+//
+// At each place the density is the greatest of three, which are those of no eigenvalue at the
+// bound, of the weaker one, and of both. With r = (2p+2) / (2p+1), moduli a >= b and the bound q
+// they are D (a b)^(p/(2p+2)), (D^r (a q)^(2-r))^(1/2), and q. The second is what makes the error
+// least where one size is given: across, sizes follow a^(-p/(2p+1)), as along a line.
+class optimum_search {
+ public:
+  optimum_search(const std::vector<symmetric_eigen>& moduli, const std::vector<double>& areas,
+                 double exponent, double floor_share)
+      : areas_(areas), exponent_(exponent), power_(1 / (1 - exponent)), logs_(moduli.size()) {
+    double greatest = 0;
+    for (const symmetric_eigen& e : moduli) greatest = std::max({greatest, e.first, e.second});
+    const double area = ordered_sum(areas.size(), [&](std::size_t v) { return areas[v]; });
+    bound_ = elementary::log(floor_share / area);
+    for_each_node(moduli.size(), [&](std::size_t v) {
+      const symmetric_eigen& e = moduli[v];
+      logs_[v] = {log_of(std::max(e.first, e.second) / greatest),
+                  log_of(std::min(e.first, e.second) / greatest), e.first < e.second};
+    });
+    is_flat_ = !(greatest > 0) || !find_factor();
+    if (is_flat_) bound_ = -elementary::log(area);
   }
-  return greatest;
-}
+
+  // True if no place has second derivatives: the metric is the same everywhere.
+  bool is_flat() const { return is_flat_; }
+
+  // Returns the eigenvalues of the metric at a place, in the order of its moduli.
+  std::array<double, 2> eigenvalues(std::size_t v) const {
+    if (is_flat_) return {elementary::exp(bound_), elementary::exp(bound_)};
+    const place& at = logs_[v];
+    double strong = factor_ + (1 - exponent_) * at.strong - exponent_ * at.weak,
+           weak = factor_ + (1 - exponent_) * at.weak - exponent_ * at.strong;
+    if (!(weak >= bound_)) {
+      strong = power_ * (factor_ - bound_) + (2 - power_) * at.strong + bound_;
+      weak = bound_;
+    }
+    strong = elementary::exp(strong > bound_ ? strong : bound_);
+    weak = elementary::exp(weak);
+    return at.is_turned ? std::array{weak, strong} : std::array{strong, weak};
+  }
+
+  // Returns how many places have an eigenvalue at the bound.
+  std::size_t floored() const {
+    if (is_flat_) return 0;
+    return static_cast<std::size_t>(std::count_if(logs_.begin(), logs_.end(), [&](const place& p) {
+      return !(factor_ + (1 - exponent_) * p.weak - exponent_ * p.strong >= bound_);
+    }));
+  }
+
+ private:
+  struct place {
+    double strong, weak;  // strong >= weak, at most 0, -infinity for none
+    bool is_turned;       // the second of the moduli is the stronger
+  };
+
+  static double log_of(double x) {
+    return x > 0 ? elementary::log(x) : -std::numeric_limits<double>::infinity();
+  }
+
+  double free_density(const place& p) const {
+    return (0.5 - exponent_) * (p.strong + p.weak);  // less the logarithm of D
+  }
+  double line_density(const place& p) const {
+    return (2 - power_) / 2 * (p.strong + bound_);  // less that of the root of D^r
+  }
+
+  // Finds D such that the complexity is 1. Its logarithm is a convex increasing function of that of
+  // D, as each place's is the greatest of three straight lines. So Newton's method comes down to
+  // the solution from where one of the sums alone is 1. Returns false where there is none.
+  bool find_factor() {
+    const auto log_sum = [&](const auto& density) {
+      return log_of(ordered_sum(logs_.size(), [&](std::size_t v) {
+        return areas_[v] * elementary::exp(density(logs_[v]));
+      }));
+    };
+    factor_ = std::min(-log_sum([&](const place& p) { return free_density(p); }),
+                       -2 / power_ * log_sum([&](const place& p) { return line_density(p); }));
+    if (!std::isfinite(factor_)) return false;
+    constexpr int most_steps = 60;
+    constexpr double close = 1e-13;
+    for (int step = 0; step < most_steps; ++step) {
+      double slope = 0;
+      const double off = log_complexity(slope);
+      if (!(off > close)) break;
+      factor_ -= off / slope;
+    }
+    return true;
+  }
+
+  // Returns the logarithm of the complexity, and sets its derivative.
+  double log_complexity(double& slope) const {
+    const auto sum = [&](bool is_derivative) {
+      return ordered_sum(logs_.size(), [&](std::size_t v) {
+        const double free = factor_ + free_density(logs_[v]),
+                     line = power_ / 2 * factor_ + line_density(logs_[v]);
+        if (!(std::max(free, line) > bound_))
+          return is_derivative ? 0 : areas_[v] * elementary::exp(bound_);
+        const double density = areas_[v] * elementary::exp(std::max(free, line));
+        return is_derivative ? density * (free >= line ? 1 : power_ / 2) : density;
+      });
+    };
+    const double all = sum(false);
+    slope = sum(true) / all;
+    return elementary::log(all);
+  }
+
+  const std::vector<double>& areas_;
+  double exponent_, power_;
+  std::vector<place> logs_;
+  double bound_ = 0, factor_ = 0;
+  bool is_flat_ = false;
+};
 
 // Returns the L^p mean, over an equilateral triangle of side 1, of the error of interpolating
 // (x^2 + y^2) / 2: half of 1/3 less the squared distance from the middle. By midpoints of 4096
@@ -51,10 +160,16 @@ double unit_error(double p) {
 
 double error_constant(std::optional<double> norm) {
   if (!norm) return 1.0 / 6;
-  if (*norm == 1) return 1.0 / 8;
-  if (*norm == 2) return 1 / (2 * std::sqrt(15.0));
-  return unit_error(*norm);
+  return *norm == 1 ? 1.0 / 8 : unit_error(*norm);
 }
+
+// Second derivatives a and b along the axes of a triangle that the metric makes equilateral: the
+// moduli of half their sum and half their difference.
+struct equilateral_moduli {
+  double mean, difference;
+  // Returns half of |a| + |b|.
+  double greater() const { return std::max(mean, difference); }
+};
 
 }  // namespace
 
@@ -64,56 +179,53 @@ double complexity_of(const std::vector<metric_tensor>& tensors, const std::vecto
 
 optimal_metric make_optimal_metric(const std::vector<metric_tensor>& hessian,
                                    const std::vector<double>& areas, std::optional<double> norm,
-                                   bool round) {
-  constexpr double floor_part = 1e-8;
+                                   bool round, double floor_share) {
   optimal_metric made;
-  const double greatest = greatest_modulus(hessian), floor = floor_part * greatest;
-  made.is_flat = !(greatest > 0);
-  made.tensors.resize(hessian.size());
-  made.absolute.resize(hessian.size());
-  std::vector<char> raised(hessian.size(), 0);
-  const double exponent = norm ? -1 / (2 * *norm + 2) : 0;
+  std::vector<symmetric_eigen> axes(hessian.size());
   for_each_node(hessian.size(), [&](std::size_t v) {
-    const symmetric_eigen e = eigen_of(hessian[v]);
-    double first = std::abs(e.first), second = std::abs(e.second);
-    if (round) first = second = std::max(first, second);
-    raised[v] = first < floor || second < floor ? 1 : 0;
-    // Divided by the greatest, so that no power overflows; the factor belongs to the complexity.
-    first = made.is_flat ? 1 : std::max(first / greatest, floor_part);
-    second = made.is_flat ? 1 : std::max(second / greatest, floor_part);
-    const double scale = exponent == 0 ? 1 : power(first * second, exponent);
-    made.tensors[v] = with_eigenvalues(e, scale * first, scale * second);
-    made.absolute[v] = made.is_flat ? metric_tensor{0, 0, 0}
-                                    : with_eigenvalues(e, greatest * first, greatest * second);
+    symmetric_eigen& e = axes[v] = eigen_of(hessian[v]);
+    e.first = std::abs(e.first);
+    e.second = std::abs(e.second);
+    if (round) e.first = e.second = std::max(e.first, e.second);
   });
-  const double complexity = complexity_of(made.tensors, areas);
-  for (metric_tensor& m : made.tensors)
-    m = {m.m11 / complexity, m.m12 / complexity, m.m22 / complexity};
-  made.floored = static_cast<std::size_t>(std::count(raised.begin(), raised.end(), char{1}));
+  const optimum_search search(axes, areas, norm ? 1 / (2 * *norm + 2) : 0, floor_share);
+  made.is_flat = search.is_flat();
+  made.tensors.resize(hessian.size());
+  for_each_node(hessian.size(), [&](std::size_t v) {
+    const auto [first, second] = search.eigenvalues(v);
+    made.tensors[v] = with_eigenvalues(axes[v], first, second);
+  });
+  made.floored = search.floored();
   return made;
 }
 
 double predicted_error(const std::vector<metric_tensor>& tensors,
-                       const std::vector<metric_tensor>& absolute, const std::vector<double>& areas,
+                       const std::vector<metric_tensor>& hessian, const std::vector<double>& areas,
                        std::optional<double> norm) {
-  const auto local = [&](std::size_t v) {
-    const metric_tensor &m = tensors[v], &h = absolute[v];
+  const auto moduli = [&](std::size_t v) {
+    const metric_tensor &m = tensors[v], &h = hessian[v];
     const double root = root_of(m);
-    return root > 0 ? (m.m22 * h.m11 - 2 * m.m12 * h.m12 + m.m11 * h.m22) / (root * root) / 2 : 0;
+    if (!(root > 0)) return equilateral_moduli{0, 0};
+    // Half the trace and the determinant of M^-1 H, of which a and b are the eigenvalues.
+    const double mean = (m.m22 * h.m11 - 2 * m.m12 * h.m12 + m.m11 * h.m22) / (root * root) / 2,
+                 product = determinant_of(h) / (root * root);
+    return equilateral_moduli{std::abs(mean), std::sqrt(std::max(0.0, mean * mean - product))};
   };
-  double error = 0;
-  if (norm) {
-    error = power(
-        ordered_sum(tensors.size(),
-                    [&](std::size_t v) {
-                      const double e = local(v);
-                      return areas[v] * (*norm == 1 ? e : *norm == 2 ? e * e : power(e, *norm));
-                    }),
-        1 / *norm);
-  } else {
-    for (std::size_t v = 0; v < tensors.size(); ++v) error = std::max(error, local(v));
+  if (!norm) {
+    double error = 0;
+    for (std::size_t v = 0; v < tensors.size(); ++v) error = std::max(error, moduli(v).greater());
+    return error_constant(norm) * error;
   }
-  return error_constant(norm) * error;
+  if (*norm == 2)
+    return std::sqrt(ordered_sum(tensors.size(), [&](std::size_t v) {
+      const auto [mean, difference] = moduli(v);
+      return areas[v] * (mean * mean / 60 + difference * difference / 480);
+    }));
+  const double sum = ordered_sum(tensors.size(), [&](std::size_t v) {
+    const double e = moduli(v).greater();
+    return areas[v] * (*norm == 1 ? e : power(e, *norm));
+  });
+  return error_constant(norm) * power(sum, 1 / *norm);
 }
 
 }  // namespace asterism::internal

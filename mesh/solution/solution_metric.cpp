@@ -58,6 +58,16 @@ double share(std::size_t part, std::size_t of) {
   return of == 0 ? 0 : static_cast<double>(part) / static_cast<double>(of);
 }
 
+// Returns the longer side of the box around the sites.
+double extent_of(const mesh& m) {
+  point low = m.sites.front().position, high = low;
+  for (const site& s : m.sites) {
+    low = {std::min(low.x, s.position.x), std::min(low.y, s.position.y)};
+    high = {std::max(high.x, s.position.x), std::max(high.y, s.position.y)};
+  }
+  return std::max(high.x - low.x, high.y - low.y);
+}
+
 // Steps 4 to 8, for any factor.
 class metric_maker {
  public:
@@ -67,7 +77,8 @@ class metric_maker {
         options_(options),
         others_(intersected),
         links_(m),
-        areas_(nodal_areas(m, links_)) {}
+        areas_(nodal_areas(m, links_)),
+        extent_(extent_of(m)) {}
 
   const std::vector<double>& areas() const { return areas_; }
   const mesh_links& links() const { return links_; }
@@ -78,7 +89,7 @@ class metric_maker {
     raw_ = std::move(given);
     is_given_ = true;
   }
-  void set_absolute(std::vector<tensors> absolute) { absolute_ = std::move(absolute); }
+  void set_recovered(std::vector<tensors> recovered) { recovered_ = std::move(recovered); }
   failure set_implied();
   result<solution_metric> run();
 
@@ -86,6 +97,7 @@ class metric_maker {
   tensors shaped(double factor);
   tensors graded(tensors t);
   void note_marks(const std::vector<std::uint8_t>& marks);
+  double greatest_size() const;
   double error_of(const tensors& t) const;
   double measure(double factor);
   void meet(double target);
@@ -96,9 +108,10 @@ class metric_maker {
   const std::vector<tensors>& others_;
   mesh_links links_;
   std::vector<double> areas_;
+  double extent_;
   bool is_given_ = false;
   tensors raw_, implied_, made_;
-  std::vector<tensors> absolute_;
+  std::vector<tensors> recovered_;
   solution_metric_report report_;
 };
 
@@ -123,8 +136,16 @@ void metric_maker::note_marks(const std::vector<std::uint8_t>& marks) {
   report_.share_intersected = part(clipped_by_intersection);
 }
 
+// Returns hmax, or a thousand times the extent of the mesh: what is greater makes the same
+// triangles, and tensors of it lose their digits in the end. A metric that is given stays as it is.
+double metric_maker::greatest_size() const {
+  constexpr double times = 1000;
+  if (is_given_ && !options_.vertices && !options_.complexity) return options_.greatest_size;
+  return std::min(options_.greatest_size, times * extent_);
+}
+
 tensors metric_maker::shaped(double factor) {
-  const size_bounds bounds{options_.least_size, options_.greatest_size, options_.aspect};
+  const size_bounds bounds{options_.least_size, greatest_size(), options_.aspect};
   tensors made(raw_.size());
   std::vector<std::uint8_t> marks(raw_.size(), 0);
   for_each_node(raw_.size(), [&](std::size_t v) {
@@ -155,7 +176,7 @@ tensors metric_maker::graded(tensors t) {
 
 double metric_maker::error_of(const tensors& t) const {
   double greatest = 0;
-  for (const tensors& h : absolute_)
+  for (const tensors& h : recovered_)
     greatest = std::max(greatest, predicted_error(t, h, areas_, options_.norm));
   return greatest;
 }
@@ -217,7 +238,10 @@ void metric_maker::say(double target, double got) {
       limits += (limits.empty() ? "" : ", ") + fmt::format("{} at {:.0f} %", what, 100 * part);
   };
   if (too_few) add(report_.share_least_size, "hmin");
-  if (!too_few) add(report_.share_greatest_size, "hmax");
+  const bool is_named = options_.greatest_size <= greatest_size();
+  if (!too_few)
+    add(report_.share_greatest_size,
+        is_named ? "hmax" : "sizes of a thousand times the mesh's extent");
   add(report_.share_aspect, "the aspect");
   add(report_.share_step, "the step");
   add(report_.share_intersected, "metrics intersected");
@@ -231,8 +255,9 @@ void metric_maker::say(double target, double got) {
 }
 
 result<solution_metric> metric_maker::run() {
-  if (auto failed = set_implied()) return *failed;
-  report_.steps = metric_steps(options_, absolute_.size(), others_.size());
+  if (implied_.empty())
+    if (auto failed = set_implied()) return *failed;
+  report_.steps = metric_steps(options_, recovered_.size(), others_.size());
   for (const tensors& other : others_)
     if (other.size() != mesh_.sites.size())
       return error{fmt::format("{} tensors to intersect with, for {} vertices", other.size(),
@@ -271,6 +296,94 @@ tensors rounded(const tensors& given) {
   return made;
 }
 
+// Second derivatives of the fields in the order of their names: as recovered, and with the means of
+// moduli that the metric is made of.
+struct field_derivatives {
+  std::vector<std::string> names;
+  std::vector<tensors> recovered, moduli;
+  std::size_t noise = 0, at_boundary = 0;
+};
+
+result<field_derivatives> derivatives_of(const mesh& m, const mesh_links& links,
+                                         const std::vector<nodal_values>& fields,
+                                         hessian_method method) {
+  std::vector<const nodal_values*> sorted;
+  sorted.reserve(fields.size());
+  for (const nodal_values& f : fields) sorted.push_back(&f);
+  std::sort(sorted.begin(), sorted.end(),
+            [](const auto* a, const auto* b) { return a->name < b->name; });
+  field_derivatives found;
+  for (const nodal_values* f : sorted) {
+    auto hessian = recover_hessian(m, f->values, method);
+    if (!hessian) return hessian.failure().at("field " + f->name);
+    found.names.push_back(f->name);
+    found.noise += hessian.value().noise;
+    found.at_boundary += hessian.value().at_boundary;
+    found.moduli.push_back(method == hessian_method::green
+                               ? mean_moduli(m, links, hessian.value().at)
+                               : hessian.value().at);
+    found.recovered.push_back(std::move(hessian.value().at));
+  }
+  return found;
+}
+
+// The optimal metrics of the fields, intersected.
+struct optimum {
+  tensors raw;
+  std::size_t flat = 0, floored = 0;
+};
+
+optimum intersected_optima(const std::vector<tensors>& moduli, const std::vector<double>& areas,
+                           const solution_metric_options& options, double floor_share) {
+  optimum made;
+  for (const tensors& h : moduli) {
+    auto own = make_optimal_metric(h, areas, options.norm, options.isotropic, floor_share);
+    made.flat += own.is_flat ? 1 : 0;
+    made.floored += own.floored;
+    if (made.raw.empty()) {
+      made.raw = std::move(own.tensors);
+      continue;
+    }
+    for_each_node(made.raw.size(), [&](std::size_t v) {
+      made.raw[v] = simultaneous_intersection(made.raw[v], own.tensors[v]);
+    });
+  }
+  return made;
+}
+
+// Makes the metric of the fields, its greatest size such that all places that have it take as much
+// of the complexity as is usual. Where least sizes and the like take complexity away, the factor is
+// greater than the complexity that comes out, and so would be that part: then the floor is lowered.
+result<solution_metric> metric_of(const field_derivatives& found, metric_maker& maker,
+                                  const solution_metric_options& options) {
+  constexpr int most_rounds = 5;
+  constexpr double tolerable_times = 1.5;
+  const std::size_t all = found.moduli.size() * found.moduli.front().size();
+  double share_at_floor = usual_floor_share;
+  for (int round = 1;; ++round) {
+    auto optima = intersected_optima(found.moduli, maker.areas(), options, share_at_floor);
+    if (options.error && optima.flat == found.moduli.size())
+      return error{
+          "the fields have no second derivatives: any mesh has an error of 0, and none is "
+          "best",
+          error_code::bad_option};
+    solution_metric_report& report = maker.report();
+    report = {};
+    report.fields = found.names;
+    report.flat_fields = optima.flat;
+    report.share_noise = share(found.noise, all);
+    report.share_at_boundary = share(found.at_boundary, all);
+    report.share_floored = share(optima.floored, all);
+    maker.set_raw(std::move(optima.raw));
+    auto made = maker.run();
+    if (!made || !made.value().report.reached || round == most_rounds) return made;
+    const double times = made.value().report.factor * share_at_floor / usual_floor_share /
+                         made.value().report.complexity_before_gradation;
+    if (!(times > tolerable_times)) return made;
+    share_at_floor /= times;
+  }
+}
+
 failure check_mesh(const mesh& m) {
   if (m.sites.empty() || m.triangles.empty()) return error{"the mesh has no triangle"};
   return {};
@@ -285,48 +398,10 @@ result<solution_metric> make_solution_metric(const mesh& m, const std::vector<no
   if (auto failed = check_mesh(m)) return *failed;
   if (fields.empty()) return error{"there is no field to make a metric of"};
   metric_maker maker(m, options, intersected);
-  std::vector<const nodal_values*> sorted;
-  sorted.reserve(fields.size());
-  for (const nodal_values& f : fields) sorted.push_back(&f);
-  std::sort(sorted.begin(), sorted.end(),
-            [](const auto* a, const auto* b) { return a->name < b->name; });
-  tensors raw;
-  std::vector<tensors> absolute;
-  solution_metric_report& report = maker.report();
-  std::size_t noise = 0, at_boundary = 0, floored = 0;
-  for (const nodal_values* f : sorted) {
-    auto hessian = recover_hessian(m, f->values, options.hessian);
-    if (!hessian) return hessian.failure().at("field " + f->name);
-    if (options.hessian == hessian_method::green)
-      hessian.value().at = mean_moduli(m, maker.links(), hessian.value().at);
-    auto own =
-        make_optimal_metric(hessian.value().at, maker.areas(), options.norm, options.isotropic);
-    report.fields.push_back(f->name);
-    report.flat_fields += own.is_flat ? 1 : 0;
-    noise += hessian.value().noise;
-    at_boundary += hessian.value().at_boundary;
-    floored += own.floored;
-    absolute.push_back(std::move(own.absolute));
-    if (raw.empty()) {
-      raw = std::move(own.tensors);
-    } else {
-      for_each_node(raw.size(), [&](std::size_t v) {
-        raw[v] = simultaneous_intersection(raw[v], own.tensors[v]);
-      });
-    }
-  }
-  const std::size_t all = sorted.size() * m.sites.size();
-  report.share_noise = share(noise, all);
-  report.share_at_boundary = share(at_boundary, all);
-  report.share_floored = share(floored, all);
-  if (options.error && report.flat_fields == sorted.size())
-    return error{
-        "the fields have no second derivatives: any mesh has an error of 0, and none is "
-        "best",
-        error_code::bad_option};
-  maker.set_raw(std::move(raw));
-  maker.set_absolute(std::move(absolute));
-  return maker.run();
+  const auto found = derivatives_of(m, maker.links(), fields, options.hessian);
+  if (!found) return found.failure();
+  maker.set_recovered(found.value().recovered);
+  return metric_of(found.value(), maker, options);
 }
 
 result<solution_metric> shape_metric(const mesh& m, const tensors& given,

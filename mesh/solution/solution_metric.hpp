@@ -4,8 +4,8 @@
 //
 // The order of the steps is part of the result, and this one:
 //   1. the Hessian of each field is recovered (mesh/solution/hessian.hpp);
-//   2. each is made the L^p-optimal metric of complexity 1, eigenvalues below 1e-8 of the greatest
-//      raised to that;
+//   2. each is made the L^p-optimal metric of complexity 1, no size of it more than twenty
+//      times that of a uniform mesh (mesh/solution/optimal_metric.hpp);
 //   3. the fields, sorted by name, are intersected one after another by simultaneous reduction;
 //   4. that is multiplied by a factor;
 //   5. metrics given besides are intersected with it, in their order;

@@ -110,6 +110,27 @@ std::optional<error> check(const mesh& from, const solution& values, const mesh&
   return std::nullopt;
 }
 
+// Refuses numbers of which products left the range of doubles.
+std::optional<error> check_finite(const transfer_report& report,
+                                  const std::vector<std::vector<double>>& after) {
+  const auto bad = [](const std::string& what) {
+    return error{what +
+                 " is not finite: coordinates or values are so large, or so small, that their "
+                 "products leave the range of doubles; give both in other units"};
+  };
+  for (const double area : {report.area_before, report.area_after, report.area_common})
+    if (!std::isfinite(area)) return bad("the area of a mesh");
+  for (std::size_t f = 0; f < after.size(); ++f) {
+    const transferred_component& c = report.components[f];
+    for (std::size_t v = 0; v < after[f].size(); ++v)
+      if (!std::isfinite(after[f][v]))
+        return bad("field " + quoted_token(c.name) + " at vertex " + std::to_string(v + 1));
+    if (!std::isfinite(c.integral_before) || !std::isfinite(c.integral_after))
+      return bad("the integral of field " + quoted_token(c.name));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 result<transferred_solution> transfer_solution(const mesh& from, const solution& values,
@@ -141,6 +162,7 @@ result<transferred_solution> transfer_solution(const mesh& from, const solution&
     report.components.push_back({before[f].name, integral(from, before[f].values),
                                  integral(to, after[f]), *low, *high, *least, *greatest});
   }
+  if (auto failed = check_finite(report, after)) return *failed;
   return transferred_solution{assembled(values, after, to.sites.size()), std::move(report)};
 }
 

@@ -136,7 +136,7 @@ class Mesh:
 
 
 def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = None,
-         angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: int = 100000,
+         angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: Optional[int] = None,
          gradation: Optional[float] = None, prove_voronoi: bool = False,
          improve: int = 0, vertices: Optional[int] = None, complexity: Optional[float] = None,
          metric_tolerance: Optional[float] = None,
@@ -157,8 +157,12 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
     metric_tolerance: how far the metric delivered may be from the one wanted, as ln of the greatest
     ratio of two lengths; 0: no tensor is changed; None: any, but of half of the sites no more than
     ln 10, and on the whole no more than ten times as dense or as thin.
+    max_sites: refinement ends at this many; None: at 100000, or three times those asked for.
     progress: called now and then with a dict of counts. Ctrl-C ends the run.
     """
+    if max_sites is None:
+        asked = vertices or 1.2 * (complexity or 0)
+        max_sites = int(min(max(100000, 3 * asked + 1000), 1e8))
     if on is not None:
         metric = (on, metric)  # type: ignore[assignment]
     if isinstance(metric, tuple) and len(metric) == 2 and isinstance(metric[0], Mesh):

@@ -220,6 +220,38 @@ class AdaptTest(AdaptationTest):
                              (self.folder / f"m{ending}").read_bytes())
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
 
+    def test_what_stays_is_asked_for(self):
+        # A grid of equal sizes, and a field that wants others but no direction: exp(5x) cos(5y).
+        values = [(math.exp(5 * x) * math.cos(5 * y),) for x, y in self.points]
+        self.write("h.sol", solution_text(values))
+        count = str(len(self.points))
+        job = ("g.mesh", "--solution", "h.sol", "--vertices", count)
+        for words in ((), ("--keep", "auto"), ("--keep", "never")):
+            done = self.adapt(*job, *words, "-o", "n.mesh")
+            self.assertNotIn("stays as it is", done.stdout)
+            self.assertGreater(float(re.search(r"([\d.]+)% unit", done.stdout).group(1)), 95)
+        self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+        done = self.adapt("n.mesh", "--metric", "n.sol", "--keep", "never", "-o", "m.mesh")
+        self.assertNotIn("stays as it is", done.stdout)
+        done = self.adapt("n.mesh", "--implied", "--keep", "always", "-o", "m.mesh")
+        self.assertIn("stays as it is, as --keep always wants it", done.stdout)
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+        self.assertEqual(self.run_command("adapt", *job, "--keep", "maybe", "-o", "n.mesh").returncode, 2)
+
+    def test_few_vertices_that_a_mesh_cannot_have_are_told(self):
+        done = self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "1", "-o", "n.mesh", status=1)
+        self.assertIn("1 vertices were wanted, and 4 are there", done.stderr)
+
+    def test_extreme_targets_end(self):
+        for wish in ("1e-300", "1e-20"):
+            done = self.adapt("g.mesh", "--solution", "u.sol", "--complexity", wish, "-o", "n.mesh", status=1)
+            self.assertIn("sizes of a thousand times the mesh's extent", done.stderr)
+        for wish in (("--vertices", "1e8"), ("--complexity", "1e9"), ("--error", "1e-300")):
+            self.refused("adapt", "g.mesh", "--solution", "u.sol", *wish, "-o", "k.mesh",
+                         sentence="no more than 10000000 are made unless --max-sites")
+        self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "1e8", "--max-sites", "500", "-o", "n.mesh",
+                   status=1)
+
     def test_exact_domain(self):
         self.write("unit.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 5\n2 2 3 6\n3 3 4 7\n"
                                 "4 4 1 8\n0\n")

@@ -463,6 +463,11 @@ class Mesh(command.CommandTest):
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertIn("whose distance was measured again", done.stdout)
 
+    def test_a_number_of_vertices_is_no_reason_to_meet_the_default_limit(self):
+        done = self.run_command("mesh", "square", "--vertices", "200000", "--max-seconds", "0.01", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertNotIn("--max-sites", done.stderr)
+
     def test_numbers_of_vertices_that_cannot_be_meant(self):
         for words, said in ((["--vertices", "3"], "the domain has 4 already"),
                             (["--vertices", "200", "--max-sites", "100"], "more than --max-sites 100"),

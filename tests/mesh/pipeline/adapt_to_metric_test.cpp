@@ -136,6 +136,74 @@ TEST_CASE("adapting twice with the metric delivered changes nothing") {
         mesh_fingerprint(first.made.outcome.result));
 }
 
+TEST_CASE("the mesh delivered for a front stays, though edges are short where it bends") {
+  const auto first = adapted(with_metric(sample_mesh(30), 1500), 1500);
+  REQUIRE(first.made.certified());
+  const auto second = adapted({first.made.outcome.result, {}});
+  CHECK(second.kept);
+}
+
+namespace {
+
+// A mesh of equal sizes with the metric of u = exp(5x) cos(5y), the same in all directions.
+marked_mesh with_harmonic_metric(std::size_t vertices) {
+  mesh m = sample_mesh(16);
+  for (site& s : m.sites) s.metric = {1, 0, 1};
+  m = adapted({m, {}}, vertices).made.outcome.result;
+  nodal_values u{"u", {}};
+  for (const site& s : m.sites)
+    u.values.push_back(std::exp(5 * s.position.x) * std::cos(5 * s.position.y));
+  solution_metric_options wishes;
+  wishes.vertices = static_cast<double>(m.sites.size());
+  auto metric = make_solution_metric(m, {u}, wishes);
+  REQUIRE(metric.ok());
+  for (std::size_t v = 0; v < m.sites.size(); ++v) m.sites[v].metric = metric.value().tensors[v];
+  return {std::move(m), {}};
+}
+
+}  // namespace
+
+TEST_CASE("a mesh stays only where its lengths are those of a new one, unless it is to") {
+  const marked_mesh from = with_harmonic_metric(500);
+  mesh_adaptation_options options;
+  options.refinement.vertices = from.subject.sites.size();
+  const auto by_rule = [&](keep_rule rule) {
+    options.keep = rule;
+    auto next = adapt_to_metric(from, options);
+    REQUIRE(next.ok());
+    CHECK(next.value().made.certified());
+    return std::move(next).value();
+  };
+  const auto automatic = by_rule(keep_rule::automatic);
+  CHECK_FALSE(automatic.kept);
+  CHECK(automatic.made.claim.measured.at("unit_edges") > 0.95);
+  CHECK_FALSE(by_rule(keep_rule::never).kept);
+  const auto always = by_rule(keep_rule::always);
+  CHECK(always.kept);
+  CHECK(always.made.claim.measured.at("unit_edges") < 0.5);
+}
+
+TEST_CASE("a mesh that is as good as a new one is made anew where that is asked for") {
+  const auto first = adapted(with_metric(sample_mesh(20), 400));
+  mesh_adaptation_options options;
+  options.keep = keep_rule::never;
+  const auto second = adapt_to_metric({first.made.outcome.result, {}}, options);
+  REQUIRE(second.ok());
+  CHECK_FALSE(second.value().kept);
+  CHECK(second.value().made.certified());
+}
+
+TEST_CASE("a loop that asks for a tenth more each time gets it each time") {
+  mesh m = adapted(with_metric(sample_mesh(20), 400), 400).made.outcome.result;
+  for (double wanted = 440; wanted < 800; wanted *= 1.1) {
+    const auto next = adapted(with_metric(m, wanted), static_cast<std::size_t>(wanted));
+    CHECK(next.made.certified());
+    CHECK_FALSE(next.kept);
+    m = next.made.outcome.result;
+    CHECK(static_cast<double>(m.sites.size()) == Approx(wanted).epsilon(0.04));
+  }
+}
+
 TEST_CASE("markers, regions and internal segments stay") {
   const auto next = adapted(with_metric(divided_mesh(16), 500));
   CHECK(next.made.certified());

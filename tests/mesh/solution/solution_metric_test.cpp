@@ -6,9 +6,13 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <utility>
 
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
@@ -153,6 +157,152 @@ TEST_CASE("constants of the error are those of an equilateral triangle") {
   CHECK(predicted_error(one, one, {1.0}, 2.0000001) ==
         Approx(1 / (2 * std::sqrt(15.0))).epsilon(1e-3));
   CHECK(predicted_error(one, one, {1.0}, 50.0) < 1.0 / 6);
+}
+
+TEST_CASE("in the mean square the error of saddles and of single bends is predicted too") {
+  // By midpoints of the parts of an equilateral triangle of side 1 around the origin.
+  const auto integrated = [](double a, double b) {
+    const double height = std::sqrt(3.0) / 2;
+    const std::array<point, 3> corners = {
+        {{-0.5, -height / 3}, {0.5, -height / 3}, {0, 2 * height / 3}}};
+    const auto value = [&](const point& q) { return (a * q.x * q.x + b * q.y * q.y) / 2; };
+    double sum = 0;
+    int count = 0;
+    constexpr int n = 300;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) {
+        const double s = (i + 1.0 / 3) / n, t = (j + 1.0 / 3) / n, r = 1 - s - t;
+        const point q{r * corners[0].x + s * corners[1].x + t * corners[2].x,
+                      r * corners[0].y + s * corners[1].y + t * corners[2].y};
+        const double e =
+            value(q) - r * value(corners[0]) - s * value(corners[1]) - t * value(corners[2]);
+        sum += e * e;
+        ++count;
+      }
+    return std::sqrt(sum / count);
+  };
+  const std::vector<metric_tensor> one(1, metric_tensor{1, 0, 1});
+  for (const auto& [a, b] : {std::pair(1.0, 1.0), {1.0, -1.0}, {1.0, 0.0}, {-2.0, 0.5}}) {
+    const std::vector<metric_tensor> bent(1, metric_tensor{a, 0, b});
+    CHECK(predicted_error(one, bent, {1.0}, 2.0) == Approx(integrated(a, b)).epsilon(1e-2));
+  }
+}
+
+namespace {
+
+// A grid of [-1,1]^2 that is fine in the middle, down to 2e-13 with a power of 8.
+mesh graded_mesh(double power) {
+  constexpr vertex_index half = 40;
+  mesh m = sample_mesh(2 * half);
+  const auto bent = [power](double x) {
+    const double even = std::round(x * half) / half;
+    return std::copysign(std::pow(std::abs(even), power), even);
+  };
+  for (site& s : m.sites) s.position = {bent(s.position.x), bent(s.position.y)};
+  return m;
+}
+
+// Second derivatives of log(r^2 + w^2) / 2.
+std::vector<metric_tensor> softened_log(const mesh& m, double w) {
+  std::vector<metric_tensor> made;
+  for (const site& s : m.sites) {
+    const double x = s.position.x, y = s.position.y, q = x * x + y * y + w * w;
+    made.push_back({(q - 2 * x * x) / (q * q), -2 * x * y / (q * q), (q - 2 * y * y) / (q * q)});
+  }
+  return made;
+}
+
+// Returns the part of the complexity that places have in which both eigenvalues are the least.
+double part_of_flat(const std::vector<metric_tensor>& tensors, const std::vector<double>& areas) {
+  double least = std::numeric_limits<double>::infinity(), flat = 0;
+  for (const metric_tensor& t : tensors) least = std::min(least, eigen_of(t).second);
+  for (std::size_t v = 0; v < tensors.size(); ++v)
+    if (eigen_of(tensors[v]).first <= least * (1 + 1e-9)) flat += areas[v] * least;
+  return flat / complexity_of(tensors, areas);
+}
+
+}  // namespace
+
+TEST_CASE("a peak however sharp does not flood what is far from it") {
+  const mesh m = graded_mesh(4);
+  const auto areas = nodal_areas(m, mesh_links(m));
+  std::vector<double> errors;
+  for (const double w : {1e-4, 1e-5, 1e-6}) {
+    const auto h = softened_log(m, w);
+    const auto made = make_optimal_metric(h, areas, 2.0, false, usual_floor_share);
+    CHECK(complexity_of(made.tensors, areas) == Approx(1).epsilon(1e-9));
+    CHECK(part_of_flat(made.tensors, areas) <= usual_floor_share);
+    errors.push_back(predicted_error(made.tensors, h, areas, 2.0));
+  }
+  CHECK(errors[1] == Approx(errors[0]).epsilon(0.1));
+  CHECK(errors[2] == Approx(errors[0]).epsilon(0.1));
+}
+
+TEST_CASE("sizes may differ by a factor of a hundred million") {
+  const mesh m = graded_mesh(8);
+  const auto areas = nodal_areas(m, mesh_links(m));
+  for (const std::optional<double> norm : {std::optional(2.0), std::optional<double>()}) {
+    const auto made =
+        make_optimal_metric(softened_log(m, 1e-13), areas, norm, false, usual_floor_share);
+    double least = std::numeric_limits<double>::infinity(), greatest = 0;
+    for (const metric_tensor& t : made.tensors) {
+      REQUIRE(std::isfinite(t.m11 + t.m22));
+      least = std::min(least, eigen_of(t).first);
+      greatest = std::max(greatest, eigen_of(t).first);
+    }
+    CHECK(std::sqrt(greatest / least) > 1e8);
+  }
+}
+
+TEST_CASE("no size is more than twenty times that of a uniform mesh, and across lines it decides") {
+  // One derivative alone, exp(-30 (x + 1)): along y sizes are the greatest there may be, and across
+  // follow the power -p / (2p+1) of the derivative, as on a line.
+  const mesh m = sample_mesh(40);
+  const auto areas = nodal_areas(m, mesh_links(m));
+  const double least = usual_floor_share / 4;  // of a square of area 4, for a complexity of 1
+  for (const double p : {1.0, 2.0, 5.0}) {
+    std::vector<metric_tensor> h;
+    for (const site& s : m.sites) h.push_back({std::exp(-30 * (s.position.x + 1)), 0, 0});
+    const auto made = make_optimal_metric(h, areas, p, false, usual_floor_share);
+    CHECK(made.floored == m.sites.size());
+    double product = 0;
+    for (std::size_t v = 0; v < h.size(); ++v) {
+      CHECK(made.tensors[v].m22 == Approx(least));
+      if (made.tensors[v].m11 < 1.01 * least) continue;
+      const double found = made.tensors[v].m11 / std::pow(h[v].m11, 2 * p / (2 * p + 1));
+      if (product == 0) product = found;
+      CHECK(found == Approx(product));
+    }
+    CHECK(product > 0);
+  }
+}
+
+TEST_CASE("least sizes do not flood what is far either") {
+  // Without them nearly all of the complexity is where they are.
+  const mesh m = graded_mesh(3);
+  solution_metric_options options;
+  options.vertices = 3000;
+  options.norm.reset();
+  options.least_size = 0.01;
+  const auto peak = [](const point& q) {
+    return 1 / (1 + (q.x * q.x + q.y * q.y) / (0.001 * 0.001));
+  };
+  const auto metric = made(m, {field(m, "u", peak)}, options);
+  CHECK(metric.report.reached);
+  CHECK(metric.report.share_least_size > 0.05);
+  CHECK(part_of_flat(metric.tensors, nodal_areas(m, mesh_links(m))) < 2 * usual_floor_share);
+}
+
+TEST_CASE("a complexity of nearly nothing is told, and ends") {
+  const mesh m = sample_mesh(20);
+  for (const double wanted : {1e-8, 1e-20, 1e-300}) {
+    solution_metric_options options;
+    options.complexity = wanted;
+    const auto metric = made(m, {field(m, "u", front)}, options);
+    CHECK_FALSE(metric.report.reached);
+    CHECK(metric.report.complexity_delivered == Approx(1e-6).epsilon(0.01));
+    CHECK(metric.report.reason.find("a thousand times the mesh's extent") != std::string::npos);
+  }
 }
 
 TEST_CASE("fields are intersected in the order of their names, however they come") {

@@ -249,6 +249,18 @@ TEST_CASE("a vertex that rounding has put outside takes its value from its own s
   }
 }
 
+TEST_CASE("numbers whose products have no double are refused") {
+  mesh from = grid(4, 4), to = grid(3, 3);
+  const solution s = scalar(from, bump);
+  for (mesh* const m : {&from, &to})
+    for (site& at : m->sites) at.position = {at.position.x * 1e160, at.position.y * 1e160};
+  for (const auto how : methods) {
+    const auto done = transfer_solution(from, s, to, how);
+    REQUIRE_FALSE(done.ok());
+    CHECK(done.failure().message.find("is not finite") != std::string::npos);
+  }
+}
+
 TEST_CASE("a part that the old mesh does not touch is refused") {
   const mesh from = grid(4, 4);
   mesh to = grid(3, 3);
