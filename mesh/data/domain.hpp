@@ -15,6 +15,7 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
 #include "asterism/mesh/data/domain_curve.hpp"
+#include "asterism/mesh/data/domain_polygon.hpp"
 
 namespace asterism {
 
@@ -69,6 +70,8 @@ struct domain {
   domain_origin origin;
   // Curved parts of the boundary. Vertices in a row on one are joined by a segment.
   std::vector<domain_curve> curves = {};
+  // Where there are any, they say what is inside, less what hole points are in.
+  std::vector<domain_polygon> polygons = {};
 
   // Returns the smallest box around all vertices; a box of the origin alone when there are none.
   ASTERISM_EXPORT bounding_box box() const;

@@ -19,13 +19,19 @@ using namespace internal;
 
 namespace {
 
+// An edge that stays, and the faces beside it.
+struct kept_edge {
+  segment s;
+  std::size_t left = 0, right = 0;
+};
+
 // Returns the edges of the boundary, turned so that the domain is on their left, and the internal
 // ones; the others are counted.
-std::vector<segment> kept_edges(const domain& d, const plane_graph& graph, const face_map& faces,
-                                const domain_parts& parts, domain_repairs& repairs) {
+std::vector<kept_edge> kept_edges(const domain& d, const plane_graph& graph, const face_map& faces,
+                                  const domain_parts& parts, domain_repairs& repairs) {
   const domain_names names(d);
   repair_tally outer(repairs.outer_subsegments);
-  std::vector<segment> kept;
+  std::vector<kept_edge> kept;
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const graph_edge& e = graph.edges[i];
     std::size_t left = faces.left_of(2 * i), right = faces.left_of(2 * i + 1);
@@ -42,7 +48,7 @@ std::vector<segment> kept_edges(const domain& d, const plane_graph& graph, const
     s.internal = !parts.removed[right];
     s.left_region = parts.region[left];
     if (s.internal) s.right_region = parts.region[right];
-    kept.push_back(s);
+    kept.push_back({s, left, right});
   }
   outer.report("segments outside of the domain dropped", repairs.messages);
   return kept;
@@ -51,11 +57,11 @@ std::vector<segment> kept_edges(const domain& d, const plane_graph& graph, const
 // Vertices of the segments, and loose ones inside, in their order; the rest is counted.
 std::vector<bool> kept_vertices(const domain& d, const plane_graph& graph, const face_map& faces,
                                 const std::vector<bool>& removed,
-                                const std::vector<segment>& segments, domain_repairs& repairs) {
+                                const std::vector<kept_edge>& edges, domain_repairs& repairs) {
   const domain_names names(d);
   std::vector<bool> kept(d.vertices.size(), false), on_segment(d.vertices.size(), false);
   for (const graph_edge& e : graph.edges) on_segment[e.a] = on_segment[e.b] = true;
-  for (const segment& s : segments) kept[s.a] = kept[s.b] = true;
+  for (const kept_edge& e : edges) kept[e.s.a] = kept[e.s.b] = true;
   repair_tally dropped(repairs.dropped_vertices);
   for (std::size_t v = 0; v < kept.size(); ++v) {
     if (kept[v] || graph.first_alike[v] != v) continue;
@@ -78,7 +84,7 @@ std::vector<region_point> without_limits(const domain& d, domain_repairs& repair
 }
 
 domain assemble(const domain& d, const std::vector<bool>& kept,
-                const std::vector<segment>& segments, std::vector<vertex_index>& renumbered) {
+                const std::vector<kept_edge>& kept_edges, std::vector<vertex_index>& renumbered) {
   // A vertex that is not kept gets the number of none.
   constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
   domain accepted;
@@ -91,7 +97,8 @@ domain assemble(const domain& d, const std::vector<bool>& kept,
     accepted.vertices.push_back(d.vertices[v]);
   }
   std::vector<graph_edge> edges;
-  for (segment s : segments) {
+  for (const kept_edge& e : kept_edges) {
+    segment s = e.s;
     s.a = renumbered[s.a];
     s.b = renumbered[s.b];
     accepted.segments.push_back(s);
@@ -104,6 +111,27 @@ domain assemble(const domain& d, const std::vector<bool>& kept,
   return accepted;
 }
 
+// Returns a polygon for each feature, around all of its parts, by the segments that stay.
+std::vector<domain_polygon> polygons_around(const polygon_faces& polygons,
+                                            const std::vector<bool>& removed,
+                                            const std::vector<kept_edge>& edges) {
+  std::vector<domain_polygon> made;
+  for (const auto& number : polygons.features) {
+    made.emplace_back().region = number;
+    made.back().rings.emplace_back();
+  }
+  for (std::uint32_t i = 0; i < edges.size() && !made.empty(); ++i) {
+    const std::size_t left = polygons.feature_of[edges[i].left],
+                      right = removed[edges[i].right] ? polygon_faces::none
+                                                      : polygons.feature_of[edges[i].right];
+    if (left == right) continue;
+    for (const std::size_t feature : {left, right})
+      if (feature != polygon_faces::none) made[feature].rings.front().push_back(i);
+  }
+  std::erase_if(made, [](const domain_polygon& p) { return p.rings.front().empty(); });
+  return made;
+}
+
 result<domain> check(const domain& input, domain_repairs& report) {
   if (auto failed = check_domain_values(input)) return std::move(*failed);
   if (auto failed = check_curve_chains(input)) return std::move(*failed);
@@ -114,18 +142,20 @@ result<domain> check(const domain& input, domain_repairs& report) {
   std::vector<bool> outside(2 * graph.value().edges.size() + 1, false);
   outside[face_map::outside] = true;
   if (auto failed = check_closed(input, graph.value(), faces, outside)) return std::move(*failed);
-  const auto parts = find_parts(input, graph.value(), faces);
+  const auto parts = find_parts(input, graph.value(), faces, report);
   if (!parts.ok()) return parts.failure();
   const std::vector<bool>& removed = parts.value().removed;
   if (auto failed = check_closed(input, graph.value(), faces, removed)) return std::move(*failed);
-  const auto segments = kept_edges(input, graph.value(), faces, parts.value(), report);
-  if (segments.empty())
-    return error{
-        domain_names(input).at_start() + "the domain is empty: " +
-        (input.holes.empty() ? "its segments enclose nothing" : "the holes leave nothing of it")};
-  const auto kept = kept_vertices(input, graph.value(), faces, removed, segments, report);
+  const auto edges = kept_edges(input, graph.value(), faces, parts.value(), report);
+  if (edges.empty())
+    return error{domain_names(input).at_start() + "the domain is empty: " +
+                 (!input.polygons.empty() ? "its polygons contain nothing"
+                  : input.holes.empty()   ? "its segments enclose nothing"
+                                          : "the holes leave nothing of it")};
+  const auto kept = kept_vertices(input, graph.value(), faces, removed, edges, report);
   std::vector<vertex_index> renumbered;
-  domain accepted = assemble(input, kept, segments, renumbered);
+  domain accepted = assemble(input, kept, edges, renumbered);
+  accepted.polygons = polygons_around(parts.value().polygons, removed, edges);
   accepted.regions = without_limits(input, report);
   auto curves = kept_curves(input, graph.value().first_alike, renumbered, accepted);
   if (!curves) return curves.failure();

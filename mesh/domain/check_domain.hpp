@@ -14,6 +14,8 @@
 //    hole point in it, divides the domain); segments with the domain on neither side are dropped,
 //    those with the domain on one side are oriented with the domain on their left, those with the
 //    domain on both are internal and keep their direction;
+//  - where the domain has polygons (data/domain_polygon.hpp), every face is removed that none of
+//    them contains, too; a face that several features contain has the least of their numbers;
 //  - vertices on no segment are kept when strictly inside the domain, and dropped otherwise;
 //  - the faces that are left are given the numbers of the region points in them (data/domain.hpp);
 //  - limits on the area of a region's triangles are dropped: size is the metric's.
@@ -26,6 +28,7 @@
 //    spike does, ends nothing.)
 //  - a hole or region point on a segment or outside, a region point in a hole, two region points
 //    with different numbers in one face;
+//  - a polygon's ring that is not closed, or has a segment that does not exist;
 //  - a curve without chords (domain/divide_curves.hpp), or with a chord that is cut by a vertex on
 //    it, covered by another segment, or dropped alone;
 //  - a domain of which nothing is left.
@@ -63,6 +66,8 @@ struct domain_repairs {
   std::size_t outer_subsegments = 0;     // had the domain on neither side
   std::size_t dropped_vertices = 0;
   std::size_t dropped_area_limits = 0;
+  std::size_t flat_rings = 0;    // of polygons, which enclose nothing
+  std::size_t shared_parts = 0;  // that several features contain
   // The rest by repair_domain alone.
   std::size_t joined_vertices = 0;    // nearer than `distance` to another one, and not at its place
   std::size_t bent_segments = 0;      // passed a vertex within half the distance

@@ -24,6 +24,11 @@ std::optional<error> check_domain_values(const domain& d) {
   for (std::size_t s = 0; s < d.segments.size(); ++s)
     if (d.segments[s].a >= d.vertices.size() || d.segments[s].b >= d.vertices.size())
       return error{names.at_segment(s) + names.segment(s) + " uses a vertex that does not exist"};
+  for (std::size_t p = 0; p < d.polygons.size(); ++p)
+    for (std::size_t r = 0; r < d.polygons[p].rings.size(); ++r)
+      for (const std::uint32_t s : d.polygons[p].rings[r])
+        if (s >= d.segments.size())
+          return error{names.at_start() + names.ring(p, r) + " has a segment that does not exist"};
   for (std::size_t h = 0; h < d.holes.size(); ++h)
     if (!is_finite(d.holes[h])) return error{names.at_hole(h) + names.hole(h) + " is not finite"};
   for (std::size_t r = 0; r < d.regions.size(); ++r)

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace asterism::internal {
@@ -16,6 +17,15 @@ std::string place(const std::string& name, const std::string& file,
   return known.empty() ? std::string() : known + ": ";
 }
 
+// Returns the number of the first polygon with this segment; that of none beyond the last.
+std::size_t polygon_with(const domain& d, std::size_t s) {
+  std::size_t p = 0;
+  for (; p < d.polygons.size(); ++p)
+    for (const auto& ring : d.polygons[p].rings)
+      if (std::find(ring.begin(), ring.end(), s) != ring.end()) return p;
+  return p;
+}
+
 }  // namespace
 
 std::string coordinates(const point& p) { return fmt::format("({}, {})", p.x, p.y); }
@@ -26,9 +36,26 @@ std::string domain_names::vertex(std::size_t v) const {
 }
 
 std::string domain_names::segment(std::size_t s) const {
+  if (const std::size_t p = polygon_with(d_, s); p < d_.polygons.size())
+    return fmt::format("the side {} - {} of {}", coordinates(d_.vertices[d_.segments[s].a]),
+                       coordinates(d_.vertices[d_.segments[s].b]), polygon(p));
   const long long first = d_.origin.first_number;
   return fmt::format("segment {} (vertices {}-{})", static_cast<long long>(s) + first,
                      d_.segments[s].a + first, d_.segments[s].b + first);
+}
+
+std::string domain_names::polygon(std::size_t p) const {
+  const auto region = d_.polygons[p].region;
+  return fmt::format("polygon {}", p + 1) +
+         (region ? fmt::format(" (feature {})", *region) : std::string());
+}
+
+std::string domain_names::ring(std::size_t p, std::size_t r) const {
+  return fmt::format("ring {} of ", r + 1) + polygon(p);
+}
+
+std::string domain_names::feature(const std::optional<int>& region) const {
+  return region ? fmt::format("feature {}", *region) : "a polygon of no feature";
 }
 
 std::string domain_names::hole(std::size_t h) const {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "asterism/mesh/data/domain.hpp"
@@ -18,7 +19,11 @@ class domain_names {
   // Returns names such as "vertex 5 (0.25, 1)", "segment 3 (vertices 5-6)", "hole 1 (0.5, 0)",
   // "region 2 (3, 3)", "curve 4". Require indices in range.
   std::string vertex(std::size_t v) const;
+  // A segment of a polygon is called a side of it, by its ends.
   std::string segment(std::size_t s) const;
+  std::string polygon(std::size_t p) const;  // "polygon 3 (feature 2)"
+  std::string ring(std::size_t p, std::size_t r) const;
+  std::string feature(const std::optional<int>& region) const;
   std::string hole(std::size_t h) const;
   std::string region(std::size_t r) const;
   std::string curve(std::size_t c) const;

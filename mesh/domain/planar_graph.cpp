@@ -102,15 +102,15 @@ std::vector<graph_edge> cut_segments(const domain& d, const std::vector<vertex_i
 }
 
 // Keeps the first of the subsegments between the same two vertices.
-std::vector<graph_edge> unite_subsegments(const domain& d,
-                                          const std::vector<graph_edge>& subsegments,
-                                          domain_repairs& repairs) {
+void unite_subsegments(const domain& d, const std::vector<graph_edge>& subsegments,
+                       plane_graph& graph, domain_repairs& repairs) {
   const domain_names names(d);
   repair_tally repeated(repairs.repeated_subsegments);
   std::map<std::pair<vertex_index, vertex_index>, std::size_t> kept_at;
-  std::vector<graph_edge> kept;
+  std::vector<graph_edge>& kept = graph.edges;
   for (const graph_edge& e : subsegments) {
     const auto [at, is_new] = kept_at.try_emplace(std::minmax(e.a, e.b), kept.size());
+    graph.coverings.push_back({at->second, e.source});
     if (is_new) {
       kept.push_back(e);
       continue;
@@ -125,7 +125,6 @@ std::vector<graph_edge> unite_subsegments(const domain& d,
                  });
   }
   repeated.report("overlapping segments united", repairs.messages);
-  return kept;
 }
 
 // Edges without a common vertex; after the cutting they can meet in no other way than crossing.
@@ -169,12 +168,15 @@ std::optional<std::pair<std::size_t, std::size_t>> find_crossing(
 }  // namespace
 
 result<plane_graph> build_plane_graph(const domain& d, domain_repairs& repairs) {
+  const std::size_t told = repairs.messages.size();
   std::vector<vertex_index> by_place = vertices_by_place(d);
   plane_graph graph;
   graph.first_alike = merge_vertices(d, by_place);
   report_merged(d, graph.first_alike, repairs);
-  graph.edges =
-      unite_subsegments(d, cut_segments(d, graph.first_alike, by_place, repairs), repairs);
+  unite_subsegments(d, cut_segments(d, graph.first_alike, by_place, repairs), graph, repairs);
+  // Each ring of a polygon has corners and sides of its own where several meet: nothing was
+  // changed.
+  if (!d.polygons.empty()) repairs.messages.resize(told);
   if (const auto crossing = find_crossing(d, graph.edges)) {
     const domain_names names(d);
     const auto [s, t] = *crossing;

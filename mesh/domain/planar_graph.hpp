@@ -21,15 +21,23 @@ struct graph_edge {
   std::size_t covered = 1;  // by how many segments
 };
 
+// A part of a segment: the edge that it became.
+struct covering {
+  std::size_t edge = 0, source = 0;
+};
+
 struct plane_graph {
   // For each vertex of the domain, the first vertex with the same coordinates. Edges use only
   // these.
   std::vector<vertex_index> first_alike;
   std::vector<graph_edge> edges;
+  // The parts of all segments in their order, along each.
+  std::vector<covering> coverings;
 };
 
-// Builds the graph. Requires finite coordinates and indices in range. Counts and messages go to
-// `repairs`. Fails where two segments cross in a point inside both.
+// Builds the graph. Requires finite coordinates and indices in range. Counts go to `repairs`, and
+// messages unless the domain has polygons, whose rings meet each other as a matter of course. Fails
+// where two segments cross in a point inside both.
 result<plane_graph> build_plane_graph(const domain& d, domain_repairs& repairs);
 
 }  // namespace asterism::internal

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/domain/repair_tally.hpp"
 
 namespace asterism::internal {
 
@@ -31,6 +32,26 @@ result<std::size_t> bounded_face(const domain& d, const plane_graph& graph, cons
   return face;
 }
 
+// Reports rings that enclose nothing, and features that overlap.
+void tell_polygons(const domain& d, const plane_graph& graph, const polygon_faces& polygons,
+                   domain_repairs& repairs) {
+  const domain_names names(d);
+  const auto place = [&] { return names.at_start(); };
+  repair_tally flat(repairs.flat_rings), shared(repairs.shared_parts);
+  for (const ring_place& r : polygons.flat)
+    flat.add(place, [&] { return names.ring(r.polygon, r.ring); });
+  flat.report("rings that enclose nothing", repairs.messages);
+  for (std::size_t i = 0; i < polygons.shared; ++i)
+    shared.add(place, [&] {
+      const auto [f, g] = polygons.shared_features;
+      const graph_edge& beside = graph.edges[polygons.shared_half_edge / 2];
+      return names.feature(polygons.features[f]) + " and " + names.feature(polygons.features[g]) +
+             " beside " + coordinates(d.vertices[beside.a]) + " - " +
+             coordinates(d.vertices[beside.b]);
+    });
+  shared.report("parts in which features overlap, numbered as the first of them", repairs.messages);
+}
+
 failure remove_holes(const domain& d, const plane_graph& graph, const face_map& faces,
                      domain_parts& parts) {
   const domain_names names(d);
@@ -39,6 +60,17 @@ failure remove_holes(const domain& d, const plane_graph& graph, const face_map& 
     if (!face) return face.failure();
     parts.removed[face.value()] = true;
   }
+  return {};
+}
+
+failure remove_outside_polygons(const domain& d, const plane_graph& graph, const face_map& faces,
+                                domain_parts& parts, domain_repairs& repairs) {
+  auto found = find_polygon_faces(d, graph, faces);
+  if (!found) return found.failure();
+  parts.polygons = std::move(found).value();
+  for (std::size_t face = 0; face < parts.removed.size(); ++face)
+    parts.removed[face] = parts.polygons.feature_of[face] == polygon_faces::none;
+  tell_polygons(d, graph, parts.polygons, repairs);
   return {};
 }
 
@@ -62,14 +94,24 @@ failure name_faces(const domain& d, const plane_graph& graph, const face_map& fa
   return {};
 }
 
+// Returns the number that polygons give to a face, if they do.
+std::optional<int> number_of_feature(const domain_parts& parts, std::size_t face) {
+  if (parts.polygons.feature_of.empty() || parts.removed[face]) return std::nullopt;
+  return parts.polygons.features[parts.polygons.feature_of[face]];
+}
+
 // Numbers the faces without a region point, in the order of the edges, by the least numbers still
 // free.
 void number_the_rest(const domain& d, const plane_graph& graph, const face_map& faces,
                      const named_faces& named, domain_parts& parts) {
   std::set<int> taken;
   for (const region_point& r : d.regions) taken.insert(r.number);
+  for (const auto& number : parts.polygons.features)
+    if (number) taken.insert(*number);
   std::vector<bool> done(parts.region.size(), false);
   for (const auto& face : named) done[face.first] = true;
+  for (std::size_t face = 0; face < done.size(); ++face)
+    if (number_of_feature(parts, face)) done[face] = true;
   int next = 1;
   for (std::size_t h = 0; h < 2 * graph.edges.size(); ++h) {
     const std::size_t face = faces.left_of(h);
@@ -82,15 +124,22 @@ void number_the_rest(const domain& d, const plane_graph& graph, const face_map& 
 
 }  // namespace
 
-result<domain_parts> find_parts(const domain& d, const plane_graph& graph, const face_map& faces) {
+result<domain_parts> find_parts(const domain& d, const plane_graph& graph, const face_map& faces,
+                                domain_repairs& repairs) {
   const std::size_t count = 2 * graph.edges.size() + 1;  // one walk a half-edge at most
-  domain_parts parts{std::vector<bool>(count, false), std::vector<int>(count, 1)};
+  domain_parts parts{std::vector<bool>(count, false), std::vector<int>(count, 1), {}};
   parts.removed[face_map::outside] = true;
+  if (!d.polygons.empty())
+    if (auto failed = remove_outside_polygons(d, graph, faces, parts, repairs))
+      return std::move(*failed);
   if (auto failed = remove_holes(d, graph, faces, parts)) return std::move(*failed);
-  if (d.regions.empty() && !d.number_all_regions) return parts;
+  const auto& features = parts.polygons.features;
+  const bool has_numbers = !features.empty() && features.back().has_value();
+  if (d.regions.empty() && !d.number_all_regions && !has_numbers) return parts;
   named_faces named;
   if (auto failed = name_faces(d, graph, faces, parts, named)) return std::move(*failed);
-  std::fill(parts.region.begin(), parts.region.end(), 0);
+  for (std::size_t face = 0; face < count; ++face)
+    parts.region[face] = number_of_feature(parts, face).value_or(0);
   for (const auto& [face, r] : named) parts.region[face] = d.regions[r].number;
   if (d.number_all_regions) number_the_rest(d, graph, faces, named, parts);
   return parts;

@@ -9,19 +9,25 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/face_map.hpp"
 #include "asterism/mesh/domain/planar_graph.hpp"
+#include "asterism/mesh/domain/polygon_faces.hpp"
 
 namespace asterism::internal {
 
 // Both by face, as face_map names them.
 struct domain_parts {
-  std::vector<bool> removed;  // the outside, and faces with hole points
-  std::vector<int> region;    // of the others
+  // The outside, faces that no polygon contains where there are polygons, faces with hole points.
+  std::vector<bool> removed;
+  std::vector<int> region;  // of the others
+  polygon_faces polygons;   // of a domain with polygons
 };
 
 // Classifies the faces. `faces` are those of `graph`, whose edges came from `d`. Fails for a hole
-// or region point that does not say which face is meant, or contradicts another one.
-result<domain_parts> find_parts(const domain& d, const plane_graph& graph, const face_map& faces);
+// or region point that does not say which face is meant, or contradicts another one, and for a
+// polygon's ring that is not closed. What is odd about polygons goes to `repairs`.
+result<domain_parts> find_parts(const domain& d, const plane_graph& graph, const face_map& faces,
+                                domain_repairs& repairs);
 
 }  // namespace asterism::internal

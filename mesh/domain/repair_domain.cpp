@@ -34,6 +34,26 @@ double distance_to_segment(const point& v, const point& a, const point& b) {
   return from({a.x + s * x, a.y + s * y});
 }
 
+// Returns the polygons by what became of their segments: the pieces, which are in the order of
+// these.
+std::vector<domain_polygon> polygons_of_pieces(const domain& d,
+                                               const std::vector<snapped_piece>& pieces) {
+  std::vector<domain_polygon> made = d.polygons;
+  for (domain_polygon& polygon : made)
+    for (auto& ring : polygon.rings) {
+      std::vector<std::uint32_t> parts;
+      for (const std::uint32_t s : ring) {
+        const auto [first, last] = std::equal_range(
+            pieces.begin(), pieces.end(), snapped_piece{0, 0, s},
+            [](const snapped_piece& p, const snapped_piece& q) { return p.source < q.source; });
+        for (auto p = first; p != last; ++p)
+          parts.push_back(static_cast<std::uint32_t>(p - pieces.begin()));
+      }
+      ring = std::move(parts);
+    }
+  return made;
+}
+
 class repairer {
  public:
   repairer(const domain& input, double distance, domain_repairs& report, const cancellation& stop)
@@ -158,6 +178,7 @@ domain repairer::assemble(const snapped_graph& graph) const {
   }
   for (const snapped_piece& p : graph.pieces)
     made.segments.push_back({number[p.a], number[p.b], input_.segments[p.source].marker});
+  made.polygons = polygons_of_pieces(input_, graph.pieces);
   return made;
 }
 
@@ -197,6 +218,8 @@ void repairer::add(const domain_repairs& rest) {
   report_.outer_subsegments += rest.outer_subsegments;
   report_.dropped_vertices += rest.dropped_vertices;
   report_.dropped_area_limits += rest.dropped_area_limits;
+  report_.flat_rings += rest.flat_rings;
+  report_.shared_parts += rest.shared_parts;
   report_.messages.insert(report_.messages.end(), rest.messages.begin(), rest.messages.end());
 }
 

@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "asterism/mesh/io/certificate_json.hpp"
 #include "asterism/mesh/io/json_places.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -26,6 +25,15 @@ struct malformed : std::runtime_error {
       : std::runtime_error(what), name(std::move(field)) {}
   std::string name;  // of the field
 };
+
+// Cuts down what others may have made as long as they like.
+std::string shortened(std::string text) {
+  constexpr std::size_t longest = 60;
+  if (text.size() <= longest) return text;
+  return text.substr(0, longest) + "...";
+}
+
+std::string shown(const json& value) { return shortened(value.dump()); }
 
 // Names the key it wanted, as every reader below.
 const json& member(const json& object, const std::string& key) {
@@ -63,7 +71,7 @@ vertex_index index_of(const json& number, const std::string& key) {
   if (!number.is_number_unsigned() || number.get<std::uint64_t>() < 1 ||
       number.get<std::uint64_t>() > std::numeric_limits<vertex_index>::max())
     throw malformed(key,
-                    "\"" + key + "\" holds " + number.dump() + ", which counts nothing from 1");
+                    "\"" + key + "\" holds " + shown(number) + ", which counts nothing from 1");
   return static_cast<vertex_index>(number.get<std::uint64_t>() - 1);
 }
 
@@ -83,7 +91,7 @@ std::vector<point> points_of(const json& object, const std::string& key) {
   std::vector<point> result;
   for (const json& p : array_of(object, key)) {
     if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
-      throw malformed(key, "\"" + key + "\" holds " + p.dump() + ", which is no point");
+      throw malformed(key, "\"" + key + "\" holds " + shown(p) + ", which is no point");
     result.push_back({p[0].get<double>(), p[1].get<double>()});
   }
   return result;
@@ -94,7 +102,7 @@ segment segment_of(const json& s) {
                       std::all_of(s.begin(), s.end(),
                                   [](const json& number) { return number.is_number_integer(); });
   if (!usable)
-    throw malformed("segments", "\"segments\" holds " + s.dump() + ", which is no segment");
+    throw malformed("segments", "\"segments\" holds " + shown(s) + ", which is no segment");
   segment made{index_of(s[0], "segments"), index_of(s[1], "segments"), s[2].get<int>()};
   if (s.size() == 3) return made;
   made.internal = s[3].get<int>() != 0;
@@ -133,7 +141,7 @@ domain domain_of(const json& object) {
     const segment read_segment = segment_of(s);
     if (read_segment.a >= d.vertices.size() || read_segment.b >= d.vertices.size())
       throw malformed("segments",
-                      "segment " + s.dump() + " names a vertex the domain does not have");
+                      "segment " + shown(s) + " names a vertex the domain does not have");
     d.segments.push_back(read_segment);
   }
   if (!object.contains("curves")) return d;
@@ -280,7 +288,9 @@ json without_relaxation(json root) {
   return root;
 }
 
-std::string quoted(const std::string& name) { return fmt::format("\"{}\"", name); }
+std::string quoted(const std::string& name) {
+  return fmt::format("\"{}\"", shortened(without_controls(name)));
+}
 
 struct difference {
   std::string name, what;
@@ -308,15 +318,6 @@ std::optional<difference> first_difference(const json& read, const json& written
   return difference{name, "is not what it should be"};
 }
 
-// Returns the line of the first field with this name, or that ends in it; 0 if there is none.
-std::size_t line_of(const json_places& places, const std::string& name) {
-  const auto whole = places.lines.find(name);
-  if (whole != places.lines.end()) return whole->second;
-  for (const auto& [path, line] : places.lines)
-    if (path.ends_with("." + name)) return line;
-  return 0;
-}
-
 }  // namespace
 
 result<certificate> parse_certificate(const std::string& text, const std::string& name) {
@@ -336,10 +337,10 @@ result<certificate> parse_certificate(const std::string& text, const std::string
     certificate read = certificate_of(root);
     // Whatever is not read, or not as it is written, differs from what is written of it.
     if (const auto odd = first_difference(root, json_of(read), ""))
-      return refuse(line_of(places, odd->name), quoted(odd->name) + " " + odd->what);
+      return refuse(places.line_of(odd->name), quoted(odd->name) + " " + odd->what);
     return read;
   } catch (const malformed& e) {
-    return refuse(line_of(places, e.name), e.what());
+    return refuse(places.line_of(e.name), e.what());
   } catch (const json::parse_error& e) {
     return refuse(line_of_byte(text, e.byte), "this is not JSON");
   } catch (const json::exception&) {
@@ -348,12 +349,9 @@ result<certificate> parse_certificate(const std::string& text, const std::string
 }
 
 result<certificate> read_certificate(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return error{path.string() + ": cannot be opened", error_code::unreadable_file};
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (in.bad()) return error{path.string() + ": cannot be read", error_code::unreadable_file};
-  return parse_certificate(text.str(), path.string());
+  const auto text = read_text_file(path);
+  if (!text) return text.failure();
+  return parse_certificate(text.value(), path.string());
 }
 
 }  // namespace asterism

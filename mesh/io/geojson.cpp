@@ -2,11 +2,13 @@
 //
 // GeoJSON, RFC 7946. nlohmann's library reports by exceptions; none leaves this file.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/json_places.hpp"
 #include "asterism/mesh/io/polygon_domain.hpp"
 #include "asterism/mesh/io/polygons.hpp"
@@ -17,13 +19,15 @@ namespace {
 
 using nlohmann::json;
 
-// Thrown by the readers below, inside read_geojson alone.
+// Thrown by the readers below, inside parse_geojson alone.
 struct malformed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+std::string shown(const std::string& place) { return place.empty() ? "the root" : place; }
+
 [[noreturn]] void refuse(const std::string& place, const std::string& what) {
-  throw malformed((place.empty() ? "the root" : place) + ": " + what);
+  throw malformed(shown(place) + ": " + what);
 }
 
 const json& member(const json& object, const char* key, const std::string& place) {
@@ -41,98 +45,118 @@ std::string item(const std::string& place, std::size_t i) {
   return place + "[" + std::to_string(i) + "]";
 }
 
-point point_of(const json& value, const std::string& place) {
-  const bool usable = value.is_array() && value.size() >= 2 && value[0].is_number() &&
-                      value[1].is_number() && std::isfinite(value[0].get<double>()) &&
-                      std::isfinite(value[1].get<double>());
-  if (!usable) refuse(place, "two finite numbers are wanted");
-  return {value[0].get<double>(), value[1].get<double>()};
-}
-
-ring ring_of(const json& value, const std::string& place) {
-  ring corners;
-  std::size_t i = 0;
-  for (const json& p : list(value, place)) corners.push_back(point_of(p, item(place, i++)));
-  open_ring(corners);
-  if (corners.size() < 3) refuse(place, "a ring of fewer than three corners");
-  return corners;
-}
-
-void add_polygon(const json& value, const std::string& place, int region,
-                 std::vector<polygon>& polygons) {
-  polygon made;
-  made.region = region;
-  std::size_t i = 0;
-  for (const json& r : list(value, place)) made.rings.push_back(ring_of(r, item(place, i++)));
-  if (made.rings.empty()) refuse(place, "an empty polygon");
-  polygons.push_back(std::move(made));
-}
-
 class geojson_reader {
  public:
-  std::vector<polygon> polygons;
+  polygons_read made;
   int features = 0;
 
   // Collections within collections are followed this deep.
   void add(const json& object, const std::string& place, int depth = 0) {
     constexpr int deepest = 16;
     if (depth > deepest) refuse(place, "collections are nested too deeply");
-    const json& kind = member(object, "type", place);
+    const json& type = member(object, "type", place);
+    if (!type.is_string()) refuse(place, "the type is no string");
+    const std::string& kind = type.get_ref<const std::string&>();
     const std::string inner = place.empty() ? "" : place + ".";
-    const int region = std::max(1, features);
-    if (kind == "FeatureCollection") {
-      each(object, "features", inner, depth);
-    } else if (kind == "GeometryCollection") {
-      each(object, "geometries", inner, depth);
-    } else if (kind == "Feature") {
-      ++features;
-      const json& geometry = member(object, "geometry", place);
-      if (!geometry.is_null()) add(geometry, inner + "geometry", depth + 1);
-    } else if (kind == "Polygon") {
-      add_polygon(member(object, "coordinates", place), inner + "coordinates", region, polygons);
-    } else if (kind == "MultiPolygon") {
-      std::size_t i = 0;
-      const std::string there = inner + "coordinates";
-      for (const json& p : list(member(object, "coordinates", place), there))
-        add_polygon(p, item(there, i++), region, polygons);
-    } else {
-      refuse(place, "the type is " + kind.dump() + ", and polygons alone bound a domain");
-    }
+    if (kind == "FeatureCollection") return each(object, "features", inner, depth);
+    if (kind == "GeometryCollection") return each(object, "geometries", inner, depth);
+    if (kind == "Feature") return add_feature(object, place, depth);
+    constexpr std::array<std::string_view, 4> others = {"Point", "MultiPoint", "LineString",
+                                                        "MultiLineString"};
+    if (std::find(others.begin(), others.end(), kind) != others.end())
+      return made.others.add([&] { return shown(place) + ", a " + kind; });
+    if (kind != "Polygon" && kind != "MultiPolygon")
+      refuse(place, "the type is " + quoted_token(kind) + ", which GeoJSON does not have");
+    add_polygons(list(member(object, "coordinates", place), inner + "coordinates"),
+                 inner + "coordinates", kind == "MultiPolygon");
   }
 
  private:
   void each(const json& object, const char* key, const std::string& inner, int depth) {
     std::size_t i = 0;
-    for (const json& one : list(member(object, key, inner), inner + key))
-      add(one, item(inner + key, i++), depth + 1);
+    const json& all = list(member(object, key, inner), inner + key);
+    if (all.empty()) add_empty(inner + key);
+    for (const json& one : all) add(one, item(inner + key, i++), depth + 1);
+  }
+
+  void add_empty(const std::string& place) {
+    made.empty.add([&] { return place; });
+  }
+
+  void add_feature(const json& object, const std::string& place, int depth) {
+    ++features;
+    const json& geometry = member(object, "geometry", place);
+    const std::string there = (place.empty() ? "" : place + ".") + "geometry";
+    if (geometry.is_null()) return add_empty(there);
+    add(geometry, there, depth + 1);
+  }
+
+  void add_polygons(const json& coordinates, const std::string& place, bool several) {
+    if (coordinates.empty()) return add_empty(place);
+    if (!several) return add_polygon(coordinates, place);
+    std::size_t i = 0;
+    for (const json& p : coordinates) {
+      const std::string there = item(place, i++);
+      if (list(p, there).empty())
+        add_empty(there);
+      else
+        add_polygon(p, there);
+    }
+  }
+
+  void add_polygon(const json& rings, const std::string& place) {
+    polygon& p = made.polygons.emplace_back();
+    p.region = std::max(1, features);
+    std::size_t i = 0;
+    for (const json& r : rings) {
+      const std::string there = item(place, i++);
+      ring& corners = p.rings.emplace_back();
+      corners.reserve(list(r, there).size());
+      for (const json& q : r) corners.push_back(point_of(q, there, corners.size()));
+    }
+  }
+
+  // `ring` and `i` are its place.
+  point point_of(const json& value, const std::string& ring, std::size_t i) {
+    const auto is_usable = [](const json& x) {
+      return x.is_number() && std::isfinite(x.get<double>());
+    };
+    if (!value.is_array() || value.size() < 2 || !is_usable(value[0]) || !is_usable(value[1]))
+      refuse(item(ring, i), "two finite numbers are wanted");
+    if (value.size() > 3 || (value.size() == 3 && value[2] != 0))
+      made.heights.add([&] { return item(ring, i); });
+    return {value[0].get<double>(), value[1].get<double>()};
   }
 };
 
 }  // namespace
 
+result<domain> parse_geojson(std::string_view text, const std::string& name) {
+  const auto at_line = [&](std::size_t line, const std::string& what) {
+    return error{name + ":" + std::to_string(line) + ": " + what, error_code::malformed_file};
+  };
+  constexpr std::size_t deepest = 500;
+  if (const auto line = line_nested_beyond(text, deepest))
+    return at_line(*line, "lists and objects are nested too deeply");
+  try {
+    geojson_reader reader;
+    reader.add(json::parse(text), "");
+    if (reader.features < 2)
+      for (polygon& p : reader.made.polygons) p.region.reset();
+    return domain_of_polygons(reader.made, name);
+  } catch (const malformed& e) {
+    return error{name + ": " + without_controls(e.what()), error_code::malformed_file};
+  } catch (const json::parse_error& e) {
+    return at_line(line_of_byte(text, e.byte), "this is not JSON");
+  } catch (const json::exception&) {
+    return error{name + ": this is not GeoJSON", error_code::malformed_file};
+  }
+}
+
 result<domain> read_geojson(const std::filesystem::path& path) {
   const auto text = read_text_file(path);
   if (!text.ok()) return text.failure();
-  const auto failure = [&](const std::string& what) {
-    return error{path.string() + ": " + what, error_code::malformed_file};
-  };
-  try {
-    geojson_reader reader;
-    reader.add(json::parse(text.value()), "");
-    if (reader.polygons.empty()) return failure("there is no polygon");
-    auto made = domain_of_polygons(reader.polygons, reader.features > 1);
-    if (!made.ok()) return made.failure().at(path.string());
-    made.value().name = path.string();
-    return made;
-  } catch (const malformed& e) {
-    return failure(e.what());
-  } catch (const json::parse_error& e) {
-    return error{path.string() + ":" + std::to_string(line_of_byte(text.value(), e.byte)) +
-                     ": this is not JSON",
-                 error_code::malformed_file};
-  } catch (const json::exception&) {
-    return failure("this is not GeoJSON");
-  }
+  return parse_geojson(text.value(), path.string());
 }
 
 }  // namespace asterism::internal

@@ -9,76 +9,79 @@
 #include <utility>
 
 namespace asterism::internal {
-namespace {
 
-constexpr int deepest = 32;
+static constexpr int deepest = 32;
 
 class place_finder {
  public:
   explicit place_finder(std::string_view text) : text_(text) {}
 
   json_places run() {
-    read_value("", 0);
+    read_value(json_places::root, 0);
     return std::move(places_);
   }
 
  private:
-  // True if reading can go on behind the value.
-  bool read_value(const std::string& name, int depth) {
+  // Reads what belongs to a member, or to none; true if reading can go on behind the value.
+  bool read_value(std::size_t owner, int depth) {
     skip_space();
     if (at_ >= text_.size()) return false;
-    if (!name.empty()) places_.lines.try_emplace(name, line_);
     if (depth > deepest) {
-      places_.too_deep = json_place{name, line_};
+      places_.too_deep = place_of(owner);
       return false;
     }
     switch (text_[at_]) {
       case '{':
-        return read_members(name, depth);
+        return read_members(owner, depth);
       case '[':
-        return read_elements(name, depth);
+        return read_elements(owner, depth);
       case '"':
         return read_string().has_value();
       default:
-        return read_word(name);
+        return read_word(owner);
     }
   }
 
-  bool read_members(const std::string& name, int depth) {
+  json_place place_of(std::size_t owner) const { return {places_.name_of(owner), line_}; }
+
+  bool read_members(std::size_t owner, int depth) {
     ++at_;
-    std::set<std::string> seen;
+    std::set<std::string_view> seen;
     if (next_is('}')) return true;
     do {
       skip_space();
       const auto key = read_string();
       if (!key) return false;
-      const std::string member = name.empty() ? *key : name + "." + *key;
-      if (!seen.insert(*key).second && !places_.repeated)
-        places_.repeated = json_place{member, line_};
-      if (!next_is(':') || !read_value(member, depth + 1)) return false;
+      const std::size_t member = places_.members_.size();
+      places_.members_.push_back({owner, *key, line_});
+      if (!seen.insert(*key).second && !places_.repeated) places_.repeated = place_of(member);
+      if (!next_is(':')) return false;
+      skip_space();
+      places_.members_[member].line = line_;
+      if (!read_value(member, depth + 1)) return false;
     } while (next_is(','));
     return next_is('}');
   }
 
-  bool read_elements(const std::string& name, int depth) {
+  bool read_elements(std::size_t owner, int depth) {
     ++at_;
     if (next_is(']')) return true;
     do {
-      if (!read_value(name, depth + 1)) return false;
+      if (!read_value(owner, depth + 1)) return false;
     } while (next_is(','));
     return next_is(']');
   }
 
   // Escapes stay as they are written.
-  std::optional<std::string> read_string() {
+  std::optional<std::string_view> read_string() {
     if (at_ >= text_.size() || text_[at_] != '"') return std::nullopt;
     const std::size_t begin = ++at_;
     while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
     if (at_ >= text_.size()) return std::nullopt;
-    return std::string(text_.substr(begin, at_++ - begin));
+    return text_.substr(begin, at_++ - begin);
   }
 
-  bool read_word(const std::string& name) {
+  bool read_word(std::size_t owner) {
     const std::size_t begin = at_;
     constexpr std::string_view ends = ",]} \t\r\n";
     while (at_ < text_.size() && ends.find(text_[at_]) == std::string_view::npos) ++at_;
@@ -86,7 +89,7 @@ class place_finder {
     const auto read = std::from_chars(text_.data() + begin, text_.data() + at_, value);
     if (read.ec == std::errc::result_out_of_range && is_large(text_.substr(begin, at_ - begin)) &&
         !places_.beyond_doubles)
-      places_.beyond_doubles = json_place{name, line_};
+      places_.beyond_doubles = place_of(owner);
     return at_ > begin;
   }
 
@@ -117,9 +120,56 @@ class place_finder {
   json_places places_;
 };
 
-}  // namespace
+std::string json_places::name_of(std::size_t m) const {
+  std::vector<std::string_view> keys;  // the last first
+  for (; m != root; m = members_[m].parent) keys.push_back(members_[m].key);
+  std::string name;
+  for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
+    if (!name.empty()) name += '.';
+    name += *key;
+  }
+  return name;
+}
+
+// True if the member's name is this one or, unless it is to be the whole, ends in it.
+bool json_places::is_named(std::size_t m, std::string_view name, bool whole) const {
+  for (; m != root; m = members_[m].parent) {
+    const std::string_view key = members_[m].key;
+    if (!name.ends_with(key)) return false;
+    name.remove_suffix(key.size());
+    if (name.empty()) return !whole || members_[m].parent == root;
+    if (!name.ends_with('.')) return false;
+    name.remove_suffix(1);
+  }
+  return false;
+}
+
+std::size_t json_places::line_of(std::string_view name) const {
+  for (const bool whole : {true, false})
+    for (std::size_t m = 0; m < members_.size(); ++m)
+      if (is_named(m, name, whole)) return members_[m].line;
+  return 0;
+}
 
 json_places find_json_places(std::string_view text) { return place_finder(text).run(); }
+
+std::optional<std::size_t> line_nested_beyond(std::string_view text, std::size_t most) {
+  std::size_t depth = 0;
+  bool in_string = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (in_string && c == '\\')
+      ++at;
+    else if (c == '"')
+      in_string = !in_string;
+    else if (!in_string && (c == '{' || c == '['))
+      ++depth;
+    else if (!in_string && (c == '}' || c == ']') && depth > 0)
+      --depth;
+    if (depth > most) return line_of_byte(text, at);
+  }
+  return std::nullopt;
+}
 
 std::size_t line_of_byte(std::string_view text, std::size_t byte) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));

@@ -2,140 +2,105 @@
 #include "asterism/mesh/io/polygon_domain.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
+#include <cmath>
+#include <limits>
 #include <utility>
 
-#include "asterism/mesh/data/bounding_box.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/domain/planar_graph.hpp"
 
 namespace asterism::internal {
 namespace {
 
-struct placed_ring {
-  const ring* corners = nullptr;
-  bounding_box box;
-};
-
-bounding_box box_of(const ring& corners) {
-  bounding_box box{corners[0], corners[0]};
-  for (const point& p : corners) box.include(p);
-  return box;
-}
-
-// A place where a horizontal line crosses a ring.
-struct crossing {
-  double x;
-  bool own;  // of the ring that a point is looked for in
-};
-
-// Appends the crossings; false where a corner is on the line, for which another line is taken.
-bool add_crossings(const ring& corners, double y, bool own, std::vector<crossing>& found) {
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const point &p = corners[i], &q = corners[(i + 1) % corners.size()];
-    if (p.y == y) return false;
-    if ((p.y < y) != (q.y < y))
-      found.push_back({p.x + (q.x - p.x) * ((y - p.y) / (q.y - p.y)), own});
-  }
-  return true;
-}
-
-struct place {
-  point at;
-  double room = 0;
-};
-
-// The widest stretch of the line that lies in the ring `which` and begins or ends at it: nothing
-// else is between the stretch and the ring.
-void look_along(const std::vector<placed_ring>& rings, std::size_t which, double y, double height,
-                place& best) {
-  std::vector<crossing> found;
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const bounding_box &box = rings[r].box, &own = rings[which].box;
-    const bool meets =
-        box.low.y <= y && y <= box.high.y && box.low.x <= own.high.x && own.low.x <= box.high.x;
-    if (meets && !add_crossings(*rings[r].corners, y, r == which, found)) return;
-  }
-  std::sort(found.begin(), found.end(),
-            [](const crossing& a, const crossing& b) { return a.x < b.x; });
-  bool inside = false;
-  for (std::size_t i = 0; i + 1 < found.size(); ++i) {
-    if (found[i].own) inside = !inside;
-    if (!inside || !(found[i].own || found[i + 1].own)) continue;
-    const double room = std::min(found[i + 1].x - found[i].x, height);
-    if (room > best.room) best = {{found[i].x + (found[i + 1].x - found[i].x) / 2, y}, room};
-  }
-}
-
-// Looks along lines halfway between the heights, sorted, that follow each other: sixteen, or all.
-place look_between(const std::vector<placed_ring>& rings, std::size_t which,
-                   std::vector<double> heights) {
-  constexpr std::size_t most = 16;
-  std::sort(heights.begin(), heights.end());
-  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
-  place best;
-  const std::size_t gaps = heights.size() - 1;
-  for (std::size_t k = 0; k < std::min(most, gaps); ++k) {
-    const std::size_t i = gaps <= most ? k : k * gaps / most;
-    const double height = heights[i + 1] - heights[i];
-    look_along(rings, which, heights[i] + height / 2, height, best);
-  }
-  return best;
-}
-
-// Between the ring's own corners first. A line there may meet corners of others, as halfway up a
-// square with a square hole; none does between the corners of all.
-std::optional<point> point_inside(const std::vector<placed_ring>& rings, std::size_t which) {
-  std::vector<double> heights;
-  for (const point& p : *rings[which].corners) heights.push_back(p.y);
-  place best = look_between(rings, which, heights);
-  if (best.room == 0) {
-    const bounding_box& own = rings[which].box;
-    for (const placed_ring& r : rings)
-      for (const point& p : *r.corners)
-        if (own.low.y < p.y && p.y < own.high.y) heights.push_back(p.y);
-    best = look_between(rings, which, std::move(heights));
-  }
-  if (best.room > 0) return best.at;
-  return std::nullopt;
-}
-
-void add_ring(const ring& corners, int marker, domain& d) {
+// Appends the ring's vertices and segments; returns the numbers of these.
+std::vector<std::uint32_t> add_ring(const ring& corners, int marker, domain& d) {
   const auto first = static_cast<vertex_index>(d.vertices.size());
-  const auto n = static_cast<vertex_index>(corners.size());
-  d.vertices.insert(d.vertices.end(), corners.begin(), corners.end());
-  for (vertex_index k = 0; k < n; ++k)
-    d.segments.push_back({first + k, first + (k + 1) % n, marker});
+  std::size_t n = corners.size();
+  while (n > 1 && corners[n - 1] == corners[0]) --n;
+  std::vector<std::uint32_t> added;
+  if (n < 2) return added;
+  d.vertices.insert(d.vertices.end(), corners.begin(),
+                    corners.begin() + static_cast<std::ptrdiff_t>(n));
+  for (vertex_index k = 0; k < n; ++k) {
+    added.push_back(static_cast<std::uint32_t>(d.segments.size()));
+    d.segments.push_back({first + k, first + (k + 1) % static_cast<vertex_index>(n), marker});
+  }
+  return added;
+}
+
+// True if the area, by doubles, is not 0. With u half an epsilon, a product of two differences is
+// off by 3u of its size, the difference of two by u more, each of n sums by u, and the sum of the
+// sizes itself by (n + 3)u: less than (2n + 8)u of that in all. What underflows is far less.
+bool surely_has_area(const ring& corners) {
+  double area = 0, terms = 0;
+  const point& o = corners[0];
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const double x = corners[i].x - o.x, y = corners[i].y - o.y, u = corners[i + 1].x - o.x,
+                 w = corners[i + 1].y - o.y;
+    area += x * w - y * u;
+    terms += std::abs(x * w) + std::abs(y * u);
+  }
+  const double off =
+      (static_cast<double>(corners.size()) + 8) * std::numeric_limits<double>::epsilon() * terms;
+  return std::isfinite(terms) && terms > std::numeric_limits<double>::min() / 0x1p-60 &&
+         std::abs(area) > off;
+}
+
+// True if the ring runs along each of its edges an even number of times: it separates nothing from
+// anything. One that crosses itself does.
+bool encloses_nothing(const ring& corners) {
+  if (corners.size() < 3) return true;
+  if (surely_has_area(corners)) return false;
+  domain alone;
+  add_ring(corners, 0, alone);
+  domain_repairs unasked;
+  const auto graph = build_plane_graph(alone, unasked);
+  return graph && std::all_of(graph.value().edges.begin(), graph.value().edges.end(),
+                              [](const graph_edge& e) { return e.covered % 2 == 0; });
+}
+
+void note(const std::string& place, const std::string& what, const occurrences& of, domain& d) {
+  if (of.count == 0) return;
+  d.origin.notes.push_back(place + ": " + what + ": " + std::to_string(of.count) +
+                           (of.count == 1 ? ", " : ", the first: ") + of.first);
+}
+
+error no_polygon(const polygons_read& read, const std::string& name) {
+  std::string beside;
+  for (const auto& [of, what] : {std::pair{&read.others, "points or lines"},
+                                 std::pair{&read.empty, "geometries that are empty"}})
+    if (of->count > 0)
+      beside += (beside.empty() ? ", only " : " and ") + std::to_string(of->count) + " " + what +
+                " (" + of->first + ")";
+  return {name + ": there is no polygon in it" + beside, error_code::malformed_file};
 }
 
 }  // namespace
 
-void open_ring(ring& corners) {
-  while (corners.size() > 1 && corners.front().x == corners.back().x &&
-         corners.front().y == corners.back().y)
-    corners.pop_back();
-}
-
-result<domain> domain_of_polygons(const std::vector<polygon>& polygons, bool regions) {
-  std::vector<placed_ring> rings;
-  for (const polygon& p : polygons)
-    for (const ring& r : p.rings) rings.push_back({&r, box_of(r)});
+result<domain> domain_of_polygons(const polygons_read& read, const std::string& name) {
+  if (read.polygons.empty()) return no_polygon(read, name);
   domain d;
-  std::size_t which = 0;
-  for (std::size_t k = 0; k < polygons.size(); ++k)
-    for (std::size_t i = 0; i < polygons[k].rings.size(); ++i, ++which) {
-      add_ring(*rings[which].corners, static_cast<int>(k) + 1, d);
-      if (i == 0 && !regions) continue;
-      const auto inside = point_inside(rings, which);
-      const std::string name = "polygon " + std::to_string(k + 1);
-      if (!inside)
-        return error{
-            name + ": ring " + std::to_string(i + 1) + " has no inside that could be found",
-            error_code::invalid_domain};
-      if (i > 0)
-        d.holes.push_back(*inside);
-      else
-        d.regions.push_back({*inside, polygons[k].region});
+  d.name = name;
+  d.polygons.reserve(read.polygons.size());
+  occurrences flat;
+  for (std::size_t k = 0; k < read.polygons.size(); ++k) {
+    const polygon& from = read.polygons[k];
+    domain_polygon& made = d.polygons.emplace_back();
+    made.region = from.region;
+    for (std::size_t i = 0; i < from.rings.size(); ++i) {
+      if (encloses_nothing(from.rings[i])) {
+        flat.add([&] { return domain_names(d).ring(k, i) + (i == 0 ? ", and all of it" : ""); });
+        if (i == 0) break;
+        continue;
+      }
+      made.rings.push_back(add_ring(from.rings[i], static_cast<int>(k) + 1, d));
     }
+  }
+  note(name, "empty geometries passed over", read.empty, d);
+  note(name, "points and lines passed over", read.others, d);
+  note(name, "points whose coordinates beyond x and y were dropped", read.heights, d);
+  note(name, "rings without area dropped", flat, d);
   return d;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a domain of polygons with holes: finds a point in each hole and, if asked, in each polygon.
+// Makes a domain of the polygons that a file has, and collects what its reader passed over.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,19 +14,35 @@
 
 namespace asterism::internal {
 
-using ring = std::vector<point>;  // its last point is another one than its first
+using ring = std::vector<point>;
 
 struct polygon {
-  std::vector<ring> rings;  // the outer one, then holes
-  int region = 1;
+  std::vector<ring> rings;  // the outer one, then holes; each may end where it begins
+  std::optional<int> region;
 };
 
-// Drops points at the end that are where the first one is.
-void open_ring(ring& corners);
+// Something that occurs in a file, how often, and its first case.
+struct occurrences {
+  std::size_t count = 0;
+  std::string first;
 
-// Returns the domain, its name left out. Points in holes and regions are proposed in doubles;
-// check_domain refuses one that is not where it should be. Fails for a hole or polygon in which no
-// point could be found. `regions`: give each polygon the number of its region.
-result<domain> domain_of_polygons(const std::vector<polygon>& polygons, bool regions);
+  // `describe` is called the first time.
+  template <class Describe>
+  void add(const Describe& describe) {
+    if (count++ == 0) first = describe();
+  }
+};
+
+struct polygons_read {
+  std::vector<polygon> polygons;
+  occurrences empty;    // geometries
+  occurrences others;   // points and lines
+  occurrences heights;  // points with a third coordinate that is not 0, or more
+};
+
+// Returns the domain, with notes of what was passed over or dropped: of the polygons these are
+// rings that enclose nothing. The rings of polygon k, from 1, have the marker k. `name` is the
+// file's. Fails if there is no polygon.
+result<domain> domain_of_polygons(const polygons_read& read, const std::string& name);
 
 }  // namespace asterism::internal

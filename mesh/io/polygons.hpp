@@ -2,16 +2,20 @@
 //
 // Reads polygons as geographers write them: GeoJSON (RFC 7946) and well-known text (WKT).
 //
-// Read: Polygon and MultiPolygon; of GeoJSON also Feature, FeatureCollection and GeometryCollection
-// of these. Rings are closed or not; coordinates beyond the second (heights) are dropped. The rings
-// of polygon k, from 1, have the marker k, and where there are several features the polygon of
-// feature k is region k. Polygons that share a stretch of boundary have an edge inside there.
-// Refused: other kinds of geometry, empty polygons, rings of fewer than three corners, numbers that
-// are not finite. Coordinates are taken as they are: degrees are not turned into lengths.
+// Read: Polygon and MultiPolygon, and collections of these, within each other too; of GeoJSON also
+// Feature and FeatureCollection. What they contain is as the formats have it
+// (data/domain_polygon.hpp). Rings are closed or not. The rings of polygon k, from 1, have the
+// marker k, and where there are several features the polygons of feature k are region k. Polygons
+// that share a stretch of boundary have an edge inside there.
+// Passed over with a note: points and lines, what is empty, coordinates beyond the second, rings
+// without area and polygons whose outer ring has none.
+// Refused: files without a polygon, other kinds of geometry, numbers that are not finite.
+// Coordinates are taken as they are: degrees are not turned into lengths.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
@@ -21,5 +25,8 @@ namespace asterism::internal {
 // Reads the domain as written: check_domain has yet to accept it.
 result<domain> read_geojson(const std::filesystem::path& path);
 result<domain> read_wkt(const std::filesystem::path& path);
+
+// The same of a text that is called `name` in messages.
+result<domain> parse_geojson(std::string_view text, const std::string& name);
 
 }  // namespace asterism::internal

@@ -111,8 +111,11 @@ result<block_sizes> read_block_sizes(std::string_view text, std::size_t total,
   const std::uint64_t count = word_at(three, 0, word, how.big_endian);
   const std::uint64_t block = word_at(three, word, word, how.big_endian);
   const std::uint64_t last = word_at(three, 2 * word, word, how.big_endian);
-  const std::uint64_t wanted = block == 0 ? 0 : (total + block - 1) / block;
-  if (count != wanted || (count > 0 && last != total % block))
+  // Blocks of no bytes, or none, hold nothing.
+  const bool fits = block == 0 ? count == 0 && total == 0
+                               : count == total / block + (total % block != 0 ? 1 : 0) &&
+                                     (count == 0 || last == total % block);
+  if (!fits)
     return error{
         fmt::format("{} compressed blocks of {} bytes, the last of {}, do not have {} bytes", count,
                     block, last, total)};

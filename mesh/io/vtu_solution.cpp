@@ -31,7 +31,7 @@ struct data_array {
 class vtu_reader {
  public:
   vtu_reader(std::string_view text, const std::string& file, const mesh& m)
-      : tags_(file, text), file_(file), mesh_(m) {}
+      : tags_(file, text), file_(file), mesh_(m), file_bytes_(text.size()) {}
 
   result<solution> read();
 
@@ -41,10 +41,11 @@ class vtu_reader {
   failure read_encoding(const xml_tag& tag);
   failure read_piece(const xml_tag& tag);
   result<std::size_t> components(const data_array& a) const;
-  result<std::vector<double>> numbers(const data_array& a, std::size_t count) const;
+  result<std::vector<double>> numbers(const data_array& a, std::size_t count);
   result<std::vector<double>> text_numbers(const data_array& a, std::size_t count) const;
   result<std::string_view> appended_at(const data_array& a) const;
-  failure check_points() const;
+  failure account_for(const data_array& a, std::size_t count);
+  failure check_points();
   failure add_field(const data_array& a);
 
   xml_scanner tags_;
@@ -57,6 +58,7 @@ class vtu_reader {
   std::vector<data_array> arrays_, points_;
   std::string_view appended_;
   bool has_appended_ = false, raw_ = false;
+  std::size_t file_bytes_, read_bytes_ = 0;
   solution made_;
 };
 
@@ -179,12 +181,27 @@ result<std::string_view> vtu_reader::appended_at(const data_array& a) const {
   return appended_.substr(offset.value());
 }
 
-result<std::vector<double>> vtu_reader::numbers(const data_array& a, std::size_t count) const {
+// Counts the bytes of arrays, of which a file has not more than it can hold: where several arrays
+// are at one place, memory would not be in proportion to the file. Deflate makes 258 bytes of two
+// bits at most, so 1032 of one byte.
+failure vtu_reader::account_for(const data_array& a, std::size_t count) {
+  constexpr std::size_t most_expansion = 1032;
+  const std::size_t can_hold = file_bytes_ * (how_.zlib ? most_expansion : 1);
+  read_bytes_ += count * vtu_bytes_of(a.tag["type"]).value_or(0);
+  if (read_bytes_ <= can_hold) return {};
+  return tags_.failure(a.tag.line,
+                       fmt::format("array {}: with those before it {} bytes of numbers, more than "
+                                   "a file of {} bytes can hold",
+                                   quoted_token(a.tag["Name"]), read_bytes_, file_bytes_));
+}
+
+result<std::vector<double>> vtu_reader::numbers(const data_array& a, std::size_t count) {
   const std::string_view format = a.tag["format"];
   if (format == "ascii" || format.empty()) return text_numbers(a, count);
   if (!compressor_.empty() && !how_.zlib)
     return tags_.failure(a.tag.line, "data compressed by " + quoted_token(compressor_) +
                                          " cannot be read: write the file with zlib, or without");
+  if (auto failed = account_for(a, count)) return *failed;
   std::string_view text = a.content;
   if (format == "appended") {
     const auto there = appended_at(a);
@@ -201,7 +218,7 @@ result<std::vector<double>> vtu_reader::numbers(const data_array& a, std::size_t
 }
 
 // The points of the file may have been written in single precision.
-failure vtu_reader::check_points() const {
+failure vtu_reader::check_points() {
   if (points_.empty()) return {};
   const auto width = components(points_[0]);
   if (!width) return width.failure();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Well-known text (OGC 06-103r4, section 7): POLYGON, MULTIPOLYGON and a GEOMETRYCOLLECTION of
+// Well-known text (OGC 06-103r4, section 7): POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTIONs of
 // these, one or several a file, with or without "SRID=4326;" before and Z, M or ZM after the name.
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,12 +37,22 @@ std::string lower(std::string_view text) {
   return out;
 }
 
+// The name of a geometry without the Z, M or ZM that some write at its end.
+std::string plain_kind(std::string kind) {
+  for (const std::string_view more : {"zm", "z", "m"})
+    if (kind.ends_with(more)) {
+      kind.resize(kind.size() - more.size());
+      break;
+    }
+  return kind;
+}
+
 class wkt_reader {
  public:
   explicit wkt_reader(text_scanner& source) : source_(source) { advance(); }
 
   failure read();
-  std::vector<polygon> polygons;
+  polygons_read made;
 
  private:
   void advance() { token_ = source_.next(); }
@@ -49,100 +61,119 @@ class wkt_reader {
     advance();
     return true;
   }
+  bool take_empty();
   failure wanted(std::string_view what) const {
     return source_.failure(
         token_.line, std::string(what) + " wanted, not " +
                          (token_.empty() ? "the end of the file" : quoted_token(token_.text)));
   }
-  failure read_geometry(bool inner);
-  failure read_polygons();
-  failure read_collection();
+  using reader = failure (wkt_reader::*)();
+  failure read_list(reader one);
+  failure read_geometry();
   failure read_polygon();
-  failure read_ring(ring& corners);
-  failure read_point(point& p);
+  failure read_ring();
+  failure read_point();
+  failure pass_over(const std::string& kind);
 
   text_scanner& source_;
   word token_;
+  int depth_ = 0;
 };
+
+// Takes the word for a geometry, polygon or ring without anything in it.
+bool wkt_reader::take_empty() {
+  if (lower(token_.text) != "empty") return false;
+  made.empty.add([&] { return "on line " + std::to_string(token_.line); });
+  advance();
+  return true;
+}
+
+// Reads "( one, one, one )".
+failure wkt_reader::read_list(reader one) {
+  if (!take("(")) return wanted("'('");
+  do {
+    if (auto failed = (this->*one)()) return failed;
+  } while (take(","));
+  return take(")") ? failure() : wanted("')'");
+}
 
 failure wkt_reader::read() {
   if (token_.empty()) return source_.failure(token_.line, "there is no polygon");
-  while (!token_.empty())
-    if (auto failed = read_geometry(false)) return failed;
+  while (!token_.empty()) {
+    if (lower(token_.text).starts_with("srid=")) {
+      advance();
+      if (!take(";")) return wanted("';' after SRID");
+    }
+    if (auto failed = read_geometry()) return failed;
+    take(";");
+  }
   return {};
 }
 
-// `inner`: within a collection, which holds no other one.
-failure wkt_reader::read_geometry(bool inner) {
-  if (!inner && lower(token_.text).starts_with("srid=")) {
-    advance();
-    if (!take(";")) return wanted("';' after SRID");
-  }
-  const std::string kind = lower(token_.text);
-  const bool collection = !inner && kind == "geometrycollection";
-  if (kind != "polygon" && kind != "multipolygon" && !collection)
+failure wkt_reader::read_geometry() {
+  constexpr int deepest = 16;
+  constexpr std::array<std::string_view, 4> others = {"point", "multipoint", "linestring",
+                                                      "multilinestring"};
+  const std::string kind = plain_kind(lower(token_.text));
+  const bool is_other = std::find(others.begin(), others.end(), kind) != others.end();
+  if (kind != "polygon" && kind != "multipolygon" && kind != "geometrycollection" && !is_other)
     return wanted("POLYGON or MULTIPOLYGON");
+  const std::size_t line = token_.line;
   advance();
   const std::string more = lower(token_.text);
   if (more == "z" || more == "m" || more == "zm") advance();
-  if (auto failed = collection          ? read_collection()
-                    : kind == "polygon" ? read_polygon()
-                                        : read_polygons())
-    return failed;
-  if (!inner) take(";");
+  if (take_empty()) return {};
+  if (kind == "polygon") return read_polygon();
+  if (kind == "multipolygon") return read_list(&wkt_reader::read_polygon);
+  if (is_other) {
+    made.others.add([&] { return "a " + kind + " on line " + std::to_string(line); });
+    return pass_over(kind);
+  }
+  if (++depth_ > deepest) return source_.failure(line, "collections are nested too deeply");
+  auto failed = read_list(&wkt_reader::read_geometry);
+  --depth_;
+  return failed;
+}
+
+// Passes over brackets and what is between them.
+failure wkt_reader::pass_over(const std::string& kind) {
+  if (token_.text != "(") return wanted("'(' after " + kind);
+  std::size_t open = 0;
+  do {
+    if (token_.empty()) return wanted("')'");
+    if (token_.text == "(") ++open;
+    if (token_.text == ")") --open;
+    advance();
+  } while (open > 0);
   return {};
-}
-
-failure wkt_reader::read_polygons() {
-  if (!take("(")) return wanted("'('");
-  do {
-    if (auto failed = read_polygon()) return failed;
-  } while (take(","));
-  return take(")") ? failure() : wanted("')'");
-}
-
-failure wkt_reader::read_collection() {
-  if (!take("(")) return wanted("'('");
-  do {
-    if (auto failed = read_geometry(true)) return failed;
-  } while (take(","));
-  return take(")") ? failure() : wanted("')'");
 }
 
 failure wkt_reader::read_polygon() {
-  if (!take("(")) return wanted("'('");
-  polygon made;
-  do {
-    if (auto failed = read_ring(made.rings.emplace_back())) return failed;
-  } while (take(","));
-  if (!take(")")) return wanted("')'");
-  polygons.push_back(std::move(made));
-  return {};
+  if (take_empty()) return {};
+  made.polygons.emplace_back();
+  return read_list(&wkt_reader::read_ring);
 }
 
-failure wkt_reader::read_ring(ring& corners) {
-  const std::size_t line = token_.line;
-  if (!take("(")) return wanted("'('");
-  do {
-    if (auto failed = read_point(corners.emplace_back())) return failed;
-  } while (take(","));
-  if (!take(")")) return wanted("')'");
-  open_ring(corners);
-  if (corners.size() < 3) return source_.failure(line, "a ring of fewer than three corners");
-  return {};
+failure wkt_reader::read_ring() {
+  made.polygons.back().rings.emplace_back();
+  return take_empty() ? failure() : read_list(&wkt_reader::read_point);
 }
 
-// Two numbers, and up to two more that are dropped.
-failure wkt_reader::read_point(point& p) {
+// Reads two numbers, and up to two more that are dropped.
+failure wkt_reader::read_point() {
+  point p;
   std::size_t count = 0;
   for (; count < 4 && token_.text != "," && token_.text != ")" && !token_.empty(); ++count) {
     const auto x = to_number(source_, token_, "coordinate");
     if (!x.ok()) return x.failure();
     if (count == 0) p.x = x.value();
     if (count == 1) p.y = x.value();
+    if (count == 3 || (count == 2 && x.value() != 0))
+      made.heights.add([&] { return "on line " + std::to_string(token_.line); });
     advance();
   }
   if (count < 2) return wanted("two coordinates");
+  made.polygons.back().rings.back().push_back(p);
   return {};
 }
 
@@ -155,10 +186,7 @@ result<domain> read_wkt(const std::filesystem::path& path) {
   text_scanner source(path.string(), tokens);
   wkt_reader reader(source);
   if (auto failed = reader.read()) return std::move(*failed);
-  auto made = domain_of_polygons(reader.polygons, false);
-  if (!made.ok()) return made.failure().at(path.string());
-  made.value().name = path.string();
-  return made;
+  return domain_of_polygons(reader.made, path.string());
 }
 
 }  // namespace asterism::internal

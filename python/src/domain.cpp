@@ -10,6 +10,7 @@
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
+#include "asterism/mesh/io/polygons.hpp"
 #include "bindings.hpp"
 
 namespace asterism::python {
@@ -43,9 +44,27 @@ std::vector<segment> segments_of(const index_array& pairs,
   return segments;
 }
 
-domain checked(domain d) {
-  const py::gil_scoped_release unlocked;
-  return value_or_raise(check_domain(value_or_raise(divide_curves(d))));
+// Warns, as Python does, of what was passed over or put in order.
+void warn(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 2) != 0) throw py::error_already_set();
+}
+
+domain checked(const domain& d) {
+  domain_repairs repairs;
+  const auto accept = [&] {
+    const py::gil_scoped_release unlocked;
+    return check_domain(value_or_raise(divide_curves(d)), &repairs);
+  };
+  domain accepted = value_or_raise(accept());
+  warn(d.origin.notes);
+  warn(repairs.messages);
+  return accepted;
+}
+
+std::string shown(const domain& d) {
+  return "<Domain: " + std::to_string(d.vertices.size()) + " points, " +
+         std::to_string(d.segments.size()) + " segments>";
 }
 
 domain from_arrays(const py::object& points, const index_array& segments,
@@ -65,7 +84,7 @@ domain from_arrays(const py::object& points, const index_array& segments,
     throw input_error("region_numbers: one for each region point is wanted");
   for (std::size_t k = 0; k < inside_regions.rows(); ++k)
     d.regions.push_back({point_of(inside_regions.row(k)), region_numbers->data()[k]});
-  return checked(std::move(d));
+  return checked(d);
 }
 
 // A view of the vertices: (n, 2), no copy.
@@ -106,6 +125,13 @@ void define_domain(py::module_& m) {
       .def_static(
           "load",
           [](const std::string& what) { return checked(value_or_raise(load_domain(what))); })
+      .def_static(
+          "parse_geojson",
+          [](const std::string& text, const std::string& name) {
+            return checked(value_or_raise(internal::parse_geojson(text, name)));
+          },
+          py::arg("text"), py::arg("name"))
+      .def("__repr__", &shown)
       .def_property_readonly("points", &points_of)
       .def_property_readonly("segments", &segment_pairs)
       .def_property_readonly("markers", &segment_markers)
