@@ -18,6 +18,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
@@ -119,8 +120,11 @@ std::optional<error> take_domain(adapt_job& job) {
   chords.chord_tolerance = job.chord_tolerance;
   const auto divided = divide_curves(loaded.value(), chords);
   if (!divided) return divided.failure();
-  auto checked = check_domain(divided.value());
+  domain_repairs repairs;
+  auto checked = check_domain(divided.value(), &repairs);
   if (!checked) return checked.failure();
+  for (const auto& notes : {loaded.value().origin.notes, repairs.messages})
+    if (auto refused = say_notes(notes, {job.quiet, false})) return refused;
   job.options.exact = std::move(checked).value();
   return std::nullopt;
 }

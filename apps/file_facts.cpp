@@ -65,6 +65,9 @@ file_facts facts_of(const domain& d) {
   for (const segment& s : d.segments) ++markers[s.marker];
   facts.emplace_back("markers", text_of(markers));
   if (!d.curves.empty()) facts.emplace_back("curves", std::to_string(d.curves.size()));
+  if (!d.polygons.empty()) facts.emplace_back("polygons", d.polygons.size());
+  if (!d.origin.notes.empty())
+    facts.emplace_back("notes", fmt::format("{}", fmt::join(d.origin.notes, "; ")));
   domain_repairs repairs;
   const auto divided = divide_curves(d);
   const auto checked = divided ? check_domain(divided.value(), &repairs) : divided;

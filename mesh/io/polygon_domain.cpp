@@ -60,26 +60,33 @@ bool encloses_nothing(const ring& corners) {
                               [](const graph_edge& e) { return e.covered % 2 == 0; });
 }
 
-void note(const std::string& place, const std::string& what, const occurrences& of, domain& d) {
-  if (of.count == 0) return;
-  d.origin.notes.push_back(place + ": " + what + ": " + std::to_string(of.count) +
-                           (of.count == 1 ? ", " : ", the first: ") + of.first);
+// Returns "what: 3, the first: ...".
+std::string text_of(const std::string& what, const occurrences& of) {
+  return what + ": " + std::to_string(of.count) + (of.count == 1 ? ", " : ", the first: ") +
+         of.first;
 }
 
-error no_polygon(const polygons_read& read, const std::string& name) {
+void note(const std::string& what, const occurrences& of, domain& d) {
+  if (of.count > 0) d.origin.notes.push_back(d.name + ": " + text_of(what, of));
+}
+
+// A refusal for a file in which nothing is left to mesh, with what there was.
+error nothing_left(const polygons_read& read, const occurrences& flat, const std::string& name) {
   std::string beside;
-  for (const auto& [of, what] : {std::pair{&read.others, "points or lines"},
-                                 std::pair{&read.empty, "geometries that are empty"}})
-    if (of->count > 0)
-      beside += (beside.empty() ? ", only " : " and ") + std::to_string(of->count) + " " + what +
-                " (" + of->first + ")";
-  return {name + ": there is no polygon in it" + beside, error_code::malformed_file};
+  const auto add = [&](const std::string& what, const occurrences& of) {
+    if (of.count > 0) beside += "; " + text_of(what, of);
+  };
+  add("points and lines", read.others);
+  add("empty geometries", read.empty);
+  add("rings without area", flat);
+  return {
+      name + ": there is no polygon " + (flat.count > 0 ? "with an area " : "") + "in it" + beside,
+      error_code::malformed_file};
 }
 
 }  // namespace
 
 result<domain> domain_of_polygons(const polygons_read& read, const std::string& name) {
-  if (read.polygons.empty()) return no_polygon(read, name);
   domain d;
   d.name = name;
   d.polygons.reserve(read.polygons.size());
@@ -97,10 +104,11 @@ result<domain> domain_of_polygons(const polygons_read& read, const std::string& 
       made.rings.push_back(add_ring(from.rings[i], static_cast<int>(k) + 1, d));
     }
   }
-  note(name, "empty geometries passed over", read.empty, d);
-  note(name, "points and lines passed over", read.others, d);
-  note(name, "points whose coordinates beyond x and y were dropped", read.heights, d);
-  note(name, "rings without area dropped", flat, d);
+  if (d.segments.empty()) return nothing_left(read, flat, name);
+  note("empty geometries passed over", read.empty, d);
+  note("points and lines passed over", read.others, d);
+  note("points whose coordinates beyond x and y were dropped", read.heights, d);
+  note("rings without area dropped", flat, d);
   return d;
 }
 

@@ -132,6 +132,9 @@ TEST_CASE("through a file") {
   REQUIRE_FALSE(missing.ok());
   CHECK_THAT(missing.failure().message, Contains("certificate.json"));
   CHECK(missing.failure().code == error_code::unreadable_file);
+  const auto endless = read_certificate("/dev/zero");
+  REQUIRE_FALSE(endless.ok());
+  CHECK_THAT(endless.failure().message, Contains("not a regular file"));
 }
 
 TEST_CASE("text that is no certificate") {
@@ -165,6 +168,14 @@ TEST_CASE("text that is no certificate") {
           "\"audit.luck\" is no field of a certificate");
   refused(with("\"triangles\": 50", "\"triangles\": 1e999"), "beyond the range of doubles");
   refused(std::string(100000, '['), "this is no certificate");
+  // Names and values as long as somebody likes are cut down in messages.
+  refused(with("\"certified\": true", "\"certified\": true, \"" + std::string(5000, 'a') + "\": 1"),
+          "\"audit." + std::string(54, 'a') + "...\" is no field");
+  refused(
+      with("\"exempt_corners\": []", "\"exempt_corners\": [\"" + std::string(5000, 'b') + "\"]"),
+      std::string(59, 'b') + "..., which counts nothing from 1");
+  // The line is that of the member itself, not of another with this end to its name.
+  refused(with("\"outcome\": {\n", "\"outcome\": {\n\"mesh\": 1,\n"), "\"outcome.mesh\"");
 }
 
 TEST_CASE("the verdict on the Voronoi diagram is written, read, and checked when it is claimed") {

@@ -2,10 +2,13 @@
 #include "asterism/mesh/io/polygons.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "asterism/core/random.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/point_in_domain.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
+#include "asterism/mesh/io/polygon_domain.hpp"
 #include "asterism/tests/mesh/fixtures/temporary_directory.hpp"
 
 using namespace asterism;
@@ -28,13 +31,12 @@ TEST_CASE("a GeoJSON hole with an island in it is a hole around the island") {
   INFO((read.ok() ? "" : read.failure().message));
   REQUIRE(read.ok());
   REQUIRE(read.value().vertices.size() == 12);
-  REQUIRE(read.value().holes.size() == 1);
-  const point hole = read.value().holes[0];
-  CHECK((hole.x > 1 && hole.x < 8 && hole.y > 1 && hole.y < 8));
-  CHECK_FALSE((hole.x > 2 && hole.x < 7 && hole.y > 2 && hole.y < 7));
   const auto checked = check_domain(read.value());
   REQUIRE(checked.ok());
   CHECK(checked.value().segments.size() == 12);
+  CHECK(internal::contains(checked.value(), {0.5, 4}));
+  CHECK_FALSE(internal::contains(checked.value(), {1.5, 4}));
+  CHECK(internal::contains(checked.value(), {4, 4}));
 }
 
 TEST_CASE("features of a collection are regions, and a common side is inside") {
@@ -71,12 +73,13 @@ TEST_CASE("well-known text gives the same domain as GeoJSON") {
     CHECK(one.value().vertices[v].x == other.value().vertices[v].x);
     CHECK(one.value().vertices[v].y == other.value().vertices[v].y);
   }
-  CHECK(one.value().holes[0].x == other.value().holes[0].x);
+  REQUIRE(other.value().polygons.size() == 2);
+  for (std::size_t p = 0; p < 2; ++p)
+    CHECK(one.value().polygons[p].rings == other.value().polygons[p].rings);
 }
 
-TEST_CASE("a region has a point although the line halfway up meets corners of a hole") {
-  // A square of height 4 with a hole whose corners are at 1 and 2: no line but the one at 2 was
-  // tried.
+TEST_CASE("a feature has its region although the line halfway up meets corners of a hole") {
+  // No line through the square misses the hole's corners but the one halfway between them.
   const temporary_directory here("halfway");
   const auto read =
       read_geojson(here.write("a.geojson", R"({"type": "FeatureCollection", "features": [
@@ -85,13 +88,13 @@ TEST_CASE("a region has a point although the line halfway up meets corners of a 
     {"type": "Feature", "properties": null, "geometry": null}]})"));
   INFO((read.ok() ? "" : read.failure().message));
   REQUIRE(read.ok());
-  REQUIRE(read.value().regions.size() == 1);
   const auto checked = check_domain(read.value());
   INFO((checked.ok() ? "" : checked.failure().message));
-  CHECK(checked.ok());
+  REQUIRE(checked.ok());
+  for (const segment& s : checked.value().segments) CHECK(s.left_region == 1);
 }
 
-TEST_CASE("a collection of polygons in well-known text is read, and one of anything else is not") {
+TEST_CASE("collections in well-known text are read, in each other too") {
   const temporary_directory here("wkt-collection");
   const auto read =
       read_wkt(here.write("a.wkt",
@@ -102,11 +105,15 @@ TEST_CASE("a collection of polygons in well-known text is read, and one of anyth
   CHECK(read.value().segments.size() == 9);
   using Catch::Contains;
   CHECK_THAT(read_wkt(here.write("b.wkt", "GEOMETRYCOLLECTION(POINT(3 3))")).failure().message,
-             Contains("not 'POINT'"));
-  CHECK_FALSE(read_wkt(here.write("c.wkt",
-                                  "GEOMETRYCOLLECTION(GEOMETRYCOLLECTION("
-                                  "POLYGON((0 0,1 0,0 1,0 0))))"))
-                  .ok());
+             Contains("there is no polygon in it; points and lines: 1, a point on line 1"));
+  CHECK(read_wkt(here.write("c.wkt",
+                            "GEOMETRYCOLLECTION(GEOMETRYCOLLECTION("
+                            "POLYGON((0 0,1 0,0 1,0 0))))"))
+            .ok());
+  std::string deep = "POLYGON((0 0,1 0,0 1,0 0))";
+  for (int i = 0; i < 20; ++i) deep = "GEOMETRYCOLLECTION(" + deep + ")";
+  CHECK_THAT(read_wkt(here.write("e.wkt", deep)).failure().message,
+             Contains("e.wkt:1: collections are nested too deeply"));
   CHECK_FALSE(read_wkt(here.write("d.wkt", "GEOMETRYCOLLECTION(POLYGON((0 0,1 0,0 1,0 0))")).ok());
 }
 
@@ -120,16 +127,22 @@ TEST_CASE("polygons that are none are refused with the place") {
   };
   using Catch::Contains;
   CHECK_THAT(json("{\n\"type\": }"), Contains("a.geojson:2: this is not JSON"));
-  CHECK_THAT(json(R"({"type": "LineString", "coordinates": []})"), Contains("\"LineString\""));
+  CHECK_THAT(json(R"({"type": "LineString", "coordinates": []})"),
+             Contains("there is no polygon in it; points and lines: 1, the root, a LineString"));
+  CHECK_THAT(json(R"({"type": "Ellipse", "coordinates": []})"), Contains("the type is 'Ellipse'"));
+  CHECK_THAT(json(R"({"type": ["Polygon"], "coordinates": []})"),
+             Contains("the type is no string"));
   CHECK_THAT(json(R"({"type": "Polygon", "coordinates": [[[0,0],[1,"x"]]]})"),
              Contains("coordinates[0][1]: two finite numbers"));
   CHECK_THAT(json(R"({"type": "Polygon", "coordinates": [[[0,0],[1,1],[0,0]]]})"),
-             Contains("coordinates[0]: a ring of fewer than three corners"));
+             Contains("no polygon with an area in it; rings without area: 1, ring 1 of polygon 1"));
   CHECK_THAT(json(R"({"type": "FeatureCollection", "features": []})"), Contains("no polygon"));
   CHECK_THAT(json("[1]"), Contains("there is no \"type\""));
   CHECK_THAT(wkt("POLYGON ((0 0, 1 0,\n1 1, 0 x))"), Contains("a.wkt:2: coordinate"));
   CHECK_THAT(wkt("POINT (1 1)"), Contains("POLYGON or MULTIPOLYGON wanted"));
-  CHECK_THAT(wkt("POLYGON EMPTY"), Contains("'(' wanted"));
+  CHECK_THAT(wkt("POLYGON EMPTY"),
+             Contains("there is no polygon in it; empty geometries: 1, on line 1"));
+  CHECK_THAT(wkt("CURVEPOLYGON ((0 0, 1 0, 1 1, 0 0))"), Contains("not 'CURVEPOLYGON'"));
   CHECK_THAT(wkt("POLYGON ((0 0, 1 0, 1 1"), Contains("the end of the file"));
   CHECK_THAT(wkt(""), Contains("there is no polygon"));
 }
@@ -145,4 +158,93 @@ TEST_CASE("spoiled polygons are read or refused, and nothing else") {
     const auto read = read_geojson(here.write("a.geojson", text));
     if (read.ok()) static_cast<void>(check_domain(read.value()));
   }
+}
+
+TEST_CASE("what is empty, flat, no polygon or out of the plane is passed over with a note") {
+  const temporary_directory here("polygon-notes");
+  const auto read =
+      read_geojson(here.write("a.geojson", R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [0.5, 0.2]}},
+    {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+      [[[0,0],[4,0,1],[4,4],[0,4],[0,0]], [[1,1],[2,1],[1,1]], [[1,2],[2,3],[3,4],[1,2]],
+       [[1,1],[2,1],[2,2],[2,1],[1,1]]]}},
+    {"type": "Feature", "properties": {}, "geometry": {"type": "MultiPolygon", "coordinates": []}},
+    {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+      [[[7,7],[8,8],[9,9],[7,7]], [[0,0],[1,0],[1,1],[0,0]]]}},
+    {"type": "Feature", "properties": {}, "geometry": null}]})"));
+  INFO((read.ok() ? "" : read.failure().message));
+  REQUIRE(read.ok());
+  const auto& notes = read.value().origin.notes;
+  REQUIRE(notes.size() == 4);
+  using Catch::Contains;
+  CHECK_THAT(notes[0],
+             Contains("empty geometries passed over: 2, the first: features[2].geometry"));
+  CHECK_THAT(notes[1], Contains("points and lines passed over: 1, features[0].geometry, a Point"));
+  CHECK_THAT(notes[2], Contains("dropped: 1, features[1].geometry.coordinates[0][1]"));
+  CHECK_THAT(notes[3], Contains("rings without area dropped: 4, the first: ring 2 of polygon 1"));
+  const auto checked = check_domain(read.value());
+  REQUIRE(checked.ok());
+  CHECK(checked.value().segments.size() == 4);
+  CHECK(checked.value().segments[0].left_region == 2);
+}
+
+TEST_CASE("empty and other geometries in well-known text are passed over with a note") {
+  const temporary_directory here("wkt-notes");
+  const auto read =
+      read_wkt(here.write("a.wkt",
+                          "POLYGON EMPTY\nMULTIPOLYGON Z (EMPTY, ((0 0 0, 1 0 0, 0 1 0, 0 0 "
+                          "0)))\nLINESTRING(0 0, 1 1)\n"
+                          "MULTIPOINT((1 1),(2 2)); PolygonZ ((5 0 3, 6 0 3, 5 1 3, 5 0 3))"));
+  INFO((read.ok() ? "" : read.failure().message));
+  REQUIRE(read.ok());
+  CHECK(read.value().segments.size() == 6);
+  const auto& notes = read.value().origin.notes;
+  REQUIRE(notes.size() == 3);
+  using Catch::Contains;
+  CHECK_THAT(notes[0], Contains("empty geometries passed over: 2, the first: on line 1"));
+  CHECK_THAT(notes[1], Contains("passed over: 2, the first: a linestring on line 3"));
+  CHECK_THAT(notes[2], Contains("dropped: 4, the first: on line 4"));
+}
+
+TEST_CASE("rings that go there and back are dropped wherever they are, and no others") {
+  const temporary_directory here("flat-rings");
+  splitmix64 random(22);
+  for (int round = 0; round < 300; ++round) {
+    // Up to twelve corners and back over them, far from the origin now and then.
+    std::vector<point> there;
+    const double at = round % 3 == 0 ? 1e9 : 0;
+    const std::size_t count = 2 + random.bits() % 11;
+    for (std::size_t i = 0; i < count; ++i)
+      there.push_back({at + 1 + 2 * static_cast<double>(i) / 12, at + 1 + 2 * random.real()});
+    polygon shape;
+    shape.rings.push_back({{at, at}, {at + 4, at}, {at + 4, at + 4}, {at, at + 4}});
+    std::vector<point> ring = there;
+    ring.insert(ring.end(), there.rbegin() + 1, there.rend());
+    shape.rings.push_back(ring);
+    polygons_read read;
+    read.polygons = {shape};
+    const auto flat = domain_of_polygons(read, "flat");
+    REQUIRE(flat.ok());
+    CHECK(flat.value().segments.size() == 4);
+    CHECK(flat.value().origin.notes.size() == 1);
+    // One step aside makes it a ring that encloses something, however little.
+    if (there.size() < 3) continue;
+    read.polygons[0].rings[1][there.size()].y = std::nextafter(ring[there.size()].y, 1e300);
+    const auto thin = domain_of_polygons(read, "thin");
+    REQUIRE(thin.ok());
+    CHECK(thin.value().segments.size() > 4);
+  }
+}
+
+TEST_CASE("JSON that is nested without end is refused before anything follows it") {
+  const temporary_directory here("deep");
+  const std::string open(100000, '['), close(100000, ']');
+  using Catch::Contains;
+  for (const std::string& text :
+       {"{\"type\":" + open + close + "}", open, "{\"a\":\"]\",\n" + open})
+    CHECK_THAT(read_geojson(here.write("a.geojson", text)).failure().message,
+               Contains("lists and objects are nested too deeply"));
+  CHECK_THAT(
+      read_geojson(here.write("a.geojson", "{\"a\":\"[[\\\"[[\",\n" + open)).failure().message,
+      Contains("a.geojson:2:"));
 }

@@ -154,6 +154,16 @@ TEST_CASE("compressed arrays of a .vtu are read, in blocks, and refused where th
   refused("AgAAAAAAAAAIAAAAEQAAAA4AAAA=" + blocks, "do not have 24 bytes");
   refused("AgAAABAAAAAIAAAA/////w4AAAA=" + blocks, "longer than the file");
   refused(header + "AAAA" + blocks.substr(4), "is damaged");
+  // No blocks at all, of no bytes and of as many as a sum of sizes wraps around.
+  refused("AAAAAAAAAAAAAAAA",
+          "0 compressed blocks of 0 bytes, the last of 0, do not have 24 bytes");
+  refused("AAAAAP////8AAAAA", "do not have 24 bytes");
+  const std::string wide =
+      "byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"" + zlib + "\"";
+  CHECK(refusal("u.vtu", vtu(wide,
+                             "<DataArray type=\"Float64\" Name=\"b\" format=\"binary\">"
+                             "AAAAAAAAAAD//////////wAAAAAAAAAA</DataArray>\n"))
+            .find("do not have 24 bytes") != std::string::npos);
   CHECK(refusal("u.vtu", file("vtkLZ4DataCompressor", header + blocks)).find("with zlib") !=
         std::string::npos);
 }
@@ -178,6 +188,20 @@ TEST_CASE("spoiled .vtu files are refused with their line") {
   const std::string elsewhere = vtu("", "");
   CHECK(refusal("u.vtu", std::string(elsewhere).replace(elsewhere.find("1 0 0"), 5, "2 0 0"))
             .find("point 2 is at (2, 0)") != std::string::npos);
+}
+
+TEST_CASE("arrays of a .vtu at one place are no more than the file can hold") {
+  // 24 bytes of 0 behind their number, in base64, and arrays that all begin there.
+  std::string arrays;
+  for (int i = 0; i < 1000; ++i)
+    arrays +=
+        "<DataArray type=\"Float64\" Name=\"a\" NumberOfComponents=\"3\" offset=\"0\" "
+        "format=\"appended\"/>\n";
+  std::string file = vtu("byte_order=\"LittleEndian\"", arrays);
+  const std::string data = "<AppendedData encoding=\"base64\">_SAAAA" + std::string(96, 'A') +
+                           "</AppendedData></VTKFile>";
+  file.replace(file.find("</VTKFile>"), std::string::npos, data);
+  CHECK(refusal("u.vtu", file).find("more than a file of") != std::string::npos);
 }
 
 TEST_CASE("base64 stops at what is none, and goes on after padding") {
