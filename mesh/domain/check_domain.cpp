@@ -63,9 +63,14 @@ std::vector<bool> kept_vertices(const domain& d, const plane_graph& graph, const
   for (const graph_edge& e : graph.edges) on_segment[e.a] = on_segment[e.b] = true;
   for (const kept_edge& e : edges) kept[e.s.a] = kept[e.s.b] = true;
   repair_tally dropped(repairs.dropped_vertices);
+  std::vector<point> loose;
+  for (std::size_t v = 0; v < kept.size(); ++v)
+    if (!on_segment[v] && graph.first_alike[v] == v) loose.push_back(d.vertices[v]);
+  const std::vector<std::size_t> around = faces.faces_around(loose);
+  auto next = around.begin();
   for (std::size_t v = 0; v < kept.size(); ++v) {
     if (kept[v] || graph.first_alike[v] != v) continue;
-    kept[v] = !on_segment[v] && !removed[faces.face_around(d.vertices[v])];
+    kept[v] = !on_segment[v] && !removed[*next++];
     if (!kept[v]) dropped.add([&] { return names.at_vertex(v); }, [&] { return names.vertex(v); });
   }
   dropped.report("vertices outside of the domain dropped", repairs.messages);
@@ -104,10 +109,12 @@ domain assemble(const domain& d, const std::vector<bool>& kept,
     accepted.segments.push_back(s);
     edges.push_back({s.a, s.b, edges.size(), s.marker});
   }
+  if (d.holes.empty()) return accepted;
   // A hole that shared a segment with the outside is a part of it now, and needs no point.
   const face_map faces(accepted.vertices, edges);
-  for (const point& hole : d.holes)
-    if (faces.face_around(hole) != face_map::outside) accepted.holes.push_back(hole);
+  const std::vector<std::size_t> around = faces.faces_around(d.holes);
+  for (std::size_t h = 0; h < d.holes.size(); ++h)
+    if (around[h] != face_map::outside) accepted.holes.push_back(d.holes[h]);
   return accepted;
 }
 

@@ -2,7 +2,9 @@
 #include "asterism/mesh/domain/face_map.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "asterism/core/sign.hpp"
@@ -98,30 +100,63 @@ void face_map::join_walks() {
   std::size_t walks = 0;
   for (const std::size_t walk : face_of_) walks = std::max(walks, walk);
   joined_sets faces(walks + 1);
-  for (const std::size_t v : lowest) {
-    if (v == vertices_.size()) continue;
+  std::erase(lowest, vertices_.size());
+  std::vector<point> places;
+  for (const std::size_t v : lowest) places.push_back(vertices_[v]);
+  const std::vector<std::size_t> below = half_edges_below(places);
+  for (std::size_t i = 0; i < lowest.size(); ++i) {
     // All edges at v leave to the right or straight up: the wedge past the last one is outer.
-    const std::size_t outer_walk = face_of_[around_[v].back()];
-    const std::size_t below = half_edge_below(vertices_[v]);
-    faces.join(outer_walk, below == no_half_edge ? outside : face_of_[below]);
+    const std::size_t outer_walk = face_of_[around_[lowest[i]].back()];
+    faces.join(outer_walk, below[i] == no_half_edge ? outside : face_of_[below[i]]);
   }
   for (std::size_t& face : face_of_) face = faces.find(face);
 }
 
-// The ray runs down from q, moved to the left by an infinitesimal: it meets no vertex, and edges
-// that meet at q's place above or beside it do not count.
-std::size_t face_map::half_edge_below(const point& q) const {
-  const filtered_kernel kernel;
-  std::size_t best = no_half_edge;
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const point &a = vertices_[edges_[e].a], &b = vertices_[edges_[e].b];
-    if (std::min(a.y, b.y) > q.y || (a.x < q.x) == (b.x < q.x)) continue;
-    const std::size_t h = a.x < b.x ? 2 * e : 2 * e + 1;
-    const point &left = vertices_[origin(h)], &right = vertices_[origin(twin(h))];
-    if (kernel.orientation(left, right, q) != sign::positive) continue;
-    if (best == no_half_edge || is_above(h, best)) best = h;
+// Orders half-edges that run to the right over one place from below, and a point above those that
+// pass below it.
+struct face_map::by_height {
+  using is_transparent = void;
+  const face_map& map;
+
+  bool operator()(std::size_t g, std::size_t h) const { return map.is_above(h, g); }
+  bool operator()(std::size_t g, const point& q) const {
+    return filtered_kernel().orientation(map.vertices_[map.origin(g)],
+                                         map.vertices_[map.origin(twin(g))], q) == sign::positive;
   }
-  return best;
+};
+
+// Sweeps over the plane from the left. A ray runs down from each point, moved to the left by an
+// infinitesimal: it meets no vertex, and edges that meet at the point's place above or beside it do
+// not count. So an edge is passed where it begins before the place and ends there or beyond.
+std::vector<std::size_t> face_map::half_edges_below(const std::vector<point>& points) const {
+  const auto left = [&](std::size_t h) { return vertices_[origin(h)].x; };
+  const auto right = [&](std::size_t h) { return vertices_[origin(twin(h))].x; };
+  std::vector<std::size_t> begins;
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    if (left(2 * e) != right(2 * e))
+      begins.push_back(left(2 * e) < right(2 * e) ? 2 * e : 2 * e + 1);
+  std::vector<std::size_t> ends = begins, order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto sort_by = [](std::vector<std::size_t>& all, const auto& x) {
+    std::sort(all.begin(), all.end(), [&](std::size_t i, std::size_t j) { return x(i) < x(j); });
+  };
+  sort_by(begins, left);
+  sort_by(ends, right);
+  sort_by(order, [&](std::size_t i) { return points[i].x; });
+  std::set<std::size_t, by_height> passed(by_height{*this});
+  std::vector<std::size_t> below(points.size(), no_half_edge);
+  auto first = begins.begin(), last = ends.begin();
+  for (const std::size_t i : order) {
+    const point& q = points[i];
+    for (; first != begins.end() && left(*first) < q.x; ++first) {
+      for (; last != ends.end() && right(*last) <= left(*first); ++last) passed.erase(*last);
+      passed.insert(*first);
+    }
+    for (; last != ends.end() && right(*last) < q.x; ++last) passed.erase(*last);
+    const auto above = passed.lower_bound(q);
+    if (above != passed.begin()) below[i] = *std::prev(above);
+  }
+  return below;
 }
 
 // True if g is above h. Both run to the right, do not cross, and have an interval of x in common.
@@ -136,9 +171,10 @@ bool face_map::is_above(std::size_t g, std::size_t h) const {
   return above == sign::positive;
 }
 
-std::size_t face_map::face_around(const point& q) const {
-  const std::size_t below = half_edge_below(q);
-  return below == no_half_edge ? outside : face_of_[below];
+std::vector<std::size_t> face_map::faces_around(const std::vector<point>& points) const {
+  std::vector<std::size_t> faces = half_edges_below(points);
+  for (std::size_t& f : faces) f = f == no_half_edge ? outside : face_of_[f];
+  return faces;
 }
 
 std::size_t face_map::edge_through(const point& q) const {

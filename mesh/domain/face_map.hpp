@@ -6,7 +6,8 @@
 // Half-edge 2e runs along edge e from a to b, 2e + 1 the other way. Walking with the face on the
 // left gives closed walks; a face has one walk for each connected part of its border. The walk
 // around the outer side of each part is joined to the face it lies in by shooting one ray from the
-// part's lowest vertex, lexicographically. Every decision is an exact orientation sign.
+// part's lowest vertex, lexicographically, in one sweep for all parts. Every decision is an exact
+// orientation sign.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +26,9 @@ class face_map {
 
   static constexpr std::size_t outside = 0;  // the unbounded face
   std::size_t left_of(std::size_t half_edge) const { return face_of_[half_edge]; }
-  // Returns the face around `q`, which must be on no edge.
-  std::size_t face_around(const point& q) const;
+  // Returns the face around each point, none of which means anything on an edge. Time: O((n + k)
+  // log n) for n edges and k points.
+  std::vector<std::size_t> faces_around(const std::vector<point>& points) const;
   // Returns the edge that `q` lies on, ends included; edges.size() when there is none.
   std::size_t edge_through(const point& q) const;
 
@@ -35,9 +37,10 @@ class face_map {
   void sort_around_vertices();
   void walk_faces();
   void join_walks();
-  // Returns the half-edge that passes below `q` nearest to it, a hair to the left of q, running to
-  // the right; no_half_edge when nothing is below.
-  std::size_t half_edge_below(const point& q) const;
+  struct by_height;
+  // Returns, for each point, the half-edge that passes below it nearest to it, a hair to its left,
+  // running to the right; no_half_edge when nothing is below.
+  std::vector<std::size_t> half_edges_below(const std::vector<point>& points) const;
   bool is_above(std::size_t e, std::size_t f) const;
 
   static constexpr std::size_t no_half_edge = static_cast<std::size_t>(-1);

@@ -17,19 +17,19 @@ namespace {
 
 using failure = std::optional<error>;
 
-// Returns the face around q. `place` and `name` are what messages call it.
-result<std::size_t> bounded_face(const domain& d, const plane_graph& graph, const face_map& faces,
-                                 const point& q, const std::string& place,
-                                 const std::string& name) {
+// Checks that q, around which that face is, is on no edge and not outside. `place` and `name` are
+// what messages call it.
+failure check_bounded(const domain& d, const plane_graph& graph, const face_map& faces,
+                      const point& q, std::size_t face, const std::string& place,
+                      const std::string& name) {
   const domain_names names(d);
   const std::size_t edge = faces.edge_through(q);
   if (edge < graph.edges.size()) {
     const std::size_t s = graph.edges[edge].source;
     return error{place + name + " lies on " + names.segment(s) + names.line_of_segment(s)};
   }
-  const std::size_t face = faces.face_around(q);
   if (face == face_map::outside) return error{place + name + " lies outside of the domain"};
-  return face;
+  return {};
 }
 
 // Reports rings that enclose nothing, and features that overlap.
@@ -55,10 +55,12 @@ void tell_polygons(const domain& d, const plane_graph& graph, const polygon_face
 failure remove_holes(const domain& d, const plane_graph& graph, const face_map& faces,
                      domain_parts& parts) {
   const domain_names names(d);
+  const std::vector<std::size_t> around = faces.faces_around(d.holes);
   for (std::size_t h = 0; h < d.holes.size(); ++h) {
-    const auto face = bounded_face(d, graph, faces, d.holes[h], names.at_hole(h), names.hole(h));
-    if (!face) return face.failure();
-    parts.removed[face.value()] = true;
+    if (auto failed =
+            check_bounded(d, graph, faces, d.holes[h], around[h], names.at_hole(h), names.hole(h)))
+      return failed;
+    parts.removed[around[h]] = true;
   }
   return {};
 }
@@ -80,13 +82,16 @@ using named_faces = std::map<std::size_t, std::size_t>;
 failure name_faces(const domain& d, const plane_graph& graph, const face_map& faces,
                    const domain_parts& parts, named_faces& named) {
   const domain_names names(d);
+  std::vector<point> places;
+  for (const region_point& r : d.regions) places.push_back(r.at);
+  const std::vector<std::size_t> around = faces.faces_around(places);
   for (std::size_t r = 0; r < d.regions.size(); ++r) {
-    const auto face =
-        bounded_face(d, graph, faces, d.regions[r].at, names.at_region(r), names.region(r));
-    if (!face) return face.failure();
-    if (parts.removed[face.value()])
+    if (auto failed = check_bounded(d, graph, faces, places[r], around[r], names.at_region(r),
+                                    names.region(r)))
+      return failed;
+    if (parts.removed[around[r]])
       return error{names.at_region(r) + names.region(r) + " lies in a hole"};
-    const auto [first, is_new] = named.try_emplace(face.value(), r);
+    const auto [first, is_new] = named.try_emplace(around[r], r);
     if (!is_new && d.regions[first->second].number != d.regions[r].number)
       return error{names.at_region(r) + names.region(r) + " and " + names.region(first->second) +
                    " give different numbers to one region"};

@@ -30,8 +30,9 @@ std::vector<graph_edge> edges_of(const snapped_graph& graph) {
 std::set<std::size_t> removed_faces(const domain& d, const std::vector<graph_edge>& edges,
                                     const face_map& faces) {
   std::set<std::size_t> removed = {face_map::outside};
-  for (const point& hole : d.holes)
-    if (faces.edge_through(hole) == edges.size()) removed.insert(faces.face_around(hole));
+  const std::vector<std::size_t> around = faces.faces_around(d.holes);
+  for (std::size_t h = 0; h < d.holes.size(); ++h)
+    if (faces.edge_through(d.holes[h]) == edges.size()) removed.insert(around[h]);
   return removed;
 }
 

@@ -294,6 +294,20 @@ TEST_CASE("random polygons contain what their formats say, cell by cell, and are
     }
     const domain made = accepted(d);
     CHECK(areas(made) == wanted);
+    // Points on no segment stay where the domain is around them.
+    domain dotted = d;
+    std::vector<point> inside;
+    for (int x = 0; x < grid; ++x)
+      for (int y = 0; y < grid; ++y) {
+        dotted.vertices.push_back({x + 0.5, y + 0.25});
+        if (std::any_of(all.begin(), all.end(), [&](const auto& p) { return p.has(x, y); }))
+          inside.push_back(dotted.vertices.back());
+      }
+    const domain spotted = accepted(dotted);
+    std::vector<point> kept;
+    for (const point& p : spotted.vertices)
+      if (p.x != std::floor(p.x)) kept.push_back(p);
+    CHECK(kept == inside);
     domain_repairs repairs;
     const domain again = accepted(made, &repairs);
     CHECK_FALSE(repairs.any());
