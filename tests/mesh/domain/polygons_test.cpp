@@ -15,6 +15,7 @@
 #include "asterism/mesh/domain/repair_domain.hpp"
 
 using namespace asterism;
+using internal::splitmix64;
 
 namespace {
 

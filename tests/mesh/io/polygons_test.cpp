@@ -139,7 +139,8 @@ TEST_CASE("polygons that are none are refused with the place") {
   CHECK_THAT(json(R"({"type": "FeatureCollection", "features": []})"), Contains("no polygon"));
   CHECK_THAT(json("[1]"), Contains("there is no \"type\""));
   CHECK_THAT(wkt("POLYGON ((0 0, 1 0,\n1 1, 0 x))"), Contains("a.wkt:2: coordinate"));
-  CHECK_THAT(wkt("POINT (1 1)"), Contains("POLYGON or MULTIPOLYGON wanted"));
+  CHECK_THAT(wkt("POINT (1 1)"),
+             Contains("there is no polygon in it; points and lines: 1, a point"));
   CHECK_THAT(wkt("POLYGON EMPTY"),
              Contains("there is no polygon in it; empty geometries: 1, on line 1"));
   CHECK_THAT(wkt("CURVEPOLYGON ((0 0, 1 0, 1 1, 0 0))"), Contains("not 'CURVEPOLYGON'"));
