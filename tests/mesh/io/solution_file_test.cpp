@@ -191,17 +191,25 @@ TEST_CASE("spoiled .vtu files are refused with their line") {
 }
 
 TEST_CASE("arrays of a .vtu at one place are no more than the file can hold") {
-  // 24 bytes of 0 behind their number, in base64, and arrays that all begin there.
-  std::string arrays;
-  for (int i = 0; i < 1000; ++i)
-    arrays +=
-        "<DataArray type=\"Float64\" Name=\"a\" NumberOfComponents=\"3\" offset=\"0\" "
-        "format=\"appended\"/>\n";
-  std::string file = vtu("byte_order=\"LittleEndian\"", arrays);
-  const std::string data = "<AppendedData encoding=\"base64\">_SAAAA" + std::string(96, 'A') +
-                           "</AppendedData></VTKFile>";
-  file.replace(file.find("</VTKFile>"), std::string::npos, data);
-  CHECK(refusal("u.vtu", file).find("more than a file of") != std::string::npos);
+  mesh m;
+  for (int i = 0; i < 100; ++i) m.sites.push_back({{static_cast<double>(i), 0}, {1, 0, 1}});
+  const auto file = [](int arrays) {
+    std::string text =
+        "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"100\">"
+        "<PointData>";
+    for (int i = 0; i < arrays; ++i)
+      text += "<DataArray type=\"Float64\" Name=\"a\" offset=\"0\" format=\"appended\"/>";
+    // 800, then as many bytes of 0.
+    return text + "</PointData></Piece></UnstructuredGrid><AppendedData encoding=\"base64\">_IAMA" +
+           std::string(1068, 'A') + "</AppendedData></VTKFile>";
+  };
+  const temporary_directory folder("solution");
+  const auto one = read_solution(folder.write("one.vtu", file(1)), m);
+  INFO((one.ok() ? "" : one.failure().message));
+  CHECK(one.ok());
+  const auto many = read_solution(folder.write("many.vtu", file(20)), m);
+  REQUIRE_FALSE(many.ok());
+  CHECK(many.failure().message.find("more than a file of") != std::string::npos);
 }
 
 TEST_CASE("base64 stops at what is none, and goes on after padding") {
