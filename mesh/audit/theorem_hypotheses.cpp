@@ -127,6 +127,14 @@ double radius_that_matters(const mesh& m, double covering_radius) {
   return std::min(covering_radius, 0.5 * shortest);
 }
 
+// An upper bound of how metrics differ; infinite where products of their entries leave the range of
+// doubles.
+std::string difference_text(double distortion) {
+  if (!(distortion < std::numeric_limits<double>::infinity()))
+    return "differ by a factor that doubles do not tell";
+  return "differ by a factor of " + format_number(distortion);
+}
+
 // Measures the pair of v and w. Most are within what was measured before.
 void measure_near_pair(const mesh& m, vertex_index v, vertex_index w, double radius,
                        measured_part& part) {
@@ -143,8 +151,8 @@ void measure_near_pair(const mesh& m, vertex_index v, vertex_index w, double rad
   part.pairs.variation_above = greatest_bound(part.pairs.variation_above, pair.variation_above);
   if (!(pair.distortion_above < useless_distortion))
     part.failure = "the metrics of " + vertex_name(v) + " and " + vertex_name(w) +
-                   ", whose disks of the covering radius meet, differ by a factor of " +
-                   format_number(pair.distortion_above);
+                   ", whose disks of the covering radius meet, " +
+                   difference_text(pair.distortion_above);
 }
 
 // The sites in the order of a tree, in which near ones are near each other, and where each is.
@@ -281,8 +289,7 @@ std::string obstacle(const theorem_hypotheses& h, const std::array<vertex_index,
                               " apart, where the domain is covered within " +
                               format_number(h.covering_radius);
   if (!wedged)
-    return spacing + ": arcs need not be wedged where metrics differ by a factor of " +
-           format_number(h.distortion);
+    return spacing + ": arcs need not be wedged where metrics " + difference_text(h.distortion);
   return "at sigma eps " + format_number(h.sigma_eps) + " no more than " +
          format_number(h.proved_angle) + " degrees are proved (" + spacing + ")";
 }

@@ -14,6 +14,7 @@
 #include "asterism/mesh/transfer/locate.hpp"
 #include "asterism/mesh/transfer/mass_matrix.hpp"
 #include "asterism/mesh/transfer/supermesh.hpp"
+#include "asterism/mesh/transfer/transfer_scale.hpp"
 #include "asterism/mesh/transfer/triangle_overlap.hpp"
 
 namespace asterism {
@@ -110,32 +111,34 @@ std::optional<error> check(const mesh& from, const solution& values, const mesh&
   return std::nullopt;
 }
 
-// Refuses numbers of which products left the range of doubles.
-std::optional<error> check_finite(const transfer_report& report,
-                                  const std::vector<std::vector<double>>& after) {
+// Refuses numbers that no double holds.
+std::optional<error> check_finite(const transfer_report& report, const solution& after) {
   const auto bad = [](const std::string& what) {
     return error{what +
-                 " is not finite: coordinates or values are so large, or so small, that their "
-                 "products leave the range of doubles; give both in other units"};
+                 " is not finite: coordinates or values are so large that no double holds it; give "
+                 "them in other units"};
   };
   for (const double area : {report.area_before, report.area_after, report.area_common})
     if (!std::isfinite(area)) return bad("the area of a mesh");
-  for (std::size_t f = 0; f < after.size(); ++f) {
-    const transferred_component& c = report.components[f];
-    for (std::size_t v = 0; v < after[f].size(); ++v)
-      if (!std::isfinite(after[f][v]))
-        return bad("field " + quoted_token(c.name) + " at vertex " + std::to_string(v + 1));
-    if (!std::isfinite(c.integral_before) || !std::isfinite(c.integral_after))
-      return bad("the integral of field " + quoted_token(c.name));
+  std::size_t component = 0;
+  for (const solution_field& f : after.fields) {
+    const std::size_t count = components_of(f.kind);
+    for (std::size_t i = 0; i < f.values.size(); ++i)
+      if (!std::isfinite(f.values[i]))
+        return bad("field " + quoted_token(report.components[component + i % count].name) +
+                   " at vertex " + std::to_string(i / count + 1));
+    for (std::size_t c = 0; c < count; ++c, ++component) {
+      const transferred_component& one = report.components[component];
+      if (!std::isfinite(one.integral_before) || !std::isfinite(one.integral_after))
+        return bad("the integral of field " + quoted_token(one.name));
+    }
   }
   return std::nullopt;
 }
 
-}  // namespace
-
-result<transferred_solution> transfer_solution(const mesh& from, const solution& values,
+// Transfers what is of ordinary size (mesh/transfer/transfer_scale.hpp).
+result<transferred_solution> transfer_ordinary(const mesh& from, const solution& values,
                                                const mesh& to, transfer_method how) {
-  if (auto failed = check(from, values, to)) return *failed;
   const mesh_links old_links(from), new_links(to);
   auto located = locate_vertices(from, old_links, to, new_links);
   if (!located) return located.failure();
@@ -162,8 +165,22 @@ result<transferred_solution> transfer_solution(const mesh& from, const solution&
     report.components.push_back({before[f].name, integral(from, before[f].values),
                                  integral(to, after[f]), *low, *high, *least, *greatest});
   }
-  if (auto failed = check_finite(report, after)) return *failed;
   return transferred_solution{assembled(values, after, to.sites.size()), std::move(report)};
+}
+
+}  // namespace
+
+result<transferred_solution> transfer_solution(const mesh& from, const solution& values,
+                                               const mesh& to, transfer_method how) {
+  if (auto failed = check(from, values, to)) return *failed;
+  const transfer_scale scale = scale_of(from, values, to);
+  auto made = scale.is_one() ? transfer_ordinary(from, values, to, how)
+                             : transfer_ordinary(divided(from, scale), divided(values, scale),
+                                                 divided(to, scale), how);
+  if (!made) return made;
+  multiply(made.value(), scale);
+  if (auto failed = check_finite(made.value().report, made.value().values)) return *failed;
+  return made;
 }
 
 }  // namespace asterism

@@ -52,10 +52,10 @@ struct transferred_solution {
 // Transfers all fields, tensors entry by entry. Requires triangulations of domains that differ by
 // little: new triangles that are partly outside the old mesh take the interpolated values, and
 // count. Nothing is read across a gap: a vertex outside gets its value from the triangles joined to
-// those of its neighbours. Fails where a part of the new mesh does not touch the old one, and for a
-// solution that is not on `from`, and where areas, integrals or values leave the range of doubles.
-// Time and memory are linear in the triangles and their common parts; parallel, the same for any
-// number of threads.
+// those of its neighbours. Fails where a part of the new mesh does not touch the old one, for a
+// solution that is not on `from`, and where an area or an integral is beyond all doubles. Scaled by
+// powers of two, places or values, the outcome is the same, scaled. Time and memory are linear in
+// the triangles and their common parts; parallel, the same for any number of threads.
 ASTERISM_EXPORT result<transferred_solution> transfer_solution(const mesh& from,
                                                                const solution& values,
                                                                const mesh& to, transfer_method how);

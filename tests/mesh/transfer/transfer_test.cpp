@@ -292,6 +292,55 @@ TEST_CASE("all kinds of fields are transferred, component by component") {
   CHECK_FALSE(transfer_solution(from, s, to, transfer_method::project).ok());
 }
 
+namespace {
+
+mesh times(mesh m, int power) {
+  for (site& s : m.sites)
+    s.position = {std::scalbn(s.position.x, power), std::scalbn(s.position.y, power)};
+  return m;
+}
+
+solution times(solution s, int power) {
+  for (double& u : s.fields[0].values) u = std::scalbn(u, power);
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("a transfer scaled by powers of two is the same, scaled, as far as doubles go") {
+  const mesh from = grid(7, 7), to = grid(9, 9);
+  const solution u = scalar(from, bump);
+  const std::pair<int, int> scales[] = {{498, 0},   {-498, 0},    {0, 990},   {0, -990},
+                                        {250, 500}, {-250, -500}, {498, 20},  {-498, 900},
+                                        {30, 299},  {-400, -400}, {31, -300}, {500, -1000}};
+  for (const transfer_method how : methods) {
+    const transferred_solution ordinary = moved(from, u, to, how);
+    for (const auto& [of_places, of_values] : scales) {
+      CAPTURE(static_cast<int>(how), of_places, of_values);
+      const auto far =
+          moved(times(from, of_places), times(u, of_values), times(to, of_places), how);
+      CHECK(far.values.fields[0].values == times(ordinary.values, of_values).fields[0].values);
+      CHECK(far.report.area_after == std::scalbn(ordinary.report.area_after, 2 * of_places));
+      CHECK(far.report.components[0].integral_after ==
+            std::scalbn(ordinary.report.components[0].integral_after, 2 * of_places + of_values));
+    }
+  }
+}
+
+TEST_CASE("areas and integrals that no double holds are refused, by name") {
+  const mesh m = grid(4, 4);
+  const solution u = scalar(m, bump);
+  const mesh wide = times(m, 540), less_wide = times(m, 400);
+  for (const transfer_method how : methods) {
+    const auto area = transfer_solution(wide, u, wide, how);
+    REQUIRE_FALSE(area.ok());
+    CHECK(area.failure().message.find("the area of a mesh is not finite") == 0);
+    const auto integral = transfer_solution(less_wide, times(u, 400), less_wide, how);
+    REQUIRE_FALSE(integral.ok());
+    CHECK(integral.failure().message.find("the integral of field 'u' is not finite") == 0);
+  }
+}
+
 TEST_CASE("common parts add up to the triangle, and degenerate positions are no exception") {
   splitmix64 random(11);
   const auto coordinate = [&] { return static_cast<double>(random.below(5)); };

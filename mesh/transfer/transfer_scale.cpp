@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/transfer/transfer_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asterism::internal {
+namespace {
+
+double largest_coordinate(const mesh& m) {
+  double largest = 0;
+  for (const site& s : m.sites)
+    largest = std::max({largest, std::abs(s.position.x), std::abs(s.position.y)});
+  return largest;
+}
+
+double largest_value(const solution_field& f) {
+  double largest = 0;
+  for (const double u : f.values) largest = std::max(largest, std::abs(u));
+  return largest;
+}
+
+// Returns the power of two of a number that is beyond ordinary ones, else 0.
+int power_beyond(double largest, int ordinary) {
+  if (!(largest > 0)) return 0;
+  const int power = std::ilogb(largest);
+  return std::abs(power) > ordinary ? power : 0;
+}
+
+// Returns by how many powers of two values are to be divided to become ordinary: no more than it
+// takes, so that small ones among them are not lost.
+int power_to_ordinary(double largest, int ordinary) {
+  const int power = power_beyond(largest, ordinary);
+  return power - std::clamp(power, -ordinary, ordinary);
+}
+
+void multiply(solution& s, const transfer_scale& scale, int sign) {
+  for (std::size_t f = 0; f < s.fields.size(); ++f)
+    if (const int power = sign * scale.of_fields[f]; power != 0)
+      for (double& u : s.fields[f].values) u = std::scalbn(u, power);
+}
+
+}  // namespace
+
+bool transfer_scale::is_one() const {
+  return of_places == 0 &&
+         std::all_of(of_fields.begin(), of_fields.end(), [](int power) { return power == 0; });
+}
+
+transfer_scale scale_of(const mesh& from, const solution& values, const mesh& to) {
+  // Squares of products of an area and a value are up to 2^(4 * 32 + 2 * 300).
+  constexpr int ordinary_place = 32, ordinary_value = 300;
+  transfer_scale scale;
+  scale.of_places =
+      power_beyond(std::max(largest_coordinate(from), largest_coordinate(to)), ordinary_place);
+  for (const solution_field& f : values.fields)
+    scale.of_fields.push_back(power_to_ordinary(largest_value(f), ordinary_value));
+  return scale;
+}
+
+mesh divided(mesh m, const transfer_scale& scale) {
+  for (site& s : m.sites)
+    s.position = {std::scalbn(s.position.x, -scale.of_places),
+                  std::scalbn(s.position.y, -scale.of_places)};
+  return m;
+}
+
+solution divided(solution s, const transfer_scale& scale) {
+  multiply(s, scale, -1);
+  return s;
+}
+
+void multiply(transferred_solution& made, const transfer_scale& scale) {
+  multiply(made.values, scale, 1);
+  transfer_report& report = made.report;
+  const int of_areas = 2 * scale.of_places;
+  for (double* const area : {&report.area_before, &report.area_after, &report.area_common})
+    *area = std::scalbn(*area, of_areas);
+  report.greatest_distance = std::scalbn(report.greatest_distance, scale.of_places);
+  auto component = report.components.begin();
+  for (std::size_t f = 0; f < made.values.fields.size(); ++f) {
+    const int power = scale.of_fields[f];
+    for (std::size_t c = 0; c < components_of(made.values.fields[f].kind); ++c, ++component) {
+      transferred_component& one = *component;
+      for (double* const value :
+           {&one.least_before, &one.greatest_before, &one.least_after, &one.greatest_after})
+        *value = std::scalbn(*value, power);
+      for (double* const integral : {&one.integral_before, &one.integral_after})
+        *integral = std::scalbn(*integral, power + of_areas);
+    }
+  }
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Powers of two by which places and values are divided while a solution is transferred. Areas,
+// their products with values, and the squares of those stay within what doubles hold then: beyond
+// that a projection is another one, or none. No bit of a mantissa changes.
+#pragma once
+
+#include <vector>
+
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/solution.hpp"
+#include "asterism/mesh/transfer/transfer.hpp"
+
+namespace asterism::internal {
+
+struct transfer_scale {
+  int of_places = 0;           // as a power of two, and so are the others
+  std::vector<int> of_fields;  // one a field of the solution
+
+  bool is_one() const;
+};
+
+// Returns zeros where all is of ordinary size: the largest place and
+// the largest value of each field. Places are brought to about 1, values as far as is needed.
+transfer_scale scale_of(const mesh& from, const solution& values, const mesh& to);
+
+// Return the same with places, or values, divided. What becomes too small for a double is rounded:
+// it is 2^-700 of the largest, or less.
+mesh divided(mesh m, const transfer_scale& scale);
+solution divided(solution s, const transfer_scale& scale);
+
+// Multiplies what was made again, values and report. What no double holds becomes infinite.
+void multiply(transferred_solution& made, const transfer_scale& scale);
+
+}  // namespace asterism::internal
