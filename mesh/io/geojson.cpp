@@ -148,6 +148,8 @@ result<domain> parse_geojson(std::string_view text, const std::string& name) {
     return error{name + ": " + without_controls(e.what()), error_code::malformed_file};
   } catch (const json::parse_error& e) {
     return at_line(line_of_byte(text, e.byte), "this is not JSON");
+  } catch (const json::out_of_range&) {
+    return error{name + ": a number is beyond the range of doubles", error_code::malformed_file};
   } catch (const json::exception&) {
     return error{name + ": this is not GeoJSON", error_code::malformed_file};
   }

@@ -137,6 +137,8 @@ TEST_CASE("polygons that are none are refused with the place") {
   CHECK_THAT(json(R"({"type": "Polygon", "coordinates": [[[0,0],[1,1],[0,0]]]})"),
              Contains("no polygon with an area in it; rings without area: 1, ring 1 of polygon 1"));
   CHECK_THAT(json(R"({"type": "FeatureCollection", "features": []})"), Contains("no polygon"));
+  CHECK_THAT(json(R"({"type": "Polygon", "coordinates": [[[0,0],[1e999,0],[1,1]]]})"),
+             Contains("a number is beyond the range of doubles"));
   CHECK_THAT(json("[1]"), Contains("there is no \"type\""));
   CHECK_THAT(wkt("POLYGON ((0 0, 1 0,\n1 1, 0 x))"), Contains("a.wkt:2: coordinate"));
   CHECK_THAT(wkt("POINT (1 1)"),
