@@ -352,6 +352,7 @@ TEST_CASE("a certificate without options passed for completed, whatever was deli
   CHECK_THAT(first_of(), Contains("where 2.3 is tolerated"));
   made.c.options["metric-tolerance"] = "soon";
   CHECK_THAT(first_of(), Contains("is no number of at least 0"));
+  made.c.delivered.reset();
   made.c.options = {{"size", "1"}};
   CHECK_THAT(first_of(), Contains("\"asked.metric\" names no metric"));
 }
