@@ -63,9 +63,12 @@ class Polygons(CommandTest):
         self.check("a.wkt", "MULTIPOLYGON(((0 0,3 0,3 3,0 3,0 0),(1 1,2 1,2 2,1 2,1 1)),"
                             "((1 1,2 1,2 2,1 2,1 1)))", {1: 9})
         lines = (self.folder / "m.mesh").read_text().split("\n")
+        at, count = section(lines, "Vertices")
+        near = {k for k, line in enumerate(lines[at:at + count], 1)
+                if all(1 <= float(x) <= 2 for x in line.split()[:2])}
         at, count = section(lines, "Edges")
-        ends = {frozenset(map(int, line.split()[:2])) for line in lines[at:at + count]}
-        self.assertGreater(len(ends), 12)  # the ring between is there, too
+        between = [line for line in lines[at:at + count] if near.issuperset(map(int, line.split()[:2]))]
+        self.assertGreaterEqual(len(between), 4)  # the ring between is there, too
 
     def test_a_gap_between_parts_that_touch_in_points(self):
         self.check("a.wkt", "MULTIPOLYGON(((0 0,3 0,2 1,1 1,0 0)),((3 0,3 3,2 2,2 1,3 0)),"
@@ -101,9 +104,6 @@ class Polygons(CommandTest):
         self.check("a.geojson", features(polygon(box(1, 1, 2, 2)), polygon(box(0, 0, 4, 4))), {1: 1, 2: 15},
                    notes=[note])
         self.check("a.geojson", features(polygon(box(0, 0, 4, 4)), polygon(box(0, 0, 4, 4))), {1: 16}, notes=[note])
-        done = self.run_command("mesh", "a.geojson", "--strict", "-o", "strict.mesh")
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("features overlap", done.stderr)
 
     def test_what_is_passed_over_is_told(self):
         line = {"type": "LineString", "coordinates": [[0, 0], [1, 1]]}
