@@ -34,6 +34,7 @@
 #include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/solution_output.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
@@ -57,6 +58,7 @@ struct adapt_job {
   std::optional<double> chord_tolerance, max_seconds;
   std::size_t threads = 0;
   bool quiet = false, json = false;
+  bool strict = false;  // what readers change is refused
 };
 
 constexpr double vertices_of_unit_edges = 2 / std::numbers::sqrt3;  // for each of complexity
@@ -160,8 +162,10 @@ std::optional<error> take_target(const metric_request& request, const requested_
 result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   auto wanted = answer(job.request);
   if (!wanted) return wanted.failure();
+  if (auto refused = say_notes(wanted.value().background.notes, {job.quiet, job.strict}))
+    return *refused;
   adapted made{std::move(wanted).value(), {}, {}, {}};
-  const auto marks = read_medit_marks(job.request.mesh);
+  const auto marks = read_mesh_marks(job.request.mesh);
   if (!marks) return marks.failure();
   mesh_adaptation_options options = job.options;
   if (auto failed = take_target(job.request, made.wanted, options)) return *failed;
@@ -180,8 +184,24 @@ result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   return made;
 }
 
+// Enters what the regions were in the mesh given, those among them that are no more.
+void note_areas_before(const mesh& before, std::vector<region_area>& regions) {
+  const areas_by_region areas = areas_of_regions(before);
+  if (regions.empty() && areas.size() == 1 && areas.begin()->first == 1) return;
+  std::map<int, region_area> all;
+  for (const region_area& r : regions) all[r.number] = r;
+  for (const auto& [number, area] : areas) all[number].before = area;
+  regions.clear();
+  for (auto& [number, r] : all) {
+    r.number = number;
+    if (!r.before) r.before = 0;
+    regions.push_back(r);
+  }
+}
+
 void describe(const adapt_job& job, adapted& made) {
   certificate& claim = made.next.made.claim;
+  note_areas_before(made.wanted.background, claim.regions);
   claim.metric = name_of(job.request);
   const auto adopted = adopt_mesh(made.wanted.background);
   std::string fingerprint = "none";
@@ -231,6 +251,7 @@ written_paths written_files(const adapt_job& job, const fs::path& certificate_pa
 std::optional<error> write_all(const adapt_job& job, const fs::path& certificate_path,
                                const adapted& made) {
   write_options options;
+  options.names = names_in(job.request.mesh);
   const certificate& claim = made.next.made.claim;
   if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, made);
   if (!claim.complete || !claim.certified)
@@ -395,6 +416,7 @@ void add_adapt_command(CLI::App& program, command& chosen) {
   auto* const quiet = app->add_flag("--quiet", job->quiet, "No progress, no summary");
   app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
       ->excludes(quiet);
+  app->add_flag("--strict", job->strict, "Refuse input of which something would be changed, noted");
   app->footer(examples);
   app->callback([job, &chosen] { chosen = [job] { return run_adapt(*job); }; });
 }

@@ -15,6 +15,7 @@
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/json_summary.hpp"
+#include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
@@ -64,7 +65,8 @@ m11 m12 m22 at each vertex (default: NAME.sol beside NAME.mesh), or is BAMG's NA
 --size give it by a formula instead, as for 'asterism mesh'. The domain is what the file's Edges
 enclose, or, when it lists none, the edges with one triangle. An edge listed with triangles on both
 sides is a segment if the file requires it (RequiredEdges), or gives it a reference other than 0 in
-a list that leaves inner edges out. Certified means: every triangle is in
+a list that leaves inner edges out, or has triangles of different references on its sides. With
+--repair every edge between triangles of different references is one, listed or not. Certified means: every triangle is in
 the stars of its three vertices, none is inverted, none is below the bound as any of the three
 measures it, but the domain's own angle at corners that are sharper themselves.
 
@@ -243,6 +245,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   if (const auto failure = write_result(options, outcome.result, claim, facts))
     return complain(*failure, not_reached);
   const bool reached = made.value().certified();
+  if (!claim.regions.empty()) std::cout << regions_text(claim.regions) << '\n';
   std::cout << "repaired: " << outcome.sites << " sites, "
             << outcome.sites - adopted.subject.sites.size() << " of them new, " << outcome.triangles
             << " triangles, " << worst_angle_text(judged.worst().degrees) << ": "
@@ -289,8 +292,11 @@ result<measured_mesh> read_measured(const certify_options& options) {
     if (!made) return made.failure();
     formula = std::move(made).value();
   }
-  auto adopted = adopt_mesh(std::move(read).value());
+  // What is repaired is a domain; what is judged is taken as it says itself.
+  auto adopted = adopt_mesh(std::move(read).value(),
+                            options.repair ? region_edges::segments : region_edges::as_listed);
   if (!adopted) return adopted.failure().at(options.mesh.string());
+  if (auto refused = say_notes(adopted.value().subject.notes, {})) return *refused;
   return measured_mesh{std::move(adopted).value(), std::move(formula)};
 }
 

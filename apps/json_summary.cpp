@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/json_summary.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace asterism::apps {
 namespace {
@@ -17,8 +19,23 @@ json angle(const audited_angle& least) {
   return least.degrees < 180 ? json(least.degrees) : json();
 }
 
+json number(double x) { return std::isfinite(x) ? json(x) : json(); }
+
+// Null where there is no such area. Before is in the mesh that was adapted, else in the domain.
+json regions_of(const std::vector<region_area>& regions) {
+  json all = json::array();
+  for (const region_area& r : regions) {
+    const std::optional<double> before = r.before ? r.before : r.domain;
+    all.push_back({{"region", r.number},
+                   {"area_before", before ? number(*before) : json()},
+                   {"area_of_domain", r.domain ? number(*r.domain) : json()},
+                   {"area_after", number(r.mesh)}});
+  }
+  return all;
+}
+
 // Adds what an audit found, the same for all commands.
-void add_audit(json& object, const audit_report& audit) {
+void add_audit(json& object, const audit_report& audit, const std::vector<region_area>& regions) {
   object["vertices"] = audit.sites;
   object["triangles"] = audit.triangles;
   object["worst_angle"] = angle(audit.worst_ordinary);
@@ -29,6 +46,7 @@ void add_audit(json& object, const audit_report& audit) {
   object["low_triangles"] = audit.low_triangles.size();
   object["largest_boundary_deviation"] = audit.largest_deviation;
   if (audit.curves.curves > 0) object["distance_from_curves"] = audit.curves.largest_distance;
+  if (!regions.empty()) object["regions"] = regions_of(regions);
   object["voronoi"] = voronoi_verdict_names[static_cast<std::size_t>(audit.voronoi)];
   json findings = json::object();
   for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
@@ -49,7 +67,7 @@ std::string summary_json(const certified_mesh& made, int status,
                  {"certified", made.report.certified},
                  {"complete", outcome.complete},
                  {"reason", made.claim.reason}};
-  add_audit(object, made.report);
+  add_audit(object, made.report, made.claim.regions);
   object["disagreeing"] = outcome.disagreeing;
   object["too_large"] = outcome.too_large;
   object["length_factor"] = outcome.ended.length_factor;
@@ -115,7 +133,7 @@ std::string summary_json(const judgement& judged, int status, const std::string&
                  {"metric_delivered", distance_of(judged.metric)},
                  {"contradictions", verdict.contradictions},
                  {"refusals", judged.metric.refusals}};
-  add_audit(object, verdict.audit);
+  add_audit(object, verdict.audit, verdict.regions);
   return text_of(object);
 }
 
@@ -124,7 +142,7 @@ std::string summary_json(const certify_report& report, int status, double angle_
                  {"status", status},
                  {"certified", report.certified()},
                  {"angle_bound", angle_bound}};
-  add_audit(object, report.audit);
+  add_audit(object, report.audit, report.regions);
   object["compared"] = report.compared;
   object["in_stars_of_all"] = report.compared ? json(report.in_stars[3]) : json();
   object["inverted"] = report.inverted;

@@ -84,6 +84,7 @@ void write_summary(std::ostream& out, const certified_mesh& made,
   if (made.claim.theorem)
     out << "theorem on nets" << (is_other ? ", in the metric delivered: " : ": ")
         << theorem_text(*made.claim.theorem) << '\n';
+  if (!made.claim.regions.empty()) out << regions_text(made.claim.regions) << '\n';
   out << report.sites << " sites, " << report.triangles << " triangles, " << angles_text(report)
       << ", " << std::fixed << std::setprecision(2) << outcome.disagreeing << " disagreeing, "
       << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle) << " low-angle";
@@ -134,6 +135,7 @@ void write_report(std::ostream& out, const certify_report& report, const mesh& m
     out << "dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.audit.voronoi)] << '\n';
   if (report.theorem) out << "theorem on nets: " << theorem_text(*report.theorem) << '\n';
+  if (!report.regions.empty()) out << regions_text(report.regions) << '\n';
   out << (report.certified() ? in_colour("certified", ink::green, 1)
                              : in_colour("NOT certified", ink::red, 1))
       << '\n';

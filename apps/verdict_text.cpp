@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "asterism/apps/summary.hpp"
@@ -51,6 +52,26 @@ std::string curves_text(const audit_report& report) {
   return fmt::format("; within {:.3g} of its {} curves, {} vertices on them{}",
                      curves.largest_distance, curves.curves, curves.vertices,
                      curves.off_curve > 0 ? fmt::format(", {} on chords", curves.off_curve) : "");
+}
+
+std::string regions_text(const std::vector<region_area>& regions) {
+  if (regions.empty()) return "";
+  constexpr std::size_t most = 10;
+  const bool was_adapted =
+      std::any_of(regions.begin(), regions.end(), [](const auto& r) { return r.before; });
+  const bool is_compared = was_adapted || regions.front().domain.has_value();
+  std::string text = "areas of regions" + std::string(was_adapted   ? " before and after: "
+                                                      : is_compared ? " in domain and mesh: "
+                                                                    : ": ");
+  for (std::size_t i = 0; i < std::min(most, regions.size()); ++i) {
+    const region_area& r = regions[i];
+    const double before = was_adapted ? r.before.value_or(0) : r.domain.value_or(0);
+    text += fmt::format("{}{} (", i == 0 ? "" : ", ", r.number);
+    text += is_compared ? fmt::format("{:.12g}, {:.12g})", before, r.mesh)
+                        : fmt::format("{:.12g})", r.mesh);
+  }
+  if (regions.size() > most) text += fmt::format(", and {} more", regions.size() - most);
+  return text;
 }
 
 std::string cut_short_text(const audit_report& report) {

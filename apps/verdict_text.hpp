@@ -5,8 +5,10 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/region_areas.hpp"
 #include "asterism/mesh/audit/theorem_hypotheses.hpp"
 
 namespace asterism::apps {
@@ -25,6 +27,11 @@ std::string angles_text(const audit_report& report);
 std::string deviation_text(const audit_report& report);
 // Says how near the boundary is to the curves of the domain; nothing if it has none.
 std::string curves_text(const audit_report& report);
+
+// Returns "areas of regions before and after: 1 (0.25, 0.25), 3 (0.75, 0.75)", the first ten, with
+// what they are in the domain for those before where no mesh was adapted; nothing where there is
+// but region 1.
+std::string regions_text(const std::vector<region_area>& regions);
 
 // Returns "not all stars were looked at, as ...", where the audit ended with the first certain
 // reasons.

@@ -13,6 +13,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/json_summary.hpp"
+#include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
@@ -98,6 +99,7 @@ std::string scope_text(const judgement& judged, const std::optional<certificate>
   std::string text = "; " + bound_text(judged) + "; " + text_of(judged.shape, claim) +
                      "; metric: " + text_of(judged.metric);
   text += deviation_text(verdict.audit) + curves_text(verdict.audit);
+  if (!verdict.regions.empty()) text += "; " + regions_text(verdict.regions);
   if (!verdict.audit.stars_checked) text += "; stars not checked";
   if (verdict.audit.stars_cut_short) text += "; " + cut_short_text(verdict.audit);
   text += size_text(claim);
@@ -167,8 +169,9 @@ result<judgement> judge(const verify_options& options, mesh subject,
   if (!metric) return metric.failure();
   judged.metric = std::move(metric).value();
   if (!claim && !judged.shape.shape) {
-    auto adopted = adopt_mesh(std::move(subject));
+    auto adopted = adopt_mesh(std::move(subject), region_edges::as_listed);
     if (!adopted) return adopted.failure().at(options.mesh.string());
+    if (auto refusal = say_notes(adopted.value().subject.notes, {})) return *refusal;
     judged.verdict = verify_alone(adopted.value(), asked);
   } else {
     judge_claimed(subject, claim, asked, judged);

@@ -91,6 +91,7 @@ certificate internal::make_certificate_sharing(const mesh& subject, const audit_
   c.low_triangles = report.low_triangles;
   c.largest_deviation = report.largest_deviation;
   c.curves = report.curves;
+  c.regions = measure_regions(subject, options.original);
   c.domain_checked = report.domain_checked;
   c.angles_checked = report.angles_checked;
   c.stars_checked = report.stars_checked;

@@ -19,6 +19,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/region_areas.hpp"
 #include "asterism/mesh/audit/theorem_hypotheses.hpp"
 #include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
@@ -56,6 +57,8 @@ struct certificate {
   std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
   double largest_deviation = 0;
   curve_report curves;  // in the file if the domain has curves
+  // In the file if there is another region than 1. `before` is set by whoever adapted a mesh.
+  std::vector<region_area> regions;
   bool domain_checked = false, angles_checked = false, stars_checked = false;
   bool certified = false;
   voronoi_verdict voronoi = voronoi_verdict::not_asked;
@@ -96,6 +99,7 @@ struct verify_report {
   bool verified = false;  // certified, and nothing contradicts the certificate
   audit_report audit;
   std::vector<std::string> contradictions;  // one sentence each, claim against mesh
+  std::vector<region_area> regions;         // measured again
   // Measured again, of a certified mesh with an angle bound.
   std::optional<theorem_hypotheses> theorem;
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -87,6 +88,24 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
   }
 }
 
+// Compares the areas of regions. Those of the domain are compared where it is the claimed one;
+// those before an adaptation are for whoever has the mesh that was adapted.
+void compare_regions(contradictions& all, const certificate& claim, const certificate& found,
+                     bool as_claimed) {
+  std::map<int, std::array<region_area, 2>> regions;
+  for (const region_area& r : claim.regions) regions[r.number][0] = r;
+  for (const region_area& r : found.regions) regions[r.number][1] = r;
+  for (const auto& [number, areas] : regions) {
+    const auto& [claimed, measured] = areas;
+    const std::string name = "audit.regions, region " + std::to_string(number) + ": ";
+    all.compare(name + "area", claimed.mesh, measured.mesh);
+    if (as_claimed)
+      all.compare(name + "area_of_domain", claimed.domain.value_or(0), measured.domain.value_or(0));
+    if (claimed.before && !claim.options.empty() && claim.options.count("adapt-mesh") == 0)
+      all.add("\"" + name + "area_before\" is of no mesh: none was adapted");
+  }
+}
+
 // Compares two audits. `audited` must answer the question that the certificate answers: the same
 // bound and domain.
 void compare_audit(contradictions& all, const certificate& claim, const certificate& found) {
@@ -164,7 +183,7 @@ void compare_adapted_names(contradictions& all, const certificate& claim) {
 // True if the name of the metric is that of a mesh file, in upper or lower case, as is_mesh_file
 // (mesh/io/read_mesh.hpp) tells them.
 bool is_of_mesh(const std::string& metric) {
-  constexpr std::array<std::string_view, 4> endings = {".mesh", ".meshb", ".msh", ".msh2"};
+  constexpr std::array<std::string_view, 5> endings = {".mesh", ".meshb", ".msh", ".msh2", ".vtu"};
   std::string lower = metric;
   for (char& c : lower)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -263,7 +282,10 @@ std::vector<std::string> contradictions_of(const certificate& claim, const certi
   if (all.none() && claim.fingerprint != found.fingerprint)
     all.add("the certificate is of another mesh: the fingerprints differ");
   // Numbers of another mesh say nothing.
-  if (all.none() && as_claimed) compare_audit(all, claim, found);
+  if (all.none()) {
+    compare_regions(all, claim, found, as_claimed);
+    if (as_claimed) compare_audit(all, claim, found);
+  }
   compare_options(all, claim);
   if (!claim.certified) all.add("the certificate itself says that its mesh was not certified");
   if (!claim.complete)
@@ -295,6 +317,7 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
   report.audit = audit(subject, options);
   const certificate found = make_certificate(subject, options, report.audit);
   report.theorem = found.theorem;
+  report.regions = found.regions;
   if (claim) report.contradictions = contradictions_of(*claim, found, report.audit, as_claimed);
   report.verified = report.audit.certified && report.audit.angles_checked &&
                     report.contradictions.empty() &&

@@ -11,6 +11,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/outline_points.hpp"
+#include "asterism/mesh/search/triangle_sides.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -27,10 +28,27 @@ struct run {
   std::vector<vertex_index> vertices, edges;
 };
 
+// True if both have the same regions, each of the same size up to a part of it and the rounding of
+// the whole.
+bool are_near(const region_sizes& wanted, const region_sizes& found, double part) {
+  constexpr double rounding = 1e-12;
+  double whole = 0;
+  for (const auto& [region, size] : wanted) whole += size;
+  return std::equal(wanted.begin(), wanted.end(), found.begin(), found.end(),
+                    [&](const auto& w, const auto& f) {
+                      return w.first == f.first &&
+                             std::abs(f.second - w.second) <= part * w.second + rounding * whole;
+                    });
+}
+
 class outliner {
  public:
   outliner(const mesh& m, const mesh_marks& marks, double corner_angle)
-      : mesh_(m), at_(m.sites.size()), kept_(m.sites.size(), 0), angle_(corner_angle) {
+      : mesh_(m),
+        sides_(m.regions.empty() ? mesh() : m),
+        at_(m.sites.size()),
+        kept_(m.sites.size(), 0),
+        angle_(corner_angle) {
     for (vertex_index e = 0; e < m.boundary.size(); ++e)
       for (const vertex_index v : {m.boundary[e].a, m.boundary[e].b}) at_[v].push_back(e);
     for (const point& p : positions())
@@ -55,9 +73,11 @@ class outliner {
   double distance(vertex_index v, vertex_index a, vertex_index b) const;
   double farthest(const run& r, std::size_t i, std::size_t j) const;
   bool may_be_piece(const run& r, std::size_t i, std::size_t j, bool simplify_curves) const;
+  bool divides_regions(const run& r) const;
   std::vector<std::size_t> pieces(const run& r, bool simplify_curves) const;
 
   const mesh& mesh_;
+  triangle_sides sides_;                       // of no triangle where there are no regions
   std::vector<std::vector<vertex_index>> at_;  // boundary edges at each vertex
   std::vector<char> kept_;
   std::vector<run> runs_;
@@ -157,14 +177,25 @@ bool outliner::may_be_piece(const run& r, std::size_t i, std::size_t j,
   return measured <= 1 && off <= 0.01 * elementary::hypot(d.x, d.y);
 }
 
-// Returns the places in the run of the vertices that stay.
+// True if the run is all between two regions. It is of one kind throughout, as what is between
+// others begins at a vertex of three segments.
+bool outliner::divides_regions(const run& r) const {
+  const boundary_edge& e = mesh_.boundary[r.edges.front()];
+  return e.internal && sides_.divides_regions(mesh_.regions, e.a, e.b);
+}
+
+// Returns the places in the run of the vertices that stay. Between regions none goes but for
+// rounding: what one loses there, the other would gain.
 std::vector<std::size_t> outliner::pieces(const run& r, bool simplify_curves) const {
+  simplify_curves = simplify_curves && !divides_regions(r);
   const std::size_t last = r.vertices.size() - 1;
   if (may_be_piece(r, 0, last, false)) return {0, last};
+  // Each length tried is looked at whole: what is straight for longer keeps a vertex now and then.
+  constexpr std::size_t most_straight = 4096;
   std::vector<std::size_t> stay{0};
   for (std::size_t i = 0; i < last;) {
     std::size_t j = i + 1;
-    while (j < last && may_be_piece(r, i, j + 1, simplify_curves)) ++j;
+    while (j < last && j - i < most_straight && may_be_piece(r, i, j + 1, simplify_curves)) ++j;
     stay.push_back(i = j);
   }
   return stay;
@@ -202,8 +233,9 @@ std::optional<mesh_outline> outliner::outline(bool simplify_curves) const {
   add_region_points(mesh_, made.shape);
   const auto checked = check_domain(made.shape);
   if (!checked) return std::nullopt;
-  const double area = area_of(mesh_), found = enclosed_area(checked.value());
-  if (!(std::abs(found - area) <= (simplify_curves ? 0.01 : 1e-9) * area)) return std::nullopt;
+  if (!are_near(sizes_of_regions(mesh_), enclosed_sizes(checked.value()),
+                simplify_curves ? 0.01 : 1e-9))
+    return std::nullopt;
   const auto same = [](const segment& s, const segment& t) {
     return s.a == t.a && s.b == t.b && s.marker == t.marker && s.internal == t.internal;
   };

@@ -6,15 +6,14 @@
 // Vertices of the domain: corners and required vertices, ends of required edges, where not two
 // segments meet, where the marker changes or a segment becomes internal, and where the boundary
 // turns by more than the angle. The segments between them are
-//   - straight, where all vertices between are on the line up to sixteen units in the last place:
-//   those
-//     go;
+//   - straight, where all vertices between are on the line up to sixteen units in the last place,
+//     which then go;
 //   - else, pieces of the polygon: of its vertices those stay that keep every piece at most one
-//   long, as
-//     its ends' metric measures it, and no dropped one farther than a hundredth of the piece from
-//     it. So a curved boundary follows the polygon, coarser where the metric is.
-// If that is no domain (check_domain), or its area differs from the mesh's, curved parts keep
-// all their vertices; where that does not do either, every vertex is one of the domain.
+//     long, as its ends' metric measures it, and no dropped one farther than a hundredth of the
+//     piece from it. So a curved boundary follows the polygon, coarser where the metric is. Lines
+//     between different regions keep every vertex that is not on a straight part.
+// If that is no domain (check_domain), or the area of a region differs from the mesh's, curved
+// parts keep all their vertices; where that does not do either, every vertex is one of the domain.
 #pragma once
 
 #include <cstddef>

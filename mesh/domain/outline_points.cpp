@@ -148,20 +148,26 @@ void add_region_points(const mesh& m, domain& shape) {
   }
 }
 
-double area_of(const mesh& m) {
-  double sum = 0;
-  for (const triangle& t : m.triangles)
-    sum += doubled(m.sites[t[0]].position, m.sites[t[1]].position, m.sites[t[2]].position) / 2;
-  return sum;
+region_sizes sizes_of_regions(const mesh& m) {
+  region_sizes sizes;
+  for (std::size_t i = 0; i < m.triangles.size(); ++i) {
+    const triangle& t = m.triangles[i];
+    sizes[m.regions.empty() ? 1 : m.regions[i]] +=
+        doubled(m.sites[t[0]].position, m.sites[t[1]].position, m.sites[t[2]].position) / 2;
+  }
+  return sizes;
 }
 
-double enclosed_area(const domain& d) {
-  double sum = 0;
-  if (d.vertices.empty()) return 0;
+region_sizes enclosed_sizes(const domain& d) {
+  region_sizes sizes;
+  if (d.vertices.empty()) return sizes;
   const point& from = d.vertices[0];
-  for (const segment& s : d.segments)
-    if (!s.internal) sum += doubled(from, d.vertices[s.a], d.vertices[s.b]) / 2;
-  return sum;
+  for (const segment& s : d.segments) {
+    const double part = doubled(from, d.vertices[s.a], d.vertices[s.b]) / 2;
+    sizes[s.left_region] += part;
+    if (s.internal) sizes[s.right_region] -= part;
+  }
+  return sizes;
 }
 
 }  // namespace asterism::internal

@@ -4,6 +4,8 @@
 // doubles; whoever uses them compares areas.
 #pragma once
 
+#include <map>
+
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 
@@ -17,8 +19,10 @@ bool add_hole_points(domain& shape);
 // regions.
 void add_region_points(const mesh& m, domain& shape);
 
-double area_of(const mesh& m);
-// Returns the area to the left of the boundary segments.
-double enclosed_area(const domain& d);
+// Areas by the number of the region, in doubles.
+using region_sizes = std::map<int, double>;
+region_sizes sizes_of_regions(const mesh& m);
+// Returns the areas that the segments enclose. The domain is as check_domain accepts it.
+region_sizes enclosed_sizes(const domain& d);
 
 }  // namespace asterism::internal

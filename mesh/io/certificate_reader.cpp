@@ -220,6 +220,15 @@ std::optional<theorem_hypotheses> theorem_of(const json& object) {
   return h;
 }
 
+region_area region_of(const json& object) {
+  region_area r;
+  r.number = read<int>(object, "region");
+  if (object.contains("area_before")) r.before = bound_of(object, "area_before");
+  if (object.contains("area_of_domain")) r.domain = bound_of(object, "area_of_domain");
+  r.mesh = bound_of(object, "area");
+  return r;
+}
+
 void read_audit(const json& object, certificate& c) {
   c.certified = read<bool>(object, "certified");
   c.domain_checked = read<bool>(object, "domain_checked");
@@ -239,6 +248,8 @@ void read_audit(const json& object, certificate& c) {
   c.found = read<std::map<std::string, std::size_t>>(object, "findings");
   c.witnesses = read<std::vector<std::string>>(object, "witnesses");
   c.audit_counters = counters_of(object, "decided");
+  if (object.contains("regions"))
+    for (const json& r : array_of(object, "regions")) c.regions.push_back(region_of(r));
   if (!object.contains("curves")) return;
   const json& curves = member(object, "curves");
   c.curves = {count_of(curves, "curves"), count_of(curves, "vertices"),

@@ -129,6 +129,21 @@ json curves_json(const curve_report& curves) {
            std::isfinite(curves.largest_distance) ? json(curves.largest_distance) : json(nullptr)}};
 }
 
+// Null for what is not bounded.
+json bound_json(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
+
+json regions_json(const std::vector<region_area>& regions) {
+  json written = json::array();
+  for (const region_area& r : regions) {
+    json one = {{"region", r.number}};
+    if (r.before) one["area_before"] = bound_json(*r.before);
+    if (r.domain) one["area_of_domain"] = bound_json(*r.domain);
+    one["area"] = bound_json(r.mesh);
+    written.push_back(std::move(one));
+  }
+  return written;
+}
+
 json audit_json(const certificate& c) {
   json found = json::object();
   for (const auto& [kind, count] : c.found) found[kind] = count;
@@ -150,11 +165,9 @@ json audit_json(const certificate& c) {
                   {"witnesses", c.witnesses},
                   {"decided", counters_json(c.audit_counters)}};
   if (c.original && !c.original->curves.empty()) written["curves"] = curves_json(c.curves);
+  if (!c.regions.empty()) written["regions"] = regions_json(c.regions);
   return written;
 }
-
-// Null for what is not bounded.
-json bound_json(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
 
 // Null where it was not asked whether the theorem on nets applies.
 json theorem_json(const certificate& c) {

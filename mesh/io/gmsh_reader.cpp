@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -414,29 +413,6 @@ failure gmsh_reader::read_metric() {
   return expect("$EndNodeData");
 }
 
-// Adds the edges with one triangle that no line is on, with marker 0: gmsh saves the lines of
-// physical groups alone, and not every side need be in one. Without any lines all sides are found
-// where the mesh is taken over.
-void add_sides_without_lines(mesh& m) {
-  if (m.boundary.empty()) return;
-  using ends = std::array<vertex_index, 2>;
-  const auto sorted = [](vertex_index a, vertex_index b) {
-    return ends{std::min(a, b), std::max(a, b)};
-  };
-  std::set<ends> lines;
-  for (const boundary_edge& e : m.boundary) lines.insert(sorted(e.a, e.b));
-  std::map<ends, std::size_t> triangles_at;
-  for (const triangle& t : m.triangles)
-    for (std::size_t i = 0; i < 3; ++i) ++triangles_at[sorted(t[i], t[(i + 1) % 3])];
-  for (const triangle& t : m.triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const ends e = sorted(t[i], t[(i + 1) % 3]);
-      if (triangles_at.at(e) == 1 && !lines.contains(e))
-        m.boundary.push_back(
-            {t[i], t[(i + 1) % 3], static_cast<vertex_index>(m.boundary.size()), 0});
-    }
-}
-
 failure gmsh_reader::finish() {
   mesh& m = file_.content;
   if (!elements_seen_) return source_.failure(source_.line(), "there is no section $Elements");
@@ -445,8 +421,8 @@ failure gmsh_reader::finish() {
   bool in_order = true;
   for (std::size_t i = 0; i < points_.size(); ++i) in_order = in_order && points_[i] == i;
   m.given = in_order ? static_cast<vertex_index>(points_.size()) : 0;
-  add_sides_without_lines(m);
   keep_segments(m, {std::vector<char>(m.boundary.size(), 1), true});
+  list_sides(m);
   for (const auto& [place, name] : names_) {
     if (place.first == 1) file_.names.markers[number_of(1, place.second)] = name;
     if (place.first == 2) file_.names.regions[number_of(2, place.second)] = name;

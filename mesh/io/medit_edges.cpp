@@ -1,36 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/io/medit_edges.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
+#include <vector>
+
+#include "asterism/mesh/search/triangle_sides.hpp"
 
 namespace asterism::internal {
 namespace {
 
 using ends = std::array<vertex_index, 2>;
 
-std::vector<ends> sides_of(const mesh& m) {
-  std::vector<ends> sides;
-  sides.reserve(3 * m.triangles.size());
-  for (const triangle& t : m.triangles)
-    for (std::size_t i = 0; i < 3; ++i) sides.push_back({t[i], t[(i + 1) % 3]});
-  std::sort(sides.begin(), sides.end());
-  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
-  return sides;
+ends sorted(vertex_index a, vertex_index b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::size_t sides_with_one_triangle(const triangle_sides& sides) {
+  return static_cast<std::size_t>(
+      std::count_if(sides.all().begin(), sides.all().end(),
+                    [&](const auto& s) { return sides.find(s.ends[1], s.ends[0]) == nullptr; }));
 }
 
 // True if some inner edge is not among the internal ones of the list.
-bool leaves_one_out(const mesh& m, const std::vector<ends>& sides) {
+bool leaves_one_out(const mesh& m, const triangle_sides& sides) {
   std::vector<ends> listed;
   for (const boundary_edge& e : m.boundary)
-    if (e.internal) listed.push_back({std::min(e.a, e.b), std::max(e.a, e.b)});
+    if (e.internal) listed.push_back(sorted(e.a, e.b));
   std::sort(listed.begin(), listed.end());
-  return std::any_of(sides.begin(), sides.end(), [&](const ends& s) {
-    const bool inner =
-        s[0] < s[1] && std::binary_search(sides.begin(), sides.end(), ends{s[1], s[0]});
-    return inner && !std::binary_search(listed.begin(), listed.end(), s);
+  return std::any_of(sides.all().begin(), sides.all().end(), [&](const auto& s) {
+    const auto [a, b] = s.ends;
+    return a < b && sides.find(b, a) != nullptr &&
+           !std::binary_search(listed.begin(), listed.end(), s.ends);
   });
 }
 
@@ -45,12 +48,9 @@ std::vector<int> vertex_references(const mesh& m) {
 }
 
 void keep_segments(mesh& m, const edge_marks& marks) {
-  const std::vector<ends> sides = sides_of(m);
-  const auto has = [&](vertex_index a, vertex_index b) {
-    return std::binary_search(sides.begin(), sides.end(), ends{a, b});
-  };
+  const triangle_sides sides(m);
   for (boundary_edge& e : m.boundary) {
-    const bool left = has(e.a, e.b), right = has(e.b, e.a);
+    const bool left = sides.find(e.a, e.b) != nullptr, right = sides.find(e.b, e.a) != nullptr;
     if (right && !left) std::swap(e.a, e.b);
     e.internal = left && right;
   }
@@ -59,9 +59,35 @@ void keep_segments(mesh& m, const edge_marks& marks) {
   std::vector<boundary_edge> kept;
   for (std::size_t i = 0; i < m.boundary.size(); ++i) {
     const boundary_edge& e = m.boundary[i];
-    if (!e.internal || marks.required[i] != 0 || (by_reference && e.marker != 0)) kept.push_back(e);
+    if (!e.internal || marks.required[i] != 0 || (by_reference && e.marker != 0) ||
+        sides.divides_regions(m.regions, e.a, e.b))
+      kept.push_back(e);
   }
   m.boundary = std::move(kept);
+}
+
+void list_sides(mesh& m) {
+  if (m.boundary.empty()) return;
+  std::vector<ends> listed;
+  for (const boundary_edge& e : m.boundary) listed.push_back(sorted(e.a, e.b));
+  std::sort(listed.begin(), listed.end());
+  const triangle_sides sides(m);
+  const std::size_t before = m.boundary.size();
+  for (const auto& s : sides.all()) {
+    const auto [a, b] = s.ends;
+    if (sides.find(b, a) != nullptr ||
+        std::binary_search(listed.begin(), listed.end(), sorted(a, b)))
+      continue;
+    m.boundary.push_back({a, b, static_cast<vertex_index>(m.boundary.size()), 0, false});
+  }
+  const std::size_t added = m.boundary.size() - before;
+  if (added == 0) return;
+  const point &p = m.sites[m.boundary[before].a].position,
+              &q = m.sites[m.boundary[before].b].position;
+  m.notes.push_back(
+      fmt::format("{} of {} boundary edges are not listed and have marker 0, the "
+                  "first from ({:g}, {:g}) to ({:g}, {:g})",
+                  added, sides_with_one_triangle(sides), p.x, p.y, q.x, q.y));
 }
 
 }  // namespace asterism::internal

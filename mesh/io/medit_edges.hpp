@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Decides which edges of a .mesh file are segments of a domain.
+// Decides which edges of a mesh file are segments of a domain.
 //
 // Edges are a set: their order and direction mean nothing. One with a triangle on one side alone is
 // of the boundary. One with triangles on both is a segment only if the file marks it: by
-// RequiredEdges, or by a reference other than 0 in a list that does not hold every inner edge. Some
-// programs save all edges of a mesh, and no edge of such a list was asked for by anybody.
+// RequiredEdges, by different references of the two triangles, or by a reference other than 0 in a
+// list that does not hold every inner edge. Some programs save all edges of a mesh, and no edge of
+// such a list was asked for by anybody.
 #pragma once
 
 #include <vector>
@@ -22,6 +23,11 @@ struct edge_marks {
 // Turns the edges of `m.boundary` so that a triangle is on their left, notes those that are
 // internal, and leaves out inner edges that are no segments.
 void keep_segments(mesh& m, const edge_marks& marks);
+
+// Adds the edges with one triangle that are not listed, with marker 0, and notes it: gmsh saves the
+// lines of physical groups alone, and mmg's examples list the outer sides and no hole's. A list
+// without any edge stays so: adopt_mesh finds all sides then.
+void list_sides(mesh& m);
 
 // Returns the marker of a boundary subsegment at each vertex, 0 for vertices on none: what is
 // written as their references.

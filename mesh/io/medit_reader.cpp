@@ -109,7 +109,7 @@ class medit_reader {
   int dimension_ = 2;
   bool all_edges_;
   bool vertices_seen_ = false, triangles_seen_ = false, edges_seen_ = false, required_seen_ = false,
-       corners_seen_ = false, required_edges_seen_ = false;
+       corners_seen_ = false, required_edges_seen_ = false, names_segments_ = false;
   std::vector<use> uses_;
   std::vector<vertex_index> required_;
   struct named_edge {
@@ -328,6 +328,8 @@ void medit_reader::find_segments(bool is_own) {
   edge_marks marks{std::vector<char>(m_.boundary.size(), 0), all_edges_ || is_own};
   for (const named_edge& e : required_edges_) marks.required[e.number] = 1;
   keep_segments(m_, marks);
+  // What ours leaves out, somebody took away.
+  if (!names_segments_) list_sides(m_);
 }
 
 failure medit_reader::check_required_edges() {
@@ -355,6 +357,7 @@ bool medit_reader::take_segment_numbers() {
   std::vector<vertex_index> numbers;
   for (const std::string_view comment : source_.comments()) {
     if (!comment.starts_with(mark)) continue;
+    names_segments_ = true;
     text_scanner words("", comment.substr(mark.size()));
     for (word w = words.next(); !w.empty(); w = words.next()) {
       const auto number = to_integer(words, w, "");

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/adaptation_claims.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/domain/mesh_outline.hpp"
-#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/metric_request.hpp"
@@ -61,7 +64,7 @@ bool is_same_triangulation(const mesh& a, const mesh& b) {
 // Compares what is said of the domain, where it was the mesh's own.
 void compare_domain(const certificate& claim, const adopted_mesh& adopted, field_check& check) {
   if (word_of(claim, "domain") != "of " + word_of(claim, "adapt-mesh")) return;
-  const auto marks = read_medit_marks(word_of(claim, "adapt-mesh"));
+  const auto marks = read_mesh_marks(word_of(claim, "adapt-mesh"));
   const auto angle = parse_number(word_of(claim, "corner-angle"));
   if (!angle)
     check.contradictions.push_back("\"corner-angle\" is no number: " + angle.failure().message);
@@ -86,6 +89,28 @@ void compare_domain(const certificate& claim, const adopted_mesh& adopted, field
       !std::equal(own.segments.begin(), own.segments.end(), said.segments.begin(),
                   said.segments.end(), same))
     check.contradictions.push_back("the domain is not that of the mesh that was adapted");
+}
+
+// Compares what is said of the regions of the mesh that was adapted.
+void compare_areas(const certificate& claim, const mesh& before, field_check& check) {
+  areas_by_region areas = areas_of_regions(before);
+  if (claim.regions.empty() && areas.size() == 1 && areas.begin()->first == 1) return;
+  std::map<int, double> claimed;
+  for (const region_area& r : claim.regions) {
+    if (!r.before) {
+      check.contradictions.push_back(
+          fmt::format("region {} has no area before the adaptation in the certificate", r.number));
+      return;
+    }
+    claimed[r.number] = *r.before;
+  }
+  for (const auto& [number, area] : areas) claimed.try_emplace(number, 0);
+  for (const auto& [number, area] : claimed)
+    if (const double found = areas.contains(number) ? areas[number] : 0; found != area)
+      check.contradictions.push_back(
+          fmt::format("the area of region {} before the adaptation is {} in the certificate, and "
+                      "{} in its mesh",
+                      number, number_text(area), number_text(found)));
 }
 
 }  // namespace
@@ -145,6 +170,7 @@ result<std::unique_ptr<metric_field>> check_adaptation(const mesh& subject,
   if (!adopted) return adopted.failure();
   auto field = make_sampled_field(adopted.value().subject, 1);
   compare_domain(claim, adopted.value(), check);
+  compare_areas(claim, adopted.value().subject, check);
   compare({{"kept", is_same_triangulation(subject, adopted.value().subject) ? "yes" : "no"}}, claim,
           check);
   if (word_of(claim, "metric-fingerprint") !=

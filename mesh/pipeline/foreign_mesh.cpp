@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -13,7 +15,7 @@
 #include "asterism/kernels/work_units.hpp"
 #include "asterism/mesh/audit/audit_again.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
-#include "asterism/mesh/pipeline/adopt_sharing.hpp"
+#include "asterism/mesh/search/triangle_sides.hpp"
 #include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
@@ -23,35 +25,6 @@
 namespace asterism {
 using namespace internal;
 namespace {
-
-// Finds the triangle on the left of a directed edge.
-class triangle_sides {
- public:
-  explicit triangle_sides(const mesh& m) {
-    for (vertex_index t = 0; t < m.triangles.size(); ++t)
-      for (std::size_t i = 0; i < 3; ++i)
-        sides_.push_back({{m.triangles[t][i], m.triangles[t][(i + 1) % 3]}, t});
-    std::sort(sides_.begin(), sides_.end(), [](const side& p, const side& q) {
-      return p.ends != q.ends ? p.ends < q.ends : p.triangle < q.triangle;
-    });
-  }
-
-  struct side {
-    std::array<vertex_index, 2> ends;
-    vertex_index triangle;
-  };
-  const std::vector<side>& all() const { return sides_; }
-
-  const side* find(vertex_index a, vertex_index b) const {
-    const std::array ends{a, b};
-    const auto at = std::lower_bound(sides_.begin(), sides_.end(), ends,
-                                     [](const side& s, const auto& key) { return s.ends < key; });
-    return at != sides_.end() && at->ends == ends ? &*at : nullptr;
-  }
-
- private:
-  std::vector<side> sides_;
-};
 
 void put_boundary_in_order(mesh& m, const triangle_sides& sides) {
   if (m.boundary.empty())
@@ -67,6 +40,32 @@ void put_boundary_in_order(mesh& m, const triangle_sides& sides) {
   }
 }
 
+// Makes the edges between triangles of different regions segments, where none is listed there.
+void separate_regions(mesh& m, const triangle_sides& sides) {
+  if (m.regions.empty()) return;
+  std::vector<std::array<vertex_index, 2>> listed;
+  for (const boundary_edge& e : m.boundary)
+    listed.push_back({std::min(e.a, e.b), std::max(e.a, e.b)});
+  std::sort(listed.begin(), listed.end());
+  const std::size_t before = m.boundary.size();
+  for (const auto& s : sides.all()) {
+    const auto [a, b] = s.ends;
+    if (a > b || !sides.divides_regions(m.regions, a, b) ||
+        std::binary_search(listed.begin(), listed.end(), s.ends))
+      continue;
+    m.boundary.push_back({a, b, static_cast<vertex_index>(m.boundary.size()), 0, true});
+  }
+  if (m.boundary.size() == before) return;
+  const boundary_edge& first = m.boundary[before];
+  const point &p = m.sites[first.a].position, &q = m.sites[first.b].position;
+  m.notes.push_back(fmt::format(
+      "edges between triangles of different regions that are not listed are segments of marker 0: "
+      "{}, the first from ({:g}, {:g}) to ({:g}, {:g}), between regions {} and {}",
+      m.boundary.size() - before, p.x, p.y, q.x, q.y,
+      m.regions[sides.find(first.a, first.b)->triangle],
+      m.regions[sides.find(first.b, first.a)->triangle]));
+}
+
 domain domain_of(const mesh& m, const triangle_sides& sides) {
   domain d;
   d.vertices.reserve(m.sites.size());
@@ -79,10 +78,6 @@ domain domain_of(const mesh& m, const triangle_sides& sides) {
     d.segments.push_back(
         {e.a, e.b, e.marker, e.internal, region(e.a, e.b), e.internal ? region(e.b, e.a) : 1});
   return d;
-}
-
-bool is_found(const audit_report& report, finding_kind kind) {
-  return report.found[static_cast<std::size_t>(kind)] != 0;
 }
 
 // Kinds of findings that are of no site or triangle: no question can be asked about it.
@@ -144,31 +139,21 @@ void measure_edges(const mesh& m, certify_report& report) {
 
 }  // namespace
 
-result<adopted_mesh> adopt_mesh(mesh from_elsewhere) {
-  std::optional<audit_report> found;
-  return internal::adopt_sharing(std::move(from_elsewhere), found);
-}
-
-result<adopted_mesh> internal::adopt_sharing(mesh from_elsewhere,
-                                             std::optional<audit_report>& found) {
+result<adopted_mesh> adopt_mesh(mesh from_elsewhere, region_edges between) {
   const audit_report numbers = audit_numbers(from_elsewhere);
   for (const finding_kind kind : unusable)
     for (const audit_finding& f : numbers.findings)
       if (f.kind == kind) return error{f.witness, error_code::invalid_mesh};
   adopted_mesh adopted{std::move(from_elsewhere), {}};
   mesh& m = adopted.subject;
+  if (!m.regions.empty() && m.regions.size() != m.triangles.size())
+    return error{
+        fmt::format("{} regions are given for {} triangles", m.regions.size(), m.triangles.size()),
+        error_code::invalid_mesh};
   const triangle_sides sides(m);
   put_boundary_in_order(m, sides);
+  if (between == region_edges::segments) separate_regions(m, sides);
   m.given = static_cast<vertex_index>(m.sites.size());
-  if (!m.regions.empty()) {
-    audit_options options;
-    options.check_stars = false;
-    found = audit(m, options);
-    if (is_found(*found, finding_kind::wrong_region)) {
-      m.regions.clear();
-      found.reset();
-    }
-  }
   adopted.shape = domain_of(m, sides);
   return adopted;
 }
@@ -199,6 +184,7 @@ certify_report certify(const adopted_mesh& adopted, double angle_bound, bool che
     return all.size();
   }();
   measure_edges(m, report);
+  report.regions = measure_regions(m, nullptr);  // the domain is what the mesh says itself
   if (report.certified()) report.theorem = measure_theorem_hypotheses(m, angle_bound, stop);
   if (report.audit.stars_checked && is_worth_comparing(report.audit))
     compare_with_stars(adopted, stop, report);

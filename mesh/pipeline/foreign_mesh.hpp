@@ -16,6 +16,7 @@
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/region_areas.hpp"
 #include "asterism/mesh/audit/theorem_hypotheses.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
@@ -29,13 +30,19 @@ struct adopted_mesh {
   domain shape;  // of the subject; as check_domain would have it if the audit finds a triangulation
 };
 
+// What edges are that lie between triangles of different regions and are not listed.
+enum class region_edges {
+  segments,   // of marker 0, with a note: of a mesh that is a domain
+  as_listed,  // no segments, so that an audit finds the regions wrong: of a mesh that is judged
+};
+
 // Puts a mesh in order. Its boundary edges are kept, turned where the only triangle is on their
-// right; if it lists none, the edges with one triangle are taken, with marker 0. References of
-// triangles are kept as regions where they differ across boundary edges alone, else dropped. Fails,
-// naming the number of the offender, for what no site or triangle can be: no triangle, vertices
-// that do not exist, two at one place, numbers that are not finite, tensors that are not positive
-// definite.
-ASTERISM_EXPORT result<adopted_mesh> adopt_mesh(mesh from_elsewhere);
+// right; if it lists none, the edges with one triangle are taken, with marker 0. Regions are kept
+// as they are. Fails, naming the number of the offender, for what no site or triangle can be: no
+// triangle, vertices that do not exist, two at one place, numbers that are not finite, tensors that
+// are not positive definite; and for regions that are not as many as triangles.
+ASTERISM_EXPORT result<adopted_mesh> adopt_mesh(mesh from_elsewhere,
+                                                region_edges between = region_edges::segments);
 
 // Judgement of a mesh from elsewhere.
 struct certify_report {
@@ -52,6 +59,7 @@ struct certify_report {
   // among them; those that are inverted or flat have no angles.
   std::size_t below_bound = 0;
   std::size_t edges = 0, unit_edges = 0;
+  std::vector<region_area> regions;  // empty where there is but region 1
   // Measurements for the theorem on nets; set for a certified mesh.
   std::optional<theorem_hypotheses> theorem;
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
@@ -19,7 +19,7 @@ using tensors = std::vector<metric_tensor>;
 result<tensors> read_tensors(const std::string& mesh_file, const std::string& file) {
   medit_read_options how;
   how.solution = file;
-  const auto read = read_medit(mesh_file, how);
+  const auto read = read_mesh(mesh_file, how);
   if (!read) return read.failure();
   tensors found;
   for (const site& s : read.value().sites) found.push_back(s.metric);

@@ -14,8 +14,8 @@ namespace asterism::internal {
 // there. Refuses what the auditor finds is no triangulation.
 result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wanted);
 
-// Reads a mesh without its metric, sites and triangles as they are in the file. Refuses what is no
-// triangulation.
+// Reads a mesh without its metric, sites and triangles as they are in the file. Its notes are those
+// of the mesh taken over, too. Refuses what is no triangulation.
 result<mesh> read_plain_triangulation(const std::string& path);
 
 // Refuses a mesh that is no triangulation; `path` is for the message.

@@ -340,7 +340,7 @@ py::dict certify_mesh(const py_mesh& m, double angle_bound, bool prove_voronoi) 
   certify_report report;
   {
     const py::gil_scoped_release unlocked;
-    const auto adopted = value_or_raise(adopt_mesh(m.content));
+    const auto adopted = value_or_raise(adopt_mesh(m.content, region_edges::as_listed));
     report = certify(adopted, angle_bound, prove_voronoi);
   }
   py::dict d = findings_of(report.audit);

@@ -14,7 +14,7 @@
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 
 using namespace asterism;
-using internal::enclosed_area;
+using internal::enclosed_sizes;
 using tests::divided_mesh;
 using tests::sample_mesh;
 
@@ -201,7 +201,7 @@ TEST_CASE("an island that touches the hole around it stays") {
                                    "o...oo"
                                    "oooooo"));
   CHECK_FALSE(found.keeps_all);
-  CHECK(enclosed_area(found.shape) == 36 - 14);
+  CHECK(enclosed_sizes(found.shape).at(1) == 36 - 14);
 }
 
 TEST_CASE("marks of vertices that do not exist are refused") {
