@@ -213,7 +213,11 @@ result<file_facts> facts_of_certificate(const fs::path& path) {
 
 result<file_facts> facts_of_file(const fs::path& path) {
   const std::string name = path.string();
-  if (is_mesh_file(name)) return facts_of_mesh(path);
+  // A .vtu file is a mesh, a solution on one, or both.
+  if (is_mesh_file(name)) {
+    auto facts = facts_of_mesh(path);
+    if (facts || !has_ending(name, ".vtu")) return facts;
+  }
   if (has_ending(name, ".certificate.json")) return facts_of_certificate(path);
   for (const char* const ending : {".sol", ".solb", ".bb", ".mtr", ".vtu"})
     if (has_ending(name, ending)) return facts_of_solution(path);
@@ -222,10 +226,11 @@ result<file_facts> facts_of_file(const fs::path& path) {
     if (has_ending(name, ending))
       return error{name + ": files of this kind are written here, not read"};
   if (!is_domain(name))
-    return error{name +
-                 ": not a file that is known here by its name: domains (.poly, .geojson, .json, "
-                 ".wkt), meshes (.mesh, .meshb, .msh), solutions (.sol, .solb, .bb, .vtu), metrics "
-                 "(.sol, .solb, .mtr), certificates (.certificate.json)"};
+    return error{
+        name +
+        ": not a file that is known here by its name: domains (.poly, .geojson, .json, "
+        ".wkt), meshes (.mesh, .meshb, .msh, .vtu), solutions (.sol, .solb, .bb, .vtu), metrics "
+        "(.sol, .solb, .mtr), certificates (.certificate.json)"};
   const auto loaded = load_domain(name);
   if (loaded) return facts_of(loaded.value());
   // A certificate may have any name; a domain's message is the one to tell otherwise.

@@ -36,10 +36,11 @@ class vtu_writer {
   // Adds an array of so many numbers, number(i) each: its tag has the place, among the bytes, of
   // the count before its numbers. What `number` refers to must live until the file is written.
   template <class Number, class Make>
-  void add_array(std::string_view name, int components, std::size_t count, const Make& number) {
+  void add_array(std::string_view name, int components, std::size_t count, const Make& number,
+                 std::string_view more = {}) {
     tags_ += fmt::format(R"(<DataArray type="{}" Name="{}")", type_name<Number>(), name);
     if (components > 1) tags_ += fmt::format(R"( NumberOfComponents="{}")", components);
-    tags_ += fmt::format(" format=\"appended\" offset=\"{}\"/>\n", bytes_);
+    tags_ += fmt::format("{} format=\"appended\" offset=\"{}\"/>\n", more, bytes_);
     const std::uint64_t size = count * sizeof(Number);
     bytes_ += sizeof size + size;
     arrays_.push_back([count, size, number](const byte_sink& put) {
@@ -90,6 +91,23 @@ struct mesh_cells {
     return is_disagreeing(i) ? m.disagreeing[i - m.triangles.size()] : m.triangles[i];
   }
 };
+
+// Adds the subsegments beside the cells, as cells of lines would be in the way of what has a value
+// for each triangle: two points, the marker, and the segment.
+void add_boundary(vtu_writer& out, const mesh& m) {
+  if (m.boundary.empty()) return;
+  constexpr std::size_t each = 4;
+  out.add("<FieldData>\n");
+  out.add_array<std::int64_t>(
+      "boundary", each, each * m.boundary.size(),
+      [&m](std::size_t i) {
+        const boundary_edge& e = m.boundary[i / each];
+        return std::array{std::int64_t{e.a}, std::int64_t{e.b}, std::int64_t{e.marker},
+                          std::int64_t{e.segment}}[i % each];
+      },
+      fmt::format(" NumberOfTuples=\"{}\"", m.boundary.size()));
+  out.add("</FieldData>\n");
+}
 
 void add_points(vtu_writer& out, const mesh& m) {
   out.add("<Points>\n");
@@ -152,6 +170,7 @@ void write_vtu(const mesh& m, const byte_sink& put) {
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n"
       "<UnstructuredGrid>\n");
+  add_boundary(out, m);
   out.add(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", m.sites.size(),
                       cells.size()));
   add_points(out, m);

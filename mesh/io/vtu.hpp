@@ -7,7 +7,8 @@
 // `metric_tensor` (3x3, rows one after the other, 1 for z), `star_size` (triangles at the vertex),
 // `given` (1 for the domain's own vertices). Cell data: `smallest_angle` (degrees, the least of the
 // nine angles seen from the three vertices), `disagreeing` (1 or 0), `region` (0 for disagreeing
-// ones). Source: "VTK File Formats", the XML section (docs.vtk.org).
+// ones). Field data: `boundary`, for each subsegment its two points, its marker and the number of
+// its segment, from 0. Source: "VTK File Formats", the XML section (docs.vtk.org).
 #pragma once
 
 #include "asterism/mesh/data/mesh.hpp"

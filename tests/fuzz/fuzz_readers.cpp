@@ -127,6 +127,8 @@ bool read_a_mesh(const path& file) {
   if (!is_read(read)) return false;
   for (const char* name : {"again.mesh", "again.meshb", "again.msh", "again.msh2"})
     expect_again(read.value(), files().of(name));
+  // A grid without triangles is no mesh.
+  if (!read.value().triangles.empty()) expect_again(read.value(), files().of("again.vtu"));
   return true;
 }
 
@@ -174,7 +176,7 @@ struct reader {
   unsigned long long taken = 0, refused = 0;
 };
 
-std::array<reader, 15> readers{{{"a.poly", read_a_domain},
+std::array<reader, 16> readers{{{"a.poly", read_a_domain},
                                 {"b.geojson", read_a_domain},
                                 {"c.wkt", read_a_domain},
                                 {"d.mesh", read_a_mesh},
@@ -188,7 +190,8 @@ std::array<reader, 15> readers{{{"a.poly", read_a_domain},
                                 {"l.bb", read_a_solution},
                                 {"m.BB", read_a_solution},
                                 {"n.vtu", read_a_solution},
-                                {"o.certificate.json", read_a_certificate}}};
+                                {"o.certificate.json", read_a_certificate},
+                                {"p.vtu", read_a_mesh}}};
 
 void write_counts() {
   const char* const name = std::getenv("ASTERISM_FUZZ_COUNTS");
