@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any
+from typing import Any, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -38,6 +38,18 @@ class Domain(_Domain):
         if not os.path.exists(path):
             raise InputError(f"{os.fspath(path)}: cannot be opened for reading")
         return cls.load(os.fspath(path))
+
+    @classmethod
+    def from_mesh(cls, mesh: Any, corner_angle: Optional[float] = None) -> _Domain:
+        """What a Mesh covers, with its regions and markers.
+
+        An edge between triangles of different regions is a segment, and told in a UserWarning where it
+        is not among the mesh's edges. Every point is one of the domain; with a corner_angle, in degrees,
+        those alone that keep its shape, as `asterism adapt` finds them: a curved outer boundary becomes
+        coarser where the mesh's metric is, lines between regions do not.
+        """
+        made: _Domain = mesh._made.domain(corner_angle)
+        return made
 
     @classmethod
     def from_geo(cls, shape: Any) -> _Domain:

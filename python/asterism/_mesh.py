@@ -45,11 +45,15 @@ class Mesh:
 
     points (n, 2), metric (n, 3), sites (n, 5), triangles (t, 3), regions (t,), edges (b, 2) of the
     boundary and edge_markers (b,); `given`: how many points, the first ones, are the domain's.
+    From elsewhere: regions, edges and edge_markers are whole numbers of 32 bits, and may be left out:
+    the region is 1 then, and sides that are not among the edges have the marker 0, told in a UserWarning.
     """
 
     def __init__(self, points: npt.ArrayLike, triangles: npt.ArrayLike,
-                 metric: npt.ArrayLike = (1, 0, 1)) -> None:
-        self._made = _Mesh.from_arrays(points, triangles, metric)
+                 metric: npt.ArrayLike = (1, 0, 1), *, regions: Optional[npt.ArrayLike] = None,
+                 edges: Optional[npt.ArrayLike] = None,
+                 edge_markers: Optional[npt.ArrayLike] = None) -> None:
+        self._made = _Mesh.from_arrays(points, triangles, metric, regions, edges, edge_markers)
 
     @classmethod
     def _of(cls, made: _Mesh) -> Mesh:
@@ -178,8 +182,8 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
 
 
 def read(path: "str | os.PathLike[str]") -> Mesh:
-    """Reads a .mesh, with the metric of its .sol (without one: the plane's) and the certificate
-    beside it."""
+    """Reads a .mesh, .meshb, .msh or .vtu, with the metric of its .sol or in it (without one: the
+    plane's) and the certificate beside it. What its reader changed is a UserWarning."""
     return Mesh._of(_Mesh.read(os.fspath(path)))
 
 

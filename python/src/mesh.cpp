@@ -5,13 +5,19 @@
 #include <pybind11/stl.h>
 
 #include <filesystem>
+#include <limits>
+#include <utility>
 
 #include "arguments.hpp"
+#include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/draw/picture.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_edges.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "bindings.hpp"
 #include "py_mesh.hpp"
 
@@ -77,10 +83,63 @@ std::vector<std::string> save(const py_mesh& m, const std::string& name) {
   return names;
 }
 
+using index_array = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+vertex_index point_number(const index_array& table, const char* name, py::ssize_t row,
+                          py::ssize_t column, std::size_t points) {
+  const std::int64_t v = table.data()[table.shape(1) * row + column];
+  if (v < 0 || v >= static_cast<std::int64_t>(points))
+    throw input_error(std::string(name) + ": row " + std::to_string(row) + " names point " +
+                      std::to_string(v) + " of " + std::to_string(points));
+  return static_cast<vertex_index>(v);
+}
+
+// Returns whole numbers that an int holds, one for each of `count`.
+std::vector<int> numbers_of(const py::object& given, const char* name, std::size_t count) {
+  const auto numbers = given.cast<index_array>();
+  if (numbers.ndim() != 1 || static_cast<std::size_t>(numbers.size()) != count)
+    throw input_error(std::string(name) + ": " + std::to_string(count) +
+                      " numbers are wanted, one for each");
+  std::vector<int> found;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int64_t n = numbers.data()[k];
+    if (n < std::numeric_limits<int>::min() || n > std::numeric_limits<int>::max())
+      throw input_error(std::string(name) + ": number " + std::to_string(k) + " is " +
+                        std::to_string(n) + ", which takes more than 32 bits");
+    found.push_back(static_cast<int>(n));
+  }
+  return found;
+}
+
+void add_edges(mesh& m, const py::object& edges, const py::object& markers) {
+  if (edges.is_none()) {
+    if (!markers.is_none()) throw input_error("edge_markers: there are no edges");
+    return;
+  }
+  const auto ends = edges.cast<index_array>();
+  if (ends.ndim() != 2 || ends.shape(1) != 2)
+    throw input_error("edges: the shape (n, 2) is wanted");
+  const auto count = static_cast<std::size_t>(ends.shape(0));
+  const std::vector<int> marked =
+      markers.is_none() ? std::vector<int>(count, 0) : numbers_of(markers, "edge_markers", count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto row = static_cast<py::ssize_t>(k);
+    m.boundary.push_back({point_number(ends, "edges", row, 0, m.sites.size()),
+                          point_number(ends, "edges", row, 1, m.sites.size()),
+                          static_cast<vertex_index>(k), marked[k], false});
+  }
+}
+
+// Warns, as Python does, of what was changed or passed over.
+void warn(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 2) != 0) throw py::error_already_set();
+}
+
 // From elsewhere: nothing is known of how it was made.
-py_mesh from_arrays(const py::object& points, const py::object& triangles,
-                    const py::object& metric) {
-  using index_array = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+py_mesh from_arrays(const py::object& points, const py::object& triangles, const py::object& metric,
+                    const py::object& regions, const py::object& edges,
+                    const py::object& edge_markers) {
   const number_table at(points, 2, "points"), tensors(metric, 3, "metric");
   const auto corners = triangles.cast<index_array>();
   if (corners.ndim() != 2 || corners.shape(1) != 3)
@@ -95,28 +154,44 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles,
   m.given = static_cast<vertex_index>(m.sites.size());
   for (py::ssize_t k = 0; k < corners.shape(0); ++k) {
     triangle t;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::int64_t v = corners.data()[3 * k + static_cast<py::ssize_t>(c)];
-      if (v < 0 || v >= static_cast<std::int64_t>(m.sites.size()))
-        throw input_error("triangles: row " + std::to_string(k) + " names point " +
-                          std::to_string(v) + " of " + std::to_string(m.sites.size()));
-      t[c] = static_cast<vertex_index>(v);
-    }
+    for (std::size_t c = 0; c < 3; ++c)
+      t[c] = point_number(corners, "triangles", k, static_cast<py::ssize_t>(c), m.sites.size());
     m.triangles.push_back(t);
   }
+  if (!regions.is_none()) m.regions = numbers_of(regions, "regions", m.triangles.size());
+  add_edges(m, edges, edge_markers);
+  internal::list_sides(m);
   py_mesh made;
-  made.content = value_or_raise(adopt_mesh(std::move(m))).subject;
+  made.content = value_or_raise(adopt_mesh(std::move(m), region_edges::as_listed)).subject;
+  warn(std::exchange(made.content.notes, {}));
   made.reason = "it came from elsewhere";
   return made;
 }
 
-py_mesh read(const std::string& name) {
+// Returns what the mesh covers: every vertex is one of the domain, or with a corner angle those
+// that keep its shape.
+domain domain_of(const py_mesh& m, const std::optional<double>& corner_angle) {
+  const auto make = [&]() -> result<adopted_mesh> {
+    const py::gil_scoped_release unlocked;
+    auto adopted = internal::checked_triangulation(m.content, "the mesh");
+    if (!adopted || !corner_angle) return adopted;
+    auto outline = outline_of_mesh(adopted.value().subject, {}, *corner_angle);
+    if (!outline) return outline.failure();
+    if (!outline.value().keeps_all) adopted.value().shape = std::move(outline.value().shape);
+    return adopted;
+  };
+  adopted_mesh made = value_or_raise(make());
+  warn(made.subject.notes);
+  return std::move(made.shape);
+}
+
+py_mesh read_unlocked(const std::string& name) {
   const std::filesystem::path path = name;
   const py::gil_scoped_release unlocked;
   medit_read_options options;
   options.identity_without_solution = !std::filesystem::exists(solution_path(path));
   py_mesh made;
-  made.content = value_or_raise(read_medit(path, options));
+  made.content = value_or_raise(read_mesh(path, options));
   made.reason = "it was read from " + path.string();
   auto beside = path;
   beside.replace_extension(".certificate.json");
@@ -125,6 +200,12 @@ py_mesh read(const std::string& name) {
   made.angle_bound = made.claim->angle_bound.value_or(0);
   made.complete = made.claim->complete;
   made.reason = made.claim->reason;
+  return made;
+}
+
+py_mesh read(const std::string& name) {
+  py_mesh made = read_unlocked(name);
+  warn(std::exchange(made.content.notes, {}));
   return made;
 }
 
@@ -143,7 +224,9 @@ py::dict statistics(const py_mesh& m) {
 
 void define_mesh(py::module_& m) {
   py::class_<py_mesh>(m, "_Mesh")
-      .def_static("from_arrays", &from_arrays)
+      .def_static("from_arrays", &from_arrays, py::arg("points"), py::arg("triangles"),
+                  py::arg("metric"), py::arg("regions") = py::none(), py::arg("edges") = py::none(),
+                  py::arg("edge_markers") = py::none())
       .def_static("read", &read)
       .def_property_readonly(
           "points",
@@ -184,6 +267,7 @@ void define_mesh(py::module_& m) {
                                if (!self.claim) return std::nullopt;
                                return certificate_text(*self.claim);
                              })
+      .def("domain", &domain_of, py::arg("corner_angle") = py::none())
       .def("statistics", &statistics)
       .def("svg", &svg_of, py::arg("width") = 600, py::arg("ellipses") = false)
       .def("save", &save, py::arg("path"));
