@@ -416,7 +416,8 @@ void add_adapt_command(CLI::App& program, command& chosen) {
   auto* const quiet = app->add_flag("--quiet", job->quiet, "No progress, no summary");
   app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
       ->excludes(quiet);
-  app->add_flag("--strict", job->strict, "Refuse input of which something would be changed, noted");
+  app->add_flag("--strict", job->strict,
+                "Refuse a mesh of which something would be changed or passed over, with a note");
   app->footer(examples);
   app->callback([job, &chosen] { chosen = [job] { return run_adapt(*job); }; });
 }

@@ -175,6 +175,8 @@ void add_output_options(CLI::App& app, mesh_job& job) {
       ->check(CLI::IsMember({"stars", "voronoi"}))
       ->type_name("WHAT");
   app.add_flag("--ellipses", job.ellipses, "Draw the metric in pictures");
+  app.add_flag("--strict", job.strict,
+               "Refuse a domain of which something would be changed or passed over, with a note");
   auto* const quiet = app.add_flag("--quiet", job.quiet, "No progress, no summary");
   app.add_flag("--json", job.json, "The summary as a JSON object, in place of lines")
       ->excludes(quiet);

@@ -365,11 +365,12 @@ class WordTest(RegionTest):
 
     def test_notes_are_refused_where_nothing_may_be_changed(self):
         before = self.files()
-        done = self.run_command("adapt", "old.mesh", "--solution", "u.old.sol", "--vertices", 60, "-o",
-                                "other.mesh", "--strict")
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("--strict: edges between triangles of different regions", done.stderr)
-        self.assertEqual(self.files(), before)
+        for arguments in (["mesh", "old.mesh"],
+                          ["adapt", "old.mesh", "--solution", "u.old.sol", "--vertices", "60"]):
+            done = self.run_command(*arguments, "-o", "other.mesh", "--strict")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("--strict: edges between triangles of different regions", done.stderr)
+            self.assertEqual(self.files(), before)
 
 
 class SidesTest(RegionTest):

@@ -211,3 +211,33 @@ TEST_CASE("marks of vertices that do not exist are refused") {
   CHECK_FALSE(outline_of_mesh(m, marks, 30).ok());
   CHECK_FALSE(outline_of_mesh(m, {}, 0).ok());
 }
+
+TEST_CASE("a curved line between regions keeps its vertices, one within a region does not") {
+  // A disc in a ring, of triangles between a centre and two circles.
+  constexpr vertex_index n = 256;
+  mesh m;
+  for (const double radius : {0.5, 1.0})
+    for (vertex_index i = 0; i < n; ++i) {
+      const double t = 2 * std::numbers::pi * i / n;
+      m.sites.push_back({{radius * std::cos(t), radius * std::sin(t)}, {1, 0, 1}});
+    }
+  m.sites.push_back({{0, 0}, {1, 0, 1}});
+  for (vertex_index i = 0; i < n; ++i) {
+    const vertex_index j = (i + 1) % n;
+    m.triangles.insert(m.triangles.end(), {{i, j, 2 * n}, {i, n + i, n + j}, {i, n + j, j}});
+    m.boundary.push_back({n + i, n + j, i, 7, false});
+    m.boundary.push_back({i, j, n + i, 3, true});
+  }
+  for (vertex_index i = 0; i < n; ++i) m.regions.insert(m.regions.end(), {2, 1, 1});
+  const mesh_outline kept = outline(m);
+  CHECK(kept.boundary_vertices == 2 * n);
+  CHECK(kept.kept > n);
+  CHECK(kept.kept < 2 * n);
+  for (vertex_index i = 0; i < n; ++i)
+    CHECK(std::count(kept.shape.vertices.begin(), kept.shape.vertices.end(), m.sites[i].position) ==
+          1);
+  CHECK(enclosed_sizes(kept.shape).at(2) ==
+        Approx(n / 2.0 * 0.25 * std::sin(2 * std::numbers::pi / n)));
+  m.regions.clear();
+  CHECK(outline(m).kept < kept.kept);
+}
