@@ -126,7 +126,7 @@ std::optional<error> take_domain(adapt_job& job) {
   auto checked = check_domain(divided.value(), &repairs);
   if (!checked) return checked.failure();
   for (const auto& notes : {loaded.value().origin.notes, repairs.messages})
-    if (auto refused = say_notes(notes, {job.quiet, false})) return refused;
+    if (auto refused = say_notes(notes, {job.quiet, job.strict})) return refused;
   job.options.exact = std::move(checked).value();
   return std::nullopt;
 }
