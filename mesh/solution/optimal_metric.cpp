@@ -22,7 +22,25 @@ double determinant_of(const metric_tensor& m) {
   return std::fma(m.m11, m.m22, -product) + std::fma(-m.m12, m.m12, product);
 }
 
-double root_of(const metric_tensor& m) { return std::sqrt(std::max(0.0, determinant_of(m))); }
+// Returns the power of two by which a tensor is divided before its determinant is taken; 0 for
+// ordinary ones.
+int power_of(const metric_tensor& m) {
+  constexpr int ordinary = 900;
+  if (!(m.m11 > 0 && m.m22 > 0)) return 0;
+  const int powers = std::ilogb(m.m11) + std::ilogb(m.m22);
+  return std::abs(powers) > ordinary ? powers / 2 : 0;
+}
+
+metric_tensor divided(const metric_tensor& m, int power) {
+  if (power == 0) return m;
+  return {std::scalbn(m.m11, -power), std::scalbn(m.m12, -power), std::scalbn(m.m22, -power)};
+}
+
+double root_of(const metric_tensor& m) {
+  const int power = power_of(m);
+  const double root = std::sqrt(std::max(0.0, determinant_of(divided(m, power))));
+  return power == 0 ? root : std::scalbn(root, power);
+}
 
 // The optimum in logarithms, so that no power overflows: of the moduli as parts of the greatest of
 // all, of D, and of the least eigenvalue allowed.
@@ -203,29 +221,43 @@ double predicted_error(const std::vector<metric_tensor>& tensors,
                        const std::vector<metric_tensor>& hessian, const std::vector<double>& areas,
                        std::optional<double> norm) {
   const auto moduli = [&](std::size_t v) {
-    const metric_tensor &m = tensors[v], &h = hessian[v];
+    const int of_metric = power_of(tensors[v]);
+    const metric_tensor m = divided(tensors[v], of_metric), &h = hessian[v];
     const double root = root_of(m);
     if (!(root > 0)) return equilateral_moduli{0, 0};
     // Half the trace and the determinant of M^-1 H, of which a and b are the eigenvalues.
     const double mean = (m.m22 * h.m11 - 2 * m.m12 * h.m12 + m.m11 * h.m22) / (root * root) / 2,
                  product = determinant_of(h) / (root * root);
-    return equilateral_moduli{std::abs(mean), std::sqrt(std::max(0.0, mean * mean - product))};
+    const double difference = std::sqrt(std::max(0.0, mean * mean - product));
+    return equilateral_moduli{std::scalbn(std::abs(mean), -of_metric),
+                              std::scalbn(difference, -of_metric)};
   };
   if (!norm) {
     double error = 0;
     for (std::size_t v = 0; v < tensors.size(); ++v) error = std::max(error, moduli(v).greater());
     return error_constant(norm) * error;
   }
+  // Squares of very large errors have no double: a power of two is taken out, and put back.
+  double greatest = 0;
+  for (std::size_t v = 0; v < tensors.size(); ++v)
+    greatest = std::max(greatest, moduli(v).greater());
+  constexpr int ordinary = 200;
+  const int beyond = greatest > 0 && std::isfinite(greatest) ? std::ilogb(greatest) : 0;
+  const int out = std::abs(beyond) > ordinary ? beyond : 0;
   if (*norm == 2)
-    return std::sqrt(ordered_sum(tensors.size(), [&](std::size_t v) {
-      const auto [mean, difference] = moduli(v);
-      return areas[v] * (mean * mean / 60 + difference * difference / 480);
-    }));
+    return std::scalbn(std::sqrt(ordered_sum(tensors.size(),
+                                             [&](std::size_t v) {
+                                               const auto [mean, difference] = moduli(v);
+                                               const double m = std::scalbn(mean, -out),
+                                                            d = std::scalbn(difference, -out);
+                                               return areas[v] * (m * m / 60 + d * d / 480);
+                                             })),
+                       out);
   const double sum = ordered_sum(tensors.size(), [&](std::size_t v) {
-    const double e = moduli(v).greater();
+    const double e = std::scalbn(moduli(v).greater(), -out);
     return areas[v] * (*norm == 1 ? e : power(e, *norm));
   });
-  return error_constant(norm) * power(sum, 1 / *norm);
+  return std::scalbn(error_constant(norm) * power(sum, 1 / *norm), out);
 }
 
 }  // namespace asterism::internal
