@@ -5,13 +5,28 @@ import re
 
 from skbuild import setup
 
-HEADER = (pathlib.Path(__file__).parent / "core/version.h").read_text(encoding="utf-8")
+FOLDER = pathlib.Path(__file__).parent
+HEADER = (FOLDER / "core/version.h").read_text(encoding="utf-8")
 
 setup(
     name="asterism",
     version=re.search(r'VERSION_TEXT "([^"]+)"', HEADER).group(1),
     description="Exact anisotropic predicates and certified triangle meshes",
+    long_description=(FOLDER / "README.md").read_text(encoding="utf-8"),
+    long_description_content_type="text/markdown",
+    author="The Asterism authors",
     license="MIT",
+    keywords=["mesh", "triangulation", "anisotropic", "Delaunay", "predicates", "adaptation"],
+    classifiers=[
+        "Development Status :: 4 - Beta",
+        "Intended Audience :: Science/Research",
+        "License :: OSI Approved :: MIT License",
+        "Operating System :: POSIX :: Linux",
+        "Programming Language :: C++",
+        "Programming Language :: Python :: 3",
+        "Topic :: Scientific/Engineering :: Mathematics",
+        "Typing :: Typed",
+    ],
     python_requires=">=3.9",
     install_requires=["numpy"],
     package_dir={"": "python"},
