@@ -56,15 +56,27 @@ failure_or_none vtu_file::read_encoding(const xml_tag& tag) {
   return {};
 }
 
+// Reads how many there are: no more than 32-bit numbers can name, so that no product with it wraps.
+result<std::size_t> vtu_file::count_of(const xml_tag& tag, std::string_view attribute) const {
+  constexpr std::size_t most = std::size_t{1} << 30;
+  const auto count = whole_number(tag[attribute]);
+  if (!count)
+    return tags_.failure(tag.line, std::string(attribute) + ": " + count.failure().message);
+  if (count.value() > most)
+    return tags_.failure(
+        tag.line, fmt::format("{}: {} are more than can be numbered", attribute, count.value()));
+  return count;
+}
+
 failure_or_none vtu_file::read_piece(const xml_tag& tag) {
   if (++pieces_ > 1) return tags_.failure(tag.line, "a second piece: only one can be read");
-  const auto points = whole_number(tag["NumberOfPoints"]);
-  if (!points) return tags_.failure(tag.line, "NumberOfPoints: " + points.failure().message);
+  const auto points = count_of(tag, "NumberOfPoints");
+  if (!points) return points.failure();
   points_ = points.value();
   piece_line_ = tag.line;
   if (tag["NumberOfCells"].empty()) return {};
-  const auto cells = whole_number(tag["NumberOfCells"]);
-  if (!cells) return tags_.failure(tag.line, "NumberOfCells: " + cells.failure().message);
+  const auto cells = count_of(tag, "NumberOfCells");
+  if (!cells) return cells.failure();
   cells_ = cells.value();
   return {};
 }

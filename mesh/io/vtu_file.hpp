@@ -58,6 +58,7 @@ class vtu_file {
   std::optional<error> collect();
   std::optional<error> enter(const xml_tag& tag);
   std::optional<error> read_encoding(const xml_tag& tag);
+  result<std::size_t> count_of(const xml_tag& tag, std::string_view attribute) const;
   std::optional<error> read_piece(const xml_tag& tag);
   std::optional<error> account_for(const vtu_array& a, std::size_t count);
   result<std::vector<double>> text_numbers(const vtu_array& a, std::size_t count) const;

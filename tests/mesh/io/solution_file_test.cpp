@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/vtu_numbers.hpp"
 #include "asterism/tests/mesh/fixtures/temporary_directory.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
@@ -210,6 +211,20 @@ TEST_CASE("arrays of a .vtu at one place are no more than the file can hold") {
   const auto many = read_solution(folder.write("many.vtu", file(20)), m);
   REQUIRE_FALSE(many.ok());
   CHECK(many.failure().message.find("more than a file of") != std::string::npos);
+}
+
+TEST_CASE("a .vtu mesh of so many points that products with their number wrap is refused") {
+  // Three times the number of points is 2 in 64 bits.
+  const temporary_directory folder("wrapped");
+  const auto made = read_mesh(folder.write(
+      "m.vtu",
+      "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid>\n<Piece "
+      "NumberOfPoints=\"6148914691236517206\" NumberOfCells=\"0\"><Points><DataArray "
+      "type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0</DataArray></Points>"
+      "</Piece></UnstructuredGrid></VTKFile>"));
+  REQUIRE_FALSE(made.ok());
+  CHECK(made.failure().message.find("m.vtu:2: NumberOfPoints: 6148914691236517206 are more than") !=
+        std::string::npos);
 }
 
 TEST_CASE("base64 stops at what is none, and goes on after padding") {
