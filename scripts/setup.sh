@@ -5,11 +5,16 @@
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$project/build/release
 
-packages=(
+# For the command and the library.
+command_packages=(
   g++ cmake ninja-build pkg-config
-  libcgal-dev libgmp-dev libmpfr-dev libboost-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libcairo2-dev libtbb-dev zlib1g-dev
-  catch2 doxygen python3 python3-meshio python3-numpy freefem++
+  libgmp-dev libmpfr-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev
+  libcairo2-dev libtbb-dev zlib1g-dev
+)
+
+# For the tests and the Python package besides.
+test_packages=(
+  libcgal-dev catch2 doxygen python3 python3-meshio python3-numpy freefem++
   pybind11-dev python3-dev python3-pytest python3-skbuild python3-setuptools mypy
   python3-matplotlib python3-shapely python3-scipy python3-nbclient python3-ipykernel
 )
@@ -18,13 +23,15 @@ packages=(
 # has them installed as well. rustc with its library and LLVM unpacks to 375 MB.
 large_packages=(chromium chromium-driver python3-selenium python3-pil gmsh python3-vtk9 rustc
   zsh fish emscripten nodejs npm)
+packages=("${command_packages[@]}" "${test_packages[@]}")
 [ "${ASTERISM_LARGE_PACKAGES:-0}" = 0 ] || packages+=("${large_packages[@]}")
 
 installed() { dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }
 
+# install_packages PACKAGE...: those that are not there.
 install_packages() {
   local missing=() as_root=()
-  for package in "${packages[@]}"; do
+  for package in "$@"; do
     installed "$package" || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return
@@ -35,8 +42,12 @@ install_packages() {
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
+# configure [OPTION...]: the build tree, with everything unless an option leaves it out.
+configure() {
+  (cd "$project" && cmake --preset release "$@" >/dev/null)
+}
+
 # build_targets [TARGET...]: all of them when none is named.
 build_targets() {
-  (cd "$project" && cmake --preset release >/dev/null) || return
   cmake --build "$build" --parallel "$(nproc)" ${1:+--target "$@"}
 }
