@@ -41,7 +41,7 @@ def test_regions_survive(seed):
     numbers = chance.choice([0, 1, -5, 4, 77, 2**31 - 1, -2**31], 3, replace=False)
     cut = chance.integers(1, 5, 4)
     points, triangles, regions = grid(
-        6, lambda i, j, h: int(numbers[(i < cut[0]) + (j < cut[1] and i > cut[2] + h - 1)]))
+        6, lambda i, j, h: int(numbers[int(i < cut[0]) + int(j < cut[1] and i > cut[2] + h - 1)]))
     points = points @ np.array([[1, 0], [chance.choice([0, 0.3, -1 / 7]), 1]]) * chance.choice([1, 0.01])
     old = asterism.Mesh(points, triangles, regions=regions)
     assert (old.regions == regions).all()
