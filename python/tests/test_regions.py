@@ -39,7 +39,7 @@ def quietly(call, *arguments, **more):
 def test_regions_survive(seed):
     chance = np.random.default_rng(seed)
     numbers = chance.choice([0, 1, -5, 4, 77, 2**31 - 1, -2**31], 3, replace=False)
-    cut = chance.integers(1, 5, 4)
+    cut = chance.integers(1, 5, 3).tolist()
     points, triangles, regions = grid(
         6, lambda i, j, h: int(numbers[int(i < cut[0]) + int(j < cut[1] and i > cut[2] + h - 1)]))
     points = points @ np.array([[1, 0], [chance.choice([0, 0.3, -1 / 7]), 1]]) * chance.choice([1, 0.01])
