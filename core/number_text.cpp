@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "asterism/core/double_reader.hpp"
+
 namespace asterism::internal {
 
 std::string quoted_token(std::string_view token) {
@@ -73,8 +75,7 @@ result<double> parse_number(std::string_view token) {
 
   double value = 0;
   const char* const end = digits.data() + digits.size();
-  const auto read = std::from_chars(
-      digits.data(), end, value, hexadecimal ? std::chars_format::hex : std::chars_format::general);
+  const auto read = read_double(digits.data(), end, value, hexadecimal);
   if (read.ec == std::errc::invalid_argument || read.ptr != end) return no_number();
   // "0xinf" is not C99's; plain "inf" and "nan" are numbers, but not finite ones.
   if (hexadecimal && !std::isfinite(value)) return no_number();
