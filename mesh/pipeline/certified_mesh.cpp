@@ -7,7 +7,6 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/shared_tree.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
-#include "asterism/mesh/pipeline/make_mesh.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
 #include "asterism/mesh/pipeline/unconfirmed_mesh.hpp"
 
@@ -103,7 +102,7 @@ result<certified_mesh> make_certified_mesh(const domain& d, const metric_field& 
   };
   auto judged = judge(internal::make_unconfirmed_mesh(d, field, options, progress));
   if (!judged || !internal::may_be_confirmed(judged.value(), options)) return judged;
-  return judge(make_mesh(d, field, options, progress));
+  return judge(internal::make_confirmed_mesh(d, field, options, progress));
 }
 
 }  // namespace asterism

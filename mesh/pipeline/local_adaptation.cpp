@@ -62,8 +62,9 @@ class adaptation {
     options_.stop.expect(count_);
     // A formula has no noise. With more sites what turns from node to node is mostly a feature, and
     // errors of fine waves grow without it (docs/design/adaptation.md).
-    is_without_noise_ = is_field_itself_ && wants_few();
-    if (is_without_noise_) fitted_.set_tensors(without_noise(wanted_, options_.stop));
+    is_fitted_to_other_ = is_field_itself_ && wants_few();
+    if (is_fitted_to_other_) fitted_.set_tensors(without_noise(wanted_, options_.stop));
+    if (domain_has_many_vertices()) make_room_for_segments();
     const cancellation whole = options_.stop;
     constexpr double for_ladder = 0.8;  // of the work; what is left is for one metric
     options_.stop = whole.part(for_ladder);
@@ -126,6 +127,52 @@ class adaptation {
     for (const site& s : sites) seeds_.push_back(s.position);
   }
 
+  // True if one node of ten or more is a vertex of the domain.
+  bool domain_has_many_vertices() const {
+    constexpr std::size_t part = 10;
+    return part * domain_.vertices.size() > count_;
+  }
+
+  // Makes the metric that the mesh is fitted to finer, alike in all directions, where vertices of
+  // the domain are nearer to each other than it calls one, and beside them. Angles need nodes
+  // there, which the metric wanted does not have; without, none of the ways to a mesh led to one
+  // with so many nodes (docs/design/adaptation.md).
+  void make_room_for_segments() {
+    const std::vector<point>& places = fitted_.places();
+    const std::vector<graph_edge> edges = fitted_.edges();
+    const std::vector<char> is_given = at_vertices_of_domain(places);
+    std::vector<metric_tensor> tensors = fitted_.tensors();
+    std::vector<double> factor(places.size(), 1);
+    for (const graph_edge& e : edges) {
+      if (is_given[e.a] == 0 || is_given[e.b] == 0) continue;
+      const double x = places[e.b].x - places[e.a].x, y = places[e.b].y - places[e.a].y;
+      for (const vertex_index v : {e.a, e.b})
+        factor[v] = std::max(factor[v], 1 / squared(tensors[v], x, y));
+    }
+    for (std::size_t v = 0; v < factor.size(); ++v)
+      tensors[v] = {tensors[v].m11 * factor[v], tensors[v].m12 * factor[v],
+                    tensors[v].m22 * factor[v]};
+    gradation_limit limit;
+    limit.distortion = 1.5;  // 1.3 to 2 do as well; with 2 and more some angles are low again
+    grade(places, edges, limit, tensors, options_.stop);
+    fitted_.set_tensors(std::move(tensors));
+    is_fitted_to_other_ = true;
+  }
+
+  // Returns which of the places are vertices of the domain, to the last bit: those of a mesh that
+  // is its own domain are.
+  std::vector<char> at_vertices_of_domain(const std::vector<point>& places) const {
+    const auto less = [](const point& p, const point& q) {
+      return p.x != q.x ? p.x < q.x : p.y < q.y;
+    };
+    std::vector<point> given = domain_.vertices;
+    std::sort(given.begin(), given.end(), less);
+    std::vector<char> found;
+    for (const point& q : places)
+      found.push_back(std::binary_search(given.begin(), given.end(), q, less) ? 1 : 0);
+    return found;
+  }
+
   bool wants_few() const {
     constexpr std::size_t few = 1000;
     return count_ < few;
@@ -167,21 +214,22 @@ class adaptation {
         m.set_metric(v, fitted_.at(m.at(v).position, m.at(v).hint));
   }
 
-  // Gives the node the metric without noise where that is another one than the metric wanted: both
-  // are interpolated by the same operations.
-  void leave_out_noise(working_mesh& m, vertex_index v) const {
+  // Gives the node the metric that the mesh is made in where that is another one than the metric
+  // wanted: both are interpolated by the same operations.
+  void take_other(working_mesh& m, vertex_index v) const {
     const auto without = fitted_.where_other(wanted_, m.at(v).position, m.at(v).hint);
     if (without) m.set_metric(v, *without);
   }
 
-  // Gives the nodes the metric wanted where they are, without noise. Returns false where it fails.
+  // Gives the nodes the metric wanted where they are, or the other one the mesh is made in. Returns
+  // false where it fails.
   bool take_wanted(working_mesh& m) const {
     for (vertex_index v = 0; v < m.nodes().size(); ++v) {
       if (m.at(v).kind == node_kind::gone) continue;
       const auto there = wanted_at(m.at(v).position);
       if (!there) return false;
       m.set_metric(v, *there);
-      if (is_without_noise_) leave_out_noise(m, v);
+      if (is_fitted_to_other_) take_other(m, v);
     }
     return true;
   }
@@ -324,9 +372,9 @@ class adaptation {
 
   // Makes tensors alike until the auditor has nothing against the mesh.
   void mend(working_mesh& m, agreement& agreeing) {
-    constexpr int patience = 3;
+    constexpr int patience = 3, patience_with_few = 4;
     std::size_t least = all_findings;
-    int in_vain = 0;
+    int in_vain = 0, since_least = 0;
     for (int audits = 0; audits < most_audits && !is_overworked(); ++audits) {
       made_.take(m);
       made_.judge(made_.subject().sites.size());
@@ -334,6 +382,8 @@ class adaptation {
       const std::size_t left = made_.report()->total_found();
       const bool are_many = 20 * left > made_.subject().sites.size();
       in_vain = are_many && 10 * left > 9 * least ? in_vain + 1 : 0;
+      since_least = left < least ? 0 : since_least + 1;
+      if (since_least == patience_with_few) return;
       least = std::min(least, left);
       is_hopeless_ = in_vain == patience;
       if (is_hopeless_) return;
@@ -417,8 +467,9 @@ class adaptation {
   mesh_options options_;  // with the work that the step at hand may do
   const mesh& start_;
   const nodal_field& wanted_;
-  nodal_field fitted_;  // what the mesh is made in: the metric wanted, maybe without noise
-  bool is_without_noise_ = false;
+  // What the mesh is made in: the metric wanted, maybe without noise, and finer at short segments.
+  nodal_field fitted_;
+  bool is_fitted_to_other_ = false;  // is that another metric?
   bool is_field_itself_;
   std::size_t count_;
   std::vector<point> seeds_;

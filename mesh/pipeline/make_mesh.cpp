@@ -93,7 +93,7 @@ class ways_to_mesh {
  public:
   // All must outlive it. Takes all work there is, of work_for_ways() ways.
   ways_to_mesh(const domain& d, const metric_field& field, const mesh_options& options,
-               const progress_listener& progress, star_confirmation confirmed)
+               const progress_listener& progress, star_confirmation confirmed, bool may_deliver)
       : domain_(d),
         progress_(progress),
         options_(with_part_of_work(options, 1 / work_for_ways(options))),
@@ -103,10 +103,11 @@ class ways_to_mesh {
         confirmed_(confirmed),
         delivery_(d, field, delivering_),
         image_(d, field, options_),
-        is_first_(may_adapt(options) && delivery_.is_first_choice()) {}
+        is_first_(may_adapt(options) && delivery_.is_first_choice()),
+        may_deliver_(may_deliver) {}
 
   result<mesh_outcome> run() {
-    if (is_first_)
+    if (is_first_ && may_deliver_)
       if (auto made = deliver(0)) return *std::move(made);
     auto outcome = try_metric_wanted();
     if (!outcome) return outcome;
@@ -192,6 +193,7 @@ class ways_to_mesh {
   metric_delivery delivery_;
   const unit_image image_;
   const bool is_first_;         // is a metric delivered what is tried first?
+  const bool may_deliver_;      // or is it known that none leads to a mesh?
   bool gave_up_early_ = false;  // was little work to be done in the metric wanted?
   tier_counters decided_;
   const star_predicates_on<filtered_kernel> stars_on_{decided_};
@@ -210,13 +212,15 @@ void note_stop(const cancellation& stop, mesh_outcome& made) {
 }
 
 result<mesh_outcome> make(const domain& d, const metric_field& field, const mesh_options& options,
-                          const progress_listener& progress, star_confirmation confirmed) {
+                          const progress_listener& progress, star_confirmation confirmed,
+                          bool may_deliver = true) {
   if (auto refused = check_options(d, options)) return *refused;
   mesh_options bounded = options;
   bounded.stop = with_run_work(options.stop, work_for_ways(options));
   bounded.stop.expect(d.vertices.size());
   const given_order order(d);
-  auto outcome = ways_to_mesh(order.shape(), field, bounded, progress, confirmed).run();
+  auto outcome =
+      ways_to_mesh(order.shape(), field, bounded, progress, confirmed, may_deliver).run();
   if (!outcome) return outcome;
   order.restore(outcome.value());
   note_stop(options.stop, outcome.value());
@@ -237,6 +241,14 @@ result<mesh_outcome> internal::make_unconfirmed_mesh(const domain& d, const metr
   return make(
       d, field, options, progress,
       options.improve_passes > 0 ? star_confirmation::by_mesher : star_confirmation::by_auditor);
+}
+
+// With a tolerance the mesh that was delivered beyond it may be what there is to show.
+result<mesh_outcome> internal::make_confirmed_mesh(const domain& d, const metric_field& field,
+                                                   const mesh_options& options,
+                                                   const progress_listener& progress) {
+  return make(d, field, options, progress, star_confirmation::by_mesher,
+              options.metric_tolerance.has_value());
 }
 
 }  // namespace asterism

@@ -23,4 +23,10 @@ result<mesh_outcome> make_unconfirmed_mesh(const domain& d, const metric_field& 
 // of its stars: make_mesh itself may find that before.
 bool may_be_confirmed(const certified_mesh& judged, const mesh_options& options);
 
+// Makes the mesh of make_mesh() where make_unconfirmed_mesh() led to one in the metric wanted: ways
+// to a metric delivered that did not lead to a mesh then are not gone again.
+result<mesh_outcome> make_confirmed_mesh(const domain& d, const metric_field& field,
+                                         const mesh_options& options,
+                                         const progress_listener& progress = {});
+
 }  // namespace asterism::internal

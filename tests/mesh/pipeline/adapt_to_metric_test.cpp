@@ -7,9 +7,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"
 #include "asterism/mesh/transfer/transfer.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
@@ -202,6 +206,59 @@ TEST_CASE("a loop that asks for a tenth more each time gets it each time") {
     m = next.made.outcome.result;
     CHECK(static_cast<double>(m.sites.size()) == Approx(wanted).epsilon(0.04));
   }
+}
+
+namespace {
+
+// A closed curve as ragged as a coast, by displaced middles, around the origin.
+domain ragged_domain(std::size_t count) {
+  std::vector<double> radii(8, 1.0);
+  std::uint64_t state = 7;
+  while (radii.size() < count) {
+    const double most = 0.3 * std::pow(8.0 / static_cast<double>(radii.size()), 0.9);
+    std::vector<double> finer;
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+      state = state * 6364136223846793005U + 1442695040888963407U;
+      const double part = static_cast<double>(state >> 11U) * 0x1p-52 - 1;
+      finer.push_back(radii[i]);
+      finer.push_back((radii[i] + radii[(i + 1) % radii.size()]) / 2 + most * part);
+    }
+    radii = finer;
+  }
+  domain d;
+  const auto n = static_cast<vertex_index>(radii.size());
+  for (vertex_index i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.0) * i / n;
+    d.vertices.push_back({radii[i] * std::cos(angle), radii[i] * std::sin(angle)});
+    d.segments.push_back({i, (i + 1) % n, 1});
+  }
+  const auto checked = check_domain(d);
+  REQUIRE(checked.ok());
+  return checked.value();
+}
+
+}  // namespace
+
+TEST_CASE("a boundary finer than the metric has as many vertices as are wanted, at once") {
+  const domain coast = ragged_domain(256);
+  mesh_options fine;
+  fine.limit_size = true;
+  const auto field = make_metric_field("identity", coast.box(), 0.06);
+  REQUIRE(field.ok());
+  const auto first = make_certified_mesh(coast, *field.value(), fine, {});
+  REQUIRE(first.ok());
+  REQUIRE(first.value().certified());
+  mesh m = first.value().outcome.result;
+  for (site& s : m.sites) {
+    const double size = 0.1 + 0.03 * std::sin(3 * s.position.x);
+    s.metric = {1 / (size * size), 0, 1 / (size * size)};
+  }
+  const std::size_t wanted = m.sites.size();
+  const auto next = adapted({m, {}}, wanted);
+  CHECK(next.made.certified());
+  REQUIRE(next.made.outcome.delivered);
+  CHECK(static_cast<double>(next.made.outcome.result.sites.size()) ==
+        Approx(static_cast<double>(wanted)).epsilon(0.03));
 }
 
 TEST_CASE("markers, regions and internal segments stay") {
