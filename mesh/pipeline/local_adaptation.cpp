@@ -64,7 +64,6 @@ class adaptation {
     // errors of fine waves grow without it (docs/design/adaptation.md).
     is_fitted_to_other_ = is_field_itself_ && wants_few();
     if (is_fitted_to_other_) fitted_.set_tensors(without_noise(wanted_, options_.stop));
-    if (domain_has_many_vertices()) make_room_for_segments();
     const cancellation whole = options_.stop;
     constexpr double for_ladder = 0.8;  // of the work; what is left is for one metric
     options_.stop = whole.part(for_ladder);
@@ -72,7 +71,12 @@ class adaptation {
     // than one mesh may have.
     std::size_t made = 0;
     for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
-      if (!attempt(start_, ladder[step])) {
+      bool is_made = attempt(start_, ladder[step]);
+      if (std::exchange(wants_room_, false)) {
+        make_room_for_segments();
+        is_made = attempt(start_, ladder[step]);
+      }
+      if (!is_made) {
         if (is_overworked()) break;
         return std::nullopt;
       }
@@ -156,7 +160,7 @@ class adaptation {
     limit.distortion = 1.5;  // 1.3 to 2 do as well; with 2 and more some angles are low again
     grade(places, edges, limit, tensors, options_.stop);
     fitted_.set_tensors(std::move(tensors));
-    is_fitted_to_other_ = true;
+    is_fitted_to_other_ = has_room_ = true;
   }
 
   // Returns which of the places are vertices of the domain, to the last bit: those of a mesh that
@@ -342,6 +346,10 @@ class adaptation {
     const agreement_options agree = asked_of_agreement(length_factor_);
     agreement agreeing(m, agree);
     agreeing.run();
+    constexpr std::size_t very_few = 100;  // one in so many
+    wants_room_ = !has_room_ && domain_has_many_vertices() &&
+                  very_few * (agreeing.report().disagreeing + agreeing.report().low) > m.count();
+    if (wants_room_) return;
     if (!stop_reason() && !are_many_given(m)) {
       agreeing.changed_at(maker.split_outliers(field_by(wanted_, m)));
       agreeing.run();
@@ -474,6 +482,8 @@ class adaptation {
   std::size_t count_;
   std::vector<point> seeds_;
   double length_factor_ = 1;
+  // Were angles low beside short segments, and is the mesh made in a metric finer there since?
+  bool wants_room_ = false, has_room_ = false;
   bool is_hopeless_ = false;  // mending of the last mesh was given up
   audited_mesh made_;         // the last mesh
 };

@@ -240,10 +240,10 @@ domain ragged_domain(std::size_t count) {
 }  // namespace
 
 TEST_CASE("a boundary finer than the metric has as many vertices as are wanted, at once") {
-  const domain coast = ragged_domain(256);
+  const domain coast = ragged_domain(1024);
   mesh_options fine;
   fine.limit_size = true;
-  const auto field = make_metric_field("identity", coast.box(), 0.06);
+  const auto field = make_metric_field("identity", coast.box(), 0.03);
   REQUIRE(field.ok());
   const auto first = make_certified_mesh(coast, *field.value(), fine, {});
   REQUIRE(first.ok());
@@ -253,10 +253,11 @@ TEST_CASE("a boundary finer than the metric has as many vertices as are wanted, 
     const double size = 0.1 + 0.03 * std::sin(3 * s.position.x);
     s.metric = {1 / (size * size), 0, 1 / (size * size)};
   }
-  const std::size_t wanted = m.sites.size();
+  constexpr std::size_t wanted = 4000;
   const auto next = adapted({m, {}}, wanted);
   CHECK(next.made.certified());
   REQUIRE(next.made.outcome.delivered);
+  CHECK(next.made.claim.measured.at("unit_edges") > 0.5);  // 0.37 by the end of the ladder
   CHECK(static_cast<double>(next.made.outcome.result.sites.size()) ==
         Approx(static_cast<double>(wanted)).epsilon(0.03));
 }
