@@ -280,7 +280,7 @@ int run_within_limits(const mesh_job& asked) {
     std::cout << "repaired: " << text_of(input.value().repairs) << '\n';
   tell_scale(job, input.value(), made.value().outcome);
   const int status = conclude(job, made.value());
-  const std::string next = status == done ? "" : next_step(job, made.value());
+  const std::string next = status == done ? "" : next_step(job, input.value(), made.value());
   if (!next.empty() && !job.quiet) std::cerr << "asterism: try " << next << '\n';
   if (job.json)
     std::cout << summary_json(made.value(), status, written_files(job, certificate_path), next);

@@ -10,6 +10,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/pipeline/shortest_given_edge.hpp"
 
 namespace asterism {
 namespace {
@@ -134,6 +135,15 @@ std::string text_without_demands(const mesh_outcome& outcome) {
       outcome.one_metric->why, length, place_text(at), ending_text(outcome.ended));
 }
 
+// Returns that two vertices are a rounding apart, where the run did not end well; nothing where
+// they are not.
+std::string rounding_text(const mesh_outcome& outcome) {
+  const auto edge = internal::shortest_given_edge(outcome.result);
+  if (outcome.complete || outcome.stopped || !edge || !internal::is_rounding(*edge)) return "";
+  return fmt::format("; vertices {} and {} at {} are {} apart, which leaves no room for triangles",
+                     edge->a + 1, edge->b + 1, place_text(edge->at), format_number(edge->length));
+}
+
 std::string one_metric_text(const mesh_outcome& outcome) {
   const last_resort_report& report = *outcome.one_metric;
   if (report.is_as_given || !outcome.delivered) return text_without_demands(outcome);
@@ -192,7 +202,7 @@ std::string ending_text(const mesh_outcome& outcome) {
   std::string ended = ending_text(outcome.ended);
   if (outcome.complete && outcome.delivered && outcome.delivered->changed > 0)
     return ended + ", in the metric delivered";
-  if (!outcome.stopped_in_one_metric) return ended;
+  if (!outcome.stopped_in_one_metric) return ended + rounding_text(outcome);
   return ending_text(*outcome.stopped_in_one_metric) +
          ", in one metric for all; before that, in the metric given, " + ended;
 }

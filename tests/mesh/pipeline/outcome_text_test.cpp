@@ -75,6 +75,21 @@ TEST_CASE("outcome text: what came before and what is missing stand around the e
             agree + "; the stars of 7 of 40 sites were never made");
 }
 
+TEST_CASE("outcome text: vertices a rounding apart are named where a run did not end well") {
+  mesh_outcome made;
+  made.ended = ended(ending::stuck);
+  const metric_tensor unit{1, 0, 1};
+  made.result.sites = {
+      {{0, 0}, unit}, {{4, 0}, unit}, {{4, 0x1p-40}, unit}, {{0, 3}, unit}, {{0, 0x1p-50}, unit}};
+  made.result.given = 4;  // the last site was not
+  made.result.boundary = {{0, 1, 0}, {1, 2, 1}, {2, 3, 2}, {3, 4, 3}, {4, 0, 3}};
+  CHECK(ending_text(made) == text_of(ending::stuck) +
+                                 "; vertices 2 and 3 at (4, 0) are 9.09495e-13 apart, which leaves "
+                                 "no room for triangles");
+  made.result.sites[2].position.y = 0x1p-37;
+  CHECK(ending_text(made) == text_of(ending::stuck));
+}
+
 TEST_CASE("outcome text: a run is told by what it delivers") {
   mesh_outcome made;
   made.ended = ended(ending::stuck);

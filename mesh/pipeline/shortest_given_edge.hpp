@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds the finest detail that a domain asks for, where that may be why a run did not end well.
+#pragma once
+
+#include <optional>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal {
+
+// Edge between two vertices that were given, and its length in the plane.
+struct given_edge {
+  vertex_index a = 0, b = 0;
+  point at;                  // the place of a
+  double length = 0;         // in the plane
+  double part_of_width = 0;  // over the longer side of the box around all sites
+};
+
+// Returns the shortest edge of the triangles and the boundary that joins two given vertices; none
+// if none does. In one metric that is round, the two vertices nearest to each other have one, if
+// the stars agree.
+std::optional<given_edge> shortest_given_edge(const mesh& m);
+
+// True if the edge is too short a part of the domain's width for triangles that meet an angle bound
+// to fit beside it: below 2^-40 neither their corners nor what lies between have places enough
+// among the doubles. This is the least distance that a repair joins vertices within, too.
+constexpr bool is_rounding(const given_edge& e) { return e.part_of_width < 0x1p-40; }
+
+}  // namespace asterism::internal
