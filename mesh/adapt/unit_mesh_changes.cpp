@@ -87,7 +87,8 @@ std::vector<vertex_index> unit_mesher::split_longer(metric_at wanted, const leng
     const double at_a = std::sqrt(squared(field_(a.position, a.hint), x, y)),
                  at_b = std::sqrt(squared(field_(b.position, b.hint), x, y));
     if (!((at_a + at_b) / 2 > limits.wanted)) continue;
-    const auto made = m_.split(t, edge, middle(a, b));
+    const auto place = m_.place_on_edge(t, edge, middle(a, b));
+    const auto made = place ? m_.split(t, edge, *place) : std::nullopt;
     if (!made) continue;
     m_.at(*made).hint = m_.at(e.a).hint;
     measure(*made);
@@ -175,7 +176,9 @@ std::size_t unit_mesher::split_long(double longest, std::size_t most) {
     const auto [t, edge] = find_edge(m_, e.a, e.b);
     if (t == none || !(m_.length(e.a, e.b) > longest)) continue;
     const face& f = m_.faces()[t];
-    point q = middle(m_.at(e.a), m_.at(e.b));
+    const auto place = m_.place_on_edge(t, edge, middle(m_.at(e.a), m_.at(e.b)));
+    if (!place) continue;
+    const point& q = *place;
     node there;
     there.position = q;
     there.hint = m_.at(e.a).hint;

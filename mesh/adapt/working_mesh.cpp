@@ -227,11 +227,19 @@ bool working_mesh::can_move(vertex_index v, const point& where) const {
 }
 
 point working_mesh::on_segment(vertex_index v, const point& where) const {
+  if (curves_->is_chord(nodes_[v].segment))
+    return curves_->nearest(nodes_[v].segment, where).value_or(nodes_[v].position);
   const segment& s = domain_->segments[nodes_[v].segment];
   const point &a = domain_->vertices[s.a], &b = domain_->vertices[s.b];
   const double x = b.x - a.x, y = b.y - a.y;
   const double along = ((where.x - a.x) * x + (where.y - a.y) * y) / (x * x + y * y);
   return {a.x + along * x, a.y + along * y};
+}
+
+std::optional<point> working_mesh::place_on_edge(vertex_index t, std::size_t edge,
+                                                 const point& where) const {
+  const vertex_index segment = faces_[t].segment[edge];
+  return curves_->is_chord(segment) ? curves_->nearest(segment, where) : where;
 }
 
 mesh working_mesh::triangulation(std::vector<vertex_index>& renumbered) const {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,13 +21,15 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/domain/curve_chords.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
 
 inline constexpr vertex_index none = ~vertex_index{0};
 
-// A given node is a vertex of the domain, a sliding one divides a segment.
+// A given node is a vertex of the domain, a sliding one divides a segment, or the curve that this
+// is a chord of.
 enum class node_kind : unsigned char { given, sliding, free, gone };
 
 struct node {
@@ -133,15 +136,20 @@ class working_mesh {
   // True if all faces at v turn left with v there.
   bool can_move(vertex_index v, const point& where) const;
   void move(vertex_index v, const point& where) { nodes_[v].position = where; }
-  // Returns the place on the segment of a sliding node that is nearest to `where`.
+  // Returns the place on the segment of a sliding node that is nearest to `where`, on the curve
+  // that the segment is a chord of; where the node is if an end of the chord is nearest.
   point on_segment(vertex_index v, const point& where) const;
+  // Returns where to split an edge near a place on it: on the curve that it is a part of, and else
+  // the place itself. Nothing where the curve has no such point.
+  std::optional<point> place_on_edge(vertex_index t, std::size_t edge, const point& where) const;
 
   // Returns the mesh: the nodes in the order of the domain's vertices, then by number; faces as
   // triangles; subsegments in the order of their segments. `renumbered` maps nodes to sites.
   mesh triangulation(std::vector<vertex_index>& renumbered) const;
 
  private:
-  explicit working_mesh(const domain& d) : domain_(&d) {}
+  explicit working_mesh(const domain& d)
+      : domain_(&d), curves_(std::make_shared<const curve_chords>(d)) {}
   std::optional<error> add(const mesh& start);
   vertex_index new_face();
   vertex_index new_node(const point& where, node_kind kind);
@@ -151,6 +159,7 @@ class working_mesh {
   bool merge_is_allowed(vertex_index v, vertex_index w) const;
 
   const domain* domain_;
+  std::shared_ptr<const curve_chords> curves_;  // of the domain; copies share them
   std::vector<node> nodes_;
   std::vector<face> faces_;
   std::vector<vertex_index> free_faces_;

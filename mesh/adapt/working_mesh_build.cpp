@@ -67,6 +67,15 @@ std::optional<error> working_mesh::add(const mesh& start) {
   }
   for (const node& n : nodes_)
     if (n.face == none) return refuse("a site is in no triangle");
+  // Beside sharp corners chords are split on their own line. Between such a place and one on the
+  // curve the boundary would be neither.
+  for (vertex_index v = 0; v < nodes_.size(); ++v) {
+    if (nodes_[v].kind != node_kind::sliding) continue;
+    if (!curves_->is_chord(nodes_[v].segment)) continue;
+    const point place = on_segment(v, nodes_[v].position);
+    if (!can_move(v, place)) return refuse("a site cannot be brought to its curve");
+    move(v, place);
+  }
   return std::nullopt;
 }
 

@@ -40,10 +40,7 @@ std::optional<mesh> coarse_mesh_in(const metric_tensor& m, const domain& d,
   tier_counters decided;
   const star_predicates_on<filtered_kernel> stars_on(decided);
   const constant_field everywhere(m);
-  // Leaves curves out: later changes of the mesh keep to straight chords.
-  domain straight = d;
-  straight.curves.clear();
-  auto made = mesh_domain({stars_on, straight, everywhere, coarse, {}, work_share});
+  auto made = mesh_domain({stars_on, d, everywhere, coarse, {}, work_share});
   if (!made || !made.value().complete) return std::nullopt;
   return std::move(made.value().result);
 }

@@ -12,7 +12,7 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
-#include "asterism/mesh/domain/curve_path.hpp"
+#include "asterism/mesh/domain/curve_chords.hpp"
 
 namespace asterism::internal {
 
@@ -20,7 +20,7 @@ class curved_splits {
  public:
   curved_splits() = default;
   // Takes the curves of `d`, which check_domain has accepted.
-  explicit curved_splits(const domain& d);
+  explicit curved_splits(const domain& d) : chords_(d) {}
 
   // Returns the point of the curve nearest to q, about, of a subsegment that is a chord of one;
   // none if it is no chord, or an end of it or the point is not on the curve between its chord's
@@ -30,14 +30,8 @@ class curved_splits {
   void note_split(vertex_index v, bool on_curve);
 
  private:
-  struct chord {
-    std::size_t curve = 0;
-    double t0 = 0, t1 = 1;
-  };
-
-  std::vector<curve_path> paths_;
-  std::vector<std::optional<chord>> chord_of_segment_;  // empty without curves
-  std::vector<char> off_curve_;                         // by site, as far as it goes
+  curve_chords chords_;
+  std::vector<char> off_curve_;  // by site, as far as it goes
 };
 
 }  // namespace asterism::internal

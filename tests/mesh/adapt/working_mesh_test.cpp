@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "fixtures/domain_kinds.hpp"
@@ -58,8 +59,8 @@ void change(working_mesh& m, std::uint64_t& state) {
   const point &a = m.at(f.v[after(i)]).position, &b = m.at(f.v[before(i)]).position;
   switch (next(state) % 4) {
     case 0:
-      if (const auto made = m.split(t, i, {(a.x + b.x) / 2, (a.y + b.y) / 2}))
-        m.set_metric(*made, {1, 0, 1});
+      if (const auto place = m.place_on_edge(t, i, {(a.x + b.x) / 2, (a.y + b.y) / 2}))
+        if (const auto made = m.split(t, i, *place)) m.set_metric(*made, {1, 0, 1});
       break;
     case 1:
       if (m.can_flip(t, i)) m.flip(t, i);
@@ -71,6 +72,8 @@ void change(working_mesh& m, std::uint64_t& state) {
       if (m.at(f.v[i]).kind == node_kind::free &&
           m.can_move(f.v[i], {(a.x + b.x) / 2, (a.y + b.y) / 2}))
         m.move(f.v[i], {(a.x + b.x) / 2, (a.y + b.y) / 2});
+      if (m.at(f.v[i]).kind == node_kind::sliding)
+        if (const point to = m.on_segment(f.v[i], a); m.can_move(f.v[i], to)) m.move(f.v[i], to);
   }
 }
 
@@ -90,6 +93,54 @@ TEST_CASE("a working mesh stays a triangulation under random changes") {
       if (i % 500 == 0) check_triangulation(d, m);
     }
     check_triangulation(d, m);
+  }
+}
+
+TEST_CASE("what divides a chord is on its curve, whatever is changed") {
+  // A square with a round hole, and a lens between two cubics.
+  domain plate;
+  plate.vertices = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {3, 2}};
+  plate.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}, {4, 4, 0}};
+  plate.holes = {{2, 2}};
+  domain_curve circle;
+  circle.centre = {2, 2};
+  circle.vertices = {4, 4};
+  circle.parameters = {0, 1};
+  circle.segment = 4;
+  plate.curves = {circle};
+  domain lens;
+  lens.vertices = {{0, 0}, {1, 0}};
+  lens.segments = {{0, 1, 0}, {1, 0, 0}};
+  for (const std::uint32_t s : {0u, 1u}) {
+    domain_curve cubic;
+    cubic.kind = curve_kind::cubic;
+    const double y = s == 0 ? -0.5 : 0.5;
+    cubic.control = {{{s == 0 ? 0.3 : 0.7, y}, {s == 0 ? 0.7 : 0.3, y}}};
+    cubic.vertices = {s, 1 - s};
+    cubic.parameters = {0, 1};
+    cubic.segment = s;
+    lens.curves.push_back(cubic);
+  }
+  for (const domain& whole : {plate, lens}) {
+    const auto divided = divide_curves(whole);
+    REQUIRE(divided.ok());
+    const domain d = accepted(divided.value());
+    auto built = working_mesh::build(d, plain_mesh(d));
+    REQUIRE(built.ok());
+    working_mesh m = std::move(built).value();
+    std::uint64_t state = 5;
+    for (int i = 0; i < 3000; ++i) change(m, state);
+    std::vector<vertex_index> renumbered;
+    mesh now = m.triangulation(renumbered);
+    assign_regions(now, d);
+    audit_options options;
+    options.check_stars = false;
+    options.original = &d;
+    const audit_report found = audit(now, options);
+    INFO((found.findings.empty() ? "" : found.findings[0].witness));
+    CHECK(found.certified);
+    CHECK(found.curves.off_curve == 0);
+    CHECK(found.curves.vertices > d.vertices.size() + 5);
   }
 }
 
