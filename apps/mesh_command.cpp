@@ -74,7 +74,8 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
       ->needs(repair);
   add_real(
       app, "--chord-tolerance", positive_reals, [&job](double x) { job.chord_tolerance = x; },
-      "Greatest distance of a curve from its chords (default: a fiftieth of each chord)")
+      "Greatest distance of a curve from its chords (default: a fiftieth of each chord, and with a "
+      "size a fiftieth of it, as the metric has it across the curve)")
       ->type_name("D");
   app.add_flag("--regions", job.number_regions,
                "Number every region that has no region point, from 1");

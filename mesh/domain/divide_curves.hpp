@@ -13,7 +13,9 @@
 //  - an arc turns by at most an eighth of a turn in each piece, and a cubic's control polygon goes
 //    forward along the chord;
 //  - no piece is farther from its chord than the tolerance;
-//  - in a metric, no piece is longer than wanted;
+//  - in a metric, no piece is longer than wanted, and without a tolerance none farther from its
+//    chord than a fiftieth of the size wanted across it, or, of a metric on a mesh, a
+//    hundredth, as long as that leaves pieces that are nearly half as long as wanted;
 // and, by exact signs of rounded control points,
 //  - between a piece and its chord there is nothing else: the hulls of the pieces have no point in
 //    common with each other, with a straight segment or with a vertex, their common ends left out.
@@ -45,8 +47,9 @@ namespace asterism {
 struct curve_division {
   // Greatest distance of a curve from its chord; default: a fiftieth of the chord's length.
   std::optional<double> chord_tolerance = {};
-  // Metric in which pieces are as long as edges of a mesh of unit edges; default: none. Not used
-  // where that takes more chords than `most_chords`. Must outlive the call.
+  // Metric in which pieces are as long as edges of a mesh of unit edges, and near to their chords;
+  // default: none. Each of the two is not asked for where it takes more than `most_chords`. Must
+  // outlive the call.
   const metric_field* field = nullptr;
   std::size_t most_chords = 100000;
 };
@@ -54,6 +57,10 @@ struct curve_division {
 // Returns the domain with chords for its curves, as check_domain takes it. Without curves it comes
 // back as it is. Fails also where the field does.
 ASTERISM_EXPORT result<domain> divide_curves(const domain& d, const curve_division& wanted = {});
+
+// Returns a domain that check_domain has accepted, divided already, with other chords: vertices
+// between the ends of its curves go, and new ones come after the others.
+ASTERISM_EXPORT result<domain> divide_curves_anew(const domain& d, const curve_division& wanted);
 
 // Returns the domain with curve i divided at `parameters[i]`, which increase from 0 to 1: the
 // domain that a certificate speaks of.

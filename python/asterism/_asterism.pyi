@@ -69,7 +69,7 @@ class _Mesh:
 def _mesh(domain: _Domain, metric: Any, size: Optional[float], angle_bound: float, max_sites: int,
           gradation: Optional[float], prove_voronoi: bool, improve: int,
           vertices: Optional[int], complexity: Optional[float],
-          metric_tolerance: Optional[float],
+          metric_tolerance: Optional[float], chord_tolerance: Optional[float],
           progress: Optional[Callable[[Dict[str, Any]], Any]]) -> _Mesh: ...
 def _metric(mesh: _Mesh, fields: List[Tuple[str, Any]], given: Optional[Any], intersect: List[Any],
             keywords: Dict[str, Any]) -> Tuple[npt.NDArray[np.float64], Dict[str, Any]]: ...

@@ -143,7 +143,7 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
          angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: Optional[int] = None,
          gradation: Optional[float] = None, prove_voronoi: bool = False,
          improve: int = 0, vertices: Optional[int] = None, complexity: Optional[float] = None,
-         metric_tolerance: Optional[float] = None,
+         metric_tolerance: Optional[float] = None, chord_tolerance: Optional[float] = None,
          progress: Optional[Callable[[Dict[str, Any]], Any]] = None) -> Mesh:
     """Makes a mesh whose angles are at least angle_bound degrees, each measured by the metric of all
     three vertices of its triangle, and audits it.
@@ -162,6 +162,10 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
     ratio of two lengths; 0: no tensor is changed; None: any, but of half of the sites no more than
     ln 10, and on the whole no more than ten times as dense or as thin.
     max_sites: refinement ends at this many; None: at 100000, or three times those asked for.
+    chord_tolerance: greatest distance of a curve of the domain from its chords; None: a fiftieth of each
+    chord, and with a size, vertices or complexity a fiftieth of the size wanted across the curve, or a
+    hundredth where the metric is on a mesh. Curves are divided for each mesh: the vertices of the domain
+    that stay are the ends of its curves and those that are on none.
     progress: called now and then with a dict of counts. Ctrl-C ends the run.
     """
     if max_sites is None:
@@ -175,7 +179,7 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
         metric = (metric[0]._made, metric[1])
     made = Mesh._of(_asterism._mesh(domain, metric, size, angle_bound, max_sites, gradation,
                                     prove_voronoi, improve, vertices, complexity, metric_tolerance,
-                                    progress))
+                                    chord_tolerance, progress))
     if not made.complete:
         warnings.warn(made.reason, NotReachedWarning, stacklevel=2)
     return made

@@ -10,6 +10,7 @@
 
 #include "arguments.hpp"
 #include "asterism/mesh/domain/mesh_outline.hpp"
+#include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/draw/picture.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
@@ -71,6 +72,7 @@ std::vector<std::string> save(const py_mesh& m, const std::string& name) {
   const py::gil_scoped_release unlocked;
   write_options options;
   options.picture.angle_bound = m.angle_bound;
+  if (m.claim && m.claim->original) options.smooth = internal::smooth_vertices(*m.claim->original);
   if (m.claim && !m.certified) options.note = "Incomplete, not certified: " + m.reason;
   std::vector<std::string> names;
   for (const auto& file : value_or_raise(write_mesh(path, m.content, options)))

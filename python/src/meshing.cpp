@@ -16,6 +16,7 @@
 #include "arguments.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/c_interface/arrays.hpp"
+#include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
@@ -158,6 +159,7 @@ struct mesh_arguments {
   std::optional<double> size, gradation, complexity;
   mesh_options options;
   py::object progress;
+  std::optional<double> chord_tolerance = {};
 };
 
 mesh_arguments arguments_of(const std::optional<double>& size, double angle_bound,
@@ -166,8 +168,9 @@ mesh_arguments arguments_of(const std::optional<double>& size, double angle_boun
                             const std::optional<std::size_t>& vertices,
                             const std::optional<double>& complexity,
                             const std::optional<double>& metric_tolerance,
+                            const std::optional<double>& chord_tolerance,
                             const py::object& progress) {
-  mesh_arguments a{size, gradation, complexity, {}, progress};
+  mesh_arguments a{size, gradation, complexity, {}, progress, chord_tolerance};
   if (size.has_value() + vertices.has_value() + complexity.has_value() > 1)
     throw input_error("size, vertices, complexity: one of them at most is wanted");
   if (vertices && (*vertices < 3 || *vertices > max_sites))
@@ -182,6 +185,8 @@ mesh_arguments arguments_of(const std::optional<double>& size, double angle_boun
     throw input_error("gradation: a finite number above 1 is wanted");
   if (metric_tolerance && !(*metric_tolerance >= 0 && std::isfinite(*metric_tolerance)))
     throw input_error("metric_tolerance: a finite number of at least 0 is wanted");
+  if (chord_tolerance && !(*chord_tolerance > 0 && std::isfinite(*chord_tolerance)))
+    throw input_error("chord_tolerance: a positive finite number is wanted");
   a.options.metric_tolerance = metric_tolerance;
   a.options.angle_bound = angle_bound;
   a.options.limit_size = size || vertices || complexity;
@@ -235,7 +240,7 @@ py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_argu
       a.size ? text_of(*a.size * outcome.ended.length_factor) : std::string("none");
   // The names are those of the command, which verify() looks for.
   made.claim.options = {
-      {"chord-tolerance", "none"},
+      {"chord-tolerance", a.chord_tolerance ? text_of(*a.chord_tolerance) : "none"},
       {"domain", "given"},
       {"angle-bound", text_of(a.options.angle_bound)},
       {"size", size},
@@ -271,7 +276,24 @@ py_mesh packaged(certified_mesh made, const std::string& metric, const mesh_argu
   return m;
 }
 
+// Returns the domain with chords for the metric and the tolerance, as the command divides them.
+result<domain> divided_for(const domain& d, const field_of_size& metric, const scale_demand& scale,
+                           const mesh_arguments& a) {
+  curve_division chords;
+  chords.chord_tolerance = a.chord_tolerance;
+  if (!a.options.limit_size) return divide_curves_anew(d, chords);
+  scale_demand wanted = scale;
+  if (a.options.vertices) wanted.complexity = complexity_of_vertices(*a.options.vertices);
+  const auto scaled = make_scaled_metric(d, metric, wanted);
+  if (!scaled) return scaled.failure();
+  chords.field = scaled.value().field.get();
+  chords.most_chords = a.options.vertices.value_or(a.options.max_sites);
+  return divide_curves_anew(d, chords);
+}
+
 py_mesh run(const domain& d, const py::object& metric, mesh_arguments a) {
+  if (a.chord_tolerance && d.curves.empty())
+    throw input_error("chord_tolerance: the domain has no curves");
   if (d.vertices.size() > a.options.max_sites)
     throw input_error("max_sites: the domain has " + std::to_string(d.vertices.size()) +
                       " vertices already");
@@ -293,7 +315,12 @@ py_mesh run(const domain& d, const py::object& metric, mesh_arguments a) {
   std::optional<result<counted_mesh>> made;
   {
     const py::gil_scoped_release unlocked;
-    made = make_counted_mesh(d, metric_of_size, scale, a.options, progress);
+    const bool is_divided = !d.curves.empty() && (a.options.limit_size || a.chord_tolerance);
+    const auto shape = is_divided ? divided_for(d, metric_of_size, scale, a) : result<domain>(d);
+    if (shape)
+      made = make_counted_mesh(shape.value(), metric_of_size, scale, a.options, progress);
+    else
+      made = shape.failure();
   }
   errors.raise();
   counted_mesh done = value_or_raise(std::move(*made));
@@ -363,10 +390,11 @@ void define_meshing(py::module_& m) {
            double angle_bound, std::size_t max_sites, const std::optional<double>& gradation,
            bool prove_voronoi, std::size_t improve, const std::optional<std::size_t>& vertices,
            const std::optional<double>& complexity, const std::optional<double>& metric_tolerance,
-           const py::object& progress) {
-          return run(d, metric,
-                     arguments_of(size, angle_bound, max_sites, gradation, prove_voronoi, improve,
-                                  vertices, complexity, metric_tolerance, progress));
+           const std::optional<double>& chord_tolerance, const py::object& progress) {
+          return run(
+              d, metric,
+              arguments_of(size, angle_bound, max_sites, gradation, prove_voronoi, improve,
+                           vertices, complexity, metric_tolerance, chord_tolerance, progress));
         });
   m.def("_verify", &verify_mesh);
   m.def("_certify", &certify_mesh);

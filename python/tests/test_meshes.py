@@ -33,6 +33,21 @@ def test_the_curves_of_a_domain_file_are_kept():
     assert told["curves"] == 5 and 0 < told["largest_distance"] < 0.01
 
 
+def test_a_chord_tolerance_is_kept():
+    domain = asterism.Domain.read(os.path.join(os.path.dirname(__file__), "../../examples/fillets.poly"))
+    for size, tolerance in ((0.2, 1e-4), (None, 2e-3)):
+        made = asterism.mesh(domain, size=size, chord_tolerance=tolerance)
+        assert made.certified, made.reason
+        told = json.loads(made.certificate.text)
+        assert told["audit"]["curves"]["largest_distance"] <= 1.01 * tolerance
+        assert float(told["asked"]["options"]["chord-tolerance"]) == tolerance
+        assert made.verify()["verified"]
+    with pytest.raises(asterism.InputError, match="no curves"):
+        asterism.mesh(asterism.Domain.square(), chord_tolerance=0.1)
+    with pytest.raises(asterism.InputError, match="positive"):
+        asterism.mesh(domain, chord_tolerance=0)
+
+
 def test_a_mesh_is_certified_and_covers_its_domain(made):
     assert made.complete and made.certified and made.reason
     assert made.certificate.worst_angle >= 20
