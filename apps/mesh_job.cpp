@@ -26,6 +26,7 @@
 #include "asterism/apps/vertex_count.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
@@ -146,6 +147,7 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
   if (has_page(job.outputs))
     options.report = facts_of_page(job, certificate_path, *input.field, made);
   options.names = names_in(job.domain);
+  options.smooth = smooth_vertices(input.shape);
   for (const repair_place& place : input.repairs.places) options.picture.marks.push_back(place.at);
   options.picture.ellipses = job.ellipses;
   options.picture.angle_bound = job.refinement.angle_bound;

@@ -96,6 +96,7 @@ class medit_reader {
   failure check_required_edges();
   void note_marks();
   bool take_segment_numbers();
+  bool take_given_number();
   void find_segments(bool is_own);
 
   struct use {
@@ -138,6 +139,7 @@ failure medit_reader::read_mesh() {
   if (m_.references == vertex_references(m_)) m_.references.clear();
   if (std::all_of(m_.regions.begin(), m_.regions.end(), [](int region) { return region == 1; }))
     m_.regions.clear();
+  if (take_given_number()) return {};
   // Ours are the first ones, in order; what other programs require are no vertices of a domain
   // here.
   bool in_order = true;
@@ -370,6 +372,28 @@ bool medit_reader::take_segment_numbers() {
   if (numbers.size() != m_.boundary.size()) return false;
   for (std::size_t i = 0; i < numbers.size(); ++i) m_.boundary[i].segment = numbers[i];
   return true;
+}
+
+// Takes the number of given vertices from a comment, if it is there and fits: no fewer than those
+// required, and these among them.
+bool medit_reader::take_given_number() {
+  constexpr std::string_view mark = "given ";
+  for (const std::string_view comment : source_.comments()) {
+    if (!comment.starts_with(mark)) continue;
+    text_scanner words("", comment.substr(mark.size()));
+    const word w = words.next();
+    const auto number = to_integer(words, w, "");
+    if (!number.ok() || number.value() < 0 ||
+        static_cast<std::uint64_t>(number.value()) > m_.sites.size())
+      return false;
+    const auto given = static_cast<vertex_index>(number.value());
+    if (std::any_of(required_.begin(), required_.end(),
+                    [given](vertex_index v) { return v >= given; }))
+      return false;
+    m_.given = given;
+    return true;
+  }
+  return false;
 }
 
 }  // namespace

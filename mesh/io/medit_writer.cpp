@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -23,8 +24,12 @@ namespace {
 
 using text = std::back_insert_iterator<std::string>;
 
-// Returns the given vertices at which the boundary is not one straight line.
-std::vector<vertex_index> corners(const mesh& m) {
+bool is_among(const std::vector<vertex_index>& sorted, vertex_index v) {
+  return std::binary_search(sorted.begin(), sorted.end(), v);
+}
+
+// Returns the given vertices at which the boundary is not one straight line, and not smooth.
+std::vector<vertex_index> corners(const mesh& m, const std::vector<vertex_index>& smooth) {
   struct ends {
     vertex_index from = 0, to = 0;  // the last ones seen
     std::size_t arriving = 0, leaving = 0;
@@ -48,7 +53,7 @@ std::vector<vertex_index> corners(const mesh& m) {
     if (simple && kernel.orientation(m.sites[beside.from].position, m.sites[v].position,
                                      m.sites[beside.to].position) == sign::zero)
       continue;
-    found.push_back(v);
+    if (!is_among(smooth, v)) found.push_back(v);
   }
   return found;
 }
@@ -88,7 +93,7 @@ void write_boundary(text out, const mesh& m) {
 
 namespace internal {
 
-void write_medit_mesh(const mesh& m, const byte_sink& put) {
+void write_medit_mesh(const mesh& m, const medit_smooth& smooth, const byte_sink& put) {
   put(fmt::format("MeshVersionFormatted 2\n\nDimension 2\n\nVertices\n{}\n", m.sites.size()));
   const bool has_own = m.references.size() == m.sites.size();
   const std::vector<int> references = has_own ? m.references : vertex_references(m);
@@ -116,10 +121,13 @@ void write_medit_mesh(const mesh& m, const byte_sink& put) {
   std::string end;
   const text out(end);
   write_boundary(out, m);
-  write_list(end, "Corners", corners(m));
-  std::vector<vertex_index> given(m.given);
-  for (vertex_index v = 0; v < m.given; ++v) given[v] = v;
-  write_list(end, "RequiredVertices", given);
+  write_list(end, "Corners", corners(m, smooth.vertices));
+  const bool may_go = smooth.keeps_comments && !smooth.vertices.empty();
+  std::vector<vertex_index> required;
+  for (vertex_index v = 0; v < m.given; ++v)
+    if (!may_go || !is_among(smooth.vertices, v)) required.push_back(v);
+  write_list(end, "RequiredVertices", required);
+  if (may_go) fmt::format_to(out, "#given {}\n", m.given);
   put(end += "\nEnd\n");
 }
 
@@ -143,7 +151,7 @@ void write_medit_solution(const mesh& m, const byte_sink& put) {
 }  // namespace internal
 
 std::string medit_mesh_text(const mesh& m) {
-  return bytes_of([&m](const byte_sink& put) { write_medit_mesh(m, put); });
+  return bytes_of([&m](const byte_sink& put) { write_medit_mesh(m, {}, put); });
 }
 
 std::string medit_solution_text(const mesh& m) {

@@ -83,13 +83,12 @@ std::string with_note(std::string contents, mesh_format format, const std::strin
   return contents.insert(contents.find('\n') + 1, line);
 }
 
-// Gives what `write` gives of the mesh, with the note in its first piece.
-std::function<void(const byte_sink&)> with_note(void (*write)(const mesh&, const byte_sink&),
-                                                const mesh& m, mesh_format format,
-                                                const std::string& note) {
-  return [write, &m, format, note](const byte_sink& put) {
+// Gives what `write` gives, with the note in its first piece.
+std::function<void(const byte_sink&)> with_note(std::function<void(const byte_sink&)> write,
+                                                mesh_format format, const std::string& note) {
+  return [write = std::move(write), format, note](const byte_sink& put) {
     bool is_first = true;
-    write(m, [&](std::string_view piece) {
+    write([&](std::string_view piece) {
       if (!std::exchange(is_first, false)) return put(piece);
       put(with_note(std::string(piece), format, note));
     });
@@ -143,17 +142,20 @@ std::vector<std::size_t> inner_edges(const mesh& m) {
 
 result<output_files> render(const fs::path& path, mesh_format format, const mesh& m,
                             const write_options& options) {
+  const bool keeps_comments = format == mesh_format::medit;
+  const auto medit = [&m, smooth = medit_smooth{options.smooth, keeps_comments}](
+                         const byte_sink& put) { write_medit_mesh(m, smooth, put); };
+  const auto vtu = [&m](const byte_sink& put) { write_vtu(m, put); };
   switch (format) {
     case mesh_format::medit:
-      return output_files{
-          {.path = path, .rest = with_note(write_medit_mesh, m, format, options.note)},
-          {.path = solution_path(path),
-           .rest = [&m](const byte_sink& put) { write_medit_solution(m, put); }}};
+      return output_files{{.path = path, .rest = with_note(medit, format, options.note)},
+                          {.path = solution_path(path),
+                           .rest = [&m](const byte_sink& put) { write_medit_solution(m, put); }}};
     case mesh_format::medit_binary:
-      return output_files{{path, medit_binary_of_text(medit_mesh_text(m), inner_edges(m))},
+      return output_files{{path, medit_binary_of_text(bytes_of(medit), inner_edges(m))},
                           {solution_path(path), medit_binary_of_text(medit_solution_text(m))}};
     case mesh_format::vtu:
-      return output_files{{.path = path, .rest = with_note(write_vtu, m, format, options.note)}};
+      return output_files{{.path = path, .rest = with_note(vtu, format, options.note)}};
     case mesh_format::gmsh:
       return output_files{{path, render_gmsh(m, options, gmsh_version::four)}};
     case mesh_format::gmsh2:

@@ -51,6 +51,9 @@ struct write_options {
   physical_names names = {};  // for .msh and .su2
   // A sentence about the mesh for whoever opens the file: a comment in .mesh, .vtu and .svg.
   std::string note = {};
+  // Given vertices, ascending, that are no corners though the boundary turns there: they divide a
+  // curve. For .mesh and .meshb, which list corners and what must stay.
+  std::vector<vertex_index> smooth = {};
 };
 
 // Writes the mesh. Returns the files written, in order.
