@@ -31,6 +31,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
+#include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
@@ -128,6 +129,7 @@ std::optional<error> take_domain(adapt_job& job) {
   for (const auto& notes : {loaded.value().origin.notes, repairs.messages})
     if (auto refused = say_notes(notes, {job.quiet, job.strict})) return refused;
   job.options.exact = std::move(checked).value();
+  job.options.chord_tolerance = job.chord_tolerance;
   return std::nullopt;
 }
 
@@ -253,6 +255,7 @@ std::optional<error> write_all(const adapt_job& job, const fs::path& certificate
   write_options options;
   options.names = names_in(job.request.mesh);
   const certificate& claim = made.next.made.claim;
+  options.smooth = smooth_vertices(made.next.shape);
   if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, made);
   if (!claim.complete || !claim.certified)
     options.note = "Incomplete, not certified: " + claim.reason;

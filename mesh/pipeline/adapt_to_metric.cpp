@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
@@ -79,6 +80,19 @@ mesh_options options_for(const mesh& m, const mesh_adaptation_options& asked) {
   return options;
 }
 
+// Returns the domain with chords for the metric of the mesh. They are as many as leave room for
+// other vertices: curves go on between them.
+result<domain> divided_for(const mesh& m, const domain& exact,
+                           const mesh_adaptation_options& options) {
+  constexpr std::size_t part = 4;
+  const auto field = make_sampled_field(m, 1);
+  curve_division chords;
+  chords.chord_tolerance = options.chord_tolerance;
+  chords.field = field.get();
+  chords.most_chords = options.refinement.vertices.value_or(m.sites.size()) / part;
+  return divide_curves_anew(exact, chords);
+}
+
 }  // namespace
 
 result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
@@ -90,7 +104,9 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
   adapted_mesh done;
   std::optional<mesh> own;  // the mesh, as one that may stay
   if (options.exact) {
-    done.shape = *options.exact;
+    const auto divided = divided_for(background, *options.exact, options);
+    if (!divided) return divided.failure();
+    done.shape = divided.value();
   } else {
     auto outline = outline_of_mesh(background, from.marks, options.corner_angle);
     if (!outline) return outline.failure();

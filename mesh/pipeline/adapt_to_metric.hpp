@@ -32,8 +32,11 @@ inline constexpr std::size_t most_sites_unasked = 10000000;
 // Wishes beyond the metric.
 struct mesh_adaptation_options {
   double corner_angle = 30;  // degrees: where the boundary turns by more it keeps its vertex
-  std::optional<domain> exact =
-      {};  // the domain itself, as check_domain accepts it, in place of the mesh's
+  // The domain itself, as check_domain accepts it, in place of the mesh's. Its curves are divided
+  // anew, for the metric.
+  std::optional<domain> exact = {};
+  // Greatest distance of a curve of `exact` from its chords; default: curve_division's.
+  std::optional<double> chord_tolerance = {};
   // limit_size is set. Without `vertices` the mesh has as many as unit edges take, the boundary's
   // included.
   mesh_options refinement = {};
