@@ -173,6 +173,34 @@ class Curves(command.CommandTest):
         told = json.loads(done.stdout)
         self.assertLess(told["distance_from_curves"], 1.1e-3)
 
+    def solved(self, mesh):
+        values = [math.tanh(9 * (x - 0.3 * y)) for x, y in self.vertices_of_mesh()]
+        self.write("u.bb", f"2 1 {len(values)} 2\n" + "".join(f"{u!r}\n" for u in values))
+        return [mesh, "--solution", "u.bb"]
+
+    def test_new_vertices_of_an_adapted_mesh_are_on_the_curve(self):
+        self.mesh(disc(), "--size", "0.5")
+        for more in (["--chord-tolerance", "0.05"], []):
+            with self.subTest(more):
+                done = self.run_command("adapt", *self.solved("d.mesh"), "--vertices", "1500", "--domain", "d.poly",
+                                        *more, "-o", "next.mesh")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                told = json.loads((self.folder / "next.certificate.json").read_text())
+                edges = [e for e in told["domain"]["segments"] if e[2] == 7]
+                self.assertEqual(told["audit"]["curves"]["vertices_off"], 0)
+                self.assertGreaterEqual(told["audit"]["curves"]["vertices"], len(edges))
+                self.assertEqual(told["audit"]["curves"]["vertices"], told["mesh"]["boundary_edges"])
+                self.assertEqual(self.run_command("verify", "next.mesh", "--domain", "d.poly").returncode, 0)
+
+    def test_chords_follow_the_size_across(self):
+        # Layers along the circle: a fifth as wide as long.
+        layer = ["--size", "1", "--metric", "expr:100+2400*x*x;2400*x*y;100+2400*y*y"]
+        made = self.mesh(disc(), *layer)
+        self.assertLess(made["audit"]["curves"]["largest_distance"], 0.0201 / 50)
+        named = self.mesh(disc(), *layer, "--chord-tolerance", "0.01")
+        chords, coarse = (len(m["domain"]["curves"][0]["vertices"]) - 1 for m in (made, named))
+        self.assertEqual(chords, 2 * coarse)
+
     def test_curves_that_mean_nothing_are_refused(self):
         ends = [(1, 0), (0, 1), (0, 0)]
         self.refused(poly([(0, 0)], [], ["circle 1 0 0"]), "d.poly:7:", "radius of 0")
