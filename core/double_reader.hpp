@@ -9,7 +9,8 @@
 #include <system_error>
 #include <version>
 
-#if defined(__cpp_lib_to_chars) && !defined(ASTERISM_FAST_FLOAT)
+#if defined(ASTERISM_STANDARD_DOUBLES)  // packages/npm/standard_library.hpp has them
+#elif defined(__cpp_lib_to_chars) && !defined(ASTERISM_FAST_FLOAT)
 #define ASTERISM_STANDARD_DOUBLES
 #elif __has_include(<fast_float/fast_float.h>)
 #include <fast_float/fast_float.h>

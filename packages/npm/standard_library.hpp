@@ -21,6 +21,7 @@ constexpr To bit_cast(const From& x) noexcept {
 
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
 #include <charconv>
+#define ASTERISM_STANDARD_DOUBLES  // for core/double_reader.hpp
 namespace std {
 #if _LIBCPP_VERSION < 14000
 // Writes the fewest digits that are read as `value` again, fixed where that is no longer.

@@ -37,24 +37,43 @@ class site_generator {
 bool nearly_equal(double a, double b) { return std::abs(a - b) <= 1e-7 * (a + b); }
 
 constexpr int cells_a_side = 400;
+constexpr double cell_width = 8.0 / cells_a_side;
 
-// Returns the middle of each small cell of a box at whose corners f_a - f_b and f_a - f_c both
-// change their signs: near each zero of both there is one, but not in each of them is a zero.
-std::vector<point> cells_with_sign_changes(const site& a, const site& b, const site& c) {
-  constexpr int n = cells_a_side;
-  std::vector<point> cells;
-  const auto g = [&](const site& other, double x, double y) {
-    return squared_distance(a, {x, y}) < squared_distance(other, {x, y});
+// Returns where f_a - f_other changes its sign along the sides of the cell with this lower left
+// corner, by linear interpolation.
+std::vector<point> crossings_of_sides(const site& a, const site& other, const point& corner) {
+  const auto g = [&](const point& q) {
+    return squared_distance(a, q) - squared_distance(other, q);
   };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      const double x = -4 + 8.0 * i / n, y = -4 + 8.0 * j / n, h = 8.0 / n;
-      const auto changes = [&](const site& other) {
-        const bool first = g(other, x, y);
-        return g(other, x + h, y) != first || g(other, x, y + h) != first ||
-               g(other, x + h, y + h) != first;
+  const std::array<point, 4> corners{{corner,
+                                      {corner.x + cell_width, corner.y},
+                                      {corner.x + cell_width, corner.y + cell_width},
+                                      {corner.x, corner.y + cell_width}}};
+  std::vector<point> found;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const point p = corners[k], q = corners[(k + 1) % 4];
+    const double at_p = g(p), at_q = g(q);
+    if ((at_p < 0) == (at_q < 0)) continue;
+    const double part = at_p / (at_p - at_q);
+    found.push_back({p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)});
+  }
+  return found;
+}
+
+// Returns the middles of the small cells of a box in which the bisector of a and b passes from one
+// side of the bisector of a and c to the other: there is a zero of both in each.
+std::vector<point> cells_with_crossings(const site& a, const site& b, const site& c) {
+  std::vector<point> cells;
+  for (int i = 0; i < cells_a_side; ++i)
+    for (int j = 0; j < cells_a_side; ++j) {
+      const point corner{-4 + cell_width * i, -4 + cell_width * j};
+      const std::vector<point> ends = crossings_of_sides(a, b, corner);
+      if (ends.size() != 2) continue;
+      const auto nearer = [&](const point& q) {
+        return squared_distance(a, q) < squared_distance(c, q);
       };
-      if (changes(b) && changes(c)) cells.push_back({x + h / 2, y + h / 2});
+      if (nearer(ends[0]) != nearer(ends[1]))
+        cells.push_back({corner.x + cell_width / 2, corner.y + cell_width / 2});
     }
   return cells;
 }
@@ -98,29 +117,15 @@ TEST_CASE("no Voronoi vertex is missed where the bisectors plainly cross") {
   for (int i = 0; i < 60; ++i) {
     INFO("triple " << i << " of seed 5");
     const site a = sites.next(), b = sites.next(), c = sites.next();
-    const std::vector<point> cells = cells_with_sign_changes(a, b, c);
     const std::vector<point> found = voronoi_vertices(a, b, c);
-    const auto is_near = [](const point& p, const point& q, double distance) {
-      return std::abs(p.x - q.x) < distance && std::abs(p.y - q.y) < distance;
-    };
-    constexpr double width = 8.0 / cells_a_side;
-    // Where the bisectors plainly cross, one cell alone sees it; a group of cells is where they run
-    // beside each other for a while, and there may be none, one or two.
-    for (const point& cell : cells) {
-      const auto alone = std::count_if(cells.begin(), cells.end(), [&](const point& other) {
-                           return is_near(cell, other, 2.5 * width);
-                         }) == 1;
-      if (!alone) continue;
+    for (const point& cell : cells_with_crossings(a, b, c)) {
       ++compared;
-      CHECK(std::any_of(found.begin(), found.end(),
-                        [&](const point& q) { return is_near(q, cell, width); }));
+      CHECK(std::any_of(found.begin(), found.end(), [&](const point& q) {
+        return std::abs(q.x - cell.x) < cell_width && std::abs(q.y - cell.y) < cell_width;
+      }));
     }
-    for (const point& q : found)
-      if (std::abs(q.x) < 3.9 && std::abs(q.y) < 3.9)
-        CHECK(std::any_of(cells.begin(), cells.end(),
-                          [&](const point& cell) { return is_near(q, cell, 2 * width); }));
   }
-  CHECK(compared > 20);
+  CHECK(compared > 100);
 }
 
 TEST_CASE("wedge exits lie on the bisector and on the wedge's border, seen by both") {
