@@ -68,7 +68,8 @@ constexpr const char* examples =
     R"(Makes the mesh on which the next solution is best: the metric that the solution asks for (see
 `asterism metric --help`), a mesh of the same domain in it, certified, and the solution on that.
 The domain is the mesh's: its corners, required vertices and edges, ends of markers, and where it
-turns by more than --corner-angle stay; all else may go. Or it is the one named by --domain.
+turns by more than --corner-angle stay; all else may go, as near to the old boundary as --hausd
+says, and what comes is put on cubics through the old vertices. Or it is the one named by --domain.
 A mesh that is as good as a new one already stays as it is (--keep).
 
 Exit status: 0 complete and certified; 1 not reached, what is certain is written and says so;
@@ -212,9 +213,11 @@ void describe(const adapt_job& job, adapted& made) {
     fingerprint = std::to_string(mesh_fingerprint(*field->background()));
   }
   const auto& tolerance = job.options.refinement.metric_tolerance;
+  const auto& hausd = job.options.largest_boundary_distance;
   claim.options = {{"domain", job.domain.empty() ? "of " + job.request.mesh : job.domain},
                    {"angle-bound", number_text(job.options.refinement.angle_bound)},
                    {"corner-angle", number_text(job.options.corner_angle)},
+                   {"hausd", hausd ? number_text(*hausd) : "none"},
                    {"metric-tolerance", tolerance ? number_text(*tolerance) : "none"},
                    {"kept", made.next.kept ? "yes" : "no"},
                    {"boundary-vertices", std::to_string(made.next.boundary_vertices)},
@@ -289,9 +292,10 @@ void summarize(const adapt_job& job, const adapted& made) {
     std::cout << "domain: all boundary vertices kept, as its parts touch; --domain names one "
                  "exactly\n";
   else if (made.next.boundary_vertices > 0)
-    std::cout << fmt::format("domain: {} of {} boundary vertices kept, others within {:.3g}\n",
-                             made.next.boundary_kept, made.next.boundary_vertices,
-                             made.next.boundary_distance);
+    std::cout << fmt::format(
+        "domain: {} of {} boundary vertices kept; old and new boundary within {:.3g} of each "
+        "other\n",
+        made.next.boundary_kept, made.next.boundary_vertices, made.next.boundary_distance);
   say_kept(job, made);
   if (made.next.made.outcome.delivered)
     std::cout << "delivered: " << text_of(*made.next.made.outcome.delivered) << '\n';
@@ -353,7 +357,8 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
           ->type_name("DOMAIN");
   add_real(
       app, "--chord-tolerance", positive_reals, [&job](double x) { job.chord_tolerance = x; },
-      "Greatest distance of a curve of DOMAIN from its chords (default: a fiftieth of each chord)")
+      "Greatest distance of a curve of DOMAIN from its chords (default: a fiftieth of each chord, "
+      "and a hundredth of the size wanted across it)")
       ->needs(exact)
       ->type_name("D");
   add_real(
@@ -361,6 +366,13 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
       "Vertices where the boundary turns by more stay (default 30)")
       ->excludes(exact)
       ->type_name("DEG");
+  add_real(
+      app, "--hausd", positive_reals,
+      [&job](double x) { job.options.largest_boundary_distance = x; },
+      "Greatest distance of old and new boundary, both ways (default: where vertices go, a "
+      "hundredth of the size wanted across it)")
+      ->excludes(exact)
+      ->type_name("D");
   add_real(
       app, "--angle-bound", angle_bounds,
       [&job](double x) { job.options.refinement.angle_bound = x; },

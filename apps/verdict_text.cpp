@@ -74,6 +74,12 @@ std::string regions_text(const std::vector<region_area>& regions) {
   return text;
 }
 
+std::string former_text(const std::optional<certificate>& claim) {
+  if (!claim || !claim->former) return "";
+  return fmt::format("; within {:.3g} of the boundary before, both ways",
+                     claim->former_distance.largest_distance);
+}
+
 std::string cut_short_text(const audit_report& report) {
   if (!report.stars_cut_short) return "";
   return "not all stars were looked at, as a tenth of the sites or more was refused already";

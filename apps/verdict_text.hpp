@@ -3,11 +3,13 @@
 // Words what `verify` and `certify` say of an audit, the same for both.
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/region_areas.hpp"
 #include "asterism/mesh/audit/theorem_hypotheses.hpp"
 
@@ -27,6 +29,9 @@ std::string angles_text(const audit_report& report);
 std::string deviation_text(const audit_report& report);
 // Says how near the boundary is to the curves of the domain; nothing if it has none.
 std::string curves_text(const audit_report& report);
+// Says how far the boundary is from the one that it took the place of, as the certificate has it
+// and verify() compared it; nothing where there is none.
+std::string former_text(const std::optional<certificate>& claim);
 
 // Returns "areas of regions before and after: 1 (0.25, 0.25), 3 (0.75, 0.75)", the first ten, with
 // what they are in the domain for those before where no mesh was adapted; nothing where there is

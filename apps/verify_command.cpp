@@ -98,7 +98,7 @@ std::string scope_text(const judgement& judged, const std::optional<certificate>
   const verify_report& verdict = judged.verdict;
   std::string text = "; " + bound_text(judged) + "; " + text_of(judged.shape, claim) +
                      "; metric: " + text_of(judged.metric);
-  text += deviation_text(verdict.audit) + curves_text(verdict.audit);
+  text += deviation_text(verdict.audit) + curves_text(verdict.audit) + former_text(claim);
   if (!verdict.regions.empty()) text += "; " + regions_text(verdict.regions);
   if (!verdict.audit.stars_checked) text += "; stars not checked";
   if (verdict.audit.stars_cut_short) text += "; " + cut_short_text(verdict.audit);

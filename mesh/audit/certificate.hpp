@@ -23,6 +23,7 @@
 #include "asterism/mesh/audit/theorem_hypotheses.hpp"
 #include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/former_boundary.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 
@@ -56,7 +57,8 @@ struct certificate {
   // Triangles with an angle of the kind below the bound.
   std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
   double largest_deviation = 0;
-  curve_report curves;  // in the file if the domain has curves
+  curve_report curves;                     // in the file if the domain has curves
+  former_boundary_report former_distance;  // in the file if there is a former boundary
   // In the file if there is another region than 1. `before` is set by whoever adapted a mesh.
   std::vector<region_area> regions;
   bool domain_checked = false, angles_checked = false, stars_checked = false;
@@ -70,6 +72,9 @@ struct certificate {
   std::optional<theorem_hypotheses> theorem;
 
   std::optional<domain> original;  // the domain that point 2 is repeated against
+  // The boundary that the mesh took the place of, where its domain was made of a mesh; left to
+  // whoever ran the mesher, as is how far it is.
+  std::optional<former_boundary> former;
 };
 
 // Returns a 64-bit FNV-1a hash of everything a .mesh and its .sol hold: numbers of each, positions

@@ -38,7 +38,7 @@ inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-
                                                                          "repair", "size"};
 
 // A transfer adds names that begin with "transfer-", some for each component.
-inline constexpr std::array<std::string_view, 47> adapt_option_names = {
+inline constexpr std::array<std::string_view, 48> adapt_option_names = {
     "adapt-aspect",
     "adapt-complexity",
     "adapt-error",
@@ -63,6 +63,7 @@ inline constexpr std::array<std::string_view, 47> adapt_option_names = {
     "boundary-vertices",
     "corner-angle",
     "domain",
+    "hausd",
     "kept",
     "metric-at-boundary",
     "metric-clipped-by-aspect",

@@ -10,6 +10,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/certificate_options.hpp"
+#include "asterism/mesh/audit/former_boundary.hpp"
 #include "asterism/mesh/audit/same_domain.hpp"
 
 namespace asterism {
@@ -270,6 +271,37 @@ void compare_options(contradictions& all, const certificate& claim) {
     all.add("\"asked.options.certify\" and \"audit.voronoi\" contradict each other");
 }
 
+// Measures the distance of the former boundary again. As the domain of a certificate, it is a part
+// of the question; the distance is its answer.
+void compare_former(contradictions& all, const mesh& subject, const certificate& claim) {
+  if (!claim.former) {
+    const auto asked = claim.options.find("hausd");
+    if (asked != claim.options.end() && asked->second != "none")
+      all.add("\"asked.options.hausd\" is " + asked->second +
+              ", and there is no \"former_boundary\"");
+    return;
+  }
+  if (!claim.original) return all.add("\"former_boundary\" is there, and no \"domain\"");
+  const former_boundary_report found =
+      measure_former_boundary(subject, *claim.original, *claim.former);
+  all.compare("audit.former_boundary.vertices_gone", claim.former_distance.vertices_gone,
+              found.vertices_gone);
+  all.compare("audit.former_boundary.largest_distance", claim.former_distance.largest_distance,
+              found.largest_distance);
+  const std::optional<double>& allowed = claim.former->allowed;
+  const auto said = [&](const char* name, const std::string& text) {
+    const auto option = claim.options.find(name);
+    if (option != claim.options.end() && option->second != text)
+      all.add("\"asked.options." + std::string(name) + "\" is " + option->second +
+              " in the certificate, and its \"former_boundary\" says " + text);
+  };
+  said("hausd", allowed ? text_of(*allowed) : "none");
+  said("boundary-distance", text_of(claim.former_distance.largest_distance));
+  if (allowed && !(found.largest_distance <= *allowed))
+    all.add("the boundary is up to " + text_of(found.largest_distance) +
+            " away from the former one, and " + text_of(*allowed) + " was asked for");
+}
+
 // Returns the contradictions. `as_claimed`: the audit answered the question that the certificate
 // answers.
 std::vector<std::string> contradictions_of(const certificate& claim, const certificate& found,
@@ -318,7 +350,13 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
   const certificate found = make_certificate(subject, options, report.audit);
   report.theorem = found.theorem;
   report.regions = found.regions;
-  if (claim) report.contradictions = contradictions_of(*claim, found, report.audit, as_claimed);
+  if (claim) {
+    report.contradictions = contradictions_of(*claim, found, report.audit, as_claimed);
+    contradictions of_former;
+    compare_former(of_former, subject, *claim);
+    for (std::string& sentence : of_former.take())
+      report.contradictions.push_back(std::move(sentence));
+  }
   report.verified = report.audit.certified && report.audit.angles_checked &&
                     report.contradictions.empty() &&
                     (!must_be_dual || report.audit.voronoi == voronoi_verdict::proved);

@@ -78,6 +78,14 @@ class separation {
 
   bool is_done() const { return waiting_.empty(); }
 
+  // Tells of each curve whether a piece that waits has contact with something.
+  std::vector<char> in_contact() const {
+    std::vector<char> found(paths_.size(), 0);
+    for (const std::size_t piece : waiting_)
+      if (find_contact(piece)) found[items_[piece].number] = 1;
+    return found;
+  }
+
   std::vector<std::vector<double>> parameters() const {
     std::vector<std::vector<double>> found(paths_.size(), std::vector<double>{0});
     for (const item& i : items_)
@@ -152,6 +160,13 @@ result<std::vector<std::vector<double>>> separate_curves(
   while (!pieces.is_done())
     if (auto refused = pieces.step()) return std::move(*refused);
   return pieces.parameters();
+}
+
+std::vector<char> curves_in_contact(const domain& d, const std::vector<curve_path>& paths) {
+  separation pieces(d, paths, 1);
+  pieces.add_straight();
+  for (std::size_t c = 0; c < paths.size(); ++c) pieces.add_piece(c, 0, 1);
+  return pieces.in_contact();
 }
 
 }  // namespace asterism::internal

@@ -2,6 +2,7 @@
 #include "asterism/mesh/domain/mesh_outline.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,7 +10,10 @@
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/curve_path.hpp"
+#include "asterism/mesh/domain/outline_curves.hpp"
 #include "asterism/mesh/domain/outline_points.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 
@@ -18,6 +22,8 @@ using namespace internal;
 namespace {
 
 constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
+// Part of the largest coordinate by which vertices on a line may be off it.
+constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 double length(const metric_tensor& m, const point& d) {
   return std::sqrt(std::max(0.0, d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y));
@@ -28,36 +34,39 @@ struct run {
   std::vector<vertex_index> vertices, edges;
 };
 
-// True if both have the same regions, each of the same size up to a part of it and the rounding of
-// the whole.
-bool are_near(const region_sizes& wanted, const region_sizes& found, double part) {
-  constexpr double rounding = 1e-12;
+// True if both have the same regions, each of the same size up to a part of it, an area `swept`
+// and the rounding of the whole.
+bool are_near(const region_sizes& wanted, const region_sizes& found, double part, double swept) {
+  constexpr double rounding_of_sums = 1e-12;
   double whole = 0;
   for (const auto& [region, size] : wanted) whole += size;
-  return std::equal(wanted.begin(), wanted.end(), found.begin(), found.end(),
-                    [&](const auto& w, const auto& f) {
-                      return w.first == f.first &&
-                             std::abs(f.second - w.second) <= part * w.second + rounding * whole;
-                    });
+  return std::equal(
+      wanted.begin(), wanted.end(), found.begin(), found.end(), [&](const auto& w, const auto& f) {
+        return w.first == f.first &&
+               std::abs(f.second - w.second) <= part * w.second + swept + rounding_of_sums * whole;
+      });
 }
 
 class outliner {
  public:
-  outliner(const mesh& m, const mesh_marks& marks, double corner_angle)
+  outliner(const mesh& m, const mesh_marks& marks, const outline_options& options)
       : mesh_(m),
         sides_(m.regions.empty() ? mesh() : m),
         at_(m.sites.size()),
         kept_(m.sites.size(), 0),
-        angle_(corner_angle) {
+        smooth_(m.sites.size(), 0),
+        options_(options) {
     for (vertex_index e = 0; e < m.boundary.size(); ++e)
       for (const vertex_index v : {m.boundary[e].a, m.boundary[e].b}) at_[v].push_back(e);
     for (const point& p : positions())
       greatest_ = std::max({greatest_, std::abs(p.x), std::abs(p.y)});
+    find_smooth(marks);
     choose(marks);
     find_runs();
   }
 
   std::optional<mesh_outline> outline(bool simplify_curves) const;
+  double greatest() const { return greatest_; }
 
  private:
   std::vector<point> positions() const {
@@ -66,23 +75,45 @@ class outliner {
     return all;
   }
   const point& where(vertex_index v) const { return mesh_.sites[v].position; }
+  void find_smooth(const mesh_marks& marks);
   void choose(const mesh_marks& marks);
+  bool turns(vertex_index v) const;
   bool is_corner(vertex_index v) const;
   void find_runs();
   run follow(vertex_index from, vertex_index edge, std::vector<char>& used) const;
   double distance(vertex_index v, vertex_index a, vertex_index b) const;
   double farthest(const run& r, std::size_t i, std::size_t j) const;
+  bool goes_forward(const run& r, std::size_t i, std::size_t j) const;
+  double allowed_off(vertex_index a, vertex_index b) const;
   bool may_be_piece(const run& r, std::size_t i, std::size_t j, bool simplify_curves) const;
   bool divides_regions(const run& r) const;
   std::vector<std::size_t> pieces(const run& r, bool simplify_curves) const;
+  std::vector<point> between(const run& r, std::size_t i, std::size_t j) const;
+  double width(const run& r, std::size_t i, std::size_t j,
+               const std::array<point, 2>& control) const;
+  void add_curve(const run& r, std::size_t i, std::size_t j,
+                 const std::vector<vertex_index>& number, domain& shape) const;
 
   const mesh& mesh_;
   triangle_sides sides_;                       // of no triangle where there are no regions
   std::vector<std::vector<vertex_index>> at_;  // boundary edges at each vertex
-  std::vector<char> kept_;
+  std::vector<char> kept_, smooth_;
+  std::vector<std::array<vertex_index, 2>> required_;  // edges, sorted
   std::vector<run> runs_;
-  double angle_, greatest_ = 0;
+  outline_options options_;
+  double greatest_ = 0;
 };
+
+// Finds the vertices through which a cubic may lead.
+void outliner::find_smooth(const mesh_marks& marks) {
+  for (vertex_index v = 0; v < smooth_.size(); ++v)
+    smooth_[v] = at_[v].size() == 2 && !turns(v) &&
+                 mesh_.boundary[at_[v][0]].internal == mesh_.boundary[at_[v][1]].internal;
+  for (const vertex_index v : marks.corners) smooth_[v] = 0;
+  for (const auto& e : marks.required_edges)
+    required_.push_back({std::min(e[0], e[1]), std::max(e[0], e[1])});
+  std::sort(required_.begin(), required_.end());
+}
 
 void outliner::choose(const mesh_marks& marks) {
   for (const auto* list : {&marks.corners, &marks.required_vertices})
@@ -96,12 +127,17 @@ void outliner::choose(const mesh_marks& marks) {
 bool outliner::is_corner(vertex_index v) const {
   if (at_[v].size() != 2) return true;
   const boundary_edge &e = mesh_.boundary[at_[v][0]], &f = mesh_.boundary[at_[v][1]];
-  if (e.marker != f.marker || e.internal != f.internal) return true;
+  return e.marker != f.marker || e.internal != f.internal || turns(v);
+}
+
+// True if the two edges at a vertex turn by more than the corner angle.
+bool outliner::turns(vertex_index v) const {
+  const boundary_edge &e = mesh_.boundary[at_[v][0]], &f = mesh_.boundary[at_[v][1]];
   const vertex_index p = e.a == v ? e.b : e.a, q = f.a == v ? f.b : f.a;
   const double x = where(v).x - where(p).x, y = where(v).y - where(p).y,
                u = where(q).x - where(v).x, w = where(q).y - where(v).y;
   const double turn = elementary::atan2(std::abs(x * w - y * u), x * u + y * w);
-  return turn * 180 / std::numbers::pi > angle_;
+  return turn * 180 / std::numbers::pi > options_.corner_angle;
 }
 
 // Follows edges from a vertex until one that is kept.
@@ -163,6 +199,28 @@ double outliner::farthest(const run& r, std::size_t i, std::size_t j) const {
   return most;
 }
 
+// True if every edge between two vertices of the run leads forward along the line between them.
+bool outliner::goes_forward(const run& r, std::size_t i, std::size_t j) const {
+  const point &a = where(r.vertices[i]), &b = where(r.vertices[j]);
+  for (std::size_t k = i; k < j; ++k) {
+    const point &p = where(r.vertices[k]), &q = where(r.vertices[k + 1]);
+    if (!((q.x - p.x) * (b.x - a.x) + (q.y - p.y) * (b.y - a.y) > 0)) return false;
+  }
+  return true;
+}
+
+// Returns how far vertices that go may be from the piece between two that stay.
+double outliner::allowed_off(vertex_index a, vertex_index b) const {
+  if (options_.largest_distance) return *options_.largest_distance - rounding * greatest_;
+  constexpr double part = 0.01;
+  const point d{where(b).x - where(a).x, where(b).y - where(a).y};
+  const double piece = elementary::hypot(d.x, d.y);
+  const point across{-d.y / piece, d.x / piece};
+  const double per_length =
+      std::max(length(mesh_.sites[a].metric, across), length(mesh_.sites[b].metric, across));
+  return part * std::min(piece, 1 / per_length);
+}
+
 // True if the vertices of the run between two of it may go.
 bool outliner::may_be_piece(const run& r, std::size_t i, std::size_t j,
                             bool simplify_curves) const {
@@ -170,11 +228,61 @@ bool outliner::may_be_piece(const run& r, std::size_t i, std::size_t j,
   const vertex_index a = r.vertices[i], b = r.vertices[j];
   if (a == b) return false;
   const double off = farthest(r, i, j);
-  if (off <= 16 * std::numeric_limits<double>::epsilon() * greatest_) return true;
+  if (off <= rounding * greatest_) return true;
   if (!simplify_curves || j - i > most_dropped) return false;
   const point d{where(b).x - where(a).x, where(b).y - where(a).y};
   const double measured = (length(mesh_.sites[a].metric, d) + length(mesh_.sites[b].metric, d)) / 2;
-  return measured <= 1 && off <= 0.01 * elementary::hypot(d.x, d.y);
+  return measured <= 1 && off <= allowed_off(a, b) && goes_forward(r, i, j);
+}
+
+// Returns the vertices of the run between two of it.
+std::vector<point> outliner::between(const run& r, std::size_t i, std::size_t j) const {
+  std::vector<point> places;
+  for (std::size_t k = i + 1; k < j; ++k) places.push_back(where(r.vertices[k]));
+  return places;
+}
+
+// Returns the width, across the line between two vertices of the run, of a strip that holds the run
+// there, the cubic and whatever has its vertices on this: how far these may be from each other.
+double outliner::width(const run& r, std::size_t i, std::size_t j,
+                       const std::array<point, 2>& control) const {
+  const point &a = where(r.vertices[i]), &b = where(r.vertices[j]);
+  const point d{b.x - a.x, b.y - a.y};
+  const double piece = elementary::hypot(d.x, d.y);
+  double low = 0, high = 0;
+  const auto include = [&](const point& p, double part) {
+    const double off = part * (d.x * (p.y - a.y) - d.y * (p.x - a.x)) / piece;
+    low = std::min(low, off);
+    high = std::max(high, off);
+  };
+  for (std::size_t k = i + 1; k < j; ++k) include(where(r.vertices[k]), 1);
+  // The inner control points have at most three quarters of the weight, both together.
+  for (const point& p : control) include(p, 0.75);
+  return high - low;
+}
+
+// Draws the cubic of a piece of the outer boundary, the last segment of `shape`, if there is one
+// that is near enough to the polygon.
+void outliner::add_curve(const run& r, std::size_t i, std::size_t j,
+                         const std::vector<vertex_index>& number, domain& shape) const {
+  const vertex_index a = r.vertices[i], b = r.vertices[j];
+  if (mesh_.boundary[r.edges[i]].internal) return;
+  if (std::binary_search(required_.begin(), required_.end(),
+                         std::array{std::min(a, b), std::max(a, b)}))
+    return;
+  const auto control =
+      outline_curves(mesh_, at_, smooth_).control(r.vertices.data() + i, j - i + 1);
+  if (!control) return;
+  domain_curve cubic;
+  cubic.kind = curve_kind::cubic;
+  cubic.control = *control;
+  cubic.vertices = {number[a], number[b]};
+  cubic.parameters = {0, 1};
+  cubic.segment = static_cast<std::uint32_t>(shape.segments.size() - 1);
+  const curve_path path(cubic, where(a), where(b));
+  if (!path.is_straightforward(0, 1) || path.height(0, 1) <= rounding * greatest_) return;
+  if (options_.largest_distance && !(width(r, i, j, *control) <= allowed_off(a, b))) return;
+  shape.curves.push_back(std::move(cubic));
 }
 
 // True if the run is all between two regions. It is of one kind throughout, as what is between
@@ -218,6 +326,8 @@ std::optional<mesh_outline> outliner::outline(bool simplify_curves) const {
     made.shape.vertices.push_back(where(v));
   }
   std::vector<vertex_index> segment_of(mesh_.boundary.size(), none);
+  // What goes forward along its piece, within a distance, is in a strip as long and as wide.
+  double swept = 0;
   for (std::size_t i = 0; i < runs_.size(); ++i)
     for (std::size_t k = 0; k + 1 < all[i].size(); ++k) {
       const run& r = runs_[i];
@@ -227,14 +337,21 @@ std::optional<mesh_outline> outliner::outline(bool simplify_curves) const {
         segment_of[r.edges[j]] = static_cast<vertex_index>(made.shape.segments.size());
       made.shape.segments.push_back(
           {number[r.vertices[begin]], number[r.vertices[end]], e.marker, e.internal});
-      made.greatest_distance = std::max(made.greatest_distance, farthest(r, begin, end));
+      made.former.between.push_back(between(r, begin, end));
+      const double off = farthest(r, begin, end);
+      made.greatest_distance = std::max(made.greatest_distance, off);
+      if (options_.largest_distance)
+        swept += off * elementary::hypot(where(r.vertices[end]).x - where(r.vertices[begin]).x,
+                                         where(r.vertices[end]).y - where(r.vertices[begin]).y);
+      if (simplify_curves) add_curve(r, begin, end, number, made.shape);
     }
+  drop_curves_in_the_way(made.shape);
   if (!add_hole_points(made.shape)) return std::nullopt;
   add_region_points(mesh_, made.shape);
   const auto checked = check_domain(made.shape);
   if (!checked) return std::nullopt;
   if (!are_near(sizes_of_regions(mesh_), enclosed_sizes(checked.value()),
-                simplify_curves ? 0.01 : 1e-9))
+                simplify_curves ? 0.01 : 1e-9, swept))
     return std::nullopt;
   const auto same = [](const segment& s, const segment& t) {
     return s.a == t.a && s.b == t.b && s.marker == t.marker && s.internal == t.internal;
@@ -243,6 +360,8 @@ std::optional<mesh_outline> outliner::outline(bool simplify_curves) const {
       std::equal(made.shape.segments.begin(), made.shape.segments.end(),
                  checked.value().segments.begin(), checked.value().segments.end(), same))
     made.segment_of_edge = std::move(segment_of);
+  made.former.allowed = options_.largest_distance;
+  if (!bring_to_order(made.shape, checked.value(), made.former.between)) return std::nullopt;
   made.shape = checked.value();
   for (std::size_t v = 0; v < at_.size(); ++v) {
     if (at_[v].empty()) continue;
@@ -254,8 +373,9 @@ std::optional<mesh_outline> outliner::outline(bool simplify_curves) const {
 
 }  // namespace
 
-result<mesh_outline> outline_of_mesh(const mesh& m, const mesh_marks& marks, double corner_angle) {
-  if (!(corner_angle > 0 && corner_angle <= 180))
+result<mesh_outline> outline_of_mesh(const mesh& m, const mesh_marks& marks,
+                                     const outline_options& options) {
+  if (!(options.corner_angle > 0 && options.corner_angle <= 180))
     return error{"the corner angle must be above 0 and at most 180 degrees",
                  error_code::bad_option};
   const auto is_there = [&](vertex_index v) { return v < m.sites.size(); };
@@ -265,11 +385,20 @@ result<mesh_outline> outline_of_mesh(const mesh& m, const mesh_marks& marks, dou
   for (const auto& e : marks.required_edges)
     if (!is_there(e[0]) || !is_there(e[1]))
       return error{"a mark names a vertex that does not exist", error_code::invalid_mesh};
-  const outliner found(m, marks, corner_angle);
+  const outliner found(m, marks, options);
+  // Splits are rounded, and so are the places that they are computed from.
+  const double least = 0x1p-40 * found.greatest();
+  if (options.largest_distance && !(*options.largest_distance >= least))
+    return error{"a distance of the old and the new boundary of " +
+                     number_text(*options.largest_distance) + " is less than roundings make of " +
+                     "coordinates as large: at least " + number_text(least) + " is wanted",
+                 error_code::bad_option};
   for (const bool simplify_curves : {true, false})
     if (auto outline = found.outline(simplify_curves)) return *std::move(outline);
   mesh_outline whole;
   whole.keeps_all = true;
+  whole.former.allowed = options.largest_distance;
+  whole.former.between.resize(m.boundary.size());
   return whole;
 }
 

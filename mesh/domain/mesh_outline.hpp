@@ -9,27 +9,43 @@
 //   - straight, where all vertices between are on the line up to sixteen units in the last place,
 //     which then go;
 //   - else, pieces of the polygon: of its vertices those stay that keep every piece at most one
-//     long, as its ends' metric measures it, and no dropped one farther than a hundredth of the
-//     piece from it. So a curved boundary follows the polygon, coarser where the metric is. Lines
-//     between different regions keep every vertex that is not on a straight part.
-// If that is no domain (check_domain), or the area of a region differs from the mesh's, curved
-// parts keep all their vertices; where that does not do either, every vertex is one of the domain.
+//     long, as its ends' metric measures it, and no dropped one farther from it than is allowed:
+//     by default a hundredth of the piece, and of the size that the metric wants across it. So a
+//     curved boundary follows the polygon, coarser where the metric is. Lines between different
+//     regions keep every vertex that is not on a straight part. Between its ends a piece of the
+//     outer boundary is a cubic through them (outline_curves.hpp), on which the next mesh splits
+//     it; straight where the cubic would be farther from the polygon than is asked for, or has no
+//     room.
+// If that is no domain (check_domain), or the area of a region differs from the mesh's by more than
+// vertices that go within the distance asked for make of it, curved parts keep all their vertices;
+// where that does not do either, every vertex is one of the domain.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/former_boundary.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/mesh_marks.hpp"
 
 namespace asterism {
 
+// Wishes for the domain.
+struct outline_options {
+  double corner_angle = 30;  // degrees, above 0 and at most 180
+  // Greatest distance of the boundary of the mesh from that of any mesh of the domain, both ways;
+  // default: see above. Not less than roundings make: 2^-40 of the largest coordinate.
+  std::optional<double> largest_distance = {};
+};
+
 // A domain, and how it was found.
 struct mesh_outline {
   domain shape;                       // as check_domain accepts it
+  former_boundary former;             // along its segments
   std::size_t boundary_vertices = 0;  // of the mesh
   std::size_t kept = 0;               // of those
   double greatest_distance = 0;       // of a dropped vertex from its segment
@@ -40,8 +56,8 @@ struct mesh_outline {
 };
 
 // Returns the domain. The mesh must be a triangulation in order (adopt_mesh), with the metric in
-// which pieces of curves are measured; 0 < corner_angle <= 180, degrees.
+// which pieces of curves are measured.
 ASTERISM_EXPORT result<mesh_outline> outline_of_mesh(const mesh& m, const mesh_marks& marks,
-                                                     double corner_angle);
+                                                     const outline_options& options);
 
 }  // namespace asterism

@@ -229,6 +229,20 @@ region_area region_of(const json& object) {
   return r;
 }
 
+// Reads the former boundary along the segments of a domain.
+former_boundary former_of(const json& object, std::size_t segments) {
+  former_boundary former;
+  if (!member(object, "allowed").is_null()) former.allowed = read<double>(object, "allowed");
+  former.between.resize(segments);
+  for (const json& one : array_of(object, "segments")) {
+    const vertex_index s = index_of(member(one, "segment"), "segment");
+    if (s >= segments)
+      throw malformed("segment", "the former boundary names a segment the domain does not have");
+    former.between[s] = points_of(one, "vertices");
+  }
+  return former;
+}
+
 void read_audit(const json& object, certificate& c) {
   c.certified = read<bool>(object, "certified");
   c.domain_checked = read<bool>(object, "domain_checked");
@@ -250,6 +264,10 @@ void read_audit(const json& object, certificate& c) {
   c.audit_counters = counters_of(object, "decided");
   if (object.contains("regions"))
     for (const json& r : array_of(object, "regions")) c.regions.push_back(region_of(r));
+  if (object.contains("former_boundary")) {
+    const json& former = member(object, "former_boundary");
+    c.former_distance = {count_of(former, "vertices_gone"), bound_of(former, "largest_distance")};
+  }
   if (!object.contains("curves")) return;
   const json& curves = member(object, "curves");
   c.curves = {count_of(curves, "curves"), count_of(curves, "vertices"),
@@ -277,6 +295,9 @@ certificate certificate_of(const json& root) {
   read_audit(member(root, "audit"), c);
   c.theorem = theorem_of(member(root, "theorem"));
   if (!member(root, "domain").is_null()) c.original = domain_of(member(root, "domain"));
+  if (root.contains("former_boundary"))
+    c.former =
+        former_of(member(root, "former_boundary"), c.original ? c.original->segments.size() : 0);
   return c;
 }
 

@@ -144,6 +144,22 @@ json regions_json(const std::vector<region_area>& regions) {
   return written;
 }
 
+json former_report_json(const former_boundary_report& former) {
+  return {{"vertices_gone", former.vertices_gone},
+          {"largest_distance",
+           std::isfinite(former.largest_distance) ? json(former.largest_distance) : json(nullptr)}};
+}
+
+// Writes the segments of the domain that former vertices were along, with these.
+json former_json(const former_boundary& former) {
+  json segments = json::array();
+  for (std::size_t s = 0; s < former.between.size(); ++s)
+    if (!former.between[s].empty())
+      segments.push_back({{"segment", s + 1}, {"vertices", points_json(former.between[s])}});
+  return {{"allowed", former.allowed ? json(*former.allowed) : json(nullptr)},
+          {"segments", std::move(segments)}};
+}
+
 json audit_json(const certificate& c) {
   json found = json::object();
   for (const auto& [kind, count] : c.found) found[kind] = count;
@@ -166,6 +182,7 @@ json audit_json(const certificate& c) {
                   {"decided", counters_json(c.audit_counters)}};
   if (c.original && !c.original->curves.empty()) written["curves"] = curves_json(c.curves);
   if (!c.regions.empty()) written["regions"] = regions_json(c.regions);
+  if (c.former) written["former_boundary"] = former_report_json(c.former_distance);
   return written;
 }
 
@@ -187,24 +204,27 @@ json theorem_json(const certificate& c) {
 json json_with(const certificate& c, bool lists_of_domain) {
   json options = json::object();
   for (const auto& [name, value] : c.options) options[name] = value;
-  return {{"format", certificate_format},
-          {"version", c.version},
-          {"numbering", "from 1"},
-          {"asked",
-           {{"metric", c.metric},
-            {"angle_bound", c.angle_bound ? json(*c.angle_bound) : json(nullptr)},
-            {"options", std::move(options)}}},
-          {"outcome",
-           {{"complete", c.complete},
-            {"reason", c.reason},
-            {"star_repairs", c.star_repairs},
-            {"delivered", delivered_json(c)},
-            {"decided", counters_json(c.mesher_counters)}}},
-          {"mesh", mesh_json(c)},
-          {"measured", measured_json(c)},
-          {"audit", audit_json(c)},
-          {"theorem", theorem_json(c)},
-          {"domain", c.original ? domain_json(*c.original, lists_of_domain) : json(nullptr)}};
+  json written = {
+      {"format", certificate_format},
+      {"version", c.version},
+      {"numbering", "from 1"},
+      {"asked",
+       {{"metric", c.metric},
+        {"angle_bound", c.angle_bound ? json(*c.angle_bound) : json(nullptr)},
+        {"options", std::move(options)}}},
+      {"outcome",
+       {{"complete", c.complete},
+        {"reason", c.reason},
+        {"star_repairs", c.star_repairs},
+        {"delivered", delivered_json(c)},
+        {"decided", counters_json(c.mesher_counters)}}},
+      {"mesh", mesh_json(c)},
+      {"measured", measured_json(c)},
+      {"audit", audit_json(c)},
+      {"theorem", theorem_json(c)},
+      {"domain", c.original ? domain_json(*c.original, lists_of_domain) : json(nullptr)}};
+  if (c.former) written["former_boundary"] = former_json(*c.former);
+  return written;
 }
 
 // Appends a number as the library that writes the rest does: the fewest digits that it finds, and

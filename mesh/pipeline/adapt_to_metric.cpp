@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/audit/former_boundary.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
@@ -93,6 +95,22 @@ result<domain> divided_for(const mesh& m, const domain& exact,
   return divide_curves_anew(exact, chords);
 }
 
+// Proves how far the boundary is from the former one, where there is one, and puts it in the claim.
+// A mesh that is farther than was asked for is not what was asked for.
+void compare_boundaries(adapted_mesh& done) {
+  if (!done.former) return;
+  certificate& claim = done.made.claim;
+  claim.former = done.former;
+  claim.former_distance =
+      measure_former_boundary(done.made.outcome.result, done.shape, *done.former);
+  done.boundary_distance = claim.former_distance.largest_distance;
+  if (!done.former->allowed || done.boundary_distance <= *done.former->allowed) return;
+  done.made.outcome.complete = claim.complete = false;
+  claim.reason = "the boundary is up to " + number_text(done.boundary_distance) +
+                 " away from the one that it took the place of, and " +
+                 number_text(*done.former->allowed) + " was asked for";
+}
+
 }  // namespace
 
 result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
@@ -108,25 +126,30 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     if (!divided) return divided.failure();
     done.shape = divided.value();
   } else {
-    auto outline = outline_of_mesh(background, from.marks, options.corner_angle);
+    auto outline = outline_of_mesh(background, from.marks,
+                                   {options.corner_angle, options.largest_boundary_distance});
     if (!outline) return outline.failure();
     const mesh_outline& found = outline.value();
     done.shape = found.keeps_all ? adopted.value().shape : found.shape;
     done.boundary_vertices = found.boundary_vertices;
     done.keeps_boundary = found.keeps_all;
     done.boundary_kept = found.keeps_all ? found.boundary_vertices : found.kept;
-    done.boundary_distance = found.greatest_distance;
+    done.former = found.former;
     own = as_mesh_of(background, found);
   }
   keeping kept(own, options);
   if (kept.is_at_once()) stay(kept, options, done);
-  if (done.kept) return done;
+  if (done.kept) {
+    compare_boundaries(done);
+    return done;
+  }
   const auto field = make_sampled_field(background, 1);
   const mesh_options how = options_for(background, options);
   auto made = make_certified_mesh(done.shape, *field, how, progress);
   if (!made) return made.failure();
   done.made = std::move(made).value();
   if (kept.is_as_good_as(done.made)) stay(kept, options, done);
+  compare_boundaries(done);
   return done;
 }
 

@@ -16,6 +16,7 @@
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/former_boundary.hpp"
 #include "asterism/mesh/data/mesh_marks.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
@@ -35,6 +36,10 @@ struct mesh_adaptation_options {
   // The domain itself, as check_domain accepts it, in place of the mesh's. Its curves are divided
   // anew, for the metric.
   std::optional<domain> exact = {};
+  // Greatest distance of the boundary from that of the mesh, both ways, where there is no `exact`;
+  // default: a hundredth of the size wanted across it where vertices go, and what cubics through
+  // the vertices make of it where they come.
+  std::optional<double> largest_boundary_distance = {};
   // Greatest distance of a curve of `exact` from its chords; default: curve_division's.
   std::optional<double> chord_tolerance = {};
   // limit_size is set. Without `vertices` the mesh has as many as unit edges take, the boundary's
@@ -55,7 +60,10 @@ struct adapted_mesh {
   std::size_t boundary_vertices = 0;  // of the mesh given
   std::size_t boundary_kept = 0;      // of those
   bool keeps_boundary = false;        // all of them, because parts touch
-  double boundary_distance = 0;       // of a dropped one from the new boundary
+  // The boundary of the mesh given along that of the domain, and how far the new one is proved to
+  // be from it, both ways; none with an exact domain. A part of the claim.
+  std::optional<former_boundary> former = {};
+  double boundary_distance = 0;
 };
 
 // Makes the mesh. The metric is that of `from`'s sites. Its domain is the exact one, or that of the

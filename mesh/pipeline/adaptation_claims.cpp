@@ -69,7 +69,11 @@ void compare_domain(const certificate& claim, const adopted_mesh& adopted, field
   if (!angle)
     check.contradictions.push_back("\"corner-angle\" is no number: " + angle.failure().message);
   if (!marks || !angle || !claim.original) return;
-  const auto outline = outline_of_mesh(adopted.subject, marks.value(), angle.value());
+  outline_options options;
+  options.corner_angle = angle.value();
+  if (const auto hausd = parse_number(word_of(claim, "hausd")))
+    options.largest_distance = hausd.value();
+  const auto outline = outline_of_mesh(adopted.subject, marks.value(), options);
   if (!outline) {
     check.contradictions.push_back("the domain: " + outline.failure().message);
     return;
@@ -78,8 +82,11 @@ void compare_domain(const certificate& claim, const adopted_mesh& adopted, field
   compare(
       {{"boundary-vertices", std::to_string(found.boundary_vertices)},
        {"boundary-kept", std::to_string(found.keeps_all ? found.boundary_vertices : found.kept)},
-       {"boundary-distance", number_text(found.greatest_distance)}},
+       {"boundary-distance", number_text(claim.former_distance.largest_distance)}},
       claim, check);
+  if (!claim.former || claim.former->between != found.former.between ||
+      claim.former->allowed != found.former.allowed)
+    check.contradictions.push_back("the former boundary is not that of the mesh that was adapted");
   const domain& own = found.keeps_all ? adopted.shape : found.shape;
   const domain& said = *claim.original;
   const auto same = [](const segment& s, const segment& t) {

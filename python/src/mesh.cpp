@@ -177,7 +177,7 @@ domain domain_of(const py_mesh& m, const std::optional<double>& corner_angle) {
     const py::gil_scoped_release unlocked;
     auto adopted = internal::checked_triangulation(m.content, "the mesh");
     if (!adopted || !corner_angle) return adopted;
-    auto outline = outline_of_mesh(adopted.value().subject, {}, *corner_angle);
+    auto outline = outline_of_mesh(adopted.value().subject, {}, {*corner_angle, {}});
     if (!outline) return outline.failure();
     if (!outline.value().keeps_all) adopted.value().shape = std::move(outline.value().shape);
     return adopted;

@@ -201,6 +201,70 @@ class Curves(command.CommandTest):
         chords, coarse = (len(m["domain"]["curves"][0]["vertices"]) - 1 for m in (made, named))
         self.assertEqual(chords, 2 * coarse)
 
+    def test_the_boundary_of_a_mesh_is_kept_to_within_a_distance(self):
+        self.mesh(disc(), "--size", "0.3")
+        (self.folder / "d.poly").unlink()
+        job = ["adapt", *self.solved("d.mesh"), "--vertices", "1500"]
+        sagitta = {}
+        for name, more in (("free", []), ("near", ["--hausd", "1e-4"]), ("far", ["--hausd", "0.02"])):
+            done = self.run_command(*job, *more, "-o", f"{name}.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("old and new boundary within", done.stdout)
+            told = json.loads((self.folder / f"{name}.certificate.json").read_text())
+            sagitta[name] = told["audit"]["former_boundary"]["largest_distance"]
+            self.assertEqual(told["former_boundary"]["allowed"], float(more[1]) if more else None)
+            checked = self.run_command("verify", f"{name}.mesh")
+            self.assertEqual(checked.returncode, 0, checked.stdout)
+        self.assertLessEqual(sagitta["near"], 1e-4)
+        self.assertLessEqual(sagitta["far"], 0.02)
+        self.assertGreater(sagitta["free"], 1e-4)
+        for refused in (["--hausd", "0"], ["--hausd", "nan"], ["--hausd", "1e-15"],
+                        ["--hausd", "1e-3", "--domain", "square"]):
+            done = self.run_command(*job, *refused, "-o", "no.mesh")
+            self.assertEqual(done.returncode, 2, refused)
+        self.assertFalse((self.folder / "no.mesh").exists())
+
+    def test_what_is_forged_of_the_former_boundary_is_refused(self):
+        self.mesh(disc(), "--size", "0.1")
+        job = ["adapt", *self.solved("d.mesh"), "--vertices", "120", "--hausd", "0.02", "-o", "n.mesh"]
+        done = self.run_command(*job)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        made = json.loads((self.folder / "n.certificate.json").read_text())
+        self.assertGreater(made["audit"]["former_boundary"]["vertices_gone"], 10)
+
+        def forged(change, word):
+            claim = json.loads(json.dumps(made))
+            change(claim)
+            self.write("n.certificate.json", json.dumps(claim))
+            done = self.run_command("verify", "n.mesh")
+            self.assertEqual(done.returncode, 1, word)
+            self.assertIn(word, done.stdout + done.stderr)
+
+        def nearer(c):
+            c["audit"]["former_boundary"]["largest_distance"] *= 0.99
+
+        def fewer(c):
+            c["audit"]["former_boundary"]["vertices_gone"] -= 1
+
+        def wider(c):
+            c["former_boundary"]["allowed"] = 1
+
+        def other(c):
+            c["former_boundary"]["segments"].pop()
+
+        def none(c):
+            del c["former_boundary"], c["audit"]["former_boundary"]
+
+        def stricter(c):
+            c["former_boundary"]["allowed"] = 1e-6
+            c["asked"]["options"]["hausd"] = "1e-06"
+        forged(nearer, "audit.former_boundary.largest_distance")
+        forged(fewer, "audit.former_boundary.vertices_gone")
+        forged(wider, "asked.options.hausd")
+        forged(other, "former")
+        forged(none, "former_boundary")
+        forged(stricter, "was asked for")
+
     def test_curves_that_mean_nothing_are_refused(self):
         ends = [(1, 0), (0, 1), (0, 0)]
         self.refused(poly([(0, 0)], [], ["circle 1 0 0"]), "d.poly:7:", "radius of 0")

@@ -277,6 +277,37 @@ class KindsTest(RegionTest):
         made = read_medit((self.folder / "new.mesh").read_text())
         self.assertLessEqual({plane.points[9 * j + 4] for j in range(9)}, set(made.points))
 
+    def test_curved_sides_and_areas_are_both_told(self):
+        # Sides that are curved outwards, and a straight line between the regions.
+        n = 12
+        plane = grid(n, lambda i, j, h: 3 if i < n // 2 else 8,
+                     lambda x, y: (x + 0.05 * y * (n - y) * (2 * x / n - 1), y))
+        self.write_plane(plane, "mesh")
+        allowed = 0.3
+        job = ["adapt", "old.mesh", "--solution", "u.old.sol", "--vertices", 80]
+        self.run_json(*job, "--hausd", allowed, "-o", "new.mesh")
+        path = self.folder / "new.certificate.json"
+        made = json.loads(path.read_text())
+        proved = made["audit"]["former_boundary"]["largest_distance"]
+        self.assertLessEqual(proved, allowed)
+        self.assertGreater(proved, 0)
+        before = plane.areas()
+        after = read_medit((self.folder / "new.mesh").read_text()).areas()
+        for row in made["audit"]["regions"]:
+            self.assertEqual(row["area_before"], float(before[row["region"]]))
+            self.assertEqual(row["area"], float(after[row["region"]]))
+            self.assertLess(abs(row["area"] - row["area_before"]), 2 * n * proved)
+        done = self.run_command("verify", "new.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("of the boundary before, both ways", done.stdout)
+        self.assertIn("areas of regions", done.stdout)
+        for part, name in (("regions", "area_before"), ("former_boundary", "largest_distance")):
+            forged = json.loads(json.dumps(made))
+            told = forged["audit"][part]
+            (told[0] if part == "regions" else told)[name] *= 0.99
+            path.write_text(json.dumps(forged))
+            self.assertEqual(self.run_command("verify", "new.mesh").returncode, 1, name)
+
     def test_listed_markers_stay_and_others_are_zero(self):
         plane = grid(4, lambda i, j, h: 1 if i < 2 else 2)
         plane.edges = [(2, 7, 13), (7, 12, 14)]

@@ -21,7 +21,7 @@ using tests::sample_mesh;
 namespace {
 
 mesh_outline outline(const mesh& m, const mesh_marks& marks = {}, double angle = 30) {
-  auto found = outline_of_mesh(m, marks, angle);
+  auto found = outline_of_mesh(m, marks, {angle, {}});
   REQUIRE(found.ok());
   return std::move(found).value();
 }
@@ -128,6 +128,96 @@ TEST_CASE("a curved boundary follows the polygon, coarser where the metric is") 
   CHECK(outline(disc(200, 0.5), {}, 1).shape.vertices.size() == 200);
 }
 
+TEST_CASE("pieces of a curved boundary are cubics through its vertices, near to the circle") {
+  const auto found = outline(disc(32, 0.02));
+  REQUIRE(found.shape.curves.size() == 32);
+  for (const domain_curve& c : found.shape.curves) {
+    REQUIRE(c.vertices.size() == 2);
+    const point &a = found.shape.vertices[c.vertices[0]], &b = found.shape.vertices[c.vertices[1]];
+    const point middle{(a.x + 3 * c.control[0].x + 3 * c.control[1].x + b.x) / 8,
+                       (a.y + 3 * c.control[0].y + 3 * c.control[1].y + b.y) / 8};
+    // The chord is 4.8e-3 off it.
+    CHECK(std::abs(std::hypot(middle.x, middle.y) - 1) < 1e-8);
+  }
+}
+
+TEST_CASE("the distance that is asked for is kept by what goes and by cubics") {
+  const double height = 1 - std::cos(std::numbers::pi / 32);
+  const auto at_most = [&](double distance, double size) {
+    auto found = outline_of_mesh(disc(32, size), {}, {30, distance});
+    REQUIRE(found.ok());
+    return std::move(found).value();
+  };
+  CHECK(at_most(1.01 * height, 0.02).shape.curves.size() == 32);
+  CHECK(at_most(0.9 * height, 0.02).shape.curves.empty());
+  CHECK(at_most(0.9 * height, 0.02).shape.vertices.size() == 32);
+  const auto coarse = at_most(0.1, 2);
+  CHECK(coarse.shape.vertices.size() < 12);
+  CHECK(coarse.greatest_distance <= 0.1);
+  std::size_t gone = 0;
+  for (const auto& one : coarse.former.between) gone += one.size();
+  CHECK(gone + coarse.shape.vertices.size() == 32);
+  CHECK(at_most(1e-6, 2).shape.vertices.size() == 32);
+  CHECK_FALSE(outline_of_mesh(disc(32, 1), {}, {30, 1e-15}).ok());
+}
+
+TEST_CASE("vertices go by the size across the boundary, not by that along it") {
+  mesh m = disc(400, 0.5);
+  CHECK(outline(m).shape.vertices.size() < 250);
+  // Layers along the wall: a hundredth of a half is left of the size across.
+  for (site& s : m.sites) {
+    const point& p = s.position;
+    const double across = 1 / (0.005 * 0.005), along = 4;
+    s.metric = {across * p.x * p.x + along * p.y * p.y, (across - along) * p.x * p.y,
+                across * p.y * p.y + along * p.x * p.x};
+  }
+  const auto found = outline(m);
+  CHECK(found.greatest_distance < 0.005 / 100);
+  CHECK(found.shape.vertices.size() == 400);
+}
+
+TEST_CASE("sides of several edges are not bent where they meet at a flat angle") {
+  // A polygon of twelve sides, three edges each, whose corners turn by 30 degrees.
+  mesh m;
+  const auto corner = [](int k) {
+    const double t = 2 * std::numbers::pi * k / 12;
+    return point{std::cos(t), std::sin(t)};
+  };
+  for (int k = 0; k < 12; ++k)
+    for (int i = 0; i < 3; ++i) {
+      const point a = corner(k), b = corner(k + 1);
+      m.sites.push_back({{a.x + i * (b.x - a.x) / 3, a.y + i * (b.y - a.y) / 3}, {1e4, 0, 1e4}});
+    }
+  m.sites.push_back({{0, 0}, {1, 0, 1}});
+  for (vertex_index i = 0; i < 36; ++i) {
+    m.triangles.push_back({i, (i + 1) % 36, 36});
+    m.boundary.push_back({i, (i + 1) % 36, i, 7});
+  }
+  CHECK(outline(m, {}, 31).shape.curves.empty());
+}
+
+TEST_CASE("a cubic that has something else in its way stays straight") {
+  // Two rows of a thin ring: the inner side of a polygon whose outer side is nearly on it.
+  const vertex_index n = 24;
+  mesh m;
+  for (const double r : {1.0, 0.9999})
+    for (vertex_index i = 0; i < n; ++i) {
+      const double t = 2 * std::numbers::pi * i / n;
+      m.sites.push_back({{r * std::cos(t), r * std::sin(t)}, {1e4, 0, 1e4}});
+    }
+  for (vertex_index i = 0; i < n; ++i) {
+    const vertex_index j = (i + 1) % n;
+    m.triangles.push_back({i, j, n + i});
+    m.triangles.push_back({j, n + j, n + i});
+    m.boundary.push_back({i, j, i, 1});
+    m.boundary.push_back({n + j, n + i, n + i, 2});
+  }
+  const auto found = outline(m);
+  CHECK_FALSE(found.keeps_all);
+  // The inner cubics lead across the outer chords.
+  CHECK(found.shape.curves.size() < 2 * n);
+}
+
 TEST_CASE("holes stay holes") {
   // A square ring: cells of a grid without the middle one.
   mesh m;
@@ -208,8 +298,8 @@ TEST_CASE("marks of vertices that do not exist are refused") {
   const mesh m = sample_mesh(3);
   mesh_marks marks;
   marks.corners = {99};
-  CHECK_FALSE(outline_of_mesh(m, marks, 30).ok());
-  CHECK_FALSE(outline_of_mesh(m, {}, 0).ok());
+  CHECK_FALSE(outline_of_mesh(m, marks, {}).ok());
+  CHECK_FALSE(outline_of_mesh(m, {}, {0, {}}).ok());
 }
 
 TEST_CASE("a curved line between regions keeps its vertices, one within a region does not") {

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -58,6 +59,55 @@ TEST_CASE("vertices come and go, and the number wanted is there") {
     CHECK(next.shape.vertices.size() == 4);
     const auto sites = static_cast<double>(next.made.outcome.result.sites.size());
     CHECK(std::abs(sites / wanted - 1) < 0.05);
+  }
+}
+
+TEST_CASE("new boundary vertices are on cubics through the old ones, and how far is proved") {
+  // A fan of 40 triangles of a circle, to be meshed ten times as fine.
+  marked_mesh disc;
+  constexpr vertex_index n = 40;
+  for (vertex_index i = 0; i < n; ++i) {
+    const double t = 2 * std::numbers::pi * i / n;
+    disc.subject.sites.push_back({{std::cos(t), std::sin(t)}, {1600, 0, 1600}});
+    disc.subject.triangles.push_back({i, (i + 1) % n, n});
+    disc.subject.boundary.push_back({i, (i + 1) % n, i, 1});
+  }
+  disc.subject.sites.push_back({{0, 0}, {1600, 0, 1600}});
+  const double height = 1 - std::cos(std::numbers::pi / n);
+  for (const bool is_limited : {false, true}) {
+    mesh_adaptation_options options;
+    options.refinement.vertices = 3000;
+    if (is_limited) options.largest_boundary_distance = height / 2;
+    const auto next = adapt_to_metric(disc, options);
+    REQUIRE(next.ok());
+    const adapted_mesh& made = next.value();
+    REQUIRE(made.made.certified());
+    const mesh& m = made.made.outcome.result;
+    double off = 0;
+    for (const boundary_edge& e : m.boundary) {
+      const point& p = m.sites[e.a].position;
+      off = std::max(off, std::abs(std::hypot(p.x, p.y) - 1));
+    }
+    CHECK(m.boundary.size() >= 4 * n);
+    if (is_limited) {
+      CHECK(made.boundary_distance <= height / 2);
+      CHECK(off > height / 2);
+    } else {
+      CHECK(off < 1e-8);
+      CHECK(made.boundary_distance >= height * (1 - 1e-6));
+      CHECK(made.boundary_distance <= height * (1 + 1e-6));
+    }
+    const certificate& claim = made.made.claim;
+    CHECK(claim.former_distance.largest_distance == made.boundary_distance);
+    const auto again = parse_certificate(certificate_text(claim), "text");
+    REQUIRE(again.ok());
+    CHECK(verify(m, again.value(), {}).verified);
+    certificate forged = again.value();
+    forged.former_distance.largest_distance *= 0.99;
+    CHECK_FALSE(verify(m, forged, {}).verified);
+    forged = again.value();
+    forged.former->allowed = made.boundary_distance / 2 + 1e-12;
+    CHECK(verify(m, forged, {}).verified == (made.boundary_distance < 1e-11));
   }
 }
 

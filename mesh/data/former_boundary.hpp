@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds the boundary that a mesh had before it was adapted, where another mesh's domain was made of
+// it: what the new boundary is compared with.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+
+namespace asterism {
+
+// The former boundary, with internal segments, along the segments of a domain. Each segment leads
+// from one former vertex to another.
+struct former_boundary {
+  // The former vertices between the ends of each segment, from its first to its second: as many
+  // lists as the domain has segments.
+  std::vector<std::vector<point>> between;
+  // Greatest distance of the two that was asked for, in units of the domain; default: none was.
+  std::optional<double> allowed = {};
+};
+
+// How far the two are from each other.
+struct former_boundary_report {
+  std::size_t vertices_gone = 0;  // former ones that are no vertices of the domain
+  // Upper bound of the distance from any point of either boundary to the other; infinity where the
+  // mesh does not follow the segments of the domain.
+  double largest_distance = 0;
+};
+
+}  // namespace asterism
