@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/audit/boundary_distance.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/certificate_options.hpp"
-#include "asterism/mesh/audit/former_boundary.hpp"
 #include "asterism/mesh/audit/same_domain.hpp"
 
 namespace asterism {

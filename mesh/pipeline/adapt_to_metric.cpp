@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
-#include "asterism/mesh/audit/former_boundary.hpp"
+#include "asterism/mesh/audit/boundary_distance.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"

@@ -2,7 +2,7 @@
 //
 // The distance of two boundaries, both ways: against distances that are sampled, and what is no
 // boundary of the mesh.
-#include "asterism/mesh/audit/former_boundary.hpp"
+#include "asterism/mesh/audit/boundary_distance.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

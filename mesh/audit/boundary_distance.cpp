@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/audit/former_boundary.hpp"
+#include "asterism/mesh/audit/boundary_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
