@@ -292,7 +292,7 @@ result<measured_mesh> read_measured(const certify_options& options) {
     if (!made) return made.failure();
     formula = std::move(made).value();
   }
-  // What is repaired is a domain; what is judged is taken as it says itself.
+  // Adds segments between regions for a repair alone: a mesh to be judged is taken as listed.
   auto adopted = adopt_mesh(std::move(read).value(),
                             options.repair ? region_edges::segments : region_edges::as_listed);
   if (!adopted) return adopted.failure().at(options.mesh.string());

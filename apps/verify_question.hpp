@@ -49,7 +49,7 @@ struct asked_domain {
   std::vector<std::string> contradictions;
 };
 
-// What was found of the metric of a mesh.
+// Holds what was found about the metric of a mesh.
 struct metric_answer {
   asked_by by = asked_by::nobody;
   std::string name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Descriptors that are closed when they go, and pipes of them.
+// Owns file descriptors, which it closes, and makes pipes of them.
 #pragma once
 
 #include <fcntl.h>

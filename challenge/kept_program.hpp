@@ -7,7 +7,7 @@
 // prctl(2)), so that the keeper ends one generation after the other until it has no child. It does
 // so when it is told to, and when we end, however that happens.
 //
-// What holds: on Linux with a list of children in /proc (CONFIG_PROC_CHILDREN, as distributions
+// Guarantees: on Linux with a list of children in /proc (CONFIG_PROC_CHILDREN, as distributions
 // have it) all that descends from the program is ended, but for processes of another user, which
 // may not be sent signals. Elsewhere the program's process group is. Something that forks faster
 // than it is ended is given up after some seconds, and told.

@@ -48,7 +48,7 @@ struct domain_origin {
   std::vector<std::size_t> vertex_lines, segment_lines, hole_lines,
       region_lines = {}, curve_lines = {},
       curve_numbers = {};  // of the lines that the curves are of: a line may make several
-  // What the reader changed or passed over, a sentence each.
+  // Changes and omissions of the reader, a sentence each.
   std::vector<std::string> notes = {};
 };
 
@@ -70,7 +70,7 @@ struct domain {
   domain_origin origin;
   // Curved parts of the boundary. Vertices in a row on one are joined by a segment.
   std::vector<domain_curve> curves = {};
-  // Where there are any, they say what is inside, less what hole points are in.
+  // Polygons that say what is inside, less what hole points are in; empty: segments say it.
   std::vector<domain_polygon> polygons = {};
 
   // Returns the smallest box around all vertices; a box of the origin alone when there are none.

@@ -39,7 +39,7 @@ struct mesh {
   // References of vertices, where a file gives others than the markers of its edges; else empty.
   // Carried along and part of the fingerprint, and without any other use.
   std::vector<int> references;
-  // What a reader changed or passed over, a sentence each; empty for a mesh made here. No part of
+  // Changes and omissions of its reader, a sentence each; empty for a mesh made here. No part of
   // the fingerprint.
   std::vector<std::string> notes = {};
 };

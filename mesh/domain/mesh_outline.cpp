@@ -326,7 +326,7 @@ std::optional<mesh_outline> outliner::outline(bool simplify_curves) const {
     made.shape.vertices.push_back(where(v));
   }
   std::vector<vertex_index> segment_of(mesh_.boundary.size(), none);
-  // What goes forward along its piece, within a distance, is in a strip as long and as wide.
+  // Bounds the area between a piece and its curve by that of a strip: length times distance.
   double swept = 0;
   for (std::size_t i = 0; i < runs_.size(); ++i)
     for (std::size_t k = 0; k + 1 < all[i].size(); ++k) {

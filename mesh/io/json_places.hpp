@@ -16,8 +16,8 @@ struct json_place {
   std::size_t line = 0;
 };
 
-// Where the members of the objects in a text are. It looks at the text, which must outlive it, so
-// that its memory is in proportion to the number of members, however long their names.
+// Finds the lines of the members of the objects in a text. It looks at the text, which must outlive
+// it, so that its memory is in proportion to the number of members, however long their names.
 class json_places {
  public:
   // Returns the line of the first member with this name, or else of the first whose name ends in

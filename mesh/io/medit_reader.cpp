@@ -330,7 +330,7 @@ void medit_reader::find_segments(bool is_own) {
   edge_marks marks{std::vector<char>(m_.boundary.size(), 0), all_edges_ || is_own};
   for (const named_edge& e : required_edges_) marks.required[e.number] = 1;
   keep_segments(m_, marks);
-  // What ours leaves out, somebody took away.
+  // Not for our own files, which list all: a side missing there was taken away.
   if (!names_segments_) list_sides(m_);
 }
 

@@ -26,7 +26,7 @@ namespace asterism::internal {
 result<domain> read_geojson(const std::filesystem::path& path);
 result<domain> read_wkt(const std::filesystem::path& path);
 
-// The same of a text that is called `name` in messages.
+// Reads GeoJSON from a text, which messages call `name`.
 result<domain> parse_geojson(std::string_view text, const std::string& name);
 
 }  // namespace asterism::internal

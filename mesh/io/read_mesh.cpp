@@ -18,7 +18,7 @@ bool is_gmsh(std::string_view name) {
 
 bool is_vtu(std::string_view name) { return has_ending(name, ".vtu"); }
 
-// A mesh whose file may have its metric in it, too.
+// Holds a mesh from a format whose files may contain the metric.
 struct self_contained {
   mesh content;
   bool has_metric = false;

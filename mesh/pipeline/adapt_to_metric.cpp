@@ -55,7 +55,7 @@ class keeping {
   edge_lengths lengths_;
 };
 
-// Makes the mesh given the outcome, where the auditor has nothing against it.
+// Takes the given mesh as the outcome if the auditor certifies it.
 void stay(const keeping& kept, const mesh_adaptation_options& options, adapted_mesh& done) {
   auto same = outcome_of_keeping(kept.own(), done.shape, options.refinement);
   if (!same) return;

@@ -482,7 +482,7 @@ class adaptation {
   std::size_t count_;
   std::vector<point> seeds_;
   double length_factor_ = 1;
-  // Were angles low beside short segments, and is the mesh made in a metric finer there since?
+  // True if angles were low beside short segments; true if the metric is finer there since.
   bool wants_room_ = false, has_room_ = false;
   bool is_hopeless_ = false;  // mending of the last mesh was given up
   audited_mesh made_;         // the last mesh
