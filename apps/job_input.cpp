@@ -128,13 +128,14 @@ result<domain> domain_of_mesh(const mesh_job& job) {
 
 // Refuses a limit that the vertices of the domain alone exceed.
 std::optional<error> check_counts(const mesh_job& job, std::size_t given) {
-  if (given > job.refinement.max_sites)
+  if (job.keeps_site_limit && given > job.refinement.max_sites)
     return error{"--max-sites " + std::to_string(job.refinement.max_sites) + ": the domain has " +
                  std::to_string(given) + " vertices already"};
   if (job.refinement.vertices && given > *job.refinement.vertices)
     return error{"--vertices " + std::to_string(*job.refinement.vertices) + ": the domain has " +
                  std::to_string(given) + " already"};
-  if (job.refinement.vertices && *job.refinement.vertices > job.refinement.max_sites)
+  if (job.keeps_site_limit && job.refinement.vertices &&
+      *job.refinement.vertices > job.refinement.max_sites)
     return error{"--vertices " + std::to_string(*job.refinement.vertices) +
                  ": more than --max-sites " + std::to_string(job.refinement.max_sites)};
   return std::nullopt;

@@ -122,8 +122,8 @@ void add_run_options(CLI::App& app, mesh_job& job) {
   add_count(
       app, "--max-sites", 3, 100000000,
       [&options](std::uint64_t n) { options.max_sites = static_cast<std::size_t>(n); },
-      "Refinement ends at this many (default 100000, or three times those that --vertices or "
-      "--complexity ask for)")
+      "Refinement ends at this many (default 100000, or more: three times those that --vertices or "
+      "--complexity ask for, ten times the domain's vertices)")
       ->type_name("N");
   add_count(
       app, "--improve", 0, 1000,
@@ -195,7 +195,8 @@ void add_mesh_command(CLI::App& program, command& chosen) {
   app->footer(examples);
   app->callback([app, job, &chosen] {
     job->refinement.limit_size = job->size || job->complexity || job->refinement.vertices;
-    if (app->count("--max-sites") == 0) make_room(*job);
+    job->keeps_site_limit = app->count("--max-sites") > 0;
+    if (!job->keeps_site_limit) make_room(*job);
     chosen = [job] { return run_mesh_job(*job); };
   });
 }

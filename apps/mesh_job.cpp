@@ -222,6 +222,13 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_in
                              });
 }
 
+// Raises the default limit where the domain has many vertices: an angle bound alone takes two to
+// five times as many sites.
+void make_room(std::size_t given, mesh_options& options) {
+  constexpr std::size_t times = 10;
+  options.max_sites = std::max(options.max_sites, times * given);
+}
+
 // Makes the mesh. If that takes more memory than there may be, all of it is given back, and the
 // mesh of the run is what there is without a step of the mesher: the domain's vertices and
 // segments.
@@ -262,6 +269,7 @@ int run_within_limits(const mesh_job& asked) {
   if (!job.max_megabytes) keep_freed_blocks();
   auto input = prepare(job);
   if (!input) return complain(input.failure(), refused);
+  if (!job.keeps_site_limit) make_room(input.value().shape.vertices.size(), job.refinement);
   const cancellation stop = [&limits] { return limits.reason(); };
   auto made = mesh_within_memory(job, input.value(), limits, stop);
   if (!made) return complain(made.failure(), refused);

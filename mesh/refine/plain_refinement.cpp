@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <queue>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +13,7 @@
 #include "asterism/kernels/vertex_hints.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
+#include "asterism/mesh/refine/bad_face_queue.hpp"
 #include "asterism/mesh/refine/off_centre.hpp"
 #include "asterism/mesh/stars/mean_metric_net.hpp"
 
@@ -82,9 +81,8 @@ class plain_refinement {
     constexpr std::size_t at_a_time = 64;
     for (std::size_t tried = 0; !bad_.empty() && !state_.is_full() && !is_broken_; ++tried) {
       if (tried % at_a_time == 0 && (state_.is_overworked() || cancelled_.is_requested())) break;
-      const bad_face first = bad_.top();
-      bad_.pop();
-      if (net_.corners(first.face) != first.where) continue;  // it has gone
+      const bad_face first = bad_.pop();
+      if (has_gone(first)) continue;
       mend(first);
       if (state_.field_failure()) break;
     }
@@ -102,18 +100,6 @@ class plain_refinement {
   }
 
  private:
-  struct bad_face {
-    double shortest_edge;  // squared
-    triangle where;
-    std::uint32_t face;
-    // Orders as a queue wants it that gives the shortest edge first: sizes then grow from there.
-    // With the smallest angle first a noisy ring of 10,000 vertices takes 17,206 sites in place of
-    // 16,069, and 10,000 random sites in swirl:12 take 17,039 in place of 16,863.
-    bool operator<(const bad_face& other) const {
-      return std::tie(shortest_edge, where) > std::tie(other.shortest_edge, other.where);
-    }
-  };
-
   // Puts a face with a low angle into the queue, unless it is for the stars: at a corner that must
   // not be divided, across the wedge of a sharp one, or between far ends of such wedges alone. What
   // is put there would divide the wedges, and so all along them, where stars put one site.
@@ -128,7 +114,14 @@ class plain_refinement {
         state_.segments().wedges().across(t, [](const domain_wedge&) { return true; }) != nullptr)
       return;
     const triangle_sites sites = sites_of(t);
-    if (angle_.is_low(sites)) bad_.push({squared_shortest_edge(sites), t, face});
+    if (angle_.is_low(sites)) push(t, face);
+  }
+
+  bool has_gone(const bad_face& b) const { return net_.corners(b.face) != b.where; }
+
+  void push(const triangle& t, std::uint32_t face) {
+    bad_.push(t, face, squared_shortest_edge(sites_of(t)),
+              [this](const bad_face& b) { return has_gone(b); });
   }
 
   triangle_sites sites_of(const triangle& t) const {
@@ -161,7 +154,7 @@ class plain_refinement {
     if (!s || !state_.is_farther(*s, tolerance_.start)) return;
     const std::vector<std::size_t> encroached = state_.encroached_by(*s);
     if (!encroached.empty()) {
-      if (split(encroached) && net_.corners(first.face) == first.where) bad_.push(first);
+      if (split(encroached) && !has_gone(first)) push(first.where, first.face);
       return;
     }
     state_.add_interior_later(*s);
@@ -195,7 +188,7 @@ class plain_refinement {
   const vertex_index given_;  // the sites before these
   // By site; fewer where the rest are inside.
   std::vector<char> on_boundary_, at_tight_corner_, at_wedge_end_;
-  std::priority_queue<bad_face> bad_;
+  bad_face_queue bad_;
   std::vector<std::uint32_t> around_;  // faces that are new or changed
   bool is_broken_ = false;             // has the net missed a split?
 };

@@ -427,6 +427,7 @@ void delaunay_net::flip_around_towards(vertex_index v, const comparison& is_bett
     open_.push_back(f);
     open_.push_back(other);
   }
+  flips_of_insertions_ += flips;
 }
 
 }  // namespace asterism::internal

@@ -78,6 +78,8 @@ class delaunay_net {
   // new faces the first is on the corner's side. Requires a face on either side.
   vertex_index split_towards(const site& s, const place& at, bool on_both_sides,
                              const comparison& is_better, std::size_t most);
+  // Returns how many flips these two have made in all.
+  std::size_t flips_of_insertions() const { return flips_of_insertions_; }
   // Returns the face to the left of the edge from a to b, with the corner that is not on it; none
   // where there is no such edge, or too many steps were taken.
   std::optional<place> find_edge(vertex_index a, vertex_index b);
@@ -150,7 +152,7 @@ class delaunay_net {
   std::vector<std::uint32_t> open_;                              // scratch of flip_around
   std::vector<std::pair<vertex_index, vertex_index>> suspects_;  // edges for settle()
   std::uint32_t last_ = 0;
-  std::size_t steps_ = 0, most_steps_ = 0;
+  std::size_t steps_ = 0, most_steps_ = 0, flips_of_insertions_ = 0;
   bool is_framed_ = false;
 };
 

@@ -78,6 +78,8 @@ class mean_metric_net {
   // Says whether the stars refuse the edge from a to b and accept that from c to d. Notes at its
   // ends if they do not plainly accept it.
   bool is_better_in_stars(vertex_index a, vertex_index b, vertex_index c, vertex_index d);
+  // Returns how many flips the next site may take.
+  std::size_t flips_left() const;
   void number_last(vertex_index v);
   void collect_faces(vertex_index v, std::vector<std::uint32_t>& around) const;
   // Collects the neighbours of a site by their numbers, the nearest first.

@@ -161,7 +161,8 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
     metric_tolerance: how far the metric delivered may be from the one wanted, as ln of the greatest
     ratio of two lengths; 0: no tensor is changed; None: any, but of half of the sites no more than
     ln 10, and on the whole no more than ten times as dense or as thin.
-    max_sites: refinement ends at this many; None: at 100000, or three times those asked for.
+    max_sites: refinement ends at this many; None: at 100000, or three times those asked for,
+    or ten times the vertices of the domain.
     chord_tolerance: greatest distance of a curve of the domain from its chords; None: a fiftieth of each
     chord, and with a size, vertices or complexity a fiftieth of the size wanted across the curve, or a
     hundredth where the metric is on a mesh. Curves are divided for each mesh: the vertices of the domain
@@ -170,7 +171,7 @@ def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = N
     """
     if max_sites is None:
         asked = vertices or 1.2 * (complexity or 0)
-        max_sites = int(min(max(100000, 3 * asked + 1000), 1e8))
+        max_sites = int(min(max(100000, 3 * asked + 1000, 10 * len(domain.points)), 1e8))
     if on is not None:
         metric = (on, metric)  # type: ignore[assignment]
     if isinstance(metric, tuple) and len(metric) == 2 and isinstance(metric[0], Mesh):

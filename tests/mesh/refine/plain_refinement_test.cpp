@@ -234,6 +234,30 @@ TEST_CASE("a net takes a split of a subsegment, unless its place is on the wrong
   }
 }
 
+// Each site flipped 64 edges at most, so that what nearly all vertices were neighbours of stayed:
+// 20,832 and 30,858 sites, and from 10,000 vertices to 100,000 fifty times the work.
+TEST_CASE("a circle of equal edges, or of ever longer ones, takes sites as its edges are many") {
+  constexpr vertex_index count = 10000;
+  for (const double grows : {0.0, 5.0}) {
+    std::vector<double> turns{0};
+    for (vertex_index i = 0; i < count; ++i)
+      turns.push_back(turns.back() + std::exp(grows * i / count));
+    domain d;
+    for (vertex_index i = 0; i < count; ++i) {
+      const double turn = 2 * std::numbers::pi * turns[i] / turns.back();
+      d.vertices.push_back({std::cos(turn), std::sin(turn)});
+      d.segments.push_back({i, (i + 1) % count, 1});
+    }
+    mesh_options options;
+    options.angle_bound = 20;
+    const formula_field field = swirl_field(0);
+    const mesh_outcome made = make_mesh(accepted(std::move(d)), field, options).value();
+    CHECK(made.complete);
+    INFO(grows << ": " << made.sites);
+    CHECK(made.sites < 17500);
+  }
+}
+
 TEST_CASE("a noisy ring of given vertices takes fewer sites than one that is filled first") {
   const domain d = noisy_ring(2000);
   for (const double k : {0.0, 3.0}) {

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds faces of a triangulation that are to be mended, those with the shortest edges first.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal {
+
+struct bad_face {
+  std::uint64_t rank;
+  triangle where;
+  std::uint32_t face;
+  // Orders as a heap wants it that gives the least rank first.
+  bool operator<(const bad_face& other) const {
+    return std::tie(rank, where) > std::tie(other.rank, other.where);
+  }
+};
+
+// Ranks by the class of the shortest edge, within a class as if at random. Sizes grow from the
+// shortest edges: with the smallest angle first a noisy ring of 10,000 vertices took 17,206 sites
+// in place of 16,069. Along a boundary whose edges grow, one after the other would each be put
+// beside a site that nearly all vertices are neighbours of, and so take nearly all its edges: in
+// the order of lengths alone such a circle of 30,000 vertices takes 6.9 seconds, in classes 0.9.
+// The source of the random order is that of triangulate() (stars/site_triangulation.cpp).
+class bad_face_queue {
+ public:
+  bool empty() const { return heap_.empty(); }
+
+  // Takes the square of the face's shortest edge. Faces for which `has_gone` are dropped once they
+  // may be most of the queue.
+  template <class HasGone>
+  void push(const triangle& where, std::uint32_t face, double squared_shortest_edge,
+            const HasGone& has_gone) {
+    heap_.push_back({rank_of(where, squared_shortest_edge), where, face});
+    std::push_heap(heap_.begin(), heap_.end());
+    if (heap_.size() < room_) return;
+    std::erase_if(heap_, has_gone);
+    std::make_heap(heap_.begin(), heap_.end());
+    room_ = std::max(room_, 2 * heap_.size());
+  }
+
+  bad_face pop() {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const bad_face first = heap_.back();
+    heap_.pop_back();
+    return first;
+  }
+
+ private:
+  // Returns the class of a length above 32 bits as if at random. Classes are eight to a factor of
+  // two of the square: the exponent of the double and three bits of its mantissa. With one, 10,000
+  // random sites in swirl:12 with 30 degrees become 32,124, with two 31,738, with eight 31,770 and
+  // with sixteen 31,772.
+  static std::uint64_t rank_of(const triangle& where, double squared_length) {
+    constexpr int mantissa_bits = 52, bits_of_class = 3, shift_for_random = 32;
+    const std::uint64_t length_class =
+        std::bit_cast<std::uint64_t>(squared_length) >> (mantissa_bits - bits_of_class);
+    std::uint64_t bits = 0;
+    for (const vertex_index v : where) {
+      bits = (bits ^ (v + std::uint64_t{1})) * 0x9e3779b97f4a7c15U;
+      bits ^= bits >> 29;
+    }
+    return length_class << shift_for_random | bits >> shift_for_random;
+  }
+
+  std::vector<bad_face> heap_;
+  std::size_t room_ = 4096;  // entries, from which on it is looked for those that have gone
+};
+
+}  // namespace asterism::internal
