@@ -8,7 +8,6 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,7 +40,8 @@
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/adapt_to_metric.hpp"
-#include "asterism/mesh/pipeline/adaptation_claims.hpp"
+#include "asterism/mesh/pipeline/adaptation_target.hpp"
+#include "asterism/mesh/pipeline/adaptation_words.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 
 namespace asterism::apps {
@@ -61,8 +61,6 @@ struct adapt_job {
   bool quiet = false, json = false;
   bool strict = false;  // what readers change is refused
 };
-
-constexpr double vertices_of_unit_edges = 2 / std::numbers::sqrt3;  // for each of complexity
 
 constexpr const char* examples =
     R"(Makes the mesh on which the next solution is best: the metric that the solution asks for (see
@@ -134,34 +132,6 @@ std::optional<error> take_domain(adapt_job& job) {
   return std::nullopt;
 }
 
-// Sets the number of vertices where the request names one, and room for what it asks for in other
-// words. A target that was not met leaves the number to the metric. Refuses what is beyond the
-// default limit on sites: it would take long to get there, and be another mesh.
-std::optional<error> take_target(const metric_request& request, const requested_metric& wanted,
-                                 mesh_adaptation_options& options) {
-  const solution_metric_options& wishes = request.wishes;
-  const bool names_other = wishes.complexity || wishes.error;
-  const auto own = static_cast<double>(wanted.background.sites.size());
-  const double vertices = names_other ? vertices_of_unit_edges * wanted.report.complexity_delivered
-                                      : wishes.vertices.value_or(own);
-  const bool says_how_many = names_other || wishes.vertices || !request.solution.empty();
-  constexpr auto most = static_cast<double>(most_sites_unasked);
-  if (!options.keeps_site_limit && says_how_many && vertices > most)
-    return error{fmt::format("{:.4g} vertices are wanted, and no more than {:.0f} are made unless "
-                             "--max-sites names a greater limit",
-                             vertices, most),
-                 error_code::bad_option};
-  if (names_other && !options.keeps_site_limit) {
-    constexpr double times = 4;
-    const double room = std::min(most, times * wanted.report.complexity_delivered);
-    options.refinement.max_sites =
-        std::max(options.refinement.max_sites, static_cast<std::size_t>(room));
-  }
-  if (names_other || !wanted.report.reached || !says_how_many) return std::nullopt;
-  options.refinement.vertices = static_cast<std::size_t>(std::max(1L, std::lround(vertices)));
-  return std::nullopt;
-}
-
 result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   auto wanted = answer(job.request);
   if (!wanted) return wanted.failure();
@@ -171,7 +141,9 @@ result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   const auto marks = read_mesh_marks(job.request.mesh);
   if (!marks) return marks.failure();
   mesh_adaptation_options options = job.options;
-  if (auto failed = take_target(job.request, made.wanted, options)) return *failed;
+  const adaptation_wish wish{job.request.wishes, made.wanted.report,
+                             made.wanted.background.sites.size(), !job.request.solution.empty()};
+  if (auto failed = take_target(wish, "--max-sites", options)) return *failed;
   made.vertices_wanted = options.refinement.vertices;
   options.refinement.stop = [&limits] { return limits.reason(); };
   progress_line line(!job.quiet);
@@ -187,46 +159,10 @@ result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   return made;
 }
 
-// Enters what the regions were in the mesh given, those among them that are no more.
-void note_areas_before(const mesh& before, std::vector<region_area>& regions) {
-  const areas_by_region areas = areas_of_regions(before);
-  if (regions.empty() && areas.size() == 1 && areas.begin()->first == 1) return;
-  std::map<int, region_area> all;
-  for (const region_area& r : regions) all[r.number] = r;
-  for (const auto& [number, area] : areas) all[number].before = area;
-  regions.clear();
-  for (auto& [number, r] : all) {
-    r.number = number;
-    if (!r.before) r.before = 0;
-    regions.push_back(r);
-  }
-}
-
 void describe(const adapt_job& job, adapted& made) {
-  certificate& claim = made.next.made.claim;
-  note_areas_before(made.wanted.background, claim.regions);
-  claim.metric = name_of(job.request);
-  const auto adopted = adopt_mesh(made.wanted.background);
-  std::string fingerprint = "none";
-  if (adopted) {
-    const auto field = make_sampled_field(adopted.value().subject, 1);
-    fingerprint = std::to_string(mesh_fingerprint(*field->background()));
-  }
-  const auto& tolerance = job.options.refinement.metric_tolerance;
-  const auto& hausd = job.options.largest_boundary_distance;
-  claim.options = {{"domain", job.domain.empty() ? "of " + job.request.mesh : job.domain},
-                   {"angle-bound", number_text(job.options.refinement.angle_bound)},
-                   {"corner-angle", number_text(job.options.corner_angle)},
-                   {"hausd", hausd ? number_text(*hausd) : "none"},
-                   {"metric-tolerance", tolerance ? number_text(*tolerance) : "none"},
-                   {"kept", made.next.kept ? "yes" : "no"},
-                   {"boundary-vertices", std::to_string(made.next.boundary_vertices)},
-                   {"boundary-kept", std::to_string(made.next.boundary_kept)},
-                   {"boundary-distance", number_text(made.next.boundary_distance)},
-                   {"metric-fingerprint", fingerprint}};
-  claim.options.merge(words_of(job.request));
-  claim.options.merge(words_of(made.wanted.report));
-  if (made.values) claim.options.merge(words_of(made.values->report, job.how));
+  describe_adaptation(
+      made.next, {job.request, made.wanted.background, made.wanted.report, job.options, job.domain,
+                  made.values ? &made.values->report : nullptr, job.how});
 }
 
 report_facts facts_of_page(const adapt_job& job, const fs::path& certificate_path,
@@ -303,22 +239,6 @@ void summarize(const adapt_job& job, const adapted& made) {
   write_summary(std::cout, made.next.made, made.next.made.claim.measured.at("unit_edges"));
 }
 
-// Says in a sentence what was not reached: the mesh, the metric's target, or the number of vertices
-// to a tenth, or, of few, to five or half of them.
-std::optional<std::string> what_is_missed(const adapted& made) {
-  const certified_mesh& next = made.next.made;
-  if (!next.certified()) return next.claim.reason;
-  if (!made.wanted.report.reached) return made.wanted.report.reason;
-  if (!made.vertices_wanted) return std::nullopt;
-  constexpr double tolerable = 0.1, few = 5;
-  const auto wanted = static_cast<double>(*made.vertices_wanted),
-             got = static_cast<double>(next.outcome.result.sites.size());
-  if (std::abs(got - wanted) <= std::max(tolerable * wanted, std::min(few, wanted / 2)))
-    return std::nullopt;
-  return fmt::format("{} vertices were wanted, and {} are there, {} of them on the boundary",
-                     wanted, got, next.outcome.result.boundary.size());
-}
-
 adapt_facts facts_of(const adapted& made) {
   return {made.wanted.report, made.next, made.values ? &made.values->report : nullptr,
           made.vertices_wanted};
@@ -341,7 +261,8 @@ int run_adapt(adapt_job job) {
   limits.conclude();
   if (const auto failed = write_all(job, certificate_path, made.value()))
     return complain(*failed, not_reached);
-  const auto missed = what_is_missed(made.value());
+  const auto missed =
+      what_is_missed(made.value().next, made.value().wanted.report, made.value().vertices_wanted);
   const int status = missed ? not_reached : done;
   if (job.json)
     std::cout << adapt_json(facts_of(made.value()), status, written_files(job, certificate_path));

@@ -11,11 +11,10 @@
 #include <string>
 #include <utility>
 
-#include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/data/site_box.hpp"
-#include "asterism/mesh/search/box_index.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/solution/nodal_sums.hpp"
+#include "asterism/mesh/transfer/triangle_finder.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -23,7 +22,7 @@ namespace {
 class locator {
  public:
   locator(const mesh& in, const mesh_links& links, const mesh& of, const mesh_links& of_links)
-      : in_(in), links_(links), of_(of), of_links_(of_links) {
+      : links_(links), of_(of), of_links_(of_links), finder_(in, links) {
     found_.triangle.assign(of.sites.size(), no_triangle);
   }
 
@@ -37,37 +36,6 @@ class locator {
   }
 
  private:
-  std::array<point, 3> corners(vertex_index t) const {
-    const triangle& c = in_.triangles[t];
-    return {in_.sites[c[0]].position, in_.sites[c[1]].position, in_.sites[c[2]].position};
-  }
-
-  // Returns a corner of t whose opposite edge has q on its other side, looked at from `first` on; 3
-  // if q is in the closed triangle.
-  std::size_t exit_from(vertex_index t, const point& q, std::size_t first) const {
-    const auto c = corners(t);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = (first + k) % 3;
-      if (kernel_.orientation(c[(i + 1) % 3], c[(i + 2) % 3], q) == sign::negative) return i;
-    }
-    return 3;
-  }
-
-  // Walks to q. The edge that is looked at first changes from step to step, as a walk that always
-  // prefers one may go round.
-  vertex_index walk(const point& q, vertex_index t) const {
-    const std::size_t most =
-        64 + 8 * static_cast<std::size_t>(std::sqrt(static_cast<double>(in_.triangles.size())));
-    for (std::size_t step = 0; step < most; ++step) {
-      const std::size_t i = exit_from(t, q, step % 3);
-      if (i == 3) return t;
-      const vertex_index next = links_.across(t, i);
-      if (next == no_triangle) return no_triangle;
-      t = next;
-    }
-    return no_triangle;
-  }
-
   void walk_to_all() {
     // The number of a vertex travels in its tensor, which the order along the curve does not look
     // at.
@@ -79,7 +47,7 @@ class locator {
                     [&](std::size_t, std::size_t begin, std::size_t end) {
                       vertex_index last = 0;
                       for (std::size_t i = begin; i < end; ++i) {
-                        const vertex_index t = walk(order[i].position, last);
+                        const vertex_index t = finder_.walk(order[i].position, last);
                         found_.triangle[static_cast<std::size_t>(order[i].metric.m11)] = t;
                         if (t != no_triangle) last = t;
                       }
@@ -93,45 +61,23 @@ class locator {
     return all;
   }
 
-  // Returns the first triangle with q in it for which `accepts`, or no_triangle.
-  template <class Accepts>
-  vertex_index first_with(const point& q, const Accepts& accepts) const {
-    vertex_index least = no_triangle;
-    boxes_->visit({q, q}, [&](std::uint32_t t) {
-      if (t < least && exit_from(t, q, 0) == 3 && accepts(t)) least = t;
-      return true;
-    });
-    return least;
-  }
-
-  void make_boxes() {
-    if (boxes_) return;
-    boxes_.emplace(box_of_sites(in_.sites));
-    for (vertex_index t = 0; t < in_.triangles.size(); ++t) {
-      const auto c = corners(t);
-      bounding_box around = box_of(c[0], c[1]);
-      around.include(c[2]);
-      boxes_->insert(t, around);
-    }
-  }
-
   void look_up_the_rest() {
     const std::vector<vertex_index> rest = missing();
     if (rest.empty()) return;
-    make_boxes();
+    finder_.make_boxes();
     for_each_node(rest.size(), [&](std::size_t i) {
       found_.triangle[rest[i]] =
-          first_with(of_.sites[rest[i]].position, [](vertex_index) { return true; });
+          finder_.first_with(of_.sites[rest[i]].position, [](vertex_index) { return true; });
     });
   }
 
   // True if t, which has q in it, goes on from there towards m.
   bool leads(vertex_index t, const point& q, const point& m) const {
-    const auto c = corners(t);
+    const auto c = finder_.corners(t);
     for (std::size_t i = 0; i < 3; ++i) {
       const point &a = c[i], &b = c[(i + 1) % 3];
-      if (kernel_.orientation(a, b, q) == sign::zero &&
-          kernel_.orientation(a, b, m) == sign::negative)
+      if (finder_.kernel().orientation(a, b, q) == sign::zero &&
+          finder_.kernel().orientation(a, b, m) == sign::negative)
         return false;
     }
     return true;
@@ -141,11 +87,11 @@ class locator {
   std::vector<vertex_index> fan_of(vertex_index t, const point& q) const {
     std::vector<vertex_index> fan{t};
     for (std::size_t k = 0; k < fan.size(); ++k) {
-      const auto c = corners(fan[k]);
+      const auto c = finder_.corners(fan[k]);
       for (std::size_t i = 0; i < 3; ++i) {
         const vertex_index next = links_.across(fan[k], i);
         if (next != no_triangle &&
-            kernel_.orientation(c[(i + 1) % 3], c[(i + 2) % 3], q) == sign::zero &&
+            finder_.kernel().orientation(c[(i + 1) % 3], c[(i + 2) % 3], q) == sign::zero &&
             std::find(fan.begin(), fan.end(), next) == fan.end())
           fan.push_back(next);
       }
@@ -184,16 +130,16 @@ class locator {
     });
     for (vertex_index v = 0; v < is_wrong.size(); ++v) {
       if (is_wrong[v] == 0) continue;
-      make_boxes();
-      const vertex_index other =
-          first_with(of_.sites[v].position, [&](vertex_index t) { return is_on_side_of(v, t); });
+      finder_.make_boxes();
+      const vertex_index other = finder_.first_with(
+          of_.sites[v].position, [&](vertex_index t) { return is_on_side_of(v, t); });
       if (other != no_triangle) found_.triangle[v] = other;
     }
   }
 
   double distance_to(vertex_index t, const point& q) const {
-    const auto c = corners(t);
-    if (exit_from(t, q, 0) == 3) return 0;
+    const auto c = finder_.corners(t);
+    if (finder_.exit_from(t, q, 0) == 3) return 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
       const point &a = c[i], &b = c[(i + 1) % 3];
@@ -256,14 +202,12 @@ class locator {
     return std::nullopt;
   }
 
-  const mesh& in_;
   const mesh_links& links_;
   const mesh& of_;
   const mesh_links& of_links_;
-  filtered_kernel kernel_;
   located_vertices found_;
   std::vector<vertex_index> outside_;
-  std::optional<box_index> boxes_;  // of the triangles
+  triangle_finder finder_;
 };
 
 }  // namespace

@@ -1,45 +1,45 @@
 # SPDX-License-Identifier: MIT
-"""Adaptation: the metric that a solution asks for, and the solution brought to the next mesh."""
+"""Adaptation: the metric that a solution asks for, the next mesh, and the solution brought to it."""
 from __future__ import annotations
 
 import warnings
-from typing import Any, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import InputError
-from ._mesh import Mesh, NotReachedWarning
-from ._reported import ReportedArray
+from ._domain import AnyDomain, as_domain
+from ._forms import Fields, fields_and_tensors, gradation_of, like, named_fields, norm_of, tensor_rows
+from ._mesh import Mesh
+from ._meshing import NotReachedWarning, Progress
+from ._reported import ReportedArray, reported
 
-Fields = Union[npt.ArrayLike, Mapping[str, npt.ArrayLike]]
-
-
-def _fields_and_tensors(values: Fields) -> Tuple[List[Tuple[str, Any]], Optional[Any]]:
-    """Named scalar fields, or a metric that is given."""
-    if isinstance(values, Mapping):
-        return [(str(name), np.asarray(of, dtype=float)) for name, of in values.items()], None
-    array = np.asarray(values, dtype=float)
-    if array.ndim == 2 and array.shape[1] == 3:
-        return [], array
-    if array.ndim != 1:
-        raise InputError("values: one number a point, tensors (n, 3), or a dict of fields by name")
-    return [("u", array)], None
+Gradation = Union[float, str, None]
 
 
-def metric(mesh: Mesh, values: Fields, *, norm: float = 2, complexity: Optional[float] = None,
-           vertices: Optional[float] = None, error: Optional[float] = None,
-           gradation: Union[float, None, Literal["default"]] = "default", hmin: Optional[float] = None,
-           hmax: Optional[float] = None, aspect: Optional[float] = None,
-           intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None,
-           isotropic: bool = False, gradation_keeps_shape: bool = False,
-           hessian: str = "green") -> ReportedArray:
+def _mesh_made(mesh: Any, name: str = "mesh") -> Any:
+    if not isinstance(mesh, Mesh):
+        raise InputError(f"{name}: a Mesh is wanted, not {type(mesh).__name__}")
+    return mesh._made
+
+
+def _metrics(given: Sequence[npt.ArrayLike], count: int) -> List[Any]:
+    return [tensor_rows("intersect", one, count) for one in given]
+
+
+def metric(mesh: Mesh, values: Fields, *, norm: Union[float, str] = 2, complexity: Optional[float] = None,
+           vertices: Optional[float] = None, error: Optional[float] = None, gradation: Gradation = "default",
+           hmin: Optional[float] = None, hmax: Optional[float] = None, aspect: Optional[float] = None,
+           intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None, isotropic: bool = False,
+           gradation_keeps_shape: bool = False, hessian: str = "green") -> ReportedArray:
     """The metric (n, 3) at the mesh's points in which the next mesh interpolates `values` best.
 
-    values: a number a point (n,); a dict of such fields by name, whose metrics are intersected in
-    the order of the names; or a metric (n, 3), which is bounded, graded and scaled.
-    norm: p of the L^p norm of the error, at least 1; math.inf for the maximum.
+    values: a number a point (n,) or a vector (n, 2); a dict of such fields by name, whose metrics are
+    intersected in the order of the names; or a metric (n, 3) or (n, 2, 2), which is bounded, graded and
+    scaled.
+    norm: p of the L^p norm of the error, at least 1; "inf" for the maximum.
     At most one of complexity (area in the metric), vertices and error; without, as many vertices as
     the mesh has. hmin, hmax: lengths; aspect: how many times as long as wide, at most (1e6).
     gradation: neighbouring lengths grow by this factor at most over a length of one; None: by any. By
@@ -48,26 +48,21 @@ def metric(mesh: Mesh, values: Fields, *, norm: float = 2, complexity: Optional[
     what it is in the mesh. hessian: 'l2', 'green' or 'least_squares' (docs/manual/adaptation.md).
     A target that cannot be met is a NotReachedWarning; `report` of the result has the numbers.
     """
-    fields, given = _fields_and_tensors(values)
-    if gradation == "default":
-        gradation = None if given is not None else _asterism._loop_gradation
-    elif isinstance(gradation, str):
-        raise InputError(f"gradation: a number above 1 or None is wanted, not {gradation!r}")
-    keywords = {"norm": norm, "complexity": complexity, "vertices": vertices, "error": error,
-                "gradation": gradation, "hmin": hmin, "hmax": hmax, "aspect": aspect, "step": step,
-                "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape,
-                "hessian": hessian}
-    tensors, report = _asterism._metric(mesh._made, fields, given, list(intersect), keywords)
+    made = _mesh_made(mesh)
+    fields, given = fields_and_tensors(values)
+    words = {"norm": norm_of(norm), "complexity": complexity, "vertices": vertices, "error": error,
+             "gradation": gradation_of(gradation, given is None), "hmin": hmin, "hmax": hmax, "aspect": aspect,
+             "step": step, "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape,
+             "hessian": hessian, "intersect": _metrics(intersect, len(mesh.points))}
+    tensors, report = _asterism._metric(made, fields, given, words)
     if not report["reached"]:
         warnings.warn(report["reason"], NotReachedWarning, stacklevel=2)
-    made = tensors.view(ReportedArray)
-    made.report = report
-    return made
+    return reported(tensors, report)
 
 
 def implied_metric(mesh: Mesh) -> npt.NDArray[np.float64]:
     """The metric (n, 3) that the mesh was made in, as far as its edges tell."""
-    return _asterism._implied_metric(mesh._made)
+    return _asterism._implied_metric(_mesh_made(mesh))
 
 
 def transfer(mesh: Mesh, values: Fields, to: Mesh, how: str = "conservative") -> Any:
@@ -77,12 +72,108 @@ def transfer(mesh: Mesh, values: Fields, to: Mesh, how: str = "conservative") ->
     `report`. how: 'interpolate' (no new extrema, integrals change), 'conservative' (the nearest in
     the mean square; integrals stay to rounding, may overshoot) or 'bounded' (both kept).
     """
-    named = isinstance(values, Mapping)
-    fields = dict(values) if isinstance(values, Mapping) else {"u": values}
-    arrays = [(str(name), np.asarray(of, dtype=float)) for name, of in fields.items()]
-    moved, report = _asterism._transfer(mesh._made, arrays, to._made, how)
-    made = {}
-    for (name, before), after in zip(arrays, moved):
-        made[name] = (after[:, 0] if before.ndim == 1 else after).view(ReportedArray)
-        made[name].report = report
-    return made if named else made["u"]
+    fields = named_fields(values)
+    moved, report = _asterism._transfer(_mesh_made(mesh), fields, _mesh_made(to, "to"), how)
+    return like(values, _as_given(fields, moved, report))
+
+
+def _as_given(fields: Any, moved: Any, report: Dict[str, Any]) -> Any:
+    """Arrays after a transfer by name, those of scalars (n,) as they were given."""
+    return [(name, reported(after[:, 0] if np.ndim(before) == 1 else after, report))
+            for (name, before), after in zip(fields, moved)]
+
+
+class Adapted:
+    """The next mesh of a loop, with what was brought to it.
+
+    mesh: the Mesh; values: the fields that its metric was made of, at its points, in the form in which
+    they were given (None of a metric); carried: those that were only carried, likewise; metric: the
+    tensors (n, 3) wanted at the points of the mesh before; report: `metric`, `transfer`, whether the
+    mesh was `kept`, `boundary_distance`, `reached` and `reason`. `mesh, u = asterism.adapt(...)` takes
+    the first two.
+    """
+
+    def __init__(self, mesh: Mesh, values: Any, carried: Any, metric: ReportedArray,
+                 report: Dict[str, Any]) -> None:
+        self.mesh = mesh
+        self.values = values
+        self.carried = carried
+        self.metric = metric
+        self.report = report
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter((self.mesh, self.values))
+
+    def __repr__(self) -> str:
+        return f"<Adapted: {self.mesh!r}>"
+
+
+def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[float] = None,
+          complexity: Optional[float] = None, error: Optional[float] = None, carry: Optional[Fields] = None,
+          how: str = "interpolate", metric: Optional[npt.ArrayLike] = None, implied: bool = False,
+          norm: Union[float, str] = 2, gradation: Gradation = "default", hmin: Optional[float] = None,
+          hmax: Optional[float] = None, aspect: Optional[float] = None,
+          intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None, isotropic: bool = False,
+          gradation_keeps_shape: bool = False, hessian: str = "green",
+          domain: Optional[AnyDomain] = None, chord_tolerance: Optional[float] = None,
+          corner_angle: Optional[float] = None, hausd: Optional[float] = None, keep: str = "auto",
+          angle_bound: float = 20, metric_tolerance: Optional[float] = None,
+          max_sites: Optional[int] = None, max_seconds: Optional[float] = None,
+          threads: Optional[int] = None, progress: Optional[Progress] = None) -> Adapted:
+    """Makes the mesh on which the next solution is best: the metric that `values` ask for, a mesh of the
+    same domain in it, certified, and the values on that.
+
+    mesh: one of ours, or Mesh(points, triangles, regions=, edges=, markers=) from elsewhere; regions,
+    markers and lines inside stay. values: as asterism.metric() takes them; None: the mesh's own `values`.
+    carry: fields (n,), (n, 2) or (n, 3), or a dict of them, that come along and have no part in the
+    metric. how: in which way all of them are brought, as asterism.transfer() has it.
+    metric: a metric in place of values, in any form that tensors have; or implied=True: that of the
+    mesh's edges. norm to hessian: as asterism.metric() has them.
+    domain: what is meshed, in any form that asterism.mesh() takes, with chord_tolerance for its curves;
+    None: what the mesh covers. Of that, vertices where the boundary turns by more than corner_angle (30)
+    stay, and the new boundary is within hausd of the old one, both ways (None: where vertices go, a
+    hundredth of the size wanted across it).
+    keep: whether the mesh may stay: 'auto' where it is as good as a new one, 'never', or 'always' where
+    it is certified in the metric. The rest is as in asterism.mesh().
+    A goal that is not reached is a NotReachedWarning, and `report` says why.
+    """
+    made = _mesh_made(mesh)
+    wanted, given = _wanted(mesh, values, metric, implied)
+    carried = [] if carry is None else named_fields(carry, "carried")
+    _check_names(wanted, carried)
+    words = {
+        "vertices": vertices, "complexity": complexity, "error": error, "how": how, "implied": implied,
+        "norm": norm_of(norm), "gradation": gradation_of(gradation, given is None and not implied), "hmin": hmin,
+        "hmax": hmax, "aspect": aspect, "intersect": _metrics(intersect, len(mesh.points)), "step": step,
+        "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape, "hessian": hessian,
+        "chord_tolerance": chord_tolerance, "corner_angle": corner_angle, "hausd": hausd, "keep": keep,
+        "angle_bound": angle_bound, "metric_tolerance": metric_tolerance, "max_sites": max_sites,
+        "max_seconds": max_seconds, "threads": threads, "progress": progress}
+    exact = None if domain is None else as_domain(domain)._made
+    next_mesh, tensors, moved, report = _asterism._adapt(made, wanted, given, wanted + carried, exact, words)
+    brought = _as_given(wanted + carried, moved, report["transfer"])
+    first, rest = brought[:len(wanted)], brought[len(wanted):]
+    if not report["reached"]:
+        warnings.warn(report["reason"], NotReachedWarning, stacklevel=2)
+    form: Any = mesh.values if values is None else values
+    return Adapted(Mesh._of(next_mesh, dict(first)), like(form, first) if first else None,
+                   like(carry, rest) if carry is not None else None,
+                   reported(tensors, report["metric"]), report)
+
+
+def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[npt.ArrayLike], implied: bool) -> Any:
+    """The fields that the metric is made of, or the metric that is given."""
+    if values is None and metric is None and not implied and mesh.values:
+        values = mesh.values
+    if (values is not None) + (metric is not None) + bool(implied) != 1:
+        raise InputError("values, metric, implied: one of the three says which metric is wanted, not "
+                         + ("none" if values is None and metric is None and not implied else "several"))
+    if metric is not None:
+        return [], tensor_rows("metric", metric, len(mesh.points))
+    return fields_and_tensors(values) if values is not None else ([], None)
+
+
+def _check_names(wanted: Any, carried: Any) -> None:
+    both = {name for name, _ in wanted} & {name for name, _ in carried}
+    if both:
+        raise InputError(f"carry: {sorted(both)[0]!r} is among the values, which come along anyway")

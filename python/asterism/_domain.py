@@ -4,23 +4,86 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Optional
+from typing import TYPE_CHECKING, Any, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from ._asterism import InputError, _Domain
+from ._forms import path_of
+
+if TYPE_CHECKING:
+    from ._mesh import Mesh
+
+_BUILT_IN = ("square", "airfoil", "naca0012")
+_MESH_FILES = (".mesh", ".meshb", ".msh", ".msh2", ".vtu")
 
 
-class Domain(_Domain):
+class Repair(NamedTuple):
+    """A place where a domain was changed; `what` is one of joined, bent, crossing, trimmed, hole dropped."""
+
+    what: str
+    x: float
+    y: float
+
+
+class Domain:
     """A planar straight-line graph: what is to be meshed.
 
-    points (n, 2); segments (s, 2) of point numbers; markers (s,) int, carried to the mesh's edges;
-    holes (h, 2), a point inside each; regions (r, 2) and region_numbers (r,), a point inside each
-    and its number. Raises InputError for what cannot be meant: segments that cross, rings that are
-    not closed, hole points on a segment. What can be put in order is: repeated points are one,
-    overlapping segments are split.
+    points (n, 2); segments (s, 2) of point numbers; without segments the points are a ring, in their
+    order; markers (s,) int, carried to the mesh's edges; holes (h, 2), a point inside each; regions
+    (r, 2) and region_numbers (r,), a point inside each and its number. Raises InputError for what
+    cannot be meant: segments that cross, rings that are not closed, hole points on a segment. What
+    can be put in order is: repeated points are one, overlapping segments are split. With `repair`,
+    True or a distance, crossings become points, near points one, and gaps are closed; `repairs` says
+    where.
     """
+
+    def __init__(self, points: npt.ArrayLike, segments: Optional[npt.ArrayLike] = None,
+                 markers: Optional[npt.ArrayLike] = None, holes: npt.ArrayLike = (),
+                 regions: npt.ArrayLike = (), region_numbers: Optional[npt.ArrayLike] = None, *,
+                 repair: "bool | float" = False) -> None:
+        if segments is None:
+            points, segments = _ring(points)
+        self._made = _Domain(points, segments, markers, holes, regions, region_numbers, repair)
+
+    @classmethod
+    def _of(cls, made: _Domain) -> Domain:
+        domain = cls.__new__(cls)
+        domain._made = made
+        return domain
+
+    @property
+    def points(self) -> npt.NDArray[np.float64]:
+        """(n, 2), a view."""
+        return self._made.points
+
+    @property
+    def segments(self) -> npt.NDArray[np.int32]:
+        """(s, 2), those of the boundary with the domain on the left."""
+        return self._made.segments
+
+    @property
+    def markers(self) -> npt.NDArray[np.int32]:
+        """(s,)"""
+        return self._made.markers
+
+    @property
+    def name(self) -> str:
+        return self._made.name
+
+    @property
+    def box(self) -> Tuple[float, float, float, float]:
+        """Least x and y, greatest x and y."""
+        return self._made.box
+
+    @property
+    def repairs(self) -> List[Repair]:
+        """Where the domain was changed, if it was to be repaired."""
+        return [Repair(*place) for place in self._made.repairs]
+
+    def __repr__(self) -> str:
+        return f"<Domain: {len(self.points)} points, {len(self._made.segments)} segments>"
 
     @classmethod
     def from_arrays(cls, points: npt.ArrayLike, segments: npt.ArrayLike, **more: Any) -> Domain:
@@ -28,19 +91,27 @@ class Domain(_Domain):
         return cls(points, segments, **more)
 
     @classmethod
-    def square(cls) -> _Domain:
+    def square(cls) -> Domain:
         """[-1, 1]^2, as the command knows it."""
-        return cls.load("square")
+        return cls._of(_Domain.load("square"))
 
     @classmethod
-    def read(cls, path: "str | os.PathLike[str]") -> _Domain:
-        """From a file: .poly, .geojson, .json or .wkt. What its reader passed over is a UserWarning."""
-        if not os.path.exists(path):
-            raise InputError(f"{os.fspath(path)}: cannot be opened for reading")
-        return cls.load(os.fspath(path))
+    def read(cls, path: "str | os.PathLike[str]", *, repair: "bool | float" = False) -> Domain:
+        """From a file: .poly, .geojson, .json or .wkt, or what a .mesh, .meshb, .msh or .vtu covers. What
+        its reader passed over is a UserWarning."""
+        name = path_of(path)
+        if not os.path.exists(name):
+            raise InputError(f"{name}: cannot be opened for reading")
+        if not name.lower().endswith(_MESH_FILES):
+            return cls._of(_Domain.load(name, repair))
+        if repair is not False:
+            raise InputError(f"repair: {name} is a mesh, whose edges are kept as they are")
+        from ._mesh import read
+
+        return cls.from_mesh(read(name))
 
     @classmethod
-    def from_mesh(cls, mesh: Any, corner_angle: Optional[float] = None) -> _Domain:
+    def from_mesh(cls, mesh: Mesh, corner_angle: Optional[float] = None) -> Domain:
         """What a Mesh covers, with its regions and markers.
 
         An edge between triangles of different regions is a segment, and told in a UserWarning where it
@@ -48,11 +119,13 @@ class Domain(_Domain):
         those alone that keep its shape, as `asterism adapt` finds them: a curved outer boundary becomes
         coarser where the mesh's metric is, lines between regions do not.
         """
-        made: _Domain = mesh._made.domain(corner_angle)
-        return made
+        made = getattr(mesh, "_made", None)
+        if made is None or not hasattr(made, "domain"):
+            raise InputError(f"a Mesh is wanted, not {type(mesh).__name__}")
+        return cls._of(made.domain(corner_angle))
 
     @classmethod
-    def from_geo(cls, shape: Any) -> _Domain:
+    def from_geo(cls, shape: Any, *, repair: "bool | float" = False) -> Domain:
         """From polygons: a shape of shapely, or anything else that has __geo_interface__, or such a dict.
 
         What they contain, and how sides and regions are numbered, is as in a .geojson file: a
@@ -69,9 +142,53 @@ class Domain(_Domain):
             text = json.dumps(geometry, allow_nan=False, default=_plain)
         except (TypeError, ValueError) as odd:
             raise InputError(f"{name}: its coordinates must be finite numbers: {odd}") from odd
-        return cls.parse_geojson(text, name)
+        return cls._of(_Domain.parse_geojson(text, name, repair))
 
     from_shapely = from_geo
+
+
+AnyDomain = Union[Domain, "Mesh", str, "os.PathLike[str]", npt.ArrayLike, Mapping[str, Any]]
+
+
+def as_domain(what: Any, repair: "bool | float" = False) -> Domain:
+    """A domain of whatever may stand for one: a Domain or a Mesh, the name of a file or of one that the
+    command knows, polygons, or the points of a ring."""
+    if isinstance(what, Domain):
+        return what if repair is False else Domain._of(what._made.repaired(repair))
+    if hasattr(getattr(what, "_made", None), "domain"):
+        if repair is not False:
+            raise InputError("repair: the edges of a mesh are kept as they are")
+        return Domain.from_mesh(what)
+    if isinstance(what, (str, os.PathLike)):
+        name = path_of(what)
+        if name in _BUILT_IN:
+            return Domain._of(_Domain.load(name, repair))
+        return Domain.read(name, repair=repair)
+    if hasattr(what, "__geo_interface__") or isinstance(what, Mapping):
+        return Domain.from_geo(what, repair=repair)
+    if what is None or callable(what) or isinstance(what, (int, float)):
+        raise InputError(f"a domain is wanted: a Domain, a file's name, polygons or points (n, 2), not {what!r}")
+    return Domain(what, repair=repair)
+
+
+def _ring(points: npt.ArrayLike) -> Tuple[Any, npt.NDArray[np.int64]]:
+    """Points without the last one where it repeats the first, and the segments from each to the next."""
+    corners: Any = points if isinstance(points, np.ndarray) else _array(points)
+    if corners.ndim != 2 or corners.shape[1] != 2:
+        raise InputError("points: the shape (n, 2) is wanted")
+    if len(corners) > 1 and (corners[0] == corners[-1]).all():
+        corners = corners[:-1]
+    if len(corners) < 3:
+        raise InputError(f"points: a ring has three or more, not {len(corners)}; without segments they are one")
+    first = np.arange(len(corners))
+    return corners, np.column_stack([first, np.roll(first, -1)])
+
+
+def _array(points: Any) -> Any:
+    try:
+        return np.asarray(points)
+    except ValueError as odd:
+        raise InputError(f"points: rows of two numbers are wanted: {odd}") from None
 
 
 def _bare(shape: Any) -> Any:

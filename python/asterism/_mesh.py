@@ -1,118 +1,230 @@
 # SPDX-License-Identifier: MIT
-"""Meshes: making, judging, showing and passing them on."""
+"""Meshes: what they hold, what is measured of them, and how they are shown and passed on."""
 from __future__ import annotations
 
-import json
 import os
-import warnings
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _asterism
-from ._asterism import _Domain, _Mesh
-from ._reported import ReportedArray
+from ._asterism import InputError, _Mesh
+from ._certificate import Certificate
+from ._domain import Domain
+from ._forms import Fields, doubles, named_fields, path_of, tensor_rows
+from ._page import Page
 
-Metric = Union[str, Callable[[Any], Any], Tuple["Mesh", npt.ArrayLike], npt.ArrayLike]
-
-
-class NotReachedWarning(UserWarning):
-    """The mesher ended before its goal; the mesh's `reason` says why."""
-
-
-class Certificate:
-    """What the auditor says of a mesh: attributes are the entries of `data`."""
-
-    def __init__(self, text: str) -> None:
-        self.text = text
-        self.data: Dict[str, Any] = json.loads(text)
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name == "data":
-            raise AttributeError(name)
-        for part in (self.data, *[v for v in self.data.values() if isinstance(v, dict)]):
-            if name in part:
-                return part[name]
-        raise AttributeError(name)
-
-    def __repr__(self) -> str:
-        return f"<Certificate: {', '.join(self.data)}>"
+Doubles = npt.NDArray[np.float64]
+Wholes = npt.NDArray[np.int32]
 
 
 class Mesh:
-    """Triangles and the metric at their vertices.
+    """Triangles and the metric at their points.
 
-    points (n, 2), metric (n, 3), sites (n, 5), triangles (t, 3), regions (t,), edges (b, 2) of the
-    boundary and edge_markers (b,); `given`: how many points, the first ones, are the domain's.
-    From elsewhere: regions, edges and edge_markers are whole numbers of 32 bits, and may be left out:
-    the region is 1 then, and sides that are not among the edges have the marker 0, told in a UserWarning.
+    From elsewhere: points (n, 2), triangles (t, 3); a metric in any form that tensors have, one for all
+    or one a point; regions (t,); edges (b, 2) with their markers (b,), also called edge_markers; values:
+    fields at the points, as asterism.adapt() takes them. Numbers are whole and of 32 bits. What is left
+    out: the region is 1, and sides that are not among the edges have the marker 0, told in a UserWarning.
+    corners, required_points (k,) and required_edges (k, 2) stay where the mesh is adapted.
     """
 
-    def __init__(self, points: npt.ArrayLike, triangles: npt.ArrayLike,
-                 metric: npt.ArrayLike = (1, 0, 1), *, regions: Optional[npt.ArrayLike] = None,
-                 edges: Optional[npt.ArrayLike] = None,
-                 edge_markers: Optional[npt.ArrayLike] = None) -> None:
-        self._made = _Mesh.from_arrays(points, triangles, metric, regions, edges, edge_markers)
+    def __init__(self, points: npt.ArrayLike, triangles: npt.ArrayLike, metric: npt.ArrayLike = (1, 0, 1), *,
+                 regions: Optional[npt.ArrayLike] = None, edges: Optional[npt.ArrayLike] = None,
+                 markers: Optional[npt.ArrayLike] = None, edge_markers: Optional[npt.ArrayLike] = None,
+                 values: Optional[Fields] = None, corners: Optional[npt.ArrayLike] = None,
+                 required_points: Optional[npt.ArrayLike] = None,
+                 required_edges: Optional[npt.ArrayLike] = None) -> None:
+        if markers is not None and edge_markers is not None:
+            raise InputError("markers, edge_markers: two names of one thing, and both are given")
+        at = doubles("points", points)
+        self._made = _Mesh.from_arrays(
+            at, triangles, tensor_rows("metric", metric, len(at)),
+            {"regions": regions, "edges": edges, "edge_markers": markers if edge_markers is None else edge_markers,
+             "corners": corners, "required_points": required_points, "required_edges": required_edges})
+        self._take_values(values)
+
+    def _take_values(self, values: Optional[Fields]) -> None:
+        self._values: Dict[str, Doubles] = {}
+        for name, of in [] if values is None else named_fields(values):
+            held = np.array(doubles(name, of))
+            if held.ndim not in (1, 2) or len(held) != len(self.points):
+                raise InputError(f"{name}: {len(self.points)} rows of numbers are wanted, one a point, not an "
+                                 f"array of the shape {held.shape}")
+            held.setflags(write=False)
+            self._values[name] = held
 
     @classmethod
-    def _of(cls, made: _Mesh) -> Mesh:
-        mesh_of = cls.__new__(cls)
-        mesh_of._made = made
-        return mesh_of
+    def _of(cls, made: _Mesh, values: Optional[Mapping[str, Any]] = None) -> Mesh:
+        mesh = cls.__new__(cls)
+        mesh._made = made
+        mesh._take_values(values)
+        return mesh
 
-    points = property(lambda self: self._made.points)
-    metric = property(lambda self: self._made.metric)
-    sites = property(lambda self: self._made.sites)
-    triangles = property(lambda self: self._made.triangles)
-    disagreeing = property(lambda self: self._made.disagreeing)
-    regions = property(lambda self: self._made.regions)
-    edges = property(lambda self: self._made.edges)
-    edge_markers = property(lambda self: self._made.edge_markers)
-    given = property(lambda self: self._made.given)
-    complete = property(lambda self: self._made.complete)
-    certified = property(lambda self: self._made.certified)
-    reason = property(lambda self: self._made.reason)
+    @property
+    def points(self) -> Doubles:
+        """(n, 2), a view; the first `given` are the domain's."""
+        return self._made.points
+
+    @property
+    def metric(self) -> Doubles:
+        """(n, 3) = m11 m12 m22, a view."""
+        return self._made.metric
+
+    @property
+    def sites(self) -> Doubles:
+        """(n, 5) = x y m11 m12 m22, a view."""
+        return self._made.sites
+
+    @property
+    def triangles(self) -> Wholes:
+        """(t, 3), counter-clockwise, a view."""
+        return self._made.triangles
+
+    @property
+    def disagreeing(self) -> Wholes:
+        """(d, 3), triangles that not all of their corners' stars have; none of a complete mesh."""
+        return self._made.disagreeing
+
+    @property
+    def regions(self) -> Wholes:
+        """(t,)"""
+        return self._made.regions
+
+    @property
+    def edges(self) -> Wholes:
+        """(b, 2), of the boundary and inside, the domain on the left."""
+        return self._made.edges
+
+    @property
+    def edge_markers(self) -> Wholes:
+        """(b,)"""
+        return self._made.edge_markers
+
+    @property
+    def given(self) -> int:
+        """How many points, the first ones, are the domain's."""
+        return self._made.given
+
+    @property
+    def complete(self) -> bool:
+        """True if the mesher reached its goal."""
+        return self._made.complete
+
+    @property
+    def certified(self) -> bool:
+        """True if it did, and the auditor found nothing against the mesh. False of a mesh from elsewhere,
+        whatever its certificate says: verify() audits it."""
+        return self._made.certified
+
+    @property
+    def reason(self) -> str:
+        """A sentence: why the run ended."""
+        return self._made.reason
+
+    @property
+    def values(self) -> Dict[str, Doubles]:
+        """Fields at the points by name: those it was given, or that adapt() brought to it."""
+        return dict(self._values)
 
     @property
     def certificate(self) -> Optional[Certificate]:
-        """None of a mesh that came from elsewhere."""
+        """None of a mesh that came from elsewhere without one."""
         text = self._made.certificate_text
         return None if text is None else Certificate(text)
+
+    @property
+    def domain(self) -> Domain:
+        """What it is a mesh of: the domain of the run or of its certificate; else what it covers."""
+        original = self._made.original()
+        return Domain.from_mesh(self) if original is None else Domain._of(original)
+
+    @property
+    def angles(self) -> Doubles:
+        """(t, 3), degrees: the angle at each corner, the least of what the three corners measure."""
+        return _asterism._angles(self._made)
+
+    @property
+    def lengths(self) -> Doubles:
+        """(t, 3): the metric length of the side across from each corner, the mean of what its ends measure."""
+        return _asterism._lengths(self._made)
+
+    @property
+    def qualities(self) -> Doubles:
+        """(t,): 4 sqrt 3 area / sum of squared lengths in the mean metric of the corners; equilateral: 1."""
+        return _asterism._qualities(self._made)
+
+    @property
+    def neighbors(self) -> Wholes:
+        """(t, 3): the triangle across the side that is across from each corner; -1 at the boundary."""
+        return _asterism._neighbors(self._made)
+
+    def locate(self, points: npt.ArrayLike) -> Wholes:
+        """(n,): a triangle that each point (n, 2) is in, its sides included, by exact signs; -1 outside."""
+        return _asterism._locate(self._made, doubles("points", points))
+
+    def interpolate(self, values: npt.ArrayLike, points: npt.ArrayLike, *,
+                    outside: Optional[float] = None) -> Doubles:
+        """Values at points (n, 2), linear between those at the mesh's points, (m,) or (m, c).
+
+        outside: the value of points in no triangle; None: they are refused.
+        """
+        of = doubles("values", values)
+        if of.ndim not in (1, 2) or len(of) != len(self.points):
+            raise InputError(f"values: {len(self.points)} rows are wanted, one a point of the mesh, not an array "
+                             f"of the shape {of.shape}")
+        at = np.atleast_2d(doubles("points", points))
+        found = self.locate(at)
+        lost = np.flatnonzero(found < 0)
+        if len(lost) and outside is None:
+            x, y = at[lost[0]]
+            raise InputError(f"points: row {lost[0]}, ({x}, {y}), is in no triangle of the mesh; outside=0, say, "
+                             f"gives such points a value")
+        corners = self.triangles[found]
+        weights = _weights(self.points[corners], at)
+        made: Doubles = np.einsum("nk,nk...->n...", weights, of[corners])
+        if len(lost):
+            made[lost] = outside
+        return made
 
     def statistics(self) -> Dict[str, float]:
         """Edge lengths, shapes and more, by name, each as the metric measures it."""
         return self._made.statistics()
 
-    def verify(self, certificate: Optional[str] = None,
-               angle_bound: Optional[float] = None) -> Dict[str, Any]:
+    def verify(self, certificate: Optional[str] = None, angle_bound: Optional[float] = None) -> Dict[str, Any]:
+        """Audits the mesh again; see asterism.verify()."""
+        from ._judging import verify
+
         return verify(self, certificate, angle_bound)
 
     def save(self, path: "str | os.PathLike[str]") -> List[str]:
-        """Writes .mesh (with .sol), .msh, .vtu, .su2, .node (with .ele), .svg, .png or .pdf by the ending, and
-        the certificate, if there is one, beside it. Returns the names of the files."""
-        return self._made.save(os.fspath(path))
+        """Writes the format that the ending names, and the certificate, if there is one, beside it: .mesh or
+        .meshb (with .sol or .solb), .msh (gmsh 4.1), .msh2 (2.2), .vtu, .su2, .node (with .ele and .edge), .svg,
+        .png, .pdf, or .html, a page to look at and to judge by. Returns the names of the files."""
+        return self._made.save(path_of(path))
+
+    def show(self, height: int = 640) -> Page:
+        """The page about the mesh: a notebook shows it where this is the last line of a cell."""
+        return Page(self._made.page("Mesh"), height)
 
     def to_meshio(self) -> Any:
-        """A meshio.Mesh with the boundary, markers, regions and the metric."""
-        import meshio
+        """A meshio.Mesh with the boundary, markers, regions, the metric and the values."""
+        from ._exchange import to_meshio
 
-        points = np.column_stack([self.points, np.zeros(len(self.points))])
-        return meshio.Mesh(
-            points, [("triangle", np.array(self.triangles)), ("line", np.array(self.edges))],
-            point_data={"metric": np.array(self.metric)},
-            cell_data={"reference": [np.array(self.regions), np.array(self.edge_markers)]})
+        return to_meshio(self)
+
+    @classmethod
+    def from_meshio(cls, other: Any) -> Mesh:
+        """Of a meshio.Mesh: its triangles and lines, in their references, and its point data as values."""
+        from ._exchange import from_meshio
+
+        return from_meshio(other)
 
     def to_pyvista(self) -> Any:
-        """A pyvista.PolyData with the metric at its points and the region of its triangles."""
-        import pyvista
+        """A pyvista.PolyData with the metric and the values at its points and the region of its triangles."""
+        from ._exchange import to_pyvista
 
-        faces = np.column_stack([np.full(len(self.triangles), 3), self.triangles])
-        shown = pyvista.PolyData(np.column_stack([self.points, np.zeros(len(self.points))]),
-                                 faces.ravel())
-        shown.point_data["metric"] = np.array(self.metric)
-        shown.cell_data["region"] = np.array(self.regions)
-        return shown
+        return to_pyvista(self)
 
     def plot(self, ax: Any = None, **line: Any) -> Any:
         """Draws into a matplotlib Axes, and returns it."""
@@ -122,8 +234,8 @@ class Mesh:
             ax = plt.gca()
         ax.triplot(self.points[:, 0], self.points[:, 1], self.triangles,
                    **{"linewidth": 0.4, "color": "black", **line})
-        for a, b in self.edges:
-            ax.plot(self.points[[a, b], 0], self.points[[a, b], 1], color="black", linewidth=1.2)
+        ends = self.points[self.edges]
+        ax.plot(ends[:, :, 0].T, ends[:, :, 1].T, color="black", linewidth=1.2)
         ax.set_aspect("equal")
         return ax
 
@@ -136,81 +248,23 @@ class Mesh:
 
     def __repr__(self) -> str:
         state = "certified" if self.certified else "not certified"
+        if not self.certified and self._made.claims_certified:
+            state = "certified by its certificate, which verify() holds against it"
         return f"<Mesh: {len(self.points)} points, {len(self.triangles)} triangles, {state}>"
 
 
-def mesh(domain: _Domain, metric: Metric = "identity", size: Optional[float] = None,
-         angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: Optional[int] = None,
-         gradation: Optional[float] = None, prove_voronoi: bool = False,
-         improve: int = 0, vertices: Optional[int] = None, complexity: Optional[float] = None,
-         metric_tolerance: Optional[float] = None, chord_tolerance: Optional[float] = None,
-         progress: Optional[Callable[[Dict[str, Any]], Any]] = None) -> Mesh:
-    """Makes a mesh whose angles are at least angle_bound degrees, each measured by the metric of all
-    three vertices of its triangle, and audits it.
-
-    metric: a text as the command takes it ("swirl:12", "expr:1+x*x;0;1"); a callable from (n, 2) points
-    to (n, 3) tensors = m11 m12 m22; a pair (mesh, tensors (n, 3)), or the tensors alone with on=mesh.
-    A callable is asked for thousands of points at a time, each once, and for single ones (n = 1) where
-    they are not known in advance; each row is to depend on its point alone. One that does not give n
-    rows, or raises, for n > 1 is asked for one point at a time from then on.
-    size: edges are to have this length in the metric; None: no longer than angles need, but 1 in a
-    metric that asterism.metric() made.
-    vertices, complexity: in place of a size, the number of vertices, or the area of the domain as the
-    metric measures it; the metric is scaled to that. A mesh with over 5 % more or fewer vertices than
-    that is made again with another scale, ten times at most, and the nearest is returned.
-    metric_tolerance: how far the metric delivered may be from the one wanted, as ln of the greatest
-    ratio of two lengths; 0: no tensor is changed; None: any, but of half of the sites no more than
-    ln 10, and on the whole no more than ten times as dense or as thin.
-    max_sites: refinement ends at this many; None: at 100000, or three times those asked for,
-    or ten times the vertices of the domain.
-    chord_tolerance: greatest distance of a curve of the domain from its chords; None: a fiftieth of each
-    chord, and with a size, vertices or complexity a fiftieth of the size wanted across the curve, or a
-    hundredth where the metric is on a mesh. Curves are divided for each mesh: the vertices of the domain
-    that stay are the ends of its curves and those that are on none.
-    progress: called now and then with a dict of counts. Ctrl-C ends the run.
-    """
-    if max_sites is None:
-        asked = vertices or 1.2 * (complexity or 0)
-        max_sites = int(min(max(100000, 3 * asked + 1000, 10 * len(domain.points)), 1e8))
-    if on is not None:
-        metric = (on, metric)  # type: ignore[assignment]
-    if isinstance(metric, tuple) and len(metric) == 2 and isinstance(metric[0], Mesh):
-        if (size, vertices, complexity) == (None,) * 3 and isinstance(metric[1], ReportedArray):
-            size = 1
-        metric = (metric[0]._made, metric[1])
-    made = Mesh._of(_asterism._mesh(domain, metric, size, angle_bound, max_sites, gradation,
-                                    prove_voronoi, improve, vertices, complexity, metric_tolerance,
-                                    chord_tolerance, progress))
-    if not made.complete:
-        warnings.warn(made.reason, NotReachedWarning, stacklevel=2)
-    return made
+def _weights(corners: Doubles, at: Doubles) -> Doubles:
+    """Barycentric coordinates (n, 3) of points in triangles (n, 3, 2), none below 0, their sum 1."""
+    areas = np.empty((len(at), 3))
+    for k in range(3):
+        a, b = corners[:, (k + 1) % 3], corners[:, (k + 2) % 3]
+        areas[:, k] = (a[:, 0] - at[:, 0]) * (b[:, 1] - at[:, 1]) - (a[:, 1] - at[:, 1]) * (b[:, 0] - at[:, 0])
+    areas = np.maximum(areas, 0)
+    sums = areas.sum(axis=1, keepdims=True)
+    return np.divide(areas, sums, out=np.full_like(areas, 1 / 3), where=sums > 0)
 
 
 def read(path: "str | os.PathLike[str]") -> Mesh:
     """Reads a .mesh, .meshb, .msh or .vtu, with the metric of its .sol or in it (without one: the
     plane's) and the certificate beside it. What its reader changed is a UserWarning."""
-    return Mesh._of(_Mesh.read(os.fspath(path)))
-
-
-def verify(subject: "Mesh | str | os.PathLike[str]", certificate: Optional[str] = None,
-           angle_bound: Optional[float] = None) -> Dict[str, Any]:
-    """Audits a mesh again, against the text of a certificate or its own: `verified`,
-    `contradictions`, `findings` and what was measured."""
-    of = subject if isinstance(subject, Mesh) else read(subject)
-    return _asterism._verify(of._made, certificate, angle_bound)
-
-
-def certify(points: "npt.ArrayLike | Mesh", triangles: Optional[npt.ArrayLike] = None,
-            metric: npt.ArrayLike = (1, 0, 1), angle_bound: float = 20,
-            prove_voronoi: bool = False) -> Dict[str, Any]:
-    """Is a triangulation from elsewhere the mesh of its points' stars, with no angle below the bound?
-    `certified`, `not_in_all_stars`, `low_triangles`, `findings` and what was measured."""
-    of = points if isinstance(points, Mesh) else Mesh(points, triangles, metric)  # type: ignore
-    return _asterism._certify(of._made, angle_bound, prove_voronoi)
-
-
-def in_circle(a: npt.ArrayLike, b: npt.ArrayLike, c: npt.ArrayLike, p: npt.ArrayLike,
-              metric: npt.ArrayLike = (1, 0, 1), *, counts: bool = False) -> Any:
-    """1 where p is inside the circle of the metric through a, b, c (these counter-clockwise; else
-    the other way round), -1 outside, 0 on it. Points (n, 2), tensors (n, 3)."""
-    return _asterism._in_circle(metric, a, b, c, p, counts=counts)
+    return Mesh._of(_Mesh.read(path_of(path)))

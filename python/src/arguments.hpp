@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads numpy arrays as the library's rows of numbers, without copies where their layout allows it,
-// and errors as Python's.
+// keyword arguments as numbers, and errors as Python's. Nothing of an argument is left out in
+// silence: imaginary parts, masks and fractions of whole numbers are refused.
 #pragma once
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "asterism/core/result.hpp"
 #include "asterism/kernels/c_batch.h"
@@ -29,6 +33,16 @@ T value_or_raise(result<T> from) {
   return std::move(from).value();
 }
 
+// Warns, as Python does, of what was changed or passed over.
+void warn(const std::vector<std::string>& notes);
+
+// Returns an array of doubles. `name` is the argument's, for messages.
+py::array_t<double> doubles_of(const py::object& from, const char* name);
+
+using whole_array = py::array_t<std::int64_t, py::array::c_style>;
+// Returns an array of whole numbers, whatever type holds them.
+whole_array wholes_of(const py::object& from, const char* name);
+
 // An array of doubles with `width` numbers in a row; keeps what it looks at alive.
 class number_table {
  public:
@@ -47,6 +61,29 @@ class number_table {
   const double* first_ = nullptr;
   std::size_t stride_ = 0, rows_ = 0;
   bool single_ = false;
+};
+
+// Keyword arguments by name. One that is not there is None.
+class keywords {
+ public:
+  explicit keywords(py::dict given) : given_(std::move(given)) {}
+
+  py::object object(const char* name) const;
+  bool has(const char* name) const { return !object(name).is_none(); }
+  // Returns a number, which may be infinite; none for None.
+  std::optional<double> real(const char* name) const;
+  // The same, refused unless it is positive and finite.
+  std::optional<double> positive(const char* name) const;
+  // The same, refused unless it is at least 0 and finite.
+  std::optional<double> from_zero(const char* name) const;
+  // Returns a whole number of at least `least`; none for None.
+  std::optional<std::size_t> count(const char* name, std::size_t least = 0) const;
+  // Returns False for None.
+  bool flag(const char* name) const;
+  std::string word(const char* name) const;
+
+ private:
+  py::dict given_;
 };
 
 }  // namespace asterism::python

@@ -10,7 +10,10 @@ namespace asterism::python {
 void define_predicates(pybind11::module_& m);
 void define_domain(pybind11::module_& m);
 void define_mesh(pybind11::module_& m);
+void define_measures(pybind11::module_& m);
 void define_meshing(pybind11::module_& m);
+void define_adapting(pybind11::module_& m);
+void define_judging(pybind11::module_& m);
 void define_solution(pybind11::module_& m);
 
 }  // namespace asterism::python

@@ -12,6 +12,7 @@
 #include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/draw/picture.hpp"
+#include "asterism/mesh/draw/report.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -20,7 +21,9 @@
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "bindings.hpp"
+#include "py_domain.hpp"
 #include "py_mesh.hpp"
+#include "states.hpp"
 
 namespace asterism::python {
 namespace {
@@ -67,11 +70,28 @@ std::string svg_of(const py_mesh& m, int width, bool ellipses) {
   return value_or_raise(draw_picture(m.content, picture_format::svg, options));
 }
 
+// What a page says of where the claim comes from.
+report_facts facts_of(const py_mesh& m, const std::string& title) {
+  report_facts facts;
+  facts.title = title;
+  facts.claim = m.claim;
+  if (m.claim)
+    facts.claim_from = m.certified ? "As the run that made this mesh judged it."
+                                   : "As its certificate has it, for mesh.verify() to audit again.";
+  return facts;
+}
+
+std::string page_of(const py_mesh& m, const std::string& title) {
+  const py::gil_scoped_release unlocked;
+  return value_or_raise(report_page(m.content, facts_of(m, title)));
+}
+
 std::vector<std::string> save(const py_mesh& m, const std::string& name) {
   const std::filesystem::path path = name;
   const py::gil_scoped_release unlocked;
   write_options options;
   options.picture.angle_bound = m.angle_bound;
+  options.report = facts_of(m, path.filename().string());
   if (m.claim && m.claim->original) options.smooth = internal::smooth_vertices(*m.claim->original);
   if (m.claim && !m.certified) options.note = "Incomplete, not certified: " + m.reason;
   std::vector<std::string> names;
@@ -85,9 +105,7 @@ std::vector<std::string> save(const py_mesh& m, const std::string& name) {
   return names;
 }
 
-using index_array = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
-
-vertex_index point_number(const index_array& table, const char* name, py::ssize_t row,
+vertex_index point_number(const whole_array& table, const char* name, py::ssize_t row,
                           py::ssize_t column, std::size_t points) {
   const std::int64_t v = table.data()[table.shape(1) * row + column];
   if (v < 0 || v >= static_cast<std::int64_t>(points))
@@ -96,9 +114,18 @@ vertex_index point_number(const index_array& table, const char* name, py::ssize_
   return static_cast<vertex_index>(v);
 }
 
+// Returns a table of point numbers with `width` in a row.
+whole_array point_numbers(const py::object& given, const char* name, py::ssize_t width) {
+  whole_array table = wholes_of(given, name);
+  if (table.ndim() != 2 || table.shape(1) != width)
+    throw input_error(std::string(name) + ": the shape (n, " + std::to_string(width) +
+                      ") is wanted");
+  return table;
+}
+
 // Returns whole numbers that an int holds, one for each of `count`.
 std::vector<int> numbers_of(const py::object& given, const char* name, std::size_t count) {
-  const auto numbers = given.cast<index_array>();
+  const whole_array numbers = wholes_of(given, name);
   if (numbers.ndim() != 1 || static_cast<std::size_t>(numbers.size()) != count)
     throw input_error(std::string(name) + ": " + std::to_string(count) +
                       " numbers are wanted, one for each");
@@ -118,9 +145,7 @@ void add_edges(mesh& m, const py::object& edges, const py::object& markers) {
     if (!markers.is_none()) throw input_error("edge_markers: there are no edges");
     return;
   }
-  const auto ends = edges.cast<index_array>();
-  if (ends.ndim() != 2 || ends.shape(1) != 2)
-    throw input_error("edges: the shape (n, 2) is wanted");
+  const whole_array ends = point_numbers(edges, "edges", 2);
   const auto count = static_cast<std::size_t>(ends.shape(0));
   const std::vector<int> marked =
       markers.is_none() ? std::vector<int>(count, 0) : numbers_of(markers, "edge_markers", count);
@@ -132,20 +157,32 @@ void add_edges(mesh& m, const py::object& edges, const py::object& markers) {
   }
 }
 
-// Warns, as Python does, of what was changed or passed over.
-void warn(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes)
-    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 2) != 0) throw py::error_already_set();
+// Reads what is to stay when the mesh is adapted.
+mesh_marks marks_of(const keywords& given, std::size_t points) {
+  mesh_marks marks;
+  for (const auto& [name, list] :
+       {std::pair{"corners", &marks.corners}, {"required_points", &marks.required_vertices}}) {
+    if (!given.has(name)) continue;
+    const whole_array numbers = wholes_of(given.object(name), name);
+    const whole_array column = numbers.attr("reshape")(-1, 1).cast<whole_array>();
+    for (py::ssize_t k = 0; k < column.shape(0); ++k)
+      list->push_back(point_number(column, name, k, 0, points));
+  }
+  if (!given.has("required_edges")) return marks;
+  const char* const name = "required_edges";
+  const whole_array ends = point_numbers(given.object(name), name, 2);
+  for (py::ssize_t k = 0; k < ends.shape(0); ++k)
+    marks.required_edges.push_back(
+        {point_number(ends, name, k, 0, points), point_number(ends, name, k, 1, points)});
+  return marks;
 }
 
 // From elsewhere: nothing is known of how it was made.
 py_mesh from_arrays(const py::object& points, const py::object& triangles, const py::object& metric,
-                    const py::object& regions, const py::object& edges,
-                    const py::object& edge_markers) {
+                    const py::dict& more) {
+  const keywords given(more);
   const number_table at(points, 2, "points"), tensors(metric, 3, "metric");
-  const auto corners = triangles.cast<index_array>();
-  if (corners.ndim() != 2 || corners.shape(1) != 3)
-    throw input_error("triangles: the shape (n, 3) is wanted");
+  const whole_array corners = point_numbers(triangles, "triangles", 3);
   if (!tensors.is_single() && tensors.rows() != at.rows())
     throw input_error("metric: one tensor for each point, or one for all, is wanted");
   mesh m;
@@ -160,10 +197,12 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
       t[c] = point_number(corners, "triangles", k, static_cast<py::ssize_t>(c), m.sites.size());
     m.triangles.push_back(t);
   }
-  if (!regions.is_none()) m.regions = numbers_of(regions, "regions", m.triangles.size());
-  add_edges(m, edges, edge_markers);
+  if (given.has("regions"))
+    m.regions = numbers_of(given.object("regions"), "regions", m.triangles.size());
+  add_edges(m, given.object("edges"), given.object("edge_markers"));
   internal::list_sides(m);
   py_mesh made;
+  made.marks = marks_of(given, m.sites.size());
   made.content = value_or_raise(adopt_mesh(std::move(m), region_edges::as_listed)).subject;
   warn(std::exchange(made.content.notes, {}));
   made.reason = "it came from elsewhere";
@@ -172,19 +211,24 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
 
 // Returns what the mesh covers: every vertex is one of the domain, or with a corner angle those
 // that keep its shape.
-domain domain_of(const py_mesh& m, const std::optional<double>& corner_angle) {
+py_domain domain_of(const py_mesh& m, const py::object& corner) {
+  py::dict words;
+  words["corner_angle"] = corner;
+  const std::optional<double> corner_angle = keywords(words).positive("corner_angle");
+  if (corner_angle && *corner_angle > 180)
+    throw input_error("corner_angle: degrees above 0 and at most 180 are wanted");
   const auto make = [&]() -> result<adopted_mesh> {
     const py::gil_scoped_release unlocked;
     auto adopted = internal::checked_triangulation(m.content, "the mesh");
     if (!adopted || !corner_angle) return adopted;
-    auto outline = outline_of_mesh(adopted.value().subject, {}, {*corner_angle, {}});
+    auto outline = outline_of_mesh(adopted.value().subject, m.marks, {*corner_angle, {}});
     if (!outline) return outline.failure();
     if (!outline.value().keeps_all) adopted.value().shape = std::move(outline.value().shape);
     return adopted;
   };
   adopted_mesh made = value_or_raise(make());
   warn(made.subject.notes);
-  return std::move(made.shape);
+  return {std::move(made.shape), {}};
 }
 
 py_mesh read_unlocked(const std::string& name) {
@@ -194,6 +238,7 @@ py_mesh read_unlocked(const std::string& name) {
   options.identity_without_solution = !std::filesystem::exists(solution_path(path));
   py_mesh made;
   made.content = value_or_raise(read_mesh(path, options));
+  made.marks = value_or_raise(read_mesh_marks(path));
   made.reason = "it was read from " + path.string();
   auto beside = path;
   beside.replace_extension(".certificate.json");
@@ -227,9 +272,9 @@ py::dict statistics(const py_mesh& m) {
 void define_mesh(py::module_& m) {
   py::class_<py_mesh>(m, "_Mesh")
       .def_static("from_arrays", &from_arrays, py::arg("points"), py::arg("triangles"),
-                  py::arg("metric"), py::arg("regions") = py::none(), py::arg("edges") = py::none(),
-                  py::arg("edge_markers") = py::none())
-      .def_static("read", &read)
+                  py::arg("metric"), py::arg("more"))
+      .def_static("read", &read, py::arg("path"))
+      .def(py::pickle([](const py_mesh& held) { return state_of(held); }, &mesh_of_state))
       .def_property_readonly(
           "points",
           [](const py::object& self) { return view<double>(self, content_of(self).sites, 0, 2); })
@@ -269,7 +314,16 @@ void define_mesh(py::module_& m) {
                                if (!self.claim) return std::nullopt;
                                return certificate_text(*self.claim);
                              })
+      .def_property_readonly(
+          "claims_certified",
+          [](const py_mesh& self) { return self.claim && self.claim->certified; })
       .def("domain", &domain_of, py::arg("corner_angle") = py::none())
+      .def("original",
+           [](const py_mesh& self) -> std::optional<py_domain> {
+             if (!self.claim || !self.claim->original) return std::nullopt;
+             return py_domain{*self.claim->original, {}};
+           })
+      .def("page", &page_of, py::arg("title"))
       .def("statistics", &statistics)
       .def("svg", &svg_of, py::arg("width") = 600, py::arg("ellipses") = false)
       .def("save", &save, py::arg("path"));

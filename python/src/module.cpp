@@ -13,6 +13,9 @@ PYBIND11_MODULE(_asterism, m) {
   define_predicates(m);
   define_domain(m);
   define_mesh(m);
+  define_measures(m);
   define_meshing(m);
+  define_adapting(m);
+  define_judging(m);
   define_solution(m);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The predicates over arrays: one call of the batch functions, without the interpreter's lock.
+// The predicates over arrays: one call of the batch functions, without the interpreter's lock. The
+// package's own functions, which ask in batches that can be interrupted, have their descriptions.
 #include <array>
 #include <utility>
 #include <vector>
@@ -77,27 +78,25 @@ template <std::size_t>
 using an_object = py::object;
 
 template <std::size_t... Index, class Function>
-void define(py::module_& m, const char* name, const char* doc, Function* function,
+void define(py::module_& m, const char* name, Function* function,
             const std::array<argument, sizeof...(Index)>& arguments,
             std::index_sequence<Index...> all) {
-  m.def(
-      name,
-      [function, arguments, all](const an_object<Index>&... given, bool counts) {
-        std::vector<number_table> tables;
-        (tables.emplace_back(given, arguments[Index].width, arguments[Index].name), ...);
-        return answer(tables, counts, [&](std::size_t rows, signed char* to, auto* report) {
-          return call_rows(all, function, tables, rows, to, report);
-        });
-      },
-      doc, py::arg(arguments[Index].name)..., py::kw_only(), py::arg("counts") = false);
+  m.def((std::string("_") + name).c_str(),
+        [function, arguments, all](const an_object<Index>&... given, bool counts) {
+          std::vector<number_table> tables;
+          (tables.emplace_back(given, arguments[Index].width, arguments[Index].name), ...);
+          return answer(tables, counts, [&](std::size_t rows, signed char* to, auto* report) {
+            return call_rows(all, function, tables, rows, to, report);
+          });
+        },
+        py::arg(arguments[Index].name)..., py::kw_only(), py::arg("counts") = false);
 }
 
 template <std::size_t Count, class Function>
-void define(py::module_& m, const char* name, const char* doc, Function* function,
-            const argument (&given)[Count]) {
+void define(py::module_& m, const char* name, Function* function, const argument (&given)[Count]) {
   std::array<argument, Count> arguments;
   for (std::size_t k = 0; k < Count; ++k) arguments[k] = given[k];
-  define(m, name, doc, function, arguments, std::make_index_sequence<Count>());
+  define(m, name, function, arguments, std::make_index_sequence<Count>());
 }
 
 constexpr py::ssize_t point = 2, tensor = 3, site = 5;
@@ -105,36 +104,22 @@ constexpr py::ssize_t point = 2, tensor = 3, site = 5;
 }  // namespace
 
 void define_predicates(py::module_& m) {
-  define(m, "orientation",
-         "1 where p, q, r turn counter-clockwise, -1 clockwise, 0 on a line. Points (n, 2).",
-         asterism_orientations, {{"p", point}, {"q", point}, {"r", point}});
-  define(m, "is_positive_definite", "1 or 0 for each tensor, (n, 3) = m11 m12 m22.",
-         asterism_are_spd, {{"metric", tensor}});
-  define(m, "_in_circle", "See asterism.in_circle.", asterism_in_circles,
+  define(m, "orientation", asterism_orientations, {{"p", point}, {"q", point}, {"r", point}});
+  define(m, "is_positive_definite", asterism_are_spd, {{"metric", tensor}});
+  define(m, "in_circle", asterism_in_circles,
          {{"metric", tensor}, {"a", point}, {"b", point}, {"c", point}, {"p", point}});
-  define(m, "compare_distance",
-         "-1 where q is nearer to v, 1 to w, each by its own metric; 0 on their bisector. Sites "
-         "(n, 5) = x y m11 m12 m22.",
-         asterism_compare_distances, {{"v", site}, {"w", site}, {"q", point}});
-  define(m, "in_wedge", "1 where q is strictly inside the wedge of v and w.", asterism_in_wedges,
+  define(m, "compare_distance", asterism_compare_distances,
          {{"v", site}, {"w", site}, {"q", point}});
-  define(m, "dominates", "1 where v dominates p over w, -1 where w does over v, 0 on the border.",
-         asterism_dominations, {{"v", site}, {"w", site}, {"p", point}});
-  define(m, "voronoi_vertex_count",
-         "Number of points equally near to u, v and w, 0 to 4; -1: infinitely many.",
-         asterism_voronoi_vertex_counts, {{"u", site}, {"v", site}, {"w", site}});
-  define(m, "arc_intersection_count",
-         "Number of points of the visible arc of v and w that are as near to x; -1: infinitely "
-         "many.",
-         asterism_arc_intersection_counts, {{"v", site}, {"w", site}, {"x", site}});
-  define(m, "encroaches", "1 where w is nearer than a and b somewhere inside the segment ab.",
-         asterism_encroachments, {{"a", site}, {"b", site}, {"w", site}});
-  define(m, "insertion_test",
-         "1 where w may stand in the star of v between x and y; touching is 0.",
-         asterism_insertion_tests, {{"v", site}, {"w", site}, {"x", site}, {"y", site}});
-  define(m, "edge_test",
-         "insertion_test with ties broken alike from every side: what a mesh generator asks.",
-         asterism_edge_tests, {{"v", site}, {"w", site}, {"x", site}, {"y", site}});
+  define(m, "in_wedge", asterism_in_wedges, {{"v", site}, {"w", site}, {"q", point}});
+  define(m, "dominates", asterism_dominations, {{"v", site}, {"w", site}, {"p", point}});
+  define(m, "voronoi_vertex_count", asterism_voronoi_vertex_counts,
+         {{"u", site}, {"v", site}, {"w", site}});
+  define(m, "arc_intersection_count", asterism_arc_intersection_counts,
+         {{"v", site}, {"w", site}, {"x", site}});
+  define(m, "encroaches", asterism_encroachments, {{"a", site}, {"b", site}, {"w", site}});
+  define(m, "insertion_test", asterism_insertion_tests,
+         {{"v", site}, {"w", site}, {"x", site}, {"y", site}});
+  define(m, "edge_test", asterism_edge_tests, {{"v", site}, {"w", site}, {"x", site}, {"y", site}});
 }
 
 }  // namespace asterism::python

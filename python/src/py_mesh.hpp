@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/mesh_marks.hpp"
 
 namespace asterism::python {
 
@@ -17,6 +18,7 @@ struct py_mesh {
   std::string reason;
   double angle_bound = 0;            // degrees, for pictures
   std::optional<certificate> claim;  // of a mesh that was made, or that came with one
+  mesh_marks marks = {};             // what is to stay when the mesh is adapted
 };
 
 }  // namespace asterism::python

@@ -63,9 +63,11 @@ def test_targets_that_cannot_be_met_are_warnings(background):
 
 
 @pytest.mark.parametrize("values, options, message", [
-    (np.zeros(3), {}, "numbers is wanted"),
-    (np.zeros((2, 2)), {}, "one number a point"),
-    ({"u": np.zeros(2)}, {}, "u: an array of"),
+    (np.zeros(4), {}, "numbers are wanted, one row a point"),
+    (np.zeros((2, 5)), {}, "one number a point"),
+    (np.zeros((2, 2)), {}, "u: 358 rows of one"),
+    ({"u": np.zeros((358, 3)), "v": np.zeros(358)}, {}, "u: a tensor"),
+    ({"u": np.zeros(2)}, {}, "u: 358 rows of"),
     (None, {"norm": 0.5}, "norm"),
     (None, {"gradation": "mild"}, "a number above 1 or None"),
     (None, {"hessian": "guess"}, "'least_squares' is wanted"),
@@ -79,7 +81,7 @@ def test_what_is_refused(background, values, options, message):
         asterism.metric(background, values, **options)
     bad = ridge(background.points)
     bad[7] = np.nan
-    with pytest.raises(asterism.InputError, match="number 7 is not finite"):
+    with pytest.raises(asterism.InputError, match="row 7 is not finite"):
         asterism.metric(background, bad)
 
 

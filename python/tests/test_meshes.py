@@ -171,7 +171,7 @@ def test_domains_that_cannot_be_meant(arguments, message):
 
 @pytest.mark.parametrize("options, message", [
     ({"metric": "whirl"}, "whirl"), ({"size": -1}, "size"), ({"angle_bound": 60}, "angle_bound"),
-    ({"metric": 7}, "metric"), ({"metric": lambda p: [1, 5, 1]}, "not positive definite"),
+    ({"metric": [7, 8]}, "metric"), ({"metric": lambda p: [1, 5, 1]}, "not positive definite"),
     ({"metric": lambda p: [1, 1]}, "the metric's answer"), ({"max_sites": 3}, "max_sites"),
     ({"metric_tolerance": -1}, "metric_tolerance"), ({"metric_tolerance": float("nan")}, "metric_tolerance"),
     ({"gradation": 0.5}, "gradation"), ({"vertices": 100, "size": 1}, "one of them"),

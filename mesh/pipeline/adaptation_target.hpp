@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Says how many vertices an adapted mesh is to have, and whether the outcome is what was asked for:
+// the same for the command and for Python.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/pipeline/adapt_to_metric.hpp"
+#include "asterism/mesh/solution/solution_metric.hpp"
+
+namespace asterism::internal {
+
+// What a run was asked for, and what its metric came to.
+struct adaptation_wish {
+  const solution_metric_options& wishes;
+  const solution_metric_report& report;
+  std::size_t vertices_before = 0;  // of the mesh given
+  bool of_solution = false;         // the metric is a solution's
+};
+
+// Sets the number of vertices where the wish names one, and room for it where it asks in other
+// words. A target that was not met leaves the number to the metric. Refuses what is beyond the
+// default limit on sites: it would take long to get there, and be another mesh. `limit` is the name
+// of the option that raises it.
+ASTERISM_EXPORT std::optional<error> take_target(const adaptation_wish& wish,
+                                                 const std::string& limit,
+                                                 mesh_adaptation_options& options);
+
+// Says in a sentence what was not reached: the mesh, the metric's target, or the number of vertices
+// to a tenth, or, of few, to five or half of them. Nothing where all was.
+ASTERISM_EXPORT std::optional<std::string> what_is_missed(
+    const adapted_mesh& next, const solution_metric_report& report,
+    const std::optional<std::size_t>& vertices_wanted);
+
+}  // namespace asterism::internal

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds the triangle of a mesh that a point is in, by exact orientations.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "asterism/core/export.h"
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/search/box_index.hpp"
+#include "asterism/mesh/search/mesh_links.hpp"
+
+namespace asterism::internal {
+
+// Refers to the mesh and its links, which must be a triangulation's. All but make_boxes may be
+// called from several threads.
+class triangle_finder {
+ public:
+  triangle_finder(const mesh& in, const mesh_links& links) : in_(in), links_(links) {}
+
+  std::array<point, 3> corners(vertex_index t) const {
+    const triangle& c = in_.triangles[t];
+    return {in_.sites[c[0]].position, in_.sites[c[1]].position, in_.sites[c[2]].position};
+  }
+  // Returns a corner of t whose opposite edge has q on its other side, looked at from `first` on; 3
+  // if q is in the closed triangle.
+  std::size_t exit_from(vertex_index t, const point& q, std::size_t first) const;
+  // Walks from t to q. Returns no_triangle where that meets the boundary.
+  vertex_index walk(const point& q, vertex_index t) const;
+  // Prepares first_with.
+  void make_boxes();
+  // Returns the first triangle with q in it for which `accepts`, or no_triangle.
+  template <class Accepts>
+  vertex_index first_with(const point& q, const Accepts& accepts) const {
+    vertex_index least = no_triangle;
+    boxes_->visit({q, q}, [&](std::uint32_t t) {
+      if (t < least && exit_from(t, q, 0) == 3 && accepts(t)) least = t;
+      return true;
+    });
+    return least;
+  }
+  const filtered_kernel& kernel() const { return kernel_; }
+
+ private:
+  const mesh& in_;
+  const mesh_links& links_;
+  filtered_kernel kernel_;
+  std::optional<box_index> boxes_;  // of the triangles
+};
+
+// Returns a triangle that each point is in, or no_triangle; `m` must be a triangulation. Time is
+// that of a walk from one point to the next along a space-filling curve; parallel, the same for any
+// number of threads.
+ASTERISM_EXPORT std::vector<vertex_index> locate_points(const mesh& m,
+                                                        const std::vector<point>& points);
+
+}  // namespace asterism::internal

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+"""What the auditor says, as Python reads it."""
+from __future__ import annotations
+
+import json
+from typing import Any, Dict, List, NamedTuple
+
+
+class Finding(NamedTuple):
+    """Something that the auditor holds against a mesh: its kind, and a sentence with the place."""
+
+    kind: str
+    witness: str
+
+
+class Certificate:
+    """What the auditor says of a mesh: attributes are the entries of `data`, and of the objects in it."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.data: Dict[str, Any] = json.loads(text)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name in ("data", "text"):
+            raise AttributeError(name)
+        for part in self._parts():
+            if name in part:
+                return part[name]
+        raise AttributeError(f"a certificate has no {name!r}; dir() lists what it has")
+
+    def _parts(self) -> List[Dict[str, Any]]:
+        return [self.data, *[part for part in self.data.values() if isinstance(part, dict)]]
+
+    def __dir__(self) -> List[str]:
+        names = {name for part in self._parts() for name in part if name.isidentifier()}
+        return sorted(names | set(super().__dir__()))
+
+    def __repr__(self) -> str:
+        return f"<Certificate: {', '.join(self.data)}>"
+
+
+def judged(answer: Dict[str, Any]) -> Dict[str, Any]:
+    """The module's answer, its findings by name."""
+    answer["findings"] = [Finding(*finding) for finding in answer["findings"]]
+    return answer

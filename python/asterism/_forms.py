@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""The forms in which metrics and fields are given, brought into the module's own."""
+from __future__ import annotations
+
+import math
+import os
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _asterism
+from ._asterism import InputError
+
+Fields = Union[npt.ArrayLike, Mapping[str, npt.ArrayLike]]
+NamedFields = List[Tuple[str, Any]]
+Doubles = npt.NDArray[np.float64]
+
+# Roundings of a product of matrices leave two off-diagonal entries no farther apart, in parts of the
+# geometric mean of the others.
+_LARGEST_ASYMMETRY = 1e-12
+
+
+def doubles(name: str, values: Any) -> Doubles:
+    """An array of doubles; complex numbers, masked entries and texts are refused."""
+    return np.asarray(_asterism._doubles(name, values), order="C")
+
+
+def tensor_rows(name: str, values: Any, count: Optional[int] = None) -> Doubles:
+    """Tensors (n, 3), or one (3,) for all, of what may stand for them.
+
+    A number is a size h, and so is each of (n,) or (n, 1): the tensor 1/h^2 in all directions.
+    (2, 2) and (n, 2, 2) are symmetric matrices. (3,) is a tensor, also where there are three points:
+    sizes of these are (3, 1).
+    """
+    given = doubles(name, values)
+    if given.ndim >= 2 and given.shape[-2:] == (2, 2) and given.ndim <= 3:
+        return _of_matrices(name, given)
+    if given.ndim == 0 or (given.ndim == 2 and given.shape[1] == 1):
+        return _of_sizes(name, given.reshape(given.shape[:1]))
+    if given.ndim == 1 and given.shape != (3,) and given.shape[0] == count:
+        return _of_sizes(name, given)
+    if given.ndim in (1, 2) and given.shape[-1] == 3:
+        return given
+    raise InputError(f"{name}: tensors (n, 3) = m11 m12 m22, matrices (n, 2, 2), sizes (n,) or one of them "
+                     f"for all are wanted, not an array of the shape {given.shape}")
+
+
+def _of_sizes(name: str, sizes: Doubles) -> Doubles:
+    wrong = np.flatnonzero(~((sizes > 0) & np.isfinite(sizes)).reshape(-1))
+    if len(wrong):
+        where = "" if sizes.ndim == 0 else f"number {wrong[0]}: "
+        raise InputError(f"{name}: {where}a size is positive and finite, not "
+                         f"{sizes.reshape(-1)[wrong[0]]}")
+    inverse = 1 / (sizes * sizes)
+    return np.stack([inverse, np.zeros_like(inverse), inverse], axis=-1)
+
+
+def _of_matrices(name: str, matrices: Doubles) -> Doubles:
+    m11, m12, m21, m22 = (matrices[..., i, j] for i, j in ((0, 0), (0, 1), (1, 0), (1, 1)))
+    uneven = np.abs(m12 - m21) > _LARGEST_ASYMMETRY * np.sqrt(np.abs(m11 * m22))
+    if np.any(uneven):
+        where = "" if matrices.ndim == 2 else f"matrix {np.flatnonzero(uneven)[0]} "
+        raise InputError(f"{name}: {where}is not symmetric")
+    return np.stack([m11, (m12 + m21) / 2, m22], axis=-1)
+
+
+def named_fields(values: Fields, name: str = "u") -> NamedFields:
+    """Fields by name; one without a name is called `name`."""
+    if isinstance(values, Mapping):
+        return [(str(key), of) for key, of in values.items()]
+    return [(name, values)]
+
+
+def like(given: Fields, moved: NamedFields) -> Any:
+    """Arrays in the form of what was given: one, or a dict."""
+    return dict(moved) if isinstance(given, Mapping) else moved[0][1]
+
+
+def fields_and_tensors(values: Fields) -> Tuple[NamedFields, Optional[Doubles]]:
+    """Scalars and vectors by name, or a metric that is given."""
+    if not isinstance(values, Mapping):
+        array = doubles("values", values)
+        if (array.ndim == 2 and array.shape[1] == 3) or (array.ndim == 3 and array.shape[1:] == (2, 2)):
+            return [], tensor_rows("values", array)
+        if array.ndim != 1 and not (array.ndim == 2 and array.shape[1] in (1, 2)):
+            raise InputError("values: one number a point, vectors (n, 2), tensors (n, 3), or a dict of fields by "
+                             "name")
+        return [("u", array)], None
+    fields = [(str(name), doubles(str(name), of)) for name, of in values.items()]
+    for name, of in fields:
+        if of.ndim == 2 and of.shape[1] == 3:
+            raise InputError(f"{name}: a tensor has no metric of its own among other fields")
+    return fields, None
+
+
+def norm_of(norm: Any) -> Any:
+    """As the command spells it, too: 'inf'."""
+    return math.inf if norm == "inf" else norm
+
+
+def gradation_of(gradation: Any, of_fields: bool) -> Any:
+    if isinstance(gradation, str) and gradation == "default":
+        return _asterism._loop_gradation if of_fields else None
+    if isinstance(gradation, str) and gradation != "none":
+        raise InputError(f"gradation: a number above 1 or None is wanted, not {gradation!r}")
+    return None if isinstance(gradation, str) else gradation
+
+
+class CalledMetric:
+    """A callable from points to sizes, tensors or matrices, as one to tensors (n, 3)."""
+
+    def __init__(self, function: Callable[[Any], Any], somewhere: Doubles) -> None:
+        """Asks at one point of the domain, (1, 2), what kind of answer it gives."""
+        self.function = function
+        answer = doubles("the metric's answer", function(somewhere.copy()))
+        kinds: Dict[Tuple[int, ...], str] = {
+            (): "size", (1,): "size", (1, 1): "size", (3,): "tensor", (1, 3): "tensor",
+            (2, 2): "matrix", (1, 2, 2): "matrix"}
+        if answer.shape not in kinds:
+            raise InputError(f"the metric's answer: a size, m11 m12 m22 or a matrix (2, 2) for each point is "
+                             f"wanted, not an array of the shape {answer.shape} for one")
+        self.kind = kinds[answer.shape]
+
+    def __call__(self, points: Doubles) -> Any:
+        answer = self.function(points)
+        if self.kind == "tensor":
+            return answer
+        rows = doubles("the metric's answer", answer)
+        count = len(points)
+        shape = (count,) if self.kind == "size" else (count, 2, 2)
+        if rows.size != math.prod(shape):
+            raise InputError(f"the metric's answer: an array of the shape {rows.shape} for {count} points")
+        rows = rows.reshape(shape)
+        return _of_sizes("the metric's answer", rows) if self.kind == "size" else _of_matrices(
+            "the metric's answer", rows)
+
+
+def constant_text(tensor: Doubles) -> str:
+    """The formula of a constant metric, as the command takes it."""
+    return "expr:" + ";".join(repr(float(entry)) for entry in tensor.reshape(3))
+
+
+def path_of(path: "str | os.PathLike[str]") -> str:
+    try:
+        return os.fspath(path)
+    except TypeError:
+        raise InputError(f"a file's name is wanted, not {type(path).__name__}") from None

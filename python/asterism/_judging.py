@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+"""Meshes audited."""
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, Optional
+
+import numpy.typing as npt
+
+from . import _asterism
+from ._asterism import InputError
+from ._certificate import judged
+from ._mesh import Mesh, read
+
+
+def verify(subject: "Mesh | str | os.PathLike[str]", certificate: Optional[str] = None,
+           angle_bound: Optional[float] = None) -> Dict[str, Any]:
+    """Audits a mesh again, against the text of a certificate or its own: `verified`,
+    `contradictions`, `findings` (each with `kind` and `witness`) and what was measured."""
+    of = subject if isinstance(subject, Mesh) else read(subject)
+    return judged(_asterism._verify(of._made, {"certificate": certificate, "angle_bound": angle_bound}))
+
+
+def certify(points: "npt.ArrayLike | Mesh", triangles: Optional[npt.ArrayLike] = None,
+            metric: npt.ArrayLike = (1, 0, 1), angle_bound: float = 20, prove_voronoi: bool = False) -> Dict[str, Any]:
+    """Is a triangulation from elsewhere the mesh of its points' stars, with no angle below the bound?
+    `certified`, `not_in_all_stars`, `low_triangles`, `findings` (each with `kind` and `witness`) and
+    what was measured."""
+    if isinstance(points, Mesh):
+        of = points
+    elif triangles is None:
+        raise InputError("triangles: (t, 3) are wanted beside the points")
+    else:
+        of = Mesh(points, triangles, metric)
+    return judged(_asterism._certify(of._made, {"angle_bound": angle_bound, "prove_voronoi": prove_voronoi}))

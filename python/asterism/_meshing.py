@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: MIT
+"""Domains meshed."""
+from __future__ import annotations
+
+import os
+import warnings
+from typing import Any, Callable, Dict, Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _asterism
+from ._asterism import InputError
+from ._domain import AnyDomain, Domain, as_domain
+from ._forms import CalledMetric, constant_text, doubles, gradation_of, tensor_rows
+from ._mesh import Mesh
+from ._reported import ReportedArray
+
+Metric = Union[str, float, Callable[[Any], Any], Tuple[Mesh, npt.ArrayLike], Mesh, npt.ArrayLike]
+Progress = Callable[[Dict[str, Any]], Any]
+
+
+class NotReachedWarning(UserWarning):
+    """The mesher ended before its goal; the mesh's `reason` says why."""
+
+
+def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] = None,
+         angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: Optional[int] = None,
+         gradation: Union[float, str, None] = None, prove_voronoi: bool = False, improve: int = 0,
+         vertices: Optional[int] = None, complexity: Optional[float] = None,
+         metric_tolerance: Optional[float] = None, chord_tolerance: Optional[float] = None,
+         repair: "bool | float" = False, max_seconds: Optional[float] = None,
+         threads: Optional[int] = None, progress: Optional[Progress] = None) -> Mesh:
+    """Makes a mesh whose angles are at least angle_bound degrees, each measured by the metric of all
+    three vertices of its triangle, and audits it.
+
+    domain: a Domain; the name of a file (.poly, .geojson, .json, .wkt; of a mesh: what it covers) or of
+    one that the command knows ("square"); a shape of shapely or anything with __geo_interface__; points
+    (n, 2), the corners of a polygon in their order; or a Mesh, for what it covers.
+    metric: a text as the command takes it ("swirl:12", "expr:1+x*x;0;1", the name of a mesh's file with
+    its metric); a size, the length of an edge; a tensor (3,) = m11 m12 m22 or (2, 2) for the whole
+    domain; a callable from (n, 2) points to sizes (n,), tensors (n, 3) or (n, 2, 2); a pair (mesh,
+    tensors or sizes at its points), or the tensors alone with on=mesh; or a Mesh, for its own.
+    A callable is asked at one point what kind of answer it gives, then for thousands of points at a time,
+    each once, and for single ones (n = 1) where they are not known in advance; each row is to depend on
+    its point alone. One that does not give n rows, or raises, for n > 1 is asked for one point at a time
+    from then on.
+    size: edges are to have this length in the metric; None: no longer than angles need, but 1 in sizes
+    and in a metric that asterism.metric() made.
+    vertices, complexity: in place of a size, the number of vertices, or the area of the domain as the
+    metric measures it; the metric is scaled to that. A mesh with over 5 % more or fewer vertices than
+    that is made again with another scale, ten times at most, and the nearest is returned.
+    metric_tolerance: how far the metric delivered may be from the one wanted, as ln of the greatest
+    ratio of two lengths; 0: no tensor is changed; None: any, but of half of the sites no more than
+    ln 10, and on the whole no more than ten times as dense or as thin.
+    max_sites: refinement ends at this many; None: at 100000, or three times those asked for, or ten times
+    the vertices of the domain.
+    chord_tolerance: greatest distance of a curve of the domain from its chords; None: a fiftieth of each
+    chord, and with a size, vertices or complexity a fiftieth of the size wanted across the curve, or a
+    hundredth where the metric is on a mesh. Curves are divided for each mesh: the vertices of the domain
+    that stay are the ends of its curves and those that are on none.
+    repair: True, or the distance within which points are joined: a domain whose segments cross or leave
+    gaps is mended, told in a UserWarning.
+    max_seconds: refinement ends after this time, and the mesh says so. threads: as many are used; the
+    mesh is the same for any number. progress: called now and then with a dict of counts. Ctrl-C ends the
+    run.
+    """
+    covered = as_domain(domain, repair)
+    if on is None and isinstance(domain, Mesh) and isinstance(metric, np.ndarray) and metric.ndim > 1 \
+            and len(metric) == len(domain.points):
+        on = domain
+    wanted, size = _metric_and_size(metric, on, covered, size, (vertices, complexity) == (None, None))
+    made = Mesh._of(_asterism._mesh(covered._made, wanted, {
+        "size": size, "angle_bound": angle_bound, "max_sites": max_sites,
+        "gradation": gradation_of(gradation, False), "prove_voronoi": prove_voronoi, "improve": improve,
+        "vertices": vertices, "complexity": complexity, "metric_tolerance": metric_tolerance,
+        "chord_tolerance": chord_tolerance, "keep_if_complete": _is_mesh(domain), "max_seconds": max_seconds,
+        "threads": threads, "progress": progress}))
+    if not made.complete:
+        warnings.warn(made.reason, NotReachedWarning, stacklevel=2)
+    return made
+
+
+def _is_mesh(domain: Any) -> bool:
+    """True of a mesh, which may stay as it is."""
+    if isinstance(domain, (str, os.PathLike)):
+        return os.fspath(domain).lower().endswith((".mesh", ".meshb", ".msh", ".msh2", ".vtu"))
+    return isinstance(domain, Mesh)
+
+
+def _metric_and_size(metric: Any, on: Optional[Mesh], domain: Domain, size: Optional[float],
+                     is_unscaled: bool) -> Tuple[Any, Optional[float]]:
+    """The metric in one of the module's three forms, and the size wanted in it."""
+    default = 1.0 if size is None and is_unscaled else size
+    if on is not None or isinstance(metric, Mesh) or _is_pair(metric):
+        background, given = (on, metric) if on is not None else (
+            (metric, metric.metric) if isinstance(metric, Mesh) else metric)
+        if not isinstance(background, Mesh):
+            raise InputError(f"on: a Mesh is wanted, not {type(background).__name__}")
+        tensors = tensor_rows("metric", given, len(background.points))
+        is_sized = isinstance(given, ReportedArray) or np.ndim(given) < 2
+        return (background._made, tensors), default if is_sized else size
+    if isinstance(metric, (str, os.PathLike)):
+        return os.fspath(metric), size
+    if callable(metric):
+        called = CalledMetric(metric, np.array(domain.points[:1]))
+        return called, default if called.kind == "size" else size
+    if metric is None:
+        raise InputError("metric: a text, a size, a tensor, a callable or a pair (mesh, tensors) is wanted")
+    tensor = tensor_rows("metric", metric)
+    if tensor.shape != (3,):
+        raise InputError("metric: tensors at the points of a mesh want the mesh: metric=(mesh, tensors)")
+    return constant_text(tensor), default if doubles("metric", metric).ndim == 0 else size
+
+
+def _is_pair(metric: Any) -> bool:
+    return isinstance(metric, tuple) and len(metric) == 2 and isinstance(metric[0], Mesh)

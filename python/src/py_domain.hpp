@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds a domain for Python, with what was mended of it.
+#pragma once
+
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+
+namespace asterism::python {
+
+struct py_domain {
+  domain shape;           // as check_domain accepts it
+  domain_repairs mended;  // distance 0: no repair was asked for
+};
+
+}  // namespace asterism::python

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "python_metric.hpp"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/c_interface/arrays.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
+#include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
+#include "py_mesh.hpp"
+
+namespace asterism::python {
+
+// A callable (n, 2) -> (n, 3), asked for many points at a time; one that cannot do that, for one.
+class called_field {
+ public:
+  called_field(py::function function, raised_error& errors)
+      : function_(std::move(function)), errors_(&errors) {}
+
+  static int ask(void* context, std::size_t count, const double* points, double* metrics) {
+    return static_cast<called_field*>(context)->at(count, points, metrics);
+  }
+
+ private:
+  int at(std::size_t count, const double* points, double* metrics) {
+    const py::gil_scoped_acquire locked;
+    if (count > 1) return takes_many_ && at_many(count, points, metrics) ? 0 : 1;
+    try {
+      answer(1, points, metrics);
+      return 0;
+    } catch (...) {
+      errors_->keep();
+      return 1;
+    }
+  }
+
+  // Leaves it to the calls for one point to raise what they raise.
+  bool at_many(std::size_t count, const double* points, double* metrics) {
+    try {
+      answer(count, points, metrics);
+    } catch (const py::error_already_set& raised) {
+      takes_many_ = false;
+      if (!raised.matches(PyExc_Exception)) errors_->keep();  // an interrupt
+    } catch (const input_error&) {
+      takes_many_ = false;
+    }
+    return takes_many_;
+  }
+
+  // One tensor for many points is refused: it may be meant for the first alone.
+  void answer(std::size_t count, const double* points, double* metrics) {
+    py::array_t<double> places({static_cast<py::ssize_t>(count), py::ssize_t{2}});
+    std::copy_n(points, 2 * count, places.mutable_data());
+    const number_table tensors(function_(places), 3, "the metric's answer");
+    if (tensors.rows() != count || (count > 1 && tensors.is_single()))
+      throw input_error("the metric's answer: " + std::to_string(tensors.rows()) + " tensors for " +
+                        std::to_string(count) + " points");
+    for (std::size_t k = 0; k < count; ++k) std::copy_n(tensors.row(k), 3, metrics + 3 * k);
+  }
+
+  py::function function_;
+  raised_error* errors_;
+  bool takes_many_ = true;  // with the interpreter's lock
+};
+
+namespace {
+
+std::unique_ptr<metric_field> sampled(const py::object& background, const py::object& tensors,
+                                      double size) {
+  mesh copy = background.cast<const py_mesh&>().content;
+  const number_table given(tensors, 3, "metric");
+  if (given.rows() != copy.sites.size() && !given.is_single())
+    throw input_error("metric: " + std::to_string(given.rows()) + " tensors for " +
+                      std::to_string(copy.sites.size()) + " points");
+  for (std::size_t k = 0; k < copy.sites.size(); ++k) {
+    const double* const t = given.row(given.is_single() ? 0 : k);
+    copy.sites[k].metric = {t[0], t[1], t[2]};
+  }
+  const py::gil_scoped_release unlocked;
+  const auto adopted = value_or_raise(adopt_mesh(std::move(copy)));
+  audit_options options;
+  options.check_stars = false;
+  options.angle_bound = 0;
+  const audit_report found = audit(adopted.subject, options);
+  if (!found.certified)
+    throw input_error("metric: its mesh is no triangulation: " + found.findings.at(0).witness);
+  return make_sampled_field(adopted.subject, size);
+}
+
+std::unique_ptr<metric_field> called(called_field& callable, const domain& d, double size) {
+  asterism_metric asked{};
+  asked.batch_function = &called_field::ask;
+  asked.context = &callable;
+  asked.size = size;
+  return value_or_raise(internal::field_of(asked, d.box()));
+}
+
+}  // namespace
+
+python_metric::python_metric(const py::object& metric, const domain& d, double size,
+                             raised_error& errors) {
+  if (py::isinstance<py::str>(metric)) {
+    name_ = metric.cast<std::string>();
+    if (!is_mesh_file(name_)) {
+      field_ = value_or_raise(make_metric_field(name_, d.box(), size));
+      return;
+    }
+    const auto read = value_or_raise(internal::read_triangulation(name_, true));
+    field_ = make_sampled_field(read.subject, size);
+    fingerprint_ = std::to_string(mesh_fingerprint(*field_->background()));
+    return;
+  }
+  if (py::isinstance<py::tuple>(metric) && py::len(metric) == 2) {
+    const auto pair = metric.cast<py::tuple>();
+    name_ = "of tensors at the vertices of a mesh";
+    field_ = sampled(pair[0], pair[1], size);
+    return;
+  }
+  name_ = "of a callable";
+  callable_ = std::make_unique<called_field>(metric.cast<py::function>(), errors);
+  field_ = called(*callable_, d, size);
+}
+
+python_metric::~python_metric() = default;
+python_metric::python_metric(python_metric&&) noexcept = default;
+
+}  // namespace asterism::python

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes a metric field of what Python gives for one: a text, a callable, or a mesh with tensors.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "watched_run.hpp"
+
+namespace asterism::python {
+
+class called_field;
+
+// A metric, and what must live as long as its field.
+class python_metric {
+ public:
+  // Makes the field for edges of length `size`, on the domain. With the interpreter's lock.
+  python_metric(const py::object& metric, const domain& d, double size, raised_error& errors);
+  ~python_metric();
+  python_metric(python_metric&&) noexcept;
+  python_metric& operator=(python_metric&&) = delete;
+
+  const std::string& name() const { return name_; }  // as certificates have it
+  std::unique_ptr<metric_field> take_field() { return std::move(field_); }
+  // The fingerprint of the file that it was read from, in digits; "none" where it is from no file.
+  const std::string& fingerprint() const { return fingerprint_; }
+
+ private:
+  std::string name_, fingerprint_ = "none";
+  std::unique_ptr<called_field> callable_;  // used by the field
+  std::unique_ptr<metric_field> field_;
+};
+
+}  // namespace asterism::python

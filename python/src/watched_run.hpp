@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// Watches a run that is made without the interpreter's lock: Ctrl-C, limits on time and threads,
+// progress told to a callable, and what Python raised in any callable.
+#pragma once
+
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "arguments.hpp"
+#include "asterism/mesh/data/options.hpp"
+
+namespace asterism::python {
+
+// Keeps what Python raised in a callback until the run has ended.
+class raised_error {
+ public:
+  void keep();
+  bool any() const;
+  // With the interpreter's lock.
+  void raise() const;
+
+ private:
+  mutable std::mutex lock_;
+  std::exception_ptr error_;
+};
+
+// As many threads as the keyword `threads` says, as long as it lives; else one a processor.
+class thread_limit {
+ public:
+  explicit thread_limit(const keywords& given);
+
+ private:
+  std::optional<tbb::global_control> control_;
+};
+
+// The keywords are threads, max_seconds and progress. The clock starts when it is made.
+class watched_run {
+ public:
+  explicit watched_run(const keywords& given);
+
+  // Returns why to end now, or nothing. Any thread may ask, without the interpreter's lock.
+  std::optional<std::string> reason_to_stop();
+  cancellation stop() {
+    return [this] { return reason_to_stop(); };
+  }
+  // Empty where nobody listens.
+  progress_listener listener();
+  raised_error& errors() { return errors_; }
+
+ private:
+  using clock = std::chrono::steady_clock;
+  void tell(const mesh_progress& now);
+
+  thread_limit threads_;
+  std::optional<double> seconds_;
+  clock::time_point start_ = clock::now();
+  py::object progress_;
+  raised_error errors_;
+};
+
+}  // namespace asterism::python
