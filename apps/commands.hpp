@@ -20,6 +20,7 @@ void add_draw_command(CLI::App& program, command& chosen);
 void add_adapt_command(CLI::App& program, command& chosen);
 void add_metric_command(CLI::App& program, command& chosen);
 void add_transfer_command(CLI::App& program, command& chosen);
+void add_deviation_command(CLI::App& program, command& chosen);
 void add_info_command(CLI::App& program, command& chosen);
 void add_completion_command(CLI::App& program, command& chosen);
 void add_man_command(CLI::App& program, command& chosen);

@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   add_transfer_command(program, chosen);
   add_eval_command(program, chosen);
   add_challenge_command(program, chosen);
+  add_deviation_command(program, chosen);
   add_draw_command(program, chosen);
   add_info_command(program, chosen);
   add_completion_command(program, chosen);
@@ -40,8 +41,8 @@ int run(int argc, char** argv) {
     program.parse(argc, argv);
     if (!chosen)
       throw CLI::RequiredError(
-          "a command (mesh, adapt, metric, transfer, verify, certify, eval, challenge, draw, info, "
-          "completion or man)");
+          "a command (mesh, adapt, metric, transfer, verify, certify, eval, challenge, deviation, "
+          "draw, info, completion or man)");
   } catch (const CLI::ParseError& failure) {
     if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
     std::cerr << "asterism: " << usage_message(program, {argv + 1, argv + argc}, failure) << '\n';

@@ -12,7 +12,7 @@ import unittest
 
 import command
 
-COMMANDS = ["mesh", "verify", "certify", "adapt", "metric", "transfer", "eval", "challenge", "draw", "info",
+COMMANDS = ["mesh", "verify", "certify", "adapt", "metric", "transfer", "eval", "challenge", "deviation", "draw", "info",
             "completion", "man"]
 
 

@@ -3,8 +3,10 @@
 whitelist, through any chain of includes: it must not share code with what it judges."""
 import sources
 
-AUDITOR = "mesh/audit"
-AUDITOR_MAY_USE = ("core", "predicates", "kernels", "mesh/support", "mesh/data", AUDITOR)
+COMMON = ("core", "predicates", "kernels", "mesh/support", "mesh/data")
+# What each auditor may use: of the plane, and in space.
+AUDITORS = {"mesh/audit": COMMON + ("mesh/audit",),
+            "mesh/surface_audit": COMMON + ("mesh/audit", "mesh/surface_audit")}
 
 
 def project_includes(top, path):
@@ -33,7 +35,7 @@ def layer_problems(top, path):
             yield f"{path}: {own}/ must not include {name}"
 
 
-def reached_problems(top, path):
+def reached_problems(top, path, may_use):
     seen, waiting = {}, [(path, str(path))]
     while waiting:
         current, chain = waiting.pop()
@@ -41,7 +43,7 @@ def reached_problems(top, path):
             if name in seen or not (top / name).is_file():
                 continue
             seen[name] = f"{chain} -> {name}"
-            if folder_of(name) not in AUDITOR_MAY_USE:
+            if folder_of(name) not in may_use:
                 yield f"{path}: the auditor may not use {seen[name]}"
             waiting.append((type(path)(name), seen[name]))
 
@@ -50,10 +52,11 @@ def main():
     top = sources.root()
     paths = sources.files(top, sources.FOLDERS, sources.CODE)
     problems = [p for path in paths for p in layer_problems(top, path)]
-    auditor = [p for p in paths if folder_of(p.as_posix()) == AUDITOR]
-    problems += [p for path in auditor for p in reached_problems(top, path)]
-    if not auditor:
-        problems.append(f"no file in {AUDITOR}")
+    for folder, may_use in AUDITORS.items():
+        auditor = [p for p in paths if folder_of(p.as_posix()) == folder]
+        problems += [p for path in auditor for p in reached_problems(top, path, may_use)]
+        if not auditor:
+            problems.append(f"no file in {folder}")
     sources.finish(problems, len(paths))
 
 

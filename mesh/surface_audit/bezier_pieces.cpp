@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/surface_audit/bezier_pieces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "asterism/core/floating_point_environment.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using failure = std::optional<error>;
+
+constexpr double greatest_modulus = 0x1p300, least_modulus = 0x1p-300;
+
+error refuse(const surface_patch& p, std::size_t number, const std::string& what) {
+  const std::string name = p.name.empty() ? "" : " (" + p.name + ")";
+  return {fmt::format("patch {}{}: {}", number, name, what), error_code::invalid_input};
+}
+
+bool in_range(double x) {
+  const double modulus = std::abs(x);
+  return x == 0 || (modulus <= greatest_modulus && modulus >= least_modulus);
+}
+
+std::optional<std::string> fault_of_knots(const std::vector<double>& knots, int degree,
+                                          std::size_t count, char direction) {
+  const auto p = static_cast<std::size_t>(degree);
+  if (knots.empty()) {
+    if (count == p + 1) return {};
+    return fmt::format("{} control points in {} without knots: degree {} takes {}", count,
+                       direction, degree, p + 1);
+  }
+  if (knots.size() != count + p + 1)
+    return fmt::format("{} knots in {}: {} control points of degree {} take {}", knots.size(),
+                       direction, count, degree, count + p + 1);
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (!std::isfinite(knots[i]) || !in_range(knots[i]))
+      return fmt::format("knot {} in {} is {:g}, out of range", i + 1, direction, knots[i]);
+    if (i > 0 && knots[i] < knots[i - 1])
+      return fmt::format("knot {} in {} is below the one before it", i + 1, direction);
+  }
+  for (std::size_t i = 1; i <= p; ++i)
+    if (knots[i] != knots[0] || knots[knots.size() - 1 - i] != knots.back())
+      return fmt::format("the first and the last knot in {} must stand {} times", direction, p + 1);
+  if (!(knots.front() < knots.back())) return fmt::format("all knots in {} are equal", direction);
+  for (std::size_t i = 1; i + p + 1 < knots.size(); ++i)
+    if (knots[i] == knots[i + p] && i + p + 1 < knots.size() && knots[i] != knots.front() &&
+        knots[i] != knots.back())
+      return fmt::format("knot {} in {} stands more than {} times: the patch would be torn there",
+                         i + 1, direction, degree);
+  return {};
+}
+
+failure fault_of_control(const surface_patch& p, std::size_t number) {
+  if (p.control.size() != p.count_u * p.count_v)
+    return refuse(p, number, "rows of control points of different lengths");
+  bool one_point = true;
+  for (std::size_t k = 0; k < p.control.size(); ++k) {
+    const control_point& c = p.control[k];
+    const std::string where =
+        fmt::format("control point {}, {}", k / p.count_v + 1, k % p.count_v + 1);
+    for (const double x : {c.at.x, c.at.y, c.at.z})
+      if (!std::isfinite(x) || !in_range(x))
+        return refuse(p, number, fmt::format("{}: coordinate {:g} is out of range", where, x));
+    if (!std::isfinite(c.weight) || !(c.weight > 0))
+      return refuse(p, number,
+                    fmt::format("{}: its weight is {:g}, and only positive weights keep a patch in "
+                                "the hull of its control points",
+                                where, c.weight));
+    if (!in_range(c.weight))
+      return refuse(p, number, fmt::format("{}: weight {:g} is out of range", where, c.weight));
+    one_point = one_point && c.at == p.control[0].at;
+  }
+  if (one_point) return refuse(p, number, "all control points are one point: it has no area");
+  return {};
+}
+
+failure fault_of(const surface_patch& p, std::size_t number) {
+  for (const auto& [degree, count, direction] :
+       {std::tuple{p.degree_u, p.count_u, 'u'}, std::tuple{p.degree_v, p.count_v, 'v'}}) {
+    if (degree < 1 || degree > most_degree)
+      return refuse(
+          p, number,
+          fmt::format("degree {} in {}: 1 to {} can be treated", degree, direction, most_degree));
+    if (count < static_cast<std::size_t>(degree) + 1)
+      return refuse(p, number,
+                    fmt::format("{} control points in {} for degree {}", count, direction, degree));
+  }
+  if (auto wrong = fault_of_control(p, number)) return wrong;
+  if (auto wrong = fault_of_knots(p.knots_u, p.degree_u, p.count_u, 'u'))
+    return refuse(p, number, *wrong);
+  if (auto wrong = fault_of_knots(p.knots_v, p.degree_v, p.count_v, 'v'))
+    return refuse(p, number, *wrong);
+  return {};
+}
+
+weighted_point lift(const control_point& c) {
+  const rounded_interval w = c.weight;
+  return {w * vector_of<rounded_interval>(c.at), w};
+}
+
+// One row or column between two knots, as `degree` + 1 points of a curve and the knots around.
+struct span_of_knots {
+  double low = 0, high = 1;
+  std::size_t first = 0;                // its first control point
+  std::vector<rounded_interval> knots;  // 2 degree: t_{first + 1} to t_{first + 2 degree}
+};
+
+std::vector<span_of_knots> spans(const std::vector<double>& knots, int degree) {
+  const auto p = static_cast<std::size_t>(degree);
+  if (knots.empty()) return {span_of_knots{}};
+  std::vector<span_of_knots> all;
+  for (std::size_t i = p; i + p + 1 < knots.size(); ++i) {
+    if (knots[i] == knots[i + 1]) continue;
+    span_of_knots s{knots[i], knots[i + 1], i - p, {}};
+    for (std::size_t k = i - p + 1; k <= i + p; ++k) s.knots.emplace_back(knots[k]);
+    all.push_back(std::move(s));
+  }
+  return all;
+}
+
+// Returns the polar form of the span's polynomial at `high` taken `highs` times and else `low`:
+// its Bezier point of that number. Source: Ramshaw, "Blossoming", 1987.
+weighted_point polar_value(std::vector<weighted_point> c, const span_of_knots& s, int degree,
+                           int highs) {
+  for (int r = 1; r <= degree; ++r) {
+    const rounded_interval at = r <= highs ? s.high : s.low;
+    for (int i = 0; i + r <= degree; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const rounded_interval& from = s.knots[static_cast<std::size_t>(i + r - 1)];
+      const rounded_interval& to = s.knots[static_cast<std::size_t>(i + degree)];
+      const rounded_interval share = quotient(at - from, to - from);
+      c[k] = (rounded_interval(1) - share) * c[k] + share * c[k + 1];
+    }
+  }
+  return c[0];
+}
+
+std::vector<weighted_point> bezier_points(const std::vector<weighted_point>& c,
+                                          const span_of_knots& s, int degree) {
+  if (s.knots.empty()) return c;
+  std::vector<weighted_point> out;
+  for (int k = 0; k <= degree; ++k) out.push_back(polar_value(c, s, degree, k));
+  return out;
+}
+
+bezier_piece make_piece(const surface_patch& p, const span_of_knots& u, const span_of_knots& v) {
+  bezier_piece piece;
+  piece.degree_u = p.degree_u, piece.degree_v = p.degree_v;
+  piece.u_low = u.low, piece.u_high = u.high, piece.v_low = v.low, piece.v_high = v.high;
+  const std::size_t rows = static_cast<std::size_t>(p.degree_u) + 1, row = piece.row();
+  std::vector<std::vector<weighted_point>> columns;  // of constant j, along u
+  for (std::size_t j = 0; j < row; ++j) {
+    std::vector<weighted_point> column;
+    for (std::size_t i = 0; i < rows; ++i) column.push_back(lift(p.at(u.first + i, v.first + j)));
+    columns.push_back(bezier_points(column, u, p.degree_u));
+  }
+  for (std::size_t i = 0; i < rows; ++i) {
+    std::vector<weighted_point> across;
+    for (std::size_t j = 0; j < row; ++j) across.push_back(columns[j][i]);
+    for (const weighted_point& c : bezier_points(across, v, p.degree_v)) piece.net.push_back(c);
+  }
+  piece.is_rational = std::any_of(p.control.begin(), p.control.end(),
+                                  [](const control_point& c) { return c.weight != 1; });
+  // A partition of one in exact arithmetic, which the intervals no longer know.
+  if (!piece.is_rational)
+    for (weighted_point& c : piece.net) c.weight = 1;
+  for (const weighted_point& c : piece.net)
+    piece.plain_net.push_back(
+        {middle_of(c.at.x), middle_of(c.at.y), middle_of(c.at.z), middle_of(c.weight)});
+  return piece;
+}
+
+[[gnu::noinline]] void add_pieces(const surface_patch& p, std::uint32_t number,
+                                  std::vector<bezier_piece>& pieces) {
+  for (const span_of_knots& u : spans(p.knots_u, p.degree_u))
+    for (const span_of_knots& v : spans(p.knots_v, p.degree_v)) {
+      pieces.push_back(make_piece(p, u, v));
+      pieces.back().patch = number;
+    }
+}
+
+}  // namespace
+
+result<std::vector<bezier_piece>> bezier_pieces(const surface& s) {
+  if (s.patches.empty()) return error{"the surface has no patch", error_code::invalid_input};
+  for (std::size_t i = 0; i < s.patches.size(); ++i)
+    if (auto wrong = fault_of(s.patches[i], i + 1)) return *wrong;
+  std::vector<bezier_piece> pieces;
+  const floating_point_scope scope(rounding::upward);
+  for (std::size_t i = 0; i < s.patches.size(); ++i)
+    add_pieces(s.patches[i], static_cast<std::uint32_t>(i), pieces);
+  return pieces;
+}
+
+namespace {
+
+using plain_control = std::array<double, 4>;
+
+plain_control mixed(const plain_control& a, const plain_control& b, double share) {
+  plain_control c;
+  for (std::size_t k = 0; k < 4; ++k) c[k] = a[k] + share * (b[k] - a[k]);
+  return c;
+}
+
+// The value, first and second derivative of a Bezier curve in four coordinates.
+struct curve_jet {
+  plain_control value{}, first{}, second{};
+};
+
+curve_jet along(std::array<plain_control, most_degree + 1> c, int degree, double share) {
+  curve_jet jet;
+  const double p = degree;
+  for (int left = degree; left > 0; --left) {
+    if (left == 2)
+      for (std::size_t k = 0; k < 4; ++k)
+        jet.second[k] = p * (p - 1) * (c[2][k] - 2 * c[1][k] + c[0][k]);
+    if (left == 1)
+      for (std::size_t k = 0; k < 4; ++k) jet.first[k] = p * (c[1][k] - c[0][k]);
+    for (int i = 0; i < left; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      c[at] = mixed(c[at], c[at + 1], share);
+    }
+  }
+  jet.value = c[0];
+  return jet;
+}
+
+// Value and derivatives of the four coordinates of the projective point.
+struct projective_jet {
+  plain_control value, s, t, ss, st, tt;
+};
+
+projective_jet projective(const bezier_piece& piece, double s, double t) {
+  std::array<plain_control, most_degree + 1> values{}, firsts{}, seconds{}, row{};
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(piece.degree_u); ++i) {
+    for (std::size_t j = 0; j < piece.row(); ++j) row[j] = piece.plain_net[i * piece.row() + j];
+    const curve_jet jet = along(row, piece.degree_v, t);
+    values[i] = jet.value, firsts[i] = jet.first, seconds[i] = jet.second;
+  }
+  const curve_jet value = along(values, piece.degree_u, s), by_t = along(firsts, piece.degree_u, s);
+  const curve_jet by_tt = along(seconds, piece.degree_u, s);
+  return {value.value, value.first, by_t.value, value.second, by_t.first, by_tt.value};
+}
+
+plain_vector first_three(const plain_control& c) { return {c[0], c[1], c[2]}; }
+
+// The derivative of a quotient: (c - at * weight) / w.
+plain_vector less(const plain_control& c, const plain_vector& at, double w) {
+  return (1 / w) * (first_three(c) - c[3] * at);
+}
+
+plain_jet first_of(const projective_jet& j) {
+  const double w = j.value[3];
+  const plain_vector at = (1 / w) * first_three(j.value);
+  return {at, less(j.s, at, w), less(j.t, at, w)};
+}
+
+}  // namespace
+
+plain_jet evaluate(const bezier_piece& piece, double s, double t) {
+  return first_of(projective(piece, s, t));
+}
+
+plain_second_jet evaluate_twice(const bezier_piece& piece, double s, double t) {
+  const projective_jet j = projective(piece, s, t);
+  const plain_jet first = first_of(j);
+  const double w = j.value[3];
+  const auto second = [&](const plain_control& c, double w1, const plain_vector& d2, double w2,
+                          const plain_vector& d1) {
+    return less(c, first.at, w) - (w1 / w) * d2 - (w2 / w) * d1;
+  };
+  return {first, second(j.ss, j.s[3], first.by_s, j.s[3], first.by_s),
+          second(j.st, j.s[3], first.by_t, j.t[3], first.by_s),
+          second(j.tt, j.t[3], first.by_t, j.t[3], first.by_t)};
+}
+
+}  // namespace asterism::internal

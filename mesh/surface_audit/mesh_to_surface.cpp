@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+//
+// From the mesh to the surface: cells are parts of triangles, each held against the piece of the
+// surface over a triangle of parameters, whose corners are proposed by projection.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "asterism/core/floating_point_environment.hpp"
+#include "asterism/mesh/surface_audit/deviation_parts.hpp"
+#include "asterism/mesh/surface_audit/hull_bounds.hpp"
+
+namespace asterism::internal {
+namespace {
+
+struct mesh_cell {
+  std::uint32_t triangle = 0;
+  interval_triangle corners;
+  surface_place at;                 // of its middle, about nearest
+  std::array<surface_place, 3> of;  // of its corners, in the same piece
+  double above = 0, below = 0;
+
+  plain_vector corner(std::size_t k) const { return middle_of(corners[k]); }
+  plain_vector middle() const { return (1.0 / 3) * (corner(0) + corner(1) + corner(2)); }
+};
+
+bool is_at_end(const surface_place& at) { return at.s <= 0 || at.s >= 1 || at.t <= 0 || at.t >= 1; }
+
+parameter_corner corner_at(const surface_place& p) { return {p.s, p.t}; }
+
+// `hint` is a place of the surface nearby, or null: all of the surface is looked through.
+[[gnu::noinline]] void look_at(const deviation_scene& scene, const surface_place* hint,
+                               mesh_cell& cell) {
+  const plain_vector middle = cell.middle();
+  located here =
+      hint != nullptr ? project(scene.pieces, *hint, middle) : scene.locator.nearest(middle);
+  if (hint != nullptr && is_at_end(here.at)) {
+    const located anywhere = scene.locator.nearest(middle);
+    if (anywhere.squared_distance < here.squared_distance) here = anywhere;
+  }
+  cell.at = here.at;
+  cell.below = here.squared_distance;
+  for (std::size_t k = 0; k < 3; ++k)
+    cell.of[k] = project(scene.pieces, here.at, cell.corner(k)).at;
+  const bezier_piece& piece = scene.pieces[here.at.piece];
+  const triangle_net net = net_over(
+      tensor_of(piece), {corner_at(cell.of[0]), corner_at(cell.of[1]), corner_at(cell.of[2])},
+      piece.is_rational);
+  cell.above = squared_gap_above(net, piece.is_rational, cell.corners);
+}
+
+interval_vector point_between(const interval_vector& a, const interval_vector& b, double share) {
+  return a + rounded_interval(share) * (b - a);
+}
+
+// How far the corners' nearest places are beyond a side of the piece, where its polynomials go on;
+// of the side with both signs and the greatest excess. None: all zero.
+std::array<double, 3> excesses(const deviation_scene& scene, const mesh_cell& cell) {
+  constexpr double reach = 1;
+  std::array<surface_place, 3> at;
+  for (std::size_t k = 0; k < 3; ++k)
+    at[k] = project(scene.pieces, cell.of[k], cell.corner(k), reach).at;
+  std::array<double, 3> found{};
+  double most = 0;
+  for (int side = 0; side < 4; ++side) {
+    std::array<double, 3> by;
+    for (std::size_t k = 0; k < 3; ++k)
+      by[k] = side == 0 ? -at[k].s : side == 1 ? at[k].s - 1 : side == 2 ? -at[k].t : at[k].t - 1;
+    const double high = std::max({by[0], by[1], by[2]}), low = std::min({by[0], by[1], by[2]});
+    if (low < 0 && high > most) most = high, found = by;
+  }
+  // A cell that is nearly all on one side is better halved.
+  const double high = std::max({found[0], found[1], found[2]});
+  const double low = std::min({found[0], found[1], found[2]});
+  if (!(high > 0.02 * (high - low) && -low > 0.02 * (high - low))) return {};
+  return found;
+}
+
+// Parts the triangle along a line that the side crosses about along.
+std::vector<interval_triangle> parted(const mesh_cell& cell, const std::array<double, 3>& by) {
+  std::size_t lone = 0;  // the corner alone on its side
+  for (std::size_t k = 0; k < 3; ++k)
+    if ((by[k] > 0) != (by[(k + 1) % 3] > 0) && (by[k] > 0) != (by[(k + 2) % 3] > 0)) lone = k;
+  const std::size_t next = (lone + 1) % 3, last = (lone + 2) % 3;
+  const auto share = [&](std::size_t to) {
+    return std::clamp(by[lone] / (by[lone] - by[to]), 0.01, 0.99);
+  };
+  const interval_vector &a = cell.corners[lone], &b = cell.corners[next], &c = cell.corners[last];
+  const interval_vector p = point_between(a, b, share(next)), q = point_between(a, c, share(last));
+  return {{a, p, q}, {p, b, c}, {p, c, q}};
+}
+
+std::vector<interval_triangle> quartered(const interval_triangle& t) {
+  const interval_vector p = point_between(t[0], t[1], 0.5), q = point_between(t[1], t[2], 0.5),
+                        r = point_between(t[2], t[0], 0.5);
+  return {{t[0], p, r}, {p, t[1], q}, {r, q, t[2]}, {p, q, r}};
+}
+
+[[gnu::noinline]] std::vector<mesh_cell> parts_of(const deviation_scene& scene,
+                                                  const mesh_cell& cell) {
+  const std::array<double, 3> by = excesses(scene, cell);
+  const bool crosses = by[0] != 0 || by[1] != 0 || by[2] != 0;
+  std::vector<mesh_cell> parts;
+  for (const interval_triangle& corners : crosses ? parted(cell, by) : quartered(cell.corners)) {
+    mesh_cell part{cell.triangle, corners, {}, {}, 0, 0};
+    look_at(scene, &cell.at, part);
+    part.above = std::min(part.above, cell.above);
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+std::vector<mesh_cell> divided(const deviation_scene& scene, const mesh_cell& cell) {
+  const floating_point_scope scope(rounding::upward);
+  return parts_of(scene, cell);
+}
+
+std::vector<mesh_cell> whole_triangles(const deviation_scene& scene) {
+  std::vector<mesh_cell> cells(scene.mesh.triangles.size());
+  parallel_for(cells.size(), [&](std::size_t t) {
+    const floating_point_scope scope(rounding::upward);
+    const plain_triangle corners = scene.triangle(t);
+    cells[t].triangle = static_cast<std::uint32_t>(t);
+    for (std::size_t k = 0; k < 3; ++k)
+      cells[t].corners[k] = vector_of<rounded_interval>(corners[k]);
+    look_at(scene, nullptr, cells[t]);
+  });
+  return cells;
+}
+
+}  // namespace
+
+one_sided_distance from_mesh(const deviation_scene& scene, const narrowing_limits& limits) {
+  const auto found = narrow(whole_triangles(scene), limits,
+                            [&](const mesh_cell& cell) { return divided(scene, cell); });
+  one_sided_distance answer;
+  answer.cells = found.cells;
+  answer.narrowed = found.done;
+  const floating_point_scope scope(rounding::upward);
+  answer.high = rounded_root(found.above);
+  const plain_vector middle = found.best->middle();
+  const triangle_place place = nearest_in(scene.triangle(found.best->triangle), middle).at;
+  answer.witness = {true, found.best->triangle, place.s, place.t, {middle.x, middle.y, middle.z}};
+  const double proposed = rounded_root(found.best->below);
+  if (proposed > limits.negligible)
+    answer.low = proved_distance_of_mesh_point(scene, answer.witness, proposed);
+  return answer;
+}
+
+}  // namespace asterism::internal

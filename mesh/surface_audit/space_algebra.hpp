@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// Defines vectors of three numbers, and what rounded intervals lack: quotients by positive numbers.
+// Intervals stand in a floating_point_scope(rounding::upward).
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "asterism/core/dyadic.hpp"
+#include "asterism/core/rounded_interval.hpp"
+#include "asterism/mesh/data/surface.hpp"
+
+namespace asterism::internal {
+
+template <class Number>
+struct space_vector {
+  Number x, y, z;
+
+  friend space_vector operator+(const space_vector& a, const space_vector& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend space_vector operator-(const space_vector& a, const space_vector& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend space_vector operator*(const Number& s, const space_vector& a) {
+    return {s * a.x, s * a.y, s * a.z};
+  }
+};
+
+template <class Number>
+Number dot(const space_vector<Number>& a, const space_vector<Number>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class Number>
+space_vector<Number> cross(const space_vector<Number>& a, const space_vector<Number>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+using plain_vector = space_vector<double>;
+using interval_vector = space_vector<rounded_interval>;
+using exact_vector = space_vector<dyadic>;
+
+inline plain_vector plain(const space_point& p) { return {p.x, p.y, p.z}; }
+template <class Number>
+space_vector<Number> vector_of(const space_point& p) {
+  return {Number(p.x), Number(p.y), Number(p.z)};
+}
+
+inline double middle_of(const rounded_interval& a) { return (a.inf() + a.sup()) / 2; }
+inline plain_vector middle_of(const interval_vector& a) {
+  return {middle_of(a.x), middle_of(a.y), middle_of(a.z)};
+}
+
+// Returns an enclosure of a / b. Requires b.inf() > 0. Each end is the quotient of that end of a by
+// the end of b that moves it outward.
+inline rounded_interval quotient(const rounded_interval& a, const rounded_interval& b) {
+  const double low = a.inf(), high = a.sup();
+  return {-rounded_quotient(-low, low >= 0 ? b.sup() : b.inf()),
+          rounded_quotient(high, high >= 0 ? b.inf() : b.sup())};
+}
+
+inline rounded_interval hull(const rounded_interval& a, const rounded_interval& b) {
+  return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
+}
+
+inline interval_vector quotient(const interval_vector& a, const rounded_interval& b) {
+  return {quotient(a.x, b), quotient(a.y, b), quotient(a.z, b)};
+}
+
+// Returns an enclosure of the squared length; tighter than a product of a vector with itself.
+inline rounded_interval squared_length(const interval_vector& a) {
+  return squared(a.x) + squared(a.y) + squared(a.z);
+}
+
+// A point of projective space: (w x, w y, w z, w), w > 0.
+struct weighted_point {
+  interval_vector at;
+  rounded_interval weight = 1;
+
+  friend weighted_point operator+(const weighted_point& a, const weighted_point& b) {
+    return {a.at + b.at, a.weight + b.weight};
+  }
+  friend weighted_point operator*(const rounded_interval& s, const weighted_point& a) {
+    return {s * a.at, s * a.weight};
+  }
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/surface_audit/surface_locator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace asterism::internal {
+namespace {
+
+std::vector<surface_place> grid_places(const std::vector<bezier_piece>& pieces) {
+  std::vector<surface_place> places;
+  for (std::uint32_t k = 0; k < pieces.size(); ++k) {
+    const int nu = 2 * pieces[k].degree_u + 2, nv = 2 * pieces[k].degree_v + 2;
+    for (int i = 0; i <= nu; ++i)
+      for (int j = 0; j <= nv; ++j)
+        places.push_back({k, static_cast<double>(i) / nu, static_cast<double>(j) / nv});
+  }
+  return places;
+}
+
+std::vector<plain_vector> samples_at(const std::vector<bezier_piece>& pieces,
+                                     const std::vector<surface_place>& places) {
+  std::vector<plain_vector> samples;
+  samples.reserve(places.size());
+  for (const surface_place& at : places)
+    samples.push_back(evaluate(pieces[at.piece], at.s, at.t).at);
+  return samples;
+}
+
+std::vector<space_box> boxes_of(const std::vector<plain_vector>& samples) {
+  std::vector<space_box> boxes;
+  boxes.reserve(samples.size());
+  for (const plain_vector& p : samples) boxes.push_back(space_box::of({p.x, p.y, p.z}));
+  return boxes;
+}
+
+double squared(const plain_vector& a) { return dot(a, a); }
+
+// The step of Gauss and Newton, where a variable at its bound that would leave it stays.
+std::array<double, 2> step(const plain_jet& jet, const plain_vector& gap, bool hold_s,
+                           bool hold_t) {
+  const double a = dot(jet.by_s, jet.by_s), b = dot(jet.by_s, jet.by_t),
+               c = dot(jet.by_t, jet.by_t), f = dot(jet.by_s, gap), g = dot(jet.by_t, gap);
+  if (hold_s || a == 0) return {0, hold_t || c == 0 ? 0 : g / c};
+  if (hold_t || c == 0) return {f / a, 0};
+  const double d = a * c - b * b;
+  if (!(d > 1e-14 * a * c)) return {f / (2 * a), g / (2 * c)};
+  return {(f * c - g * b) / d, (g * a - f * b) / d};
+}
+
+bool leaves(double x, double by, double low, double high) {
+  return (x <= low && by < 0) || (x >= high && by > 0);
+}
+
+}  // namespace
+
+located project(const std::vector<bezier_piece>& pieces, surface_place from, const plain_vector& p,
+                double beyond) {
+  constexpr int most_steps = 16;
+  constexpr double negligible = 1e-9;  // of the parameters: its square is what is lost
+  const bezier_piece& piece = pieces[from.piece];
+  const double low = -beyond, high = 1 + beyond;
+  plain_jet jet = evaluate(piece, from.s, from.t);
+  located best{from, squared(p - jet.at)};
+  for (int i = 0; i < most_steps; ++i) {
+    const plain_vector gap = p - jet.at;
+    const surface_place& at = best.at;
+    std::array<double, 2> by = step(jet, gap, false, false);
+    const bool hold_s = leaves(at.s, by[0], low, high), hold_t = leaves(at.t, by[1], low, high);
+    if (hold_s || hold_t) by = step(jet, gap, hold_s, hold_t);
+    bool nearer = false;
+    double moved = 0;
+    for (double share = 1; share > 0.05 && !nearer; share /= 2) {
+      surface_place next = at;
+      next.s = std::clamp(at.s + share * by[0], low, high);
+      next.t = std::clamp(at.t + share * by[1], low, high);
+      const plain_jet there = evaluate(piece, next.s, next.t);
+      const double far = squared(p - there.at);
+      if (!(far < best.squared_distance)) continue;
+      moved = std::max(std::abs(next.s - at.s), std::abs(next.t - at.t));
+      nearer = true;
+      jet = there;
+      best = {next, far};
+    }
+    if (!nearer || moved < negligible) break;
+  }
+  return best;
+}
+
+surface_locator::surface_locator(const std::vector<bezier_piece>& pieces)
+    : pieces_(&pieces),
+      places_(grid_places(pieces)),
+      samples_(samples_at(pieces, places_)),
+      tree_(boxes_of(samples_)) {}
+
+located surface_locator::nearest(const plain_vector& p) const {
+  constexpr std::size_t most_starts = 3;
+  struct start {
+    double far;
+    std::uint32_t sample;
+  };
+  std::array<start, most_starts> starts;
+  std::size_t count = 0;
+  const auto limit = [&] {
+    return count < most_starts ? std::numeric_limits<double>::infinity() : starts[count - 1].far;
+  };
+  const auto before = [](const start& a, const start& b) {
+    return a.far != b.far ? a.far < b.far : a.sample < b.sample;
+  };
+  // Keeps the nearest sample of each piece, nearest first, equal ones by number.
+  const auto offer = [&](std::uint32_t sample) {
+    const start mine{squared(p - samples_[sample]), sample};
+    std::size_t k = 0;
+    while (k < count && places_[starts[k].sample].piece != places_[sample].piece) ++k;
+    if (k == most_starts) --k;
+    if (k == count)
+      ++count;
+    else if (!before(mine, starts[k]))
+      return;
+    starts[k] = mine;
+    for (; k > 0 && before(starts[k], starts[k - 1]); --k) std::swap(starts[k], starts[k - 1]);
+  };
+  tree_.visit_near(p, limit, offer);
+  located best;
+  for (std::size_t k = 0; k < count; ++k) {
+    const located found = project(*pieces_, places_[starts[k].sample], p);
+    if (k == 0 || found.squared_distance < best.squared_distance) best = found;
+  }
+  return best;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads triangle meshes in space: .obj, .stl (text and binary), .ply (text and binary), Medit's
+// .mesh as text, gmsh's .msh 2.2 and 4.1 as text, and .vtu.
+//
+// Corners of .stl files that are equal become one vertex; in other formats vertices stay as they
+// are. Polygons of .obj and .ply become fans of triangles, with a note. Points, lines, and what is
+// told of materials and normals is passed over. Other cells are an error.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/space_mesh.hpp"
+
+namespace asterism::internal {
+
+// True if a file of this name can be one.
+bool is_space_mesh_file(std::string_view name);
+
+result<space_mesh> read_space_mesh(const std::filesystem::path& path);
+
+// By format; `file` is the name for messages.
+result<space_mesh> parse_obj(std::string_view text, const std::string& file);
+result<space_mesh> parse_stl(std::string_view bytes, const std::string& file);
+result<space_mesh> parse_ply(std::string_view bytes, const std::string& file);
+result<space_mesh> parse_space_medit(std::string_view text, const std::string& file);
+result<space_mesh> parse_space_gmsh(std::string_view text, const std::string& file);
+result<space_mesh> parse_space_vtu(std::string_view text, const std::string& file);
+
+}  // namespace asterism::internal

@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: MIT
+"""Surfaces in space through the command. The witness of a deviation is confirmed here in rationals, from
+the files alone and with no code of the program's."""
+import json
+import random
+import struct
+import unittest
+from fractions import Fraction as F
+from math import comb
+
+from command import CommandTest
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def less(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def squared_distance(p, t):
+    """Of a point from a triangle, exactly."""
+    a, b, c = t
+    n = cross(less(b, a), less(c, a))
+    if dot(n, n) and all(dot(cross(less(y, x), less(p, x)), n) >= 0 for x, y in ((a, b), (b, c), (c, a))):
+        return dot(less(p, a), n) ** 2 / dot(n, n)
+    found = []
+    for x, y in ((a, b), (b, c), (c, a)):
+        e = less(y, x)
+        s = min(max(dot(less(p, x), e) / dot(e, e), F(0)), F(1)) if dot(e, e) else F(0)
+        d = less(p, [u + s * v for u, v in zip(x, e)])
+        found.append(dot(d, d))
+    return min(found)
+
+
+def bernstein(n, i, t):
+    return comb(n, i) * t ** i * (1 - t) ** (n - i)
+
+
+def point_of(patch, u, v):
+    """Of a Bezier patch without weights."""
+    p, q = patch["degree"]
+    at = [0, 0, 0]
+    for i in range(p + 1):
+        for j in range(q + 1):
+            share = bernstein(p, i, u) * bernstein(q, j, v)
+            at = [x + share * type(u)(c) for x, c in zip(at, patch["control"][i][j])]
+    return at
+
+
+def wavy():
+    """A bicubic patch over the unit square."""
+    numbers = random.Random(5)
+    return {"degree": [3, 3], "control": [[[i / 3, j / 3, numbers.uniform(-.35, .35)] for j in range(4)]
+                                          for i in range(4)]}
+
+
+def grid(patch, n):
+    """Points on the patch, and the triangles between."""
+    points = [point_of(patch, i / n, j / n) for i in range(n + 1) for j in range(n + 1)]
+    triangles = []
+    for i in range(n):
+        for j in range(n):
+            a = i * (n + 1) + j
+            triangles += [(a, a + n + 1, a + n + 2), (a, a + n + 2, a + 1)]
+    return points, triangles
+
+
+def obj(points, triangles):
+    return "".join("v %r %r %r\n" % tuple(p) for p in points) + "".join(
+        "f %d %d %d\n" % tuple(v + 1 for v in t) for t in triangles)
+
+
+def written(points, triangles):
+    """The mesh in every format, by name; coordinates that a float holds."""
+    corners = [[points[v] for v in t] for t in triangles]
+    lines = lambda rows: "".join(" ".join(map(str, row)) + "\n" for row in rows)
+    count, last = len(points), len(triangles)
+    files = {"m.obj": obj(points, triangles)}
+    files["text.stl"] = "solid m\n" + "".join(
+        "facet normal 0 0 0\nouter loop\n" + "".join("vertex %r %r %r\n" % tuple(p) for p in t) +
+        "endloop\nendfacet\n" for t in corners) + "endsolid m\n"
+    files["m.stl"] = b"-" * 80 + struct.pack("<I", last) + b"".join(
+        struct.pack("<12fH", 0, 0, 0, *(x for p in t for x in p), 0) for t in corners)
+    head = ("ply\nformat %s 1.0\ncomment of a test\nelement vertex %d\nproperty %s x\nproperty %s y\n"
+            "property %s z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n")
+    files["text.ply"] = head % ("ascii", count, *3 * ["double"], last) + lines(points) + lines(
+        (3, *t) for t in triangles)
+    for order, mark in (("little", "<"), ("big", ">")):
+        files[order + ".ply"] = (head % (f"binary_{order}_endian", count, *3 * ["float"], last)).encode() + b"".join(
+            struct.pack(mark + "3f", *p) for p in points) + b"".join(
+                struct.pack(mark + "B3i", 3, *t) for t in triangles)
+    files["m.mesh"] = (f"MeshVersionFormatted 2\nDimension 3\nVertices\n{count}\n" + lines((*p, 0) for p in points) +
+                       f"Triangles\n{last}\n" + lines((*(v + 1 for v in t), 7) for t in triangles) +
+                       "Edges\n1\n1 2 0\nEnd\n")
+    files["two.msh"] = ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n%d\n" % count + lines(
+        (i + 10, *p) for i, p in enumerate(points)) + "$EndNodes\n$Elements\n%d\n" % last + lines(
+            (i + 1, 2, 2, 0, 1, *(v + 10 for v in t)) for i, t in enumerate(triangles)) + "$EndElements\n")
+    files["four.msh"] = ("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 %d 1 %d\n2 1 0 %d\n" %
+                         (count, count, count) + lines((i + 1,) for i in range(count)) + lines(points) +
+                         "$EndNodes\n$Elements\n1 %d 1 %d\n2 1 2 %d\n" % (last, last, last) + lines(
+                             (i + 1, *(v + 1 for v in t)) for i, t in enumerate(triangles)) + "$EndElements\n")
+    array = lambda name, kind, values, more="": (
+        f'<DataArray type="{kind}" Name="{name}" {more} format="ascii">' + " ".join(map(str, values)) + "</DataArray>")
+    files["m.vtu"] = ('<?xml version="1.0"?><VTKFile type="UnstructuredGrid" version="0.1" '
+                      'byte_order="LittleEndian"><UnstructuredGrid>'
+                      f'<Piece NumberOfPoints="{count}" NumberOfCells="{last}"><Points>' +
+                      array("Points", "Float64", [x for p in points for x in p], 'NumberOfComponents="3"') +
+                      "</Points><Cells>" + array("connectivity", "Int64", [v for t in triangles for v in t]) +
+                      array("offsets", "Int64", [3 * k + 3 for k in range(last)]) +
+                      array("types", "UInt8", [5] * last) +
+                      "</Cells></Piece></UnstructuredGrid></VTKFile>")
+    return files
+
+
+class Deviation(CommandTest):
+    def answer(self, mesh, surface, *more, status=0):
+        done = self.run_command("deviation", mesh, surface, "--json", *more)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_witnesses_hold_in_rationals(self):
+        patch = wavy()
+        points, triangles = grid(patch, 4)
+        self.write("s.json", json.dumps({"patches": [patch]}))
+        self.write("m.obj", obj(points, triangles))
+        found = self.answer("m.obj", "s.json")
+        exact = [[[F(x) for x in points[v]] for v in t] for t in triangles]
+        from_surface = found["surface_to_mesh"]
+        at = point_of(patch, F(from_surface["witness"]["u"]), F(from_surface["witness"]["v"]))
+        least = min(squared_distance(at, t) for t in exact)
+        self.assertGreater(least, F(from_surface["low"]) ** 2)
+        self.assertLessEqual(least, F(from_surface["high"]) ** 2)
+        self.assertLessEqual(from_surface["high"], 1.011 * from_surface["low"])
+        # No point of the surface is nearer to the other witness: a sample, and every cell of it
+        # within the length of its control polygon.
+        from_mesh = found["mesh_to_surface"]
+        a, b, c = exact[from_mesh["witness"]["triangle"] - 1]
+        s, t = F(from_mesh["witness"]["s"]), F(from_mesh["witness"]["t"])
+        at = [float(x + s * (y - x) + t * (z - x)) for x, y, z in zip(a, b, c)]
+        sampled = min(dot(d, d) for i in range(201) for j in range(201)
+                      for d in [less(at, point_of(patch, i / 200, j / 200))]) ** .5
+        self.assertGreater(sampled, from_mesh["low"])
+        self.assertLess(sampled, 1.2 * from_mesh["high"])
+
+    def test_every_format_gives_the_same_answer(self):
+        patch = {"degree": [1, 2], "control": [[[0, 0, 0], [0, 0.5, 1], [0, 1, 0]],
+                                               [[1, 0, 0], [1, 0.5, 1], [1, 1, 0]]]}
+        self.write("s.json", json.dumps({"patches": [patch]}))
+        points, triangles = grid(patch, 2)
+        answers = set()
+        for name, content in written(points, triangles).items():
+            self.write(name, content)
+            found = self.answer(name, "s.json")
+            answers.add((found["mesh_to_surface"]["high"], found["surface_to_mesh"]["high"]))
+        self.assertEqual(len(answers), 1)
+        # The curve z = 2 y (1 - y) over chords of half its width, which rise as far as they go.
+        self.assertAlmostEqual(max(answers.pop()), .125 / 2 ** .5, delta=.001)
+
+    def test_a_distance_is_proved_or_refused(self):
+        self.write("plane.json", json.dumps({"patches": [
+            {"degree": [1, 1], "control": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]]}]}))
+        self.write("m.obj", obj([(0, 0, .5), (1, 0, .5), (1, 1, .5), (0, 1, .5)], [(0, 1, 2), (0, 2, 3)]))
+        self.assertEqual(self.answer("m.obj", "plane.json", "--at-most", "0.500001")["verdict"], "within")
+        self.assertEqual(self.answer("m.obj", "plane.json", "--at-most", "0.49", status=1)["verdict"], "beyond")
+        done = self.run_command("deviation", "m.obj", "plane.json", "--at-most", "0.4")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("REFUSED: farther than 0.4", done.stdout)
+        # A mesh of half of the surface is on it, and the surface is not on the mesh.
+        self.write("half.obj", obj([(0, 0, 0), (1, 0, 0), (1, 1, 0)], [(0, 1, 2)]))
+        found = self.answer("half.obj", "plane.json")
+        self.assertLess(found["mesh_to_surface"]["high"], 1e-9)
+        self.assertAlmostEqual(found["surface_to_mesh"]["low"], .5 ** .5, delta=.01)
+
+    def test_a_spline_is_what_its_bezier_pieces_are(self):
+        control = [[[0, 0, 0], [0, 1, 0]], [[1, 0, 2], [1, 1, 2]], [[3, 0, -1], [3, 1, -1]], [[4, 0, 0], [4, 1, 0]]]
+        spline = {"degree": [2, 1], "knots_u": [0, 0, 0, .5, 1, 1, 1], "control": control}
+        middle = [[(x + y) / 2 for x, y in zip(p, q)] for p, q in zip(control[1], control[2])]
+        pieces = [{"degree": [2, 1], "control": [control[0], control[1], middle]},
+                  {"degree": [2, 1], "control": [middle, control[2], control[3]]}]
+        self.write("spline.json", json.dumps({"patches": [spline]}))
+        self.write("pieces.json", json.dumps({"patches": pieces}))
+        self.write("m.obj", obj([(0, 0, 0), (4, 0, 0), (4, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)]))
+        one, two = self.answer("m.obj", "spline.json"), self.answer("m.obj", "pieces.json")
+        for way in ("mesh_to_surface", "surface_to_mesh"):
+            self.assertAlmostEqual(one[way]["high"], two[way]["high"])
+            self.assertAlmostEqual(one[way]["low"], two[way]["low"])
+
+    def test_bytes_do_not_depend_on_threads(self):
+        self.write("m.obj", obj(*grid(wavy(), 6)))
+        self.write("s.json", json.dumps({"patches": [wavy()]}))
+        self.assertEqual(len({self.run_command("deviation", "m.obj", "s.json", "--json", "--threads", n).stdout
+                              for n in (1, 2, 7)}), 1)
+
+    def test_bad_input_is_refused_by_name(self):
+        good = {"degree": [1, 1], "control": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]]}
+        self.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.write("s.json", json.dumps({"patches": [good]}))
+        spoiled = [({"weights": [[1, 0], [1, 1]]}, "control point 1, 2: its weight is 0"),
+                   ({"weights": [[1, 1], [-1, 1]]}, "control point 2, 1: its weight is -1"),
+                   ({"weights": [[1, 1]]}, '"weights" must be 2 rows'),
+                   ({"control": [[[1, 1, 1]] * 2] * 2}, "all control points are one point"),
+                   ({"control": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0]]]}, 'row 2 of "control" has 1 points'),
+                   ({"control": [[[0, 0], [0, 1]], [[1, 0], [1, 1]]]}, "control point 1, 1 has 2 numbers"),
+                   ({"degree": [2, 1]}, "2 control points in u"),
+                   ({"degree": "3"}, '"degree" must be'),
+                   ({"knots_u": [0, 0, 1]}, "3 knots in u"),
+                   ({"knots_v": [0, 1, 0, 1]}, "knot 3 in v is below"),
+                   ({"trims": []}, "trimmed patches are not treated"),
+                   ({"colour": 1}, '"colour" is no part of a patch')]
+        for change, said in spoiled:
+            self.write("bad.json", json.dumps({"patches": [{**good, **change}]}))
+            done = self.run_command("deviation", "m.obj", "bad.json")
+            self.assertEqual(done.returncode, 2, change)
+            self.assertIn(said, done.stderr)
+            self.assertIn("patch 1", done.stderr)
+        for name, content, said in [("m.xyz", "", "name does not say"), ("no.obj", None, "no such file"),
+                                    ("out.obj", "v 0 0 0\nf 1 2 3\n", "vertex 2 does not exist"),
+                                    ("flat.mesh", "MeshVersionFormatted 2\nDimension 2\n", "dimension"),
+                                    ("quad.msh", "$MeshFormat\n3 0 8\n", "version"),
+                                    ("short.ply", "ply\nformat ascii 1.0\n", "end_header is missing"),
+                                    ("no.stl", "facets", "no .stl file"),
+                                    ("empty.obj", "v 0 0 0\n", "no triangle"),
+                                    ("far.obj", "v 0 0 1e305\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "out of range")]:
+            if content is not None:
+                self.write(name, content)
+            done = self.run_command("deviation", name, "s.json")
+            self.assertEqual(done.returncode, 2, name)
+            self.assertIn(said, done.stderr)
+            self.assertIn(name, done.stderr)
+        self.assertEqual(self.run_command("deviation", "m.obj", "cone").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
