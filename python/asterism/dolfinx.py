@@ -1,0 +1,428 @@
+# SPDX-License-Identifier: MIT
+"""Meshes, tags and functions of FEniCSx (dolfinx): taken, given back, adapted, without a file.
+
+    import asterism.dolfinx
+    mesh, uh, cell_tags, facet_tags = asterism.dolfinx.adapt(mesh, uh, cell_tags, facet_tags, vertices=4000)
+
+Triangles of degree 1 in the plane, on one process. Functions are Lagrange, of degree 1 or 2, scalars or
+vectors, of real numbers. Tried with dolfinx 0.5.2.
+"""
+from __future__ import annotations
+
+from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ._adapt import adapt as _adapt_arrays
+from ._adapt import transfer as _transfer_arrays
+from ._asterism import InputError
+from ._mesh import Mesh
+from ._reported import ReportedArray
+
+Values = Any  # a Function, an array at the geometry's nodes, or a dict or list of them
+
+
+class ToDolfinx(NamedTuple):
+    """A dolfinx mesh with its tags, and the point of the asterism.Mesh that each node of its geometry is."""
+
+    mesh: Any
+    cell_tags: Any
+    facet_tags: Any
+    points: npt.NDArray[np.int64]
+
+
+def from_dolfinx(mesh: Any, cell_tags: Any = None, facet_tags: Any = None) -> Mesh:
+    """The asterism.Mesh of a dolfinx mesh. Point k is node k of its geometry, triangle k its cell k.
+
+    Tags of cells become regions, of facets, inside too, markers; a cell without a tag has the region 0,
+    a facet without one the marker 0, and so 0 is refused as a facet's tag.
+    """
+    cells = _cells(mesh)
+    at = np.asarray(mesh.geometry.x)
+    if len(at) and (at[:, 2] != at[0, 2]).any():
+        raise InputError("mesh: it is not in one plane z = constant")
+    points = at[:, :2]
+    regions = np.ones(len(cells), dtype=np.int64)
+    if cell_tags is not None:
+        _check_dim(cell_tags, 2, "cell_tags")
+        regions[:] = 0
+        regions[cell_tags.indices] = cell_tags.values
+    edges, markers = _edges_and_markers(mesh, cells, regions, facet_tags)
+    return Mesh(points, _counter_clockwise(points, cells), regions=regions, edges=edges, markers=markers)
+
+
+def to_dolfinx(mesh: Mesh, comm: Any = None) -> ToDolfinx:
+    """The dolfinx mesh of an asterism.Mesh: its regions are tags of all cells, its markers, but for 0, tags
+    of facets. comm: MPI.COMM_SELF unless named."""
+    import dolfinx.mesh
+    from mpi4py import MPI
+
+    if not isinstance(mesh, Mesh):
+        raise InputError(f"mesh: an asterism.Mesh is wanted, not {type(mesh).__name__}")
+    comm = MPI.COMM_SELF if comm is None else comm
+    _check_alone(comm)
+    made = dolfinx.mesh.create_mesh(comm, np.array(mesh.triangles, dtype=np.int64), np.array(mesh.points), _domain())
+    points = np.asarray(made.geometry.input_global_indices, dtype=np.int64)
+    own = np.asarray(made.topology.original_cell_index)
+    regions = np.asarray(mesh.regions)[own].astype(np.int32)
+    cell_tags = dolfinx.mesh.meshtags(made, 2, np.arange(len(own), dtype=np.int32), regions)
+    return ToDolfinx(made, cell_tags, _facet_tags(made, mesh, points), points)
+
+
+class AdaptedDolfinx:
+    """The next dolfinx mesh, what was brought to it, and its tags. `mesh, uh, cell_tags, facet_tags =` takes
+    the first four; also `carried`, `points` (as ToDolfinx has them), the `asterism` mesh with its certificate,
+    the `metric` wanted and the `report`."""
+
+    def __init__(self, made: ToDolfinx, values: Any, carried: Any, asterism: Mesh, metric: ReportedArray,
+                 report: Dict[str, Any]) -> None:
+        self.mesh, self.cell_tags, self.facet_tags, self.points = made
+        self.values = values
+        self.carried = carried
+        self.asterism = asterism
+        self.metric = metric
+        self.report = report
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter((self.mesh, self.values, self.cell_tags, self.facet_tags))
+
+    def __repr__(self) -> str:
+        return f"<AdaptedDolfinx: {self.asterism!r}>"
+
+
+def adapt(mesh: Any, values: Values = None, cell_tags: Any = None, facet_tags: Any = None, *,
+          carry: Values = None, how: str = "interpolate", **wishes: Any) -> AdaptedDolfinx:
+    """The mesh on which the next solution is best, as asterism.adapt() makes it, with the tags on it.
+
+    values, carry: Functions of degree 1 or 2, arrays with a row for each node of the geometry, or dicts or
+    lists of them; they come back on the new mesh in the form in which they were given. The metric is made
+    of the values at the vertices. how: as in asterism.adapt(); Functions of degree 2 are interpolated, and
+    any other way refused. wishes: the other arguments of asterism.adapt().
+    """
+    old = from_dolfinx(mesh, cell_tags, facet_tags)
+    wanted, brought = _Given(mesh, values, "u"), _Given(mesh, carry, "carried")
+    _check_way(wanted, how)
+    _check_way(brought, how)
+    carried = {**brought.at_nodes()} if brought.all else None
+    made = _adapt_arrays(old, wanted.alone_or_named() if wanted.all else None, carry=carried, how=how, **wishes)
+    new = to_dolfinx(made.mesh, mesh.comm)
+    if cell_tags is None:
+        new = new._replace(cell_tags=None)
+    elif len(cell_tags.indices) < len(_cells(mesh)):
+        new = new._replace(cell_tags=_without_zero(new))
+    if facet_tags is None:
+        new = new._replace(facet_tags=None)
+    first = _named(made.values, wanted.names())
+    return AdaptedDolfinx(new, wanted.on(new, old, first), brought.on(new, old, made.carried or {}), made.mesh,
+                          made.metric, made.report)
+
+
+def transfer(values: Values, to: Any, how: str = "conservative", *, mesh: Any = None) -> Any:
+    """Functions, or arrays at the nodes of the geometry of `mesh`, brought to the dolfinx mesh `to`, in the
+    ways of asterism.transfer(). Functions of degree 2 are interpolated: how="interpolate"."""
+    source = mesh if mesh is not None else _mesh_of(values)
+    old, new = from_dolfinx(source), from_dolfinx(to)
+    given = _Given(source, values, "u")
+    _check_way(given, how)
+    moved = _transfer_arrays(old, given.at_nodes(), new, how)
+    nodes = ToDolfinx(to, None, None, np.arange(len(new.points)))
+    return given.on(nodes, old, moved)
+
+
+# What is given: Functions and arrays, alone, in a list or a dict.
+
+
+class _Given:
+    """Functions and arrays by name, and the form in which they were given."""
+
+    def __init__(self, mesh: Any, given: Values, name: str) -> None:
+        self.form = given
+        self.all: Dict[str, Any] = {}
+        if given is None:
+            return
+        if isinstance(given, Mapping):
+            self.all = {str(key): of for key, of in given.items()}
+        elif isinstance(given, (list, tuple)) and any(_is_function(of) for of in given):
+            self.all = {f"{name}{k + 1}": of for k, of in enumerate(given)}
+        else:
+            self.all = {name: given}
+        for key, of in self.all.items():
+            if _is_function(of):
+                _check_function(key, of, mesh)
+
+    def names(self) -> List[str]:
+        return list(self.all)
+
+    def at_nodes(self) -> Dict[str, Any]:
+        """Arrays at the nodes of the geometry."""
+        return {name: _at_nodes(of) if _is_function(of) else of for name, of in self.all.items()}
+
+    def alone_or_named(self) -> Any:
+        """An array that was given alone may be a metric."""
+        arrays = self.at_nodes()
+        return arrays if isinstance(self.form, (Mapping, list, tuple)) or len(arrays) != 1 else next(iter(arrays.values()))
+
+    def on(self, new: ToDolfinx, old: Mesh, moved: Dict[str, Any]) -> Any:
+        """The fields after `moved`, arrays at the new mesh's points, in the form in which they were given."""
+        if not moved:
+            return None
+        made: Dict[str, Any] = {}
+        for name, of in self.all.items():
+            if _is_function(of) and _degree(of) == 2:
+                made[name] = _interpolated(of, old, new.mesh)
+            elif _is_function(of):
+                made[name] = _function(of, new, np.asarray(moved[name]))
+            else:
+                made[name] = moved[name][new.points]
+        if isinstance(self.form, Mapping):
+            return made
+        return list(made.values()) if isinstance(self.form, (list, tuple)) and len(made) > 0 and any(
+            _is_function(of) for of in self.form) else next(iter(made.values()))
+
+
+def _named(values: Any, names: List[str]) -> Dict[str, Any]:
+    if values is None:
+        return {}
+    return dict(values) if isinstance(values, Mapping) else {names[0]: values}
+
+
+def _is_function(of: Any) -> bool:
+    return hasattr(of, "function_space") and hasattr(of, "x")
+
+
+def _mesh_of(values: Values) -> Any:
+    parts = list(values.values()) if isinstance(values, Mapping) else (
+        list(values) if isinstance(values, (list, tuple)) else [values])
+    for of in parts:
+        if _is_function(of):
+            return of.function_space.mesh
+    raise InputError("mesh: it is to be named where no Function says which one the arrays are on")
+
+
+def _degree(of: Any) -> int:
+    element = of.function_space.ufl_element()
+    degree = element.degree() if callable(element.degree) else element.degree
+    return int(degree)
+
+
+def _check_function(name: str, of: Any, mesh: Any) -> None:
+    space = of.function_space
+    if space.mesh.geometry.x.shape != mesh.geometry.x.shape or not np.array_equal(space.mesh.geometry.x, mesh.geometry.x):
+        raise InputError(f"{name}: it is on another mesh")
+    element = space.ufl_element()
+    family = str(element.family() if callable(getattr(element, "family", None)) else getattr(element, "family_name", ""))
+    width = len(_dofs(of)[0]) if len(_dofs(of)) else 3
+    if family not in ("Lagrange", "CG", "P", "Q") or (_degree(of), width) not in ((1, 3), (2, 6)):
+        raise InputError(f"{name}: a continuous Lagrange function of degree 1 or 2 is wanted, not {element}")
+    if np.iscomplexobj(of.x.array):
+        raise InputError(f"{name}: complex numbers have no place here; give real and imaginary part as two fields")
+    if _block(of) not in (1, 2, 3):
+        raise InputError(f"{name}: it has {_block(of)} components, and one, two or three are wanted")
+
+
+def _check_way(given: _Given, how: str) -> None:
+    for name, of in given.all.items():
+        if how != "interpolate" and _is_function(of) and _degree(of) == 2:
+            raise InputError(f"{name}: it is of degree 2, and is brought along by how='interpolate' alone")
+
+
+def _block(of: Any) -> int:
+    return int(of.function_space.dofmap.index_map_bs)
+
+
+def _rows(table: Any, width: int) -> npt.NDArray[np.int64]:
+    """A table of dolfinx, which is an adjacency list in some versions and an array in others."""
+    return np.asarray(getattr(table, "array", table), dtype=np.int64).reshape(-1, width)
+
+
+def _dofs(of: Any) -> npt.NDArray[np.int64]:
+    """The degrees of freedom of each cell: at its corners in their order, then across from them."""
+    space = of.function_space
+    count = space.mesh.topology.index_map(2).size_local
+    flat = np.asarray(getattr(space.dofmap.list, "array", space.dofmap.list), dtype=np.int64).reshape(-1)
+    return flat.reshape(count, -1) if count else flat.reshape(0, 3)
+
+
+def _at_nodes(of: Any) -> npt.NDArray[np.float64]:
+    """Values at the nodes of the geometry, (n,) or (n, c)."""
+    mesh, block = of.function_space.mesh, _block(of)
+    values = np.zeros((len(mesh.geometry.x), block))
+    values[_cells(mesh)] = np.asarray(of.x.array).reshape(-1, block)[_dofs(of)[:, :3]]
+    return values[:, 0] if block == 1 else values
+
+
+def _space_like(of: Any, mesh: Any) -> Any:
+    import dolfinx.fem
+
+    make = getattr(dolfinx.fem, "functionspace", None) or dolfinx.fem.FunctionSpace
+    return make(mesh, of.function_space.ufl_element())
+
+
+def _new_function(of: Any, mesh: Any) -> Any:
+    import dolfinx.fem
+
+    made = dolfinx.fem.Function(_space_like(of, mesh))
+    made.name = of.name
+    return made
+
+
+def _function(of: Any, new: ToDolfinx, at_points: npt.NDArray[np.float64]) -> Any:
+    """A Function of degree 1 as `of` was, with the values at the points of the asterism.Mesh."""
+    made, block = _new_function(of, new.mesh), _block(of)
+    values = np.asarray(at_points).reshape(-1, block)[new.points]
+    made.x.array.reshape(-1, block)[_dofs(made)[:, :3]] = values[_cells(new.mesh)]
+    return made
+
+
+def _interpolated(of: Any, old: Mesh, mesh: Any) -> Any:
+    """A Function of degree 2 on the new mesh: the values of the old one at its points. Those outside the
+    old mesh, beside a curved boundary, have what the nearest point of it has."""
+    made, block = _new_function(of, mesh), _block(of)
+    at = np.asarray(made.function_space.tabulate_dof_coordinates())[:, :2]
+    found = old.locate(at)
+    cells = _cells(of.function_space.mesh)
+    weights = np.empty((len(at), 3))
+    inside = found >= 0
+    weights[inside] = _barycentric(old.points[cells[found[inside]]], at[inside])
+    sides = _outer_sides(cells, np.asarray(old.neighbors), np.asarray(old.triangles))
+    for k in np.flatnonzero(~inside):
+        found[k], weights[k] = _nearest(old.points, cells, sides, at[k])
+    a, b, c = weights.T
+    shapes = np.column_stack([a * (2 * a - 1), b * (2 * b - 1), c * (2 * c - 1), 4 * b * c, 4 * a * c, 4 * a * b])
+    values = np.asarray(of.x.array).reshape(-1, block)[_dofs(of)[found]]
+    made.x.array.reshape(-1, block)[:] = np.einsum("nk,nkc->nc", shapes, values)
+    return made
+
+
+def _barycentric(corners: Any, at: Any) -> Any:
+    def doubled(p: Any, q: Any, r: Any) -> Any:
+        return (q[:, 0] - p[:, 0]) * (r[:, 1] - p[:, 1]) - (q[:, 1] - p[:, 1]) * (r[:, 0] - p[:, 0])
+
+    p, q, r = corners[:, 0], corners[:, 1], corners[:, 2]
+    parts = np.column_stack([doubled(at, q, r), doubled(p, at, r), doubled(p, q, at)])
+    return parts / parts.sum(axis=1, keepdims=True)
+
+
+def _outer_sides(cells: Any, neighbors: Any, triangles: Any) -> Any:
+    """Cells and two of their corners, on the boundary."""
+    t, i = np.nonzero(neighbors < 0)
+    a, b = triangles[t, (i + 1) % 3], triangles[t, (i + 2) % 3]
+    first = (cells[t] == a[:, None]).argmax(axis=1)
+    second = (cells[t] == b[:, None]).argmax(axis=1)
+    return t, first, second
+
+
+def _nearest(points: Any, cells: Any, sides: Any, at: Any) -> Tuple[int, Any]:
+    t, first, second = sides
+    a, b = points[cells[t, first]], points[cells[t, second]]
+    along = b - a
+    part = np.clip(((at - a) * along).sum(axis=1) / (along * along).sum(axis=1), 0, 1)
+    k = int(np.argmin(((a + part[:, None] * along - at) ** 2).sum(axis=1)))
+    weights = np.zeros(3)
+    weights[first[k]], weights[second[k]] = 1 - part[k], part[k]
+    return int(t[k]), weights
+
+
+# Meshes and tags.
+
+
+def _check_alone(comm: Any) -> None:
+    if comm.size > 1:
+        raise InputError(f"comm: it has {comm.size} processes, and dolfinx meshes are taken on one (MPI.COMM_SELF); "
+                         "asterism.petsc adapts a mesh that is distributed")
+
+
+def _cells(mesh: Any) -> npt.NDArray[np.int64]:
+    """The nodes of each cell."""
+    if not hasattr(mesh, "topology") or not hasattr(mesh, "geometry"):
+        raise InputError(f"mesh: a dolfinx mesh is wanted, not {type(mesh).__name__}")
+    _check_alone(mesh.comm)
+    count = mesh.topology.index_map(2).size_local if mesh.topology.dim == 2 else 0
+    flat = np.asarray(getattr(mesh.geometry.dofmap, "array", mesh.geometry.dofmap), dtype=np.int64).reshape(-1)
+    if mesh.topology.dim != 2 or count == 0 or flat.size != 3 * count:
+        raise InputError("mesh: triangles of degree 1 are wanted")
+    return flat.reshape(count, 3)
+
+
+def _counter_clockwise(points: Any, cells: Any) -> Any:
+    from ._predicates import orientation
+
+    turned = np.array(cells)
+    corners = points[cells]
+    clockwise = np.asarray(orientation(corners[:, 0], corners[:, 1], corners[:, 2])).reshape(-1) < 0
+    turned[clockwise, 1], turned[clockwise, 2] = cells[clockwise, 2], cells[clockwise, 1]
+    return turned
+
+
+def _check_dim(tags: Any, dim: int, name: str) -> None:
+    if getattr(tags, "dim", None) != dim:
+        raise InputError(f"{name}: MeshTags of dimension {dim} are wanted")
+
+
+def _facets(mesh: Any) -> npt.NDArray[np.int64]:
+    """The nodes of each facet."""
+    topology = mesh.topology
+    topology.create_connectivity(1, 0)
+    topology.create_connectivity(2, 0)
+    corners = _rows(topology.connectivity(2, 0), 3)
+    node = np.empty(topology.index_map(0).size_local, dtype=np.int64)
+    node[corners] = _cells(mesh)
+    return node[_rows(topology.connectivity(1, 0), 2)]
+
+
+def _keys(pairs: Any, count: int) -> Any:
+    return pairs.min(axis=1).astype(np.int64) * count + pairs.max(axis=1)
+
+
+def _edges_and_markers(mesh: Any, cells: Any, regions: Any, facet_tags: Any) -> Tuple[Any, Any]:
+    """Edges of the boundary, between regions and with a tag, and their markers."""
+    count = len(mesh.geometry.x)
+    sides = cells[:, [1, 2, 2, 0, 0, 1]].reshape(-1, 2)
+    keys = _keys(sides, count)
+    order = np.argsort(keys, kind="stable")
+    found, first, times = np.unique(keys[order], return_index=True, return_counts=True)
+    left, right = order[first], order[first + times - 1]
+    parts = (times == 1) | (regions[left // 3] != regions[right // 3])
+    marked = np.zeros(len(found), dtype=np.int64)
+    if facet_tags is not None:
+        _check_dim(facet_tags, 1, "facet_tags")
+        if (np.asarray(facet_tags.values) == 0).any():
+            raise InputError("facet_tags: 0 is the marker of facets without a tag; give them another number")
+        tagged = np.searchsorted(found, _keys(_facets(mesh)[facet_tags.indices], count))
+        marked[tagged] = facet_tags.values
+        parts[tagged] = True
+    return sides[left[parts]], marked[parts]
+
+
+def _facet_tags(made: Any, mesh: Mesh, points: Any) -> Any:
+    import dolfinx.mesh
+
+    count = len(mesh.points)
+    facets = _keys(points[_facets(made)], count)
+    keys = _keys(np.asarray(mesh.edges), count)
+    markers = np.asarray(mesh.edge_markers)
+    order = np.argsort(facets)
+    at = order[np.searchsorted(facets[order], keys[markers != 0])].astype(np.int32)
+    sorted_at = np.argsort(at)
+    return dolfinx.mesh.meshtags(made, 1, at[sorted_at], markers[markers != 0][sorted_at].astype(np.int32))
+
+
+def _without_zero(new: ToDolfinx) -> Any:
+    import dolfinx.mesh
+
+    values = np.asarray(new.cell_tags.values)
+    kept = np.flatnonzero(values != 0).astype(np.int32)
+    return dolfinx.mesh.meshtags(new.mesh, 2, kept, values[kept].astype(np.int32))
+
+
+def _domain() -> Any:
+    """The coordinate element of plane triangles, as the version of dolfinx wants it."""
+    try:
+        import basix.ufl
+
+        return basix.ufl.element("Lagrange", "triangle", 1, shape=(2,))
+    except ImportError:
+        import ufl
+
+        return ufl.Mesh(ufl.VectorElement("Lagrange", "triangle", 1))

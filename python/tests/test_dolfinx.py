@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""Meshes, tags and functions of dolfinx. Skipped where it is not installed."""
+import numpy as np
+import pytest
+
+pytest.importorskip("dolfinx", reason="dolfinx is not installed (python3-dolfinx)")
+from dolfinx import fem  # noqa: E402
+from dolfinx import mesh as dmesh  # noqa: E402
+from mpi4py import MPI  # noqa: E402
+
+import asterism  # noqa: E402
+import asterism.dolfinx  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def square():
+    """Two materials, sides 1 to 4, and a line inside of tag 9; only one material is tagged in `some`."""
+    mesh = dmesh.create_unit_square(MPI.COMM_SELF, 12, 12)
+    mesh.topology.create_connectivity(2, 0)
+    cells = np.arange(mesh.topology.index_map(2).size_local, dtype=np.int32)
+    middle = dmesh.compute_midpoints(mesh, 2, cells)
+    tags = dmesh.meshtags(mesh, 2, cells, np.where(middle[:, 0] < 0.5, 3, 7).astype(np.int32))
+    mesh.topology.create_connectivity(1, 2)
+    parts = [dmesh.locate_entities(mesh, 1, where) for where in (
+        lambda x: np.isclose(x[1], 0), lambda x: np.isclose(x[0], 1), lambda x: np.isclose(x[1], 1),
+        lambda x: np.isclose(x[0], 0), lambda x: np.isclose(x[1], 0.5) & (x[0] <= 0.501))]
+    facets = np.concatenate(parts).astype(np.int32)
+    markers = np.repeat([1, 2, 3, 4, 9], [len(p) for p in parts]).astype(np.int32)
+    order = np.argsort(facets)
+    return mesh, tags, dmesh.meshtags(mesh, 1, facets[order], markers[order])
+
+
+def lengths(mesh, facet_tags):
+    facets = asterism.dolfinx._facets(mesh)[facet_tags.indices]
+    ends = mesh.geometry.x[facets]
+    sizes = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
+    return {int(tag): sizes[facet_tags.values == tag].sum() for tag in np.unique(facet_tags.values)}
+
+
+def areas(mesh, cell_tags):
+    corners = mesh.geometry.x[asterism.dolfinx._cells(mesh)]
+    sizes = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 2]) / 2
+    sizes = sizes[cell_tags.indices]
+    return {int(tag): sizes[cell_tags.values == tag].sum() for tag in np.unique(cell_tags.values)}
+
+
+WANTED_AREAS = {3: 0.5, 7: 0.5}
+WANTED_LENGTHS = {1: 1, 2: 1, 3: 1, 4: 1, 9: 0.5}
+
+
+def test_there_and_back(square):
+    mesh, cell_tags, facet_tags = square
+    ours = asterism.dolfinx.from_dolfinx(mesh, cell_tags, facet_tags)
+    assert np.array_equal(ours.points, mesh.geometry.x[:, :2])
+    assert set(ours.edge_markers) == {0, 1, 2, 3, 4, 9}  # 0: between the materials
+    back = asterism.dolfinx.to_dolfinx(ours)
+    assert np.array_equal(back.mesh.geometry.x[:, :2], ours.points[back.points])
+    assert areas(back.mesh, back.cell_tags) == pytest.approx(WANTED_AREAS)
+    assert lengths(back.mesh, back.facet_tags) == pytest.approx(WANTED_LENGTHS)
+    again = asterism.dolfinx.from_dolfinx(back.mesh, back.cell_tags, back.facet_tags)
+    assert sorted(map(tuple, again.points.tolist())) == sorted(map(tuple, ours.points.tolist()))
+
+
+def fill(space, function):
+    made = fem.Function(space)
+    made.interpolate(function)
+    return made
+
+
+def front(x):
+    return np.tanh(20 * (x[0] - x[1] + 0.3 * np.sin(3 * x[1]) - 0.2))
+
+
+def test_a_loop_with_tags_and_both_degrees(square):
+    mesh, cell_tags, facet_tags = square
+    for step in range(3):
+        u = fill(fem.FunctionSpace(mesh, ("CG", 1)), front)
+        q = fill(fem.FunctionSpace(mesh, ("CG", 2)), lambda x: x[0] ** 2 - 3 * x[0] * x[1] + x[1])
+        v = fill(fem.VectorFunctionSpace(mesh, ("CG", 1)), lambda x: np.vstack([x[0] + 2 * x[1], 1 - x[0]]))
+        w = fill(fem.VectorFunctionSpace(mesh, ("CG", 2)), lambda x: np.vstack([x[0] * x[1], x[1] ** 2]))
+        u.name = "front"
+        made = asterism.dolfinx.adapt(mesh, u, cell_tags, facet_tags, vertices=700,
+                                      carry={"q": q, "v": v, "w": w, "array": mesh.geometry.x[:, 0]})
+        mesh, new_u, cell_tags, facet_tags = made
+        assert made.asterism.certified and made.report["reached"]
+        assert areas(mesh, cell_tags) == pytest.approx(WANTED_AREAS)
+        assert lengths(mesh, facet_tags) == pytest.approx(WANTED_LENGTHS)
+        assert new_u.name == "front" and new_u.function_space.mesh is mesh
+        exact = fill(made.carried["q"].function_space, lambda x: x[0] ** 2 - 3 * x[0] * x[1] + x[1])
+        assert np.allclose(made.carried["q"].x.array, exact.x.array, atol=1e-13)
+        exact = fill(made.carried["v"].function_space, lambda x: np.vstack([x[0] + 2 * x[1], 1 - x[0]]))
+        assert np.allclose(made.carried["v"].x.array, exact.x.array, atol=1e-13)
+        exact = fill(made.carried["w"].function_space, lambda x: np.vstack([x[0] * x[1], x[1] ** 2]))
+        assert np.allclose(made.carried["w"].x.array, exact.x.array, atol=1e-13)
+        assert np.allclose(made.carried["array"], mesh.geometry.x[:, 0], atol=1e-13)
+    error = fill(fem.FunctionSpace(mesh, ("CG", 1)), front).x.array
+    assert abs(asterism.dolfinx._at_nodes(new_u)).max() <= 1 and len(error) == len(mesh.geometry.x)
+
+
+def test_a_function_of_degree_two_makes_the_metric(square):
+    mesh, cell_tags, _ = square
+    u = fill(fem.FunctionSpace(mesh, ("CG", 2)), front)
+    made = asterism.dolfinx.adapt(mesh, u, vertices=500)
+    of_arrays = asterism.dolfinx.adapt(mesh, asterism.dolfinx._at_nodes(u), vertices=500)
+    assert np.array_equal(made.asterism.points, of_arrays.asterism.points)
+    assert made.cell_tags is None and made.facet_tags is None
+    assert made.values.function_space.ufl_element().degree() == 2
+    several = asterism.dolfinx.adapt(mesh, [u, fill(fem.FunctionSpace(mesh, ("CG", 1)), front)], vertices=500)
+    assert len(several.values) == 2
+    by_metric = asterism.dolfinx.adapt(mesh, metric=asterism.metric(asterism.dolfinx.from_dolfinx(mesh),
+                                                                    asterism.dolfinx._at_nodes(u), vertices=500))
+    assert by_metric.values is None and by_metric.asterism.certified
+
+
+def test_cells_without_a_tag_stay_so(square):
+    mesh, cell_tags, _ = square
+    some = cell_tags.indices[cell_tags.values == 3]
+    tags = dmesh.meshtags(mesh, 2, some, np.full(len(some), 3, dtype=np.int32))
+    u = fill(fem.FunctionSpace(mesh, ("CG", 1)), front)
+    made = asterism.dolfinx.adapt(mesh, u, tags, vertices=400)
+    assert areas(made.mesh, made.cell_tags) == pytest.approx({3: 0.5})
+
+
+def test_transfer_keeps_integrals(square):
+    mesh, _, _ = square
+    u = fill(fem.FunctionSpace(mesh, ("CG", 1)), front)
+    to = dmesh.create_unit_square(MPI.COMM_SELF, 9, 17)
+    moved = asterism.dolfinx.transfer(u, to)
+    integral = lambda f: fem.assemble_scalar(fem.form(f * __import__("ufl").dx))
+    assert integral(moved) == pytest.approx(integral(u), abs=1e-14)
+    q = fill(fem.FunctionSpace(mesh, ("CG", 2)), lambda x: x[0] * x[1])
+    exact = fill(fem.FunctionSpace(to, ("CG", 2)), lambda x: x[0] * x[1])
+    assert np.allclose(asterism.dolfinx.transfer(q, to, "interpolate").x.array, exact.x.array, atol=1e-14)
+    assert np.allclose(asterism.dolfinx.transfer(mesh.geometry.x[:, 1], to, mesh=mesh), to.geometry.x[:, 1])
+
+
+def test_what_is_refused(square):
+    mesh, cell_tags, facet_tags = square
+    u = fill(fem.FunctionSpace(mesh, ("CG", 1)), front)
+    q = fill(fem.FunctionSpace(mesh, ("CG", 2)), front)
+    other = dmesh.create_unit_square(MPI.COMM_SELF, 5, 5)
+    zero = dmesh.meshtags(mesh, 1, facet_tags.indices, facet_tags.values * 0)
+    for call, message in (
+            (lambda: asterism.dolfinx.adapt(mesh, q, vertices=9, how="conservative"), "of degree 2"),
+            (lambda: asterism.dolfinx.adapt(mesh, fem.Function(fem.FunctionSpace(mesh, ("CG", 3)))), "degree 1 or 2"),
+            (lambda: asterism.dolfinx.adapt(mesh, fem.Function(fem.FunctionSpace(mesh, ("DG", 1)))), "degree 1 or 2"),
+            (lambda: asterism.dolfinx.adapt(mesh, fem.Function(fem.FunctionSpace(other, ("CG", 1)))), "another mesh"),
+            (lambda: asterism.dolfinx.adapt(mesh, u, facet_tags, cell_tags), "cell_tags: MeshTags"),
+            (lambda: asterism.dolfinx.adapt(mesh, u, cell_tags, zero), "0 is the marker"),
+            (lambda: asterism.dolfinx.adapt(mesh), "which metric is wanted"),
+            (lambda: asterism.dolfinx.from_dolfinx(7), "a dolfinx mesh is wanted"),
+            (lambda: asterism.dolfinx.to_dolfinx(mesh), "an asterism.Mesh is wanted"),
+            (lambda: asterism.dolfinx.from_dolfinx(dmesh.create_unit_cube(MPI.COMM_SELF, 2, 2, 2)), "triangles of degree"),
+            (lambda: asterism.dolfinx.from_dolfinx(dmesh.create_unit_square(
+                MPI.COMM_SELF, 2, 2, dmesh.CellType.quadrilateral)), "triangles of degree")):
+        with pytest.raises(asterism.InputError, match=message):
+            call()
