@@ -11,6 +11,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/audit/corner_angle.hpp"
 #include "asterism/mesh/audit/sharp_corners.hpp"
+#include "asterism/mesh/audit/unit_subject.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -19,12 +20,17 @@ namespace {
 // 2^-52 of itself, whichever way the machine rounds, and no monomial of the terms below meets more
 // than four roundings besides those of its two components: 8 eps of the magnitude bound them, and
 // the few roundings of the bound itself. Within `in_range` what underflow takes is below 2^-600.
+// Triangle and metric are brought to about unit size by powers of two, which no angle depends on.
 struct plain_triangle {
   plain_triangle(const audit_context& context, const triangle& t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const point &from = context.at(t[i]), &to = context.at(t[(i + 1) % 3]);
       edge[i] = {to.x - from.x, to.y - from.y};
       extent = std::fmax(extent, std::abs(edge[i].x) + std::abs(edge[i].y));
+    }
+    if (const double power = power_to_unit(extent); power != 1) {
+      for (vector2<double>& e : edge) e = {power * e.x, power * e.y};
+      extent *= power;
     }
     const double left = edge[0].x * edge[1].y, right = edge[0].y * edge[1].x;
     area_below = left - right - step * (std::abs(left) + std::abs(right)) - lost;
@@ -37,7 +43,9 @@ struct plain_triangle {
 };
 
 // Returns an upper bound of the cotangent of each corner's angle; infinite if not known.
-std::array<double, 3> cotangents_above(const plain_triangle& t, const metric_tensor& m) {
+std::array<double, 3> cotangents_above(const plain_triangle& t, const metric_tensor& own) {
+  const double power = power_to_unit(own.m11 + own.m22);
+  const metric_tensor m{power * own.m11, power * own.m12, power * own.m22};
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> above = {infinity, infinity, infinity};
   const double product = m.m11 * m.m22, square = m.m12 * m.m12;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/theorem_measures.hpp"
 #include "asterism/mesh/audit/theorem_table.hpp"
+#include "asterism/mesh/audit/unit_subject.hpp"
 #include "asterism/mesh/audit/voronoi_arc.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
@@ -279,15 +281,15 @@ measured_part measure_all(audit_context& context, std::size_t count, std::size_t
   return all;
 }
 
-// Returns the obstacle as a sentence; empty if there is none.
+// Returns the obstacle as a sentence, with lengths in so many units; empty if there is none.
 std::string obstacle(const theorem_hypotheses& h, const std::array<vertex_index, 2>& nearest,
-                     double angle_bound) {
+                     double angle_bound, double unit = 1) {
   const bool wedged = theorem::arcs_are_wedged(h.covering_radius, h.spacing, h.distortion);
   if (wedged && h.proved_angle >= angle_bound) return {};
   const std::string spacing = vertex_name(nearest[0]) + " and " + vertex_name(nearest[1]) +
-                              " are " + format_number(h.spacing) +
+                              " are " + format_number(unit * h.spacing) +
                               " apart, where the domain is covered within " +
-                              format_number(h.covering_radius);
+                              format_number(unit * h.covering_radius);
   if (!wedged)
     return spacing + ": arcs need not be wedged where metrics " + difference_text(h.distortion);
   return "at sigma eps " + format_number(h.sigma_eps) + " no more than " +
@@ -338,17 +340,9 @@ theorem_hypotheses unmeasured(const std::optional<std::string>& why) {
   return nothing;
 }
 
-}  // namespace
-
-theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_bound,
-                                              const cancellation& stop) {
-  return internal::measure_theorem_hypotheses_sharing(subject, angle_bound, stop, nullptr);
-}
-
-theorem_hypotheses internal::measure_theorem_hypotheses_sharing(const mesh& subject,
-                                                                double angle_bound,
-                                                                const cancellation& stop,
-                                                                shared_tree shared) {
+// Measures a mesh whose numbers are of ordinary size. Texts have lengths in so many units.
+theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
+                                    const cancellation& stop, shared_tree shared, double unit) {
   theorem_hypotheses h;
   h.covering_radius = covering_radius(subject);
   if (!(h.covering_radius < infinity && !subject.triangles.empty())) {
@@ -384,9 +378,31 @@ theorem_hypotheses internal::measure_theorem_hypotheses_sharing(const mesh& subj
   enter_pairs(h, near.pairs);
   h.reason = !near.failure.empty()          ? near.failure
              : !subsegments.failure.empty() ? subsegments.failure
-                                            : obstacle(h, near.nearest, angle_bound);
+                                            : obstacle(h, near.nearest, angle_bound, unit);
   h.applies = h.reason.empty();
   if (h.applies) h.reason = "all hypotheses hold";
+  return h;
+}
+
+}  // namespace
+
+theorem_hypotheses measure_theorem_hypotheses(const mesh& subject, double angle_bound,
+                                              const cancellation& stop) {
+  return internal::measure_theorem_hypotheses_sharing(subject, angle_bound, stop, nullptr);
+}
+
+// Measures an image where lengths are such that bounds of them leave the range of doubles, and so
+// would tell nothing: each site would be held against all.
+theorem_hypotheses internal::measure_theorem_hypotheses_sharing(const mesh& subject,
+                                                                double angle_bound,
+                                                                const cancellation& stop,
+                                                                shared_tree shared) {
+  const auto scaled = audit_detail::unit_subject_of(subject);
+  if (!scaled) return measure_ordinary(subject, angle_bound, stop, std::move(shared), 1);
+  const double unit = std::ldexp(1.0, scaled->exponent);
+  theorem_hypotheses h = measure_ordinary(scaled->image, angle_bound, stop, nullptr, unit);
+  for (double* length : {&h.covering_radius, &h.spacing, &h.longest_subsegment}) *length *= unit;
+  h.variation /= unit;
   return h;
 }
 

@@ -111,6 +111,42 @@ TEST_CASE("what is measured of the hypotheses is no better than it is") {
   }
 }
 
+// Bounds left the range of doubles there, so that each site was held against all: a square with a
+// size of 1e-150 took 18 times as long as with one of 1e-7, and "not all was measured".
+TEST_CASE("lengths of extreme size are measured and audited as ordinary ones are") {
+  const mesh ordinary = meshed_square("swirl:3", 0.05);
+  const theorem_hypotheses known = measure_theorem_hypotheses(ordinary, 15);
+  audit_options asked;
+  asked.angle_bound = 15;
+  const audit_report judged = audit(ordinary, asked);
+  REQUIRE(known.applies);
+  REQUIRE(judged.certified);
+  for (const auto& [of_coordinates, of_lengths] :
+       {std::pair{0, 490}, {0, -490}, {400, 0}, {-400, 0}, {500, -40}, {-330, 160}}) {
+    mesh extreme = ordinary;
+    for (site& s : extreme.sites) {
+      s.position = {std::ldexp(s.position.x, of_coordinates),
+                    std::ldexp(s.position.y, of_coordinates)};
+      for (double* entry : {&s.metric.m11, &s.metric.m12, &s.metric.m22})
+        *entry = std::ldexp(*entry, 2 * (of_lengths - of_coordinates));
+    }
+    INFO(of_coordinates << ", " << of_lengths);
+    const theorem_hypotheses h = measure_theorem_hypotheses(extreme, 15);
+    CHECK(h.applies);
+    CHECK(h.reason == known.reason);
+    CHECK(h.covering_radius == std::ldexp(known.covering_radius, of_lengths));
+    CHECK(h.spacing == std::ldexp(known.spacing, of_lengths));
+    CHECK(h.longest_subsegment == std::ldexp(known.longest_subsegment, of_lengths));
+    CHECK(h.variation == std::ldexp(known.variation, -of_lengths));
+    CHECK(h.distortion == known.distortion);
+    CHECK(h.proved_angle == known.proved_angle);
+    const audit_report again = audit(extreme, asked);
+    CHECK(again.certified);
+    CHECK(again.worst().degrees == judged.worst().degrees);
+    CHECK(again.exact_decisions == judged.exact_decisions);
+  }
+}
+
 TEST_CASE("the theorem does not apply where sites are too near to each other") {
   patch p = make_patch(8, 0);
   CHECK(measure_theorem_hypotheses(p.m, 20).applies);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// Brings a mesh of extreme coordinates or metrics into the range in which bounds in doubles decide,
+// by powers of two that lose nothing: questions about lengths beside each other stay the same.
+#pragma once
+
+#include <optional>
+
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal::audit_detail {
+
+struct unit_subject {
+  mesh image;        // coordinates and lengths in the metrics are about 1 at most, or small numbers
+  int exponent = 0;  // lengths in the metrics are 2^exponent times those of the image
+};
+
+// Returns the image; none where the mesh is in that range, or where a number would lose bits.
+// Requires finite coordinates and positive definite metrics.
+std::optional<unit_subject> unit_subject_of(const mesh& subject);
+
+// Returns the power of two that a number of this size is to be multiplied with to be about 1, for
+// numbers far from that; 1 for others, and what is not positive and finite.
+double power_to_unit(double size);
+
+}  // namespace asterism::internal::audit_detail
