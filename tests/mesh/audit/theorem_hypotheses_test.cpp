@@ -122,7 +122,7 @@ TEST_CASE("lengths of extreme size are measured and audited as ordinary ones are
   REQUIRE(known.applies);
   REQUIRE(judged.certified);
   for (const auto& [of_coordinates, of_lengths] :
-       {std::pair{0, 490}, {0, -490}, {400, 0}, {-400, 0}, {500, -40}, {-330, 160}}) {
+       {std::pair{0, 490}, {0, -490}, {400, 0}, {-400, 0}, {400, -40}, {-330, 160}}) {
     mesh extreme = ordinary;
     for (site& s : extreme.sites) {
       s.position = {std::ldexp(s.position.x, of_coordinates),
