@@ -62,7 +62,7 @@ struct adapt_job {
   bool strict = false;  // what readers change is refused
 };
 
-constexpr const char* examples =
+constexpr const char* adapt_examples =
     R"(Makes the mesh on which the next solution is best: the metric that the solution asks for (see
 `asterism metric --help`), a mesh of the same domain in it, certified, and the solution on that.
 The domain is the mesh's: its corners, required vertices and edges, ends of markers, and where it
@@ -354,7 +354,7 @@ void add_adapt_command(CLI::App& program, command& chosen) {
       ->excludes(quiet);
   app->add_flag("--strict", job->strict,
                 "Refuse a mesh of which something would be changed or passed over, with a note");
-  app->footer(examples);
+  app->footer(adapt_examples);
   app->callback([job, &chosen] { chosen = [job] { return run_adapt(*job); }; });
 }
 

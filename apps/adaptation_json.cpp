@@ -10,7 +10,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string text_of(const json& object) {
+std::string adaptation_text(const json& object) {
   return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -68,14 +68,14 @@ std::string metric_json(const solution_metric_report& report, int status,
   json object = {{"command", "metric"}, {"status", status}};
   object.update(of_metric(report));
   object["files"] = names_of(files);
-  return text_of(object);
+  return adaptation_text(object);
 }
 
 std::string transfer_json(const transfer_report& report, int status, const written_paths& files) {
   json object = {{"command", "transfer"}, {"status", status}};
   object.update(of_transfer(report));
   object["files"] = names_of(files);
-  return text_of(object);
+  return adaptation_text(object);
 }
 
 std::string adapt_json(const adapt_facts& facts, int status, const written_paths& files) {
@@ -88,7 +88,7 @@ std::string adapt_json(const adapt_facts& facts, int status, const written_paths
   object["boundary_distance"] = facts.next.boundary_distance;
   object["solution_metric"] = of_metric(facts.metric);
   object["transfer"] = facts.values == nullptr ? json() : of_transfer(*facts.values);
-  return text_of(object);
+  return adaptation_text(object);
 }
 
 }  // namespace asterism::apps

@@ -59,7 +59,7 @@ struct certify_options {
   bool all_findings = false, all_edges = false;
 };
 
-constexpr const char* examples =
+constexpr const char* certify_examples =
     R"(MESH is a Medit file with triangles, from any program; SOL holds its metric, a symmetric tensor
 m11 m12 m22 at each vertex (default: NAME.sol beside NAME.mesh), or is BAMG's NAME.mtr; --metric and
 --size give it by a formula instead, as for 'asterism mesh'. The domain is what the file's Edges
@@ -377,7 +377,7 @@ void add_certify_command(CLI::App& program, command& chosen) {
       "Ends after this time: NOT certified, unless it was done; a repair writes what there is")
       ->type_name("S");
   add_judging_flags(*app, options->all_findings, options->all_edges);
-  app->footer(examples);
+  app->footer(certify_examples);
   app->callback([options, &chosen] { chosen = [options] { return run_certify(*options); }; });
 }
 

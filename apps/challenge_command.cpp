@@ -23,14 +23,14 @@ using namespace challenge;
 struct challenge_options {
   std::vector<std::string> predicates, classes, command;
   record_choice records;
-  run_limits limits;
+  challenge::run_limits limits;
   std::filesystem::path report, record_file;
   bool list = false, undecided_passes = false;
 };
 
 constexpr real_range waits = {0.01, 86400, true, true, "from 0.01 to 86400 seconds"};
 
-constexpr const char* examples =
+constexpr const char* challenge_examples =
     R"(asterism challenge [OPTIONS] COMMAND [ARGUMENTS...]: what follows COMMAND is its own.
 COMMAND reads records of the batch protocol from standard input, one a line (asterism eval --help),
 and answers each with one line: an integer, '?' if undecided, or 'error: ...'. It ends at the end of
@@ -213,7 +213,7 @@ void add_challenge_command(CLI::App& program, command& chosen) {
       ->type_name("FILE");
   app->add_flag("--allow-undecided", options->undecided_passes,
                 "'?' passes for right in the exit status");
-  app->footer(examples);
+  app->footer(challenge_examples);
   app->prefix_command();
   app->callback([app, options, &chosen] {
     options->command = app->remaining();

@@ -23,7 +23,7 @@ struct draw_options {
   picture_options style;
 };
 
-constexpr const char* examples =
+constexpr const char* draw_examples =
     R"(MESH is a Medit file NAME.mesh; its metric is read from NAME.sol, which may be missing when no
 ellipses are asked for. PICTURE ends in .svg, .png or .pdf; or in .html: a page that works offline,
 with the mesh to move in, histograms, and what its certificate (default: NAME.certificate.json
@@ -106,7 +106,7 @@ void add_draw_command(CLI::App& program, command& chosen) {
       [options](std::uint64_t n) { options->style.width = static_cast<int>(n); },
       "In pixels, or points (default 1000)")
       ->type_name("N");
-  app->footer(examples);
+  app->footer(draw_examples);
   app->callback([options, &chosen] { chosen = [options] { return run_draw(*options); }; });
 }
 

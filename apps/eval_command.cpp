@@ -27,7 +27,7 @@ const std::map<std::string, kernel_choice> kernels_by_name = {
     {"double", kernel_choice::plain_double},
 };
 
-constexpr const char* examples =
+constexpr const char* eval_examples =
     R"(Records, one a line: name, then decimal or C99 hexadecimal numbers.
 A point is x y, a site is x y m11 m12 m22; '#' starts a comment line.
   orientation p q r            is_spd m11 m12 m22         compare_distance v w q
@@ -86,7 +86,7 @@ void add_eval_command(CLI::App& program, command& chosen) {
       ->check(CLI::IsMember(kernels_by_name));
   app->add_flag("--stats", options->statistics,
                 "Report on standard error how many records each tier settled");
-  app->footer(examples);
+  app->footer(eval_examples);
   app->callback([options, &chosen] {
     if (options->files.empty()) options->files.emplace_back("-");
     chosen = [options] { return run_eval(*options); };

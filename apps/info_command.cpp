@@ -20,7 +20,7 @@ struct info_options {
   bool json = false;
 };
 
-constexpr const char* examples =
+constexpr const char* info_examples =
     R"(FILE  a domain (.poly, .geojson, .wkt), a mesh (.mesh, .msh and others) with the metric and the
       certificate beside it, a solution or metric (.sol, .solb, .bb) with its mesh beside it, or a
       certificate. Nothing is proved and nothing is written.
@@ -55,7 +55,7 @@ void add_info_command(CLI::App& program, command& chosen) {
   const auto options = std::make_shared<info_options>();
   app->add_option("FILE", options->file, "What to look at")->required();
   app->add_flag("--json", options->json, "As a JSON object");
-  app->footer(examples);
+  app->footer(info_examples);
   app->callback([options, &chosen] { chosen = [options] { return run_info(*options); }; });
 }
 

@@ -11,7 +11,7 @@
 namespace asterism::apps {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* mesh_examples =
     R"(DOMAIN  square ([-1,1]^2), airfoil (NACA 0012 in a box), a file in Triangle's .poly format, polygons
         in .geojson or .wkt, or a mesh in Medit's .mesh or gmsh's .msh: what it covers, with all
         its vertices and boundary edges. A mesh that meets what is asked already stays as it is; to
@@ -192,7 +192,7 @@ void add_mesh_command(CLI::App& program, command& chosen) {
   add_refinement_options(*app, *job);
   add_run_options(*app, *job);
   add_output_options(*app, *job);
-  app->footer(examples);
+  app->footer(mesh_examples);
   app->callback([app, job, &chosen] {
     job->refinement.limit_size = job->size || job->complexity || job->refinement.vertices;
     job->keeps_site_limit = app->count("--max-sites") > 0;

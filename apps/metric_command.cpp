@@ -30,7 +30,7 @@ struct metric_job {
   bool quiet = false, json = false;
 };
 
-constexpr const char* examples =
+constexpr const char* metric_examples =
     R"(Makes the metric in which the next mesh for a solution is best, at the vertices of the mesh it is on.
 The steps, in this order: second derivatives of each field; the metric that is optimal in the L^P
 norm; fields intersected, sorted by name; a factor; --intersect; --step; --hmin, --hmax, --aspect;
@@ -75,7 +75,7 @@ int run_metric(metric_job job) {
     std::cout << metric_json(report, report.reached ? done : not_reached,
                              {job.output, solution_path(job.output)});
   else if (!job.quiet)
-    std::cout << "metric: " << text_of(report) << '\n';
+    std::cout << "metric: " << internal::text_of(report) << '\n';
   if (report.reached) return done;
   return complain({"not reached: " + report.reason}, not_reached);
 }
@@ -95,7 +95,7 @@ void add_metric_command(CLI::App& program, command& chosen) {
   auto* const quiet = app->add_flag("--quiet", job->quiet, "No summary");
   app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
       ->excludes(quiet);
-  app->footer(examples);
+  app->footer(metric_examples);
   app->callback([job, &chosen] { chosen = [job] { return run_metric(*job); }; });
 }
 

@@ -12,9 +12,10 @@ namespace asterism::apps {
 using namespace internal;
 namespace {
 
-const std::map<std::string, hessian_method> methods = {{"l2", hessian_method::l2_projection},
-                                                       {"green", hessian_method::green},
-                                                       {"lsq", hessian_method::least_squares}};
+const std::map<std::string, hessian_method> hessian_methods = {
+    {"l2", hessian_method::l2_projection},
+    {"green", hessian_method::green},
+    {"lsq", hessian_method::least_squares}};
 
 constexpr real_range norms = {1, 1e6, true, true, "from 1 to 1e6, or inf"};
 constexpr real_range aspects = {1, 1e6, true, true, "from 1 to 1e6"};
@@ -57,10 +58,10 @@ void add_target_options(CLI::App& app, metric_request& request) {
          "--hessian",
          [&request](const std::string& name) {
            request.names_hessian = true;
-           request.wishes.hessian = methods.at(name);
+           request.wishes.hessian = hessian_methods.at(name);
          },
          "green (default): weak form; lsq: fitted quadratics; l2: averages of averages")
-      ->check(CLI::IsMember(methods))
+      ->check(CLI::IsMember(hessian_methods))
       ->type_name("HOW");
   app.add_option_function<std::string>(
          "--norm", [&request](const std::string& text) { take_norm(text, request); },

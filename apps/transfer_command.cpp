@@ -34,7 +34,7 @@ struct transfer_job {
   bool quiet = false, json = false;
 };
 
-constexpr const char* examples =
+constexpr const char* transfer_examples =
     R"(Brings a solution from the vertices of one mesh to those of another mesh of the same domain. Nothing is
 read across a gap or a hole. The summary has, for each component, its integral before and after, and
 its least and greatest value.
@@ -95,7 +95,7 @@ void add_transfer_command(CLI::App& program, command& chosen) {
   auto* const quiet = app->add_flag("--quiet", job->quiet, "No summary");
   app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
       ->excludes(quiet);
-  app->footer(examples);
+  app->footer(transfer_examples);
   app->callback([job, &chosen] { chosen = [job] { return run_transfer(*job); }; });
 }
 

@@ -8,7 +8,7 @@
 namespace asterism::apps {
 namespace {
 
-const std::map<std::string, transfer_method> methods = {
+const std::map<std::string, transfer_method> transfer_methods = {
     {"interpolate", transfer_method::interpolate},
     {"project", transfer_method::project},
     {"bounded", transfer_method::bounded}};
@@ -17,11 +17,11 @@ const std::map<std::string, transfer_method> methods = {
 
 void add_transfer_option(CLI::App& app, transfer_method& how) {
   app.add_option_function<std::string>(
-         "--transfer", [&how](const std::string& name) { how = methods.at(name); },
+         "--transfer", [&how](const std::string& name) { how = transfer_methods.at(name); },
          "interpolate (default): values at the new vertices; project: the nearest field in the "
          "mean "
          "square, which keeps integrals; bounded: that, without new extrema")
-      ->check(CLI::IsMember(methods))
+      ->check(CLI::IsMember(transfer_methods))
       ->type_name("HOW");
 }
 

@@ -33,7 +33,7 @@ using namespace internal;
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* examples =
+constexpr const char* verify_examples =
     R"(MESH is a Medit file NAME.mesh, with its metric in NAME.sol. Everything is checked again from the
 files, in exact arithmetic. NAME.certificate.json beside the mesh is used when there is one and none
 is named. Each part of the question that an option names is judged: the domain, the bound, the
@@ -272,7 +272,7 @@ void add_verify_command(CLI::App& program, command& chosen) {
       ->type_name("S");
   app->add_flag("--json", options->json, "The verdict as a JSON object, in place of lines");
   add_judging_flags(*app, options->all_findings, options->all_edges);
-  app->footer(examples);
+  app->footer(verify_examples);
   app->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
 }
 

@@ -30,3 +30,19 @@ function(asterism_hide target)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()
+
+# asterism_unite(TARGET): under ASTERISM_UNITY each folder of the target's sources is compiled as one file, which
+# reads every header once. So two files of a folder may not give one name to different things, in unnamed
+# namespaces either. Editing one file then compiles its folder anew: for building once, not for working on it.
+function(asterism_unite target)
+  if(NOT ASTERISM_UNITY)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(folder ${source} DIRECTORY)
+    get_filename_component(folder "${folder}" NAME)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}_${folder}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()

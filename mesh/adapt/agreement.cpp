@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double degrees_above = 4;  // the bound, that are aimed at
 // Length of an edge that no merge makes, in units: twice the shortest that stay.
 constexpr double longest_edge = std::numbers::sqrt2;

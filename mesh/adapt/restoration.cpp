@@ -26,7 +26,7 @@ metric_tensor between(const metric_tensor& a, const metric_tensor& b, double sha
                       rest * from.l22 + share * to.l22});
 }
 
-bool is_metric(const metric_tensor& m) {
+bool is_usable(const metric_tensor& m) {
   return std::isfinite(m.m11) && std::isfinite(m.m22) && root_of_determinant(m) > 0;
 }
 
@@ -99,7 +99,7 @@ bool restoration::give(vertex_index v, bool whole_alone) {
   for (const double share : {1.0, 0.5, 0.2}) {
     if (share < 1 && is_short) break;
     const metric_tensor tried = share < 1 ? between(now, wanted_[v], share) : wanted_[v];
-    if (!is_metric(tried)) continue;
+    if (!is_usable(tried)) continue;
     m_.set_metric(v, tried);
     if (has_low_around(v)) continue;
     // Angles alone refuse most nodes where few can be given anything: what the edges keep is

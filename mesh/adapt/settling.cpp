@@ -4,19 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // Degrees above the bound from which an angle is no trouble.
-constexpr double degrees_above = 1;
+constexpr double settled_degrees_above = 1;
 // Clearance looked for: more than an edge is to keep, as the tensors around change after this.
 constexpr double room_looked_for = 0.3;
 
@@ -44,7 +43,7 @@ settling::settling(working_mesh& m, double angle_bound, double unit, wanted_at w
       tests_(m, angle_bound),
       edges_(m, tests_),
       angle_bound_(angle_bound),
-      cotangent_(cotangent_of(angle_bound + degrees_above)),
+      cotangent_(cotangent_of(angle_bound + settled_degrees_above)),
       unit_(unit),
       field_(std::move(wanted)),
       awake_(m.nodes().size(), 1) {

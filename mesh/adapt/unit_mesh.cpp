@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double root3 = std::numbers::sqrt3;
 constexpr double weight_of_size = 0.3, weight_of_low = 0.5;
 // Energy of shape from which a triangle is poor: one with an angle of 25 degrees has this or more.
 constexpr double poor = 1.5;
@@ -32,7 +30,8 @@ double shape_energy(const node& a, const node& b, const node& c, double unit) {
   double shape = 0;
   for (const node* n : {&a, &b, &c}) {
     const metric_tensor& m = n->metric;
-    const double q = (m.m11 * xx + 2 * m.m12 * xy + m.m22 * yy) / (2 * root3 * twice * n->root);
+    const double q =
+        (m.m11 * xx + 2 * m.m12 * xy + m.m22 * yy) / (2 * std::numbers::sqrt3 * twice * n->root);
     const double beyond = std::max(0.0, q - poor);
     shape += q + weight_of_low * beyond * beyond;
   }
@@ -42,7 +41,8 @@ double shape_energy(const node& a, const node& b, const node& c, double unit) {
 double size_energy(const node& a, const node& b, const node& c, double unit) {
   const double twice = (b.position.x - a.position.x) * (c.position.y - a.position.y) -
                        (b.position.y - a.position.y) * (c.position.x - a.position.x);
-  const double size = twice * (a.root + b.root + c.root) / (3 * root3 / 2 * unit * unit);
+  const double size =
+      twice * (a.root + b.root + c.root) / (3 * std::numbers::sqrt3 / 2 * unit * unit);
   return weight_of_size * (size + 1 / size - 2);
 }
 
@@ -142,7 +142,7 @@ void unit_mesher::measure_unit() {
   // Twice the nodes less the faces is what the boundary makes it (Euler).
   const double boundary = 2 * static_cast<double>(m_.count()) - static_cast<double>(faces);
   const double wanted = std::max(1.0, 2 * static_cast<double>(options_.count) - boundary);
-  const double unit = crowding_ * std::sqrt(area / (wanted * root3 / 4));
+  const double unit = crowding_ * std::sqrt(area / (wanted * std::numbers::sqrt3 / 4));
   constexpr double most = 2;  // in one step: a coarse mesh measures badly
   if (std::isfinite(unit) && unit > 0) unit_ = std::clamp(unit, unit_ / most, unit_ * most);
 }

@@ -12,7 +12,6 @@
 namespace asterism::internal::adapting {
 namespace {
 
-constexpr double root3 = std::numbers::sqrt3;
 // No triangle's energy is less, far beyond what roundings take from 1.
 constexpr double least_energy = 0.9;
 
@@ -289,7 +288,7 @@ point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energi
     if (!(root > 0 && length > 0)) continue;
     // The quarter turn as m sees it, sqrt(det m) m^-1 J, to the height of a unit triangle's and of
     // one that stands on this edge, half each.
-    const double height = root3 / 4 * (1 + unit_ / length);
+    const double height = std::numbers::sqrt3 / 4 * (1 + unit_ / length);
     const double tx = (-m.m22 * ey - m.m12 * ex) / root, ty = (m.m12 * ey + m.m11 * ex) / root;
     const double w = each[k];
     x += w * (a.position.x + ex / 2 + height * tx);

@@ -3,18 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/audit/roots.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism {
 namespace {
 
 using namespace internal::audit_detail;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Returns the square of the distance from p to the point of the segment from a to b at t.
 rational squared_distance(const point& p, const point& a, const point& b, double t) {

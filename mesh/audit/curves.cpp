@@ -27,15 +27,15 @@ rational_point minus(const rational_point& a, const rational_point& b) {
 rational squared(const rational_point& a) { return dot(a, a); }
 const rational& greatest(const rational& a, const rational& b) { return a < b ? b : a; }
 
-point between(const point& a, const point& b, double t) {
+point blend(const point& a, const point& b, double t) {
   return {(1 - t) * a.x + t * b.x, (1 - t) * a.y + t * b.y};
 }
 
 // Returns the scalar product of the way from q to the cubic's point at t with its derivative there,
 // in doubles: negative before the nearest point.
 double progress(const std::array<point, 4>& p, const point& q, double t) {
-  const point a = between(p[0], p[1], t), b = between(p[1], p[2], t), c = between(p[2], p[3], t);
-  const point d = between(a, b, t), e = between(b, c, t), at = between(d, e, t);
+  const point a = blend(p[0], p[1], t), b = blend(p[1], p[2], t), c = blend(p[2], p[3], t);
+  const point d = blend(a, b, t), e = blend(b, c, t), at = blend(d, e, t);
   return (at.x - q.x) * (e.x - d.x) + (at.y - q.y) * (e.y - d.y);
 }
 

@@ -2,21 +2,20 @@
 //
 // Errors. Each value comes with `size`, at least the sum of its absolute monomials, and is off by
 // less than 2^-48 of it in any rounding mode. Of lengths and determinants the value is asked to be
-// more than 2^-20 of the size, so that it is known to 2^-28 of itself; `down` and `up` cover that
-// and the few operations that follow. In the range asked for underflows are less.
+// more than 2^-20 of the size, so that it is known to 2^-28 of itself; `narrowed` and `widened`
+// cover that and the few operations that follow. In the range asked for underflows are less.
 #include "asterism/mesh/audit/gap_reach.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "asterism/mesh/audit/sized_value.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double down = 1 - 0x1p-20, up = 1 + 0x1p-20, step = 0x1p-46;
+constexpr double narrowed = 1 - 0x1p-20, widened = 1 + 0x1p-20, cross_error = 0x1p-46;
 
 bool is_known(const sized_value& v) {
   return v.value > 0x1p-20 * v.size && v.value > 0x1p-300 && v.size < 0x1p300;
@@ -80,15 +79,16 @@ side_of_gap beside(const site& v, const measured_ray& z, const direction& to) {
   const point &u = to.u, &d = z.way;
   const metric_tensor &own = v.metric, &other = z.end->metric;
   if (!(inner_product(u, z.dual, z.extent, own.m11 + own.m22).below() > 0)) return {};
-  const double turned = std::abs(cross(u, d)) + step * (std::abs(u.x * d.y) + std::abs(u.y * d.x));
-  const double radicand = to.squared.value * down - z.bend * (turned * turned) * up;
+  const double turned =
+      std::abs(cross(u, d)) + cross_error * (std::abs(u.x * d.y) + std::abs(u.y * d.x));
+  const double radicand = to.squared.value * narrowed - z.bend * (turned * turned) * widened;
   if (!(radicand > 0)) return {};
   const double along =
       inner_product(u, apply(other, d), z.extent, other.m11 + other.m22).below() * z.inverse_c;
   const double bound =
-      along - 0x1p-20 * std::abs(along) + std::sqrt(radicand) * z.inverse_root_c * down;
+      along - 0x1p-20 * std::abs(along) + std::sqrt(radicand) * z.inverse_root_c * narrowed;
   if (!(bound > 0)) return {};
-  return {std::max(std::sqrt(to.squared.value) / bound, z.on_edge) * (up * up), bound};
+  return {std::max(std::sqrt(to.squared.value) / bound, z.on_edge) * (widened * widened), bound};
 }
 
 // Adds to the ray, whose end and way are set, what the square of its length is as both ends
@@ -101,7 +101,7 @@ void measure(measured_ray& ray, const metric_tensor& metric, double determinant,
   ray.length = std::sqrt(own);
   ray.inverse_c = 1 / c;
   ray.inverse_root_c = std::sqrt(ray.inverse_c);
-  ray.bend = std::max(other_determinant * ray.inverse_c, determinant / own) * up;
+  ray.bend = std::max(other_determinant * ray.inverse_c, determinant / own) * widened;
   ray.on_edge = std::max(ray.length / (1 + ray.length * ray.inverse_root_c), 0.5 * ray.length);
 }
 
@@ -109,10 +109,10 @@ point minus(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
 
 // A cross product from below and from above; each monomial passes few roundings.
 double cross_below(const point& a, const point& b) {
-  return cross(a, b) - step * (std::abs(a.x * b.y) + std::abs(a.y * b.x));
+  return cross(a, b) - cross_error * (std::abs(a.x * b.y) + std::abs(a.y * b.x));
 }
 double cross_above(const point& a, const point& b) {
-  return cross(a, b) + step * (std::abs(a.x * b.y) + std::abs(a.y * b.x));
+  return cross(a, b) + cross_error * (std::abs(a.x * b.y) + std::abs(a.y * b.x));
 }
 
 // Returns the direction, or that of the ray which it is beyond: there the bisector of the other
@@ -130,7 +130,7 @@ gap_extent extent_of(const site& v, const measured_ray& x, const measured_ray& y
   const double along = cross_above(x.way, u) + cross_above(u, y.way), inverse = 1 / bound;
   return {by_x.reach > by_y.reach ? by_x.reach : by_y.reach,
           {inverse * u.x, inverse * u.y},
-          cross_below(x.way, y.way) * bound * down >= along};
+          cross_below(x.way, y.way) * bound * narrowed >= along};
 }
 
 }  // namespace

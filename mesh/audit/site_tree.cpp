@@ -2,16 +2,14 @@
 #include "asterism/mesh/audit/site_tree.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "asterism/mesh/audit/number.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // An operation in any rounding mode is off by at most 2^-52 of its result. No value below is a sum
 // of monomials that meet more than eight: `step` bounds them and the roundings of the bound itself

@@ -20,6 +20,7 @@
 #include "asterism/mesh/audit/theorem_table.hpp"
 #include "asterism/mesh/audit/unit_subject.hpp"
 #include "asterism/mesh/audit/voronoi_arc.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism {
@@ -33,7 +34,6 @@ using audit_detail::audit_tally;
 using audit_detail::greatest_bound;
 using audit_detail::site_tree;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double useless_distortion = 1.272;  // beyond it no arc is sure to be wedged
 constexpr std::size_t chunk = 1024, looked_for_together = 8;
 // Work of looking at one site for another, or for a subsegment: half a microsecond.

@@ -3,18 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/audit/sized_value.hpp"
 #include "asterism/mesh/audit/voronoi_arc.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal::theorem {
 namespace {
 
 using namespace audit_detail;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bounded square_norm(const tensor<bounded>& m, const offset& u) { return dot(u, m * u); }
 

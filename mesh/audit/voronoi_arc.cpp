@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 offset operator+(const offset& a, const offset& b) { return {a.x + b.x, a.y + b.y}; }
 offset operator-(const offset& a, const offset& b) { return {a.x - b.x, a.y - b.y}; }

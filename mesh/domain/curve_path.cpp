@@ -6,14 +6,13 @@
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/domain/point_algebra.hpp"
 
 namespace asterism::internal {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-point minus(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
-double dot(const point& a, const point& b) { return a.x * b.x + a.y * b.y; }
 double cross(const point& a, const point& b) { return a.x * b.y - a.y * b.x; }
 point between(const point& a, const point& b, double t) {
   return {(1 - t) * a.x + t * b.x, (1 - t) * a.y + t * b.y};

@@ -8,11 +8,10 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/domain/point_algebra.hpp"
 
 namespace asterism::internal {
 namespace {
-
-bool is_finite(const point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 // Returns the distance of two points; not finite where its square is not.
 double distance(const point& a, const point& b) {

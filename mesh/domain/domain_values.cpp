@@ -6,13 +6,9 @@
 #include <limits>
 
 #include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/domain/point_algebra.hpp"
 
 namespace asterism::internal {
-namespace {
-
-bool is_finite(const point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
-}  // namespace
 
 std::optional<error> check_domain_values(const domain& d) {
   const domain_names names(d);

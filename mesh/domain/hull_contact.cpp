@@ -21,8 +21,8 @@ struct contact {
 };
 
 // True if `polygon` is on the side of the line from p to q that `allowed` names, or on it.
-bool is_beside(const filtered_kernel& kernel, const std::vector<point>& polygon, const point& p,
-               const point& q, sign allowed, contact& on_line) {
+bool is_on_side(const filtered_kernel& kernel, const std::vector<point>& polygon, const point& p,
+                const point& q, sign allowed, contact& on_line) {
   return std::all_of(polygon.begin(), polygon.end(), [&](const point& r) {
     const sign side = kernel.orientation(p, q, r);
     if (side == sign::zero) on_line.add(r);
@@ -35,8 +35,8 @@ bool separates(const filtered_kernel& kernel, const std::vector<point>& own,
                const std::vector<point>& other, const point& p, const point& q) {
   for (const sign side : {sign::positive, sign::negative}) {
     contact of_own, of_other;
-    if (!is_beside(kernel, own, p, q, side, of_own)) continue;
-    if (!is_beside(kernel, other, p, q, -side, of_other)) continue;
+    if (!is_on_side(kernel, own, p, q, side, of_own)) continue;
+    if (!is_on_side(kernel, other, p, q, -side, of_other)) continue;
     if (!of_own.any || !of_other.any) return true;
     const point& low = lexicographically_less(of_own.low, of_other.low) ? of_other.low : of_own.low;
     const point& high =

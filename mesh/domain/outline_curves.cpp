@@ -10,12 +10,11 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/domain/curve_path.hpp"
 #include "asterism/mesh/domain/curve_separation.hpp"
+#include "asterism/mesh/domain/point_algebra.hpp"
 
 namespace asterism::internal {
 namespace {
 
-point minus(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
-double dot(const point& a, const point& b) { return a.x * b.x + a.y * b.y; }
 double length(const point& a) { return elementary::hypot(a.x, a.y); }
 point unit(const point& a) {
   const double l = length(a);

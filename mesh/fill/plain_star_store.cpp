@@ -16,7 +16,7 @@
 namespace asterism::internal {
 namespace {
 
-constexpr std::size_t chunk = 256;
+constexpr std::size_t stars_a_chunk = 256;
 constexpr std::size_t ahead = 4;
 
 // True if x follows y in the star.
@@ -38,8 +38,8 @@ bool has_neighbour(const plain_star& star, vertex_index w) {
 // Adds what append(begin, end, claims) adds to `claims` for each chunk, in order.
 template <class Append>
 void collect_claims(std::size_t count, claim_list& claims, const Append& append) {
-  std::vector<claim_list> parts(chunk_count(count, chunk));
-  parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+  std::vector<claim_list> parts(chunk_count(count, stars_a_chunk));
+  parallel_chunks(count, stars_a_chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
     append(begin, end, parts[i]);
   });
   for (const claim_list& part : parts) claims.append(part);
@@ -51,25 +51,26 @@ void collect_claims(std::size_t count, claim_list& claims, const Append& append)
 // makes the claims.
 template <class Make>
 void plain_star_store::make_anew(const claims_by_star& all, const Make& make) {
-  parallel_chunks(all.stars.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    std::vector<vertex_index> candidates;
-    std::uint64_t looked_at = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (is_enough(i)) break;
-      if (i + ahead < end) {
-        prefetch_star(all.stars[i + ahead]);
-        for (const vertex_index w : all.of(i + ahead)) prefetch_star(w);
-      }
-      const vertex_index v = all.stars[i];
-      candidates.clear();
-      add_neighbours(stars_[v], candidates);
-      const auto more = all.of(i);
-      candidates.insert(candidates.end(), more.begin(), more.end());
-      looked_at += candidates.size();
-      stars_[v] = make(v, candidates);
-    }
-    work_->count_candidates(looked_at);
-  });
+  parallel_chunks(all.stars.size(), stars_a_chunk,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    std::vector<vertex_index> candidates;
+                    std::uint64_t looked_at = 0;
+                    for (std::size_t i = begin; i < end; ++i) {
+                      if (is_enough(i)) break;
+                      if (i + ahead < end) {
+                        prefetch_star(all.stars[i + ahead]);
+                        for (const vertex_index w : all.of(i + ahead)) prefetch_star(w);
+                      }
+                      const vertex_index v = all.stars[i];
+                      candidates.clear();
+                      add_neighbours(stars_[v], candidates);
+                      const auto more = all.of(i);
+                      candidates.insert(candidates.end(), more.begin(), more.end());
+                      looked_at += candidates.size();
+                      stars_[v] = make(v, candidates);
+                    }
+                    work_->count_candidates(looked_at);
+                  });
 }
 
 bool plain_star_store::renew(double distance) {
@@ -124,7 +125,8 @@ bool plain_star_store::is_between_segments(vertex_index v, vertex_index y, verte
 // corner alone, which asks the third.
 std::vector<char> plain_star_store::which_agree(const std::vector<vertex_index>& order) const {
   const std::vector<vertex_index> those_not = collect_chunks<vertex_index>(
-      order.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
+      order.size(), stars_a_chunk,
+      [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
         for (std::size_t i = begin; i < end; ++i) note_disagreeing(order[i], out);
       });
   std::vector<char> agrees(stars_.size(), 1);
@@ -143,19 +145,20 @@ void plain_star_store::note_disagreeing(vertex_index v, std::vector<vertex_index
 }
 
 void plain_star_store::follow_moves(const std::vector<vertex_index>& order) {
-  parallel_chunks(order.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    std::vector<vertex_index> candidates;
-    std::uint64_t looked_at = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (is_enough(i)) break;
-      const vertex_index v = order[i];
-      candidates.clear();
-      add_neighbours(stars_[v], candidates);
-      looked_at += candidates.size();
-      stars_[v] = build_plain_star(sites_->all(), v, candidates);
-    }
-    work_->count_candidates(looked_at);
-  });
+  parallel_chunks(order.size(), stars_a_chunk,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    std::vector<vertex_index> candidates;
+                    std::uint64_t looked_at = 0;
+                    for (std::size_t i = begin; i < end; ++i) {
+                      if (is_enough(i)) break;
+                      const vertex_index v = order[i];
+                      candidates.clear();
+                      add_neighbours(stars_[v], candidates);
+                      looked_at += candidates.size();
+                      stars_[v] = build_plain_star(sites_->all(), v, candidates);
+                    }
+                    work_->count_candidates(looked_at);
+                  });
   make_anew(sort_by_star(new_neighbours(order), 0, stars_.size()),
             [&](vertex_index v, const std::vector<vertex_index>& candidates) {
               return build_plain_star(sites_->all(), v, candidates, stars_[v]);

@@ -13,7 +13,7 @@
 namespace asterism::internal {
 namespace {
 
-constexpr std::size_t chunk = 256;
+constexpr std::size_t places_a_chunk = 256;
 
 point way(const point& from, const point& to) { return {to.x - from.x, to.y - from.y}; }
 
@@ -62,26 +62,28 @@ void relaxation::run(double distance, const cancellation& stop) {
     for (const vertex_index v : going) asked.push_back(places_[v]);
     return asked;
   });
-  parallel_chunks(going.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const point& to = places_[going[i]];
-      const auto metric = parts_.field.at(to);
-      if (metric && is_similar(metric.value(), parts_.sites[going[i]].metric))
-        parts_.sites.move(going[i], {to, metric.value()});
-    }
-  });
+  parallel_chunks(going.size(), places_a_chunk,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i) {
+                      const point& to = places_[going[i]];
+                      const auto metric = parts_.field.at(to);
+                      if (metric && is_similar(metric.value(), parts_.sites[going[i]].metric))
+                        parts_.sites.move(going[i], {to, metric.value()});
+                    }
+                  });
 }
 
 void relaxation::find_places(const cancellation& stop) {
   places_.resize(parts_.sites.size());
-  parallel_chunks(places_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-    if (stop.is_requested()) return;
-    for (std::size_t i = begin; i < end; ++i) {
-      const vertex_index v = order_[i];
-      const bool stays = v < parts_.shape.vertices.size() || parts_.sites.is_on_segment(v);
-      places_[v] = stays ? here(v) : middle_of_neighbours(v);
-    }
-  });
+  parallel_chunks(
+      places_.size(), places_a_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        if (stop.is_requested()) return;
+        for (std::size_t i = begin; i < end; ++i) {
+          const vertex_index v = order_[i];
+          const bool stays = v < parts_.shape.vertices.size() || parts_.sites.is_on_segment(v);
+          places_[v] = stays ? here(v) : middle_of_neighbours(v);
+        }
+      });
 }
 
 // Returns the place half the way to the mean of the neighbours: farther would make more triangles
@@ -100,7 +102,7 @@ point relaxation::middle_of_neighbours(vertex_index v) const {
 std::vector<vertex_index> relaxation::those_that_may_go(double distance,
                                                         const cancellation& stop) const {
   return collect_chunks<vertex_index>(
-      places_.size(), chunk,
+      places_.size(), places_a_chunk,
       [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
         if (stop.is_requested()) return;
         const filtered_kernel kernel;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -15,13 +14,13 @@
 #include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/search/site_index.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t chunk = 256;
+constexpr std::size_t proposals_a_chunk = 256;
 
 bool holds(const bounding_box& box, const point& q) {
   return box.low.x <= q.x && q.x <= box.high.x && box.low.y <= q.y && q.y <= box.high.y;
@@ -59,14 +58,15 @@ bool site_proposals::scatter_at(const filtered_kernel& kernel, const point& q, c
 result<std::vector<site_proposal>> site_proposals::collect(double distance) const {
   const std::vector<vertex_index>& changed = parts_.stars.changed();
   parts_.field.expect([&] { return places_for(changed, distance); });
-  const std::vector<attempt> attempts = collect_chunks<attempt>(
-      changed.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<attempt>& out) {
-        const filtered_kernel kernel;
-        std::uint64_t looked_at = 0;
-        for (std::size_t i = begin; i < end; ++i)
-          propose(kernel, changed[i], distance, looked_at, out);
-        parts_.work.count_candidates(looked_at);
-      });
+  const std::vector<attempt> attempts =
+      collect_chunks<attempt>(changed.size(), proposals_a_chunk,
+                              [&](std::size_t begin, std::size_t end, std::vector<attempt>& out) {
+                                const filtered_kernel kernel;
+                                std::uint64_t looked_at = 0;
+                                for (std::size_t i = begin; i < end; ++i)
+                                  propose(kernel, changed[i], distance, looked_at, out);
+                                parts_.work.count_candidates(looked_at);
+                              });
   std::vector<site_proposal> proposals;
   proposals.reserve(attempts.size());
   for (const attempt& a : attempts) {
@@ -199,7 +199,7 @@ std::vector<std::uint32_t> site_proposals::in_order_of_placing(
 void site_proposals::leave_out_crowded(std::vector<const site_proposal*>& ready,
                                        const site_index& placed, double distance) {
   ready = collect_chunks<const site_proposal*>(
-      ready.size(), chunk,
+      ready.size(), proposals_a_chunk,
       [&](std::size_t begin, std::size_t end, std::vector<const site_proposal*>& out) {
         std::uint64_t looked_at = 0;
         for (std::size_t i = begin; i < end; ++i)

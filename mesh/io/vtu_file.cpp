@@ -16,11 +16,11 @@ namespace {
 
 using failure_or_none = std::optional<error>;
 
-constexpr std::array<std::string_view, 5> sections = {"PointData", "Points", "CellData", "Cells",
-                                                      "FieldData"};
+constexpr std::array<std::string_view, 5> known_sections = {"PointData", "Points", "CellData",
+                                                            "Cells", "FieldData"};
 
 bool is_section(std::string_view name) {
-  return std::find(sections.begin(), sections.end(), name) != sections.end();
+  return std::find(known_sections.begin(), known_sections.end(), name) != known_sections.end();
 }
 
 result<std::size_t> whole_number(std::string_view text) {

@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // Segments of one length stay whole, and triangles grow as they would by Delaunay refinement.
 constexpr double part_of_segment = 1.3, growth = 0.7;
 

@@ -5,18 +5,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include "asterism/core/plane_algebra.hpp"
 #include "asterism/kernels/vertex_hints.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct candidate {
   double turn;  // grows with the angle, from -2 to 2

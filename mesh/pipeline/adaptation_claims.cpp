@@ -21,7 +21,7 @@ namespace {
 
 using words = std::map<std::string, std::string>;
 
-constexpr std::array<const char*, 3> methods = {"interpolate", "project", "bounded"};
+constexpr std::array<const char*, 3> transfer_methods = {"interpolate", "project", "bounded"};
 
 std::string word_of(const certificate& claim, const std::string& name) {
   const auto at = claim.options.find(name);
@@ -39,12 +39,13 @@ void compare(const words& found, const certificate& claim, field_check& check) {
 void compare_transfer(const mesh& subject, const certificate& claim, const requested_metric& made,
                       field_check& check) {
   const std::string claimed = word_of(claim, "transfer-how");
-  const bool is_method = std::find(methods.begin(), methods.end(), claimed) != methods.end();
+  const bool is_method = std::find(transfer_methods.begin(), transfer_methods.end(), claimed) !=
+                         transfer_methods.end();
   if (!is_method && claim.options.count("transfer-how") != 0)
     check.contradictions.push_back("\"transfer-how\" is no way to transfer a solution: " +
                                    quoted_token(claimed));
-  for (std::size_t i = 0; i < methods.size(); ++i) {
-    if (claimed != methods[i]) continue;
+  for (std::size_t i = 0; i < transfer_methods.size(); ++i) {
+    if (claimed != transfer_methods[i]) continue;
     const auto how = static_cast<transfer_method>(i);
     const auto again = transfer_solution(made.background, made.values, subject, how);
     if (!again)
@@ -125,7 +126,7 @@ void compare_areas(const certificate& claim, const mesh& before, field_check& ch
 bool is_of_adaptation(const certificate& claim) { return claim.options.count("adapt-mesh") != 0; }
 
 words words_of(const transfer_report& report, transfer_method how) {
-  words all = {{"transfer-how", methods[static_cast<std::size_t>(how)]},
+  words all = {{"transfer-how", transfer_methods[static_cast<std::size_t>(how)]},
                {"transfer-area-before", number_text(report.area_before)},
                {"transfer-area-after", number_text(report.area_after)},
                {"transfer-area-common", number_text(report.area_common)},

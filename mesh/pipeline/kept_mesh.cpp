@@ -26,7 +26,7 @@ double length_in(const metric_tensor& m, const point& d) {
 
 // Returns the logarithmic mean of what the two ends measure, which is the length in a metric that
 // changes geometrically from one to the other.
-double edge_length(const site& a, const site& b) {
+double logarithmic_mean_length(const site& a, const site& b) {
   const point d{b.position.x - a.position.x, b.position.y - a.position.y};
   const double at_a = length_in(a.metric, d), at_b = length_in(b.metric, d);
   const double ratio = at_a / at_b;
@@ -52,7 +52,8 @@ unit_counts vertices_of_unit_edges(const mesh& m) {
       if (links.across(t, i) != no_triangle) continue;
       ++outer;
       const triangle& corners = m.triangles[t];
-      boundary += edge_length(m.sites[corners[(i + 1) % 3]], m.sites[corners[(i + 2) % 3]]);
+      boundary +=
+          logarithmic_mean_length(m.sites[corners[(i + 1) % 3]], m.sites[corners[(i + 2) % 3]]);
     }
   const double edges = static_cast<double>(sides + outer) / 2;
   const double euler = static_cast<double>(used + m.triangles.size()) - edges;
@@ -82,7 +83,7 @@ edge_lengths edge_lengths_of(const mesh& m) {
       if (beyond != no_triangle && beyond < t) continue;
       const triangle& corners = m.triangles[t];
       const double length =
-          edge_length(m.sites[corners[(i + 1) % 3]], m.sites[corners[(i + 2) % 3]]);
+          logarithmic_mean_length(m.sites[corners[(i + 1) % 3]], m.sites[corners[(i + 2) % 3]]);
       ++edges;
       unit += length >= 1 / std::numbers::sqrt2 && length <= std::numbers::sqrt2 ? 1 : 0;
       found.least = std::min(found.least, length);

@@ -41,8 +41,8 @@ struct strictness {
 constexpr std::array<strictness, 4> ladder = {
     {{4, 2.5, 2}, {3, 1.7, 1.7}, {1.8, 1.4, 1.4}, {1.25, 1.15, 1.15}}};
 // Most audits of one mesh, each after what the one before had found was mended.
-constexpr int most_audits = 12;
-constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
+constexpr int most_repairs = 12;
+constexpr std::size_t every_finding = std::numeric_limits<std::size_t>::max();
 class adaptation {
  public:
   explicit adaptation(const adaptation_job& job)
@@ -381,9 +381,9 @@ class adaptation {
   // Makes tensors alike until the auditor has nothing against the mesh.
   void mend(working_mesh& m, agreement& agreeing) {
     constexpr int patience = 3, patience_with_few = 4;
-    std::size_t least = all_findings;
+    std::size_t least = every_finding;
     int in_vain = 0, since_least = 0;
-    for (int audits = 0; audits < most_audits && !is_overworked(); ++audits) {
+    for (int audits = 0; audits < most_repairs && !is_overworked(); ++audits) {
       made_.take(m);
       made_.judge(made_.subject().sites.size());
       if (is_certified() || stop_reason() || is_overworked()) return;
@@ -431,7 +431,7 @@ class adaptation {
     const working_mesh alike = m;
     if (give_back(m)) return;
     made_.take(alike);
-    made_.judge(all_findings);
+    made_.judge(every_finding);
     if (is_certified()) return;
     made_ = before;
     length_factor_ = length_factor;

@@ -15,7 +15,7 @@ namespace {
 
 using words = std::map<std::string, std::string>;
 
-constexpr std::array<const char*, 3> methods = {"l2", "green", "lsq"};
+constexpr std::array<const char*, 3> hessian_methods = {"l2", "green", "lsq"};
 constexpr char separator =
     '\n';  // in no name of a field that a file can have, nor in a file's name
 
@@ -76,7 +76,7 @@ words words_of(const metric_request& request) {
                {"fields", joined(request.fields)},
                {"intersect", joined(request.intersected)},
                {"implied", yes_or_no(request.implied)},
-               {"hessian", methods[static_cast<std::size_t>(w.hessian)]},
+               {"hessian", hessian_methods[static_cast<std::size_t>(w.hessian)]},
                {"norm", w.norm ? number_text(*w.norm) : "inf"},
                {"vertices", optional_text(w.vertices)},
                {"complexity", optional_text(w.complexity)},
@@ -104,8 +104,8 @@ result<metric_request> request_of(const words& all) {
   request.implied = read.flag("implied");
   solution_metric_options& w = request.wishes;
   const std::string method = read.text("hessian");
-  for (std::size_t i = 0; i < methods.size(); ++i)
-    if (method == methods[i]) w.hessian = static_cast<hessian_method>(i);
+  for (std::size_t i = 0; i < hessian_methods.size(); ++i)
+    if (method == hessian_methods[i]) w.hessian = static_cast<hessian_method>(i);
   w.norm = read.text("norm") == "inf" ? std::nullopt : read.real("norm");
   w.vertices = read.real("vertices");
   w.complexity = read.real("complexity");

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "asterism/kernels/semi_static_filter.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // One operation is off by at most 2^-52 of its result in any rounding mode; the bounds below are
 // at most 16 operations deep, so a factor 1 +- 2^-47 covers them all. Underflow is kept away by

@@ -6,17 +6,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 #include "asterism/mesh/stars/consistency.hpp"
 #include "asterism/mesh/stars/site_triangulation.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Returns the radius of the circle around a triangle in its metric, from above: the product of its
 // sides over four times its area. A length is off by at most 2^-46 of its monomials, an area by

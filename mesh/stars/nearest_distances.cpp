@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Returns the squared distance from s to the segment a b, as s measures it. If s is on the segment
 // but for the rounding of the nearest point, returns the squared length of that rounding.

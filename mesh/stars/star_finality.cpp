@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
-#include <limits>
 #include <vector>
 
 #include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/stars/star_insertion.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Gap of a sector from neighbour y counter-clockwise to x.
 struct prepared_gap {

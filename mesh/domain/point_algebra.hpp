@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "asterism/core/site.hpp"
+
+// Points as vectors of the plane, in plain doubles.
+namespace asterism::internal {
+
+inline point minus(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
+inline double dot(const point& a, const point& b) { return a.x * b.x + a.y * b.y; }
+inline bool is_finite(const point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+}  // namespace asterism::internal
