@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <iterator>
@@ -223,6 +224,7 @@ void say_kept(const adapt_job& job, const adapted& made) {
 }
 
 void summarize(const adapt_job& job, const adapted& made) {
+  write_summary(std::cout, made.next.made, made.next.made.claim.measured.at("unit_edges"));
   std::cout << "metric: " << internal::text_of(made.wanted.report) << '\n';
   if (made.next.keeps_boundary)
     std::cout << "domain: all boundary vertices kept, as its parts touch; --domain names one "
@@ -236,7 +238,6 @@ void summarize(const adapt_job& job, const adapted& made) {
   if (made.next.made.outcome.delivered)
     std::cout << "delivered: " << text_of(*made.next.made.outcome.delivered) << '\n';
   if (made.values) std::cout << text_of(made.values->report);
-  write_summary(std::cout, made.next.made, made.next.made.claim.measured.at("unit_edges"));
 }
 
 adapt_facts facts_of(const adapted& made) {
@@ -245,6 +246,7 @@ adapt_facts facts_of(const adapted& made) {
 }
 
 int run_adapt(adapt_job job) {
+  const auto start = std::chrono::steady_clock::now();
   std::optional<tbb::global_control> threads;
   if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
   fs::path certificate_path = job.certificate;
@@ -266,8 +268,10 @@ int run_adapt(adapt_job job) {
   const int status = missed ? not_reached : done;
   if (job.json)
     std::cout << adapt_json(facts_of(made.value()), status, written_files(job, certificate_path));
-  else if (!job.quiet)
+  else if (!job.quiet) {
     summarize(job, made.value());
+    write_files_written(std::cout, written_files(job, certificate_path), start);
+  }
   return missed ? complain({"not reached: " + *missed}, not_reached) : done;
 }
 

@@ -245,11 +245,11 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   if (const auto failure = write_result(options, outcome.result, claim, facts))
     return complain(*failure, not_reached);
   const bool reached = made.value().certified();
+  std::cout << (reached ? "certified" : "NOT certified") << ", repaired: " << outcome.sites
+            << " sites, " << outcome.sites - adopted.subject.sites.size() << " of them new, "
+            << outcome.triangles << " triangles, " << worst_angle_text(judged.worst().degrees)
+            << '\n';
   if (!claim.regions.empty()) std::cout << regions_text(claim.regions) << '\n';
-  std::cout << "repaired: " << outcome.sites << " sites, "
-            << outcome.sites - adopted.subject.sites.size() << " of them new, " << outcome.triangles
-            << " triangles, " << worst_angle_text(judged.worst().degrees) << ": "
-            << (reached ? "certified\n" : "NOT certified\n");
   if (reached && is_dual_as_asked(options, judged)) return done;
   return complain({reached ? "not proved to be the dual of the Voronoi diagram: " +
                                  judged.findings.front().witness

@@ -15,7 +15,8 @@ enum exit_status : int { done = 0, not_reached = 1, refused = 2 };
 
 // Writes the failure to standard error and returns the status.
 inline int complain(const error& failure, exit_status status) {
-  std::cerr << in_colour("asterism:", ink::red, 2) << ' ' << failure.message << '\n';
+  std::cerr << in_colour("asterism:", ink::red, 2) << ' ' << without_controls(failure.message)
+            << '\n';
   return status;
 }
 

@@ -57,6 +57,18 @@ void add_audit(json& object, const audit_report& audit, const std::vector<region
   object["witnesses"] = witnesses;
 }
 
+// Adds whether the theorem on nets applies to the mesh, and how far its hypotheses hold; null where
+// that was not asked.
+void add_theorem(json& object, const std::optional<theorem_hypotheses>& measured) {
+  object["theorem"] = json();
+  if (!measured) return;
+  object["theorem"] = {{"applies", measured->applies},
+                       {"reason", measured->reason},
+                       {"sigma_eps", number(measured->sigma_eps)},
+                       {"covering_radius", number(measured->covering_radius)},
+                       {"proved_angle", number(measured->proved_angle)}};
+}
+
 }  // namespace
 
 std::string summary_json(const certified_mesh& made, int status,
@@ -68,6 +80,7 @@ std::string summary_json(const certified_mesh& made, int status,
                  {"complete", outcome.complete},
                  {"reason", made.claim.reason}};
   add_audit(object, made.report, made.claim.regions);
+  add_theorem(object, made.claim.theorem);
   object["disagreeing"] = outcome.disagreeing;
   object["too_large"] = outcome.too_large;
   object["length_factor"] = outcome.ended.length_factor;
@@ -134,6 +147,7 @@ std::string summary_json(const judgement& judged, int status, const std::string&
                  {"contradictions", verdict.contradictions},
                  {"refusals", judged.metric.refusals}};
   add_audit(object, verdict.audit, verdict.regions);
+  add_theorem(object, verdict.theorem);
   return text_of(object);
 }
 
@@ -143,6 +157,7 @@ std::string summary_json(const certify_report& report, int status, double angle_
                  {"certified", report.certified()},
                  {"angle_bound", angle_bound}};
   add_audit(object, report.audit, report.regions);
+  add_theorem(object, report.theorem);
   object["compared"] = report.compared;
   object["in_stars_of_all"] = report.compared ? json(report.in_stars[3]) : json();
   object["inverted"] = report.inverted;

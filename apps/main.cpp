@@ -45,7 +45,8 @@ int run(int argc, char** argv) {
           "draw, info, completion or man)");
   } catch (const CLI::ParseError& failure) {
     if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
-    std::cerr << "asterism: " << usage_message(program, {argv + 1, argv + argc}, failure) << '\n';
+    std::cerr << "asterism: "
+              << without_controls(usage_message(program, {argv + 1, argv + argc}, failure)) << '\n';
     return refused;
   }
   const int status = chosen();

@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include <array>
+#include <chrono>
 #include <iostream>
 #include <map>
 #include <new>
@@ -176,20 +177,40 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
   return std::nullopt;
 }
 
-// Says how the run ended, and returns its status.
+// Says how near the mesh is to what was asked of its size in all.
+void tell_scale(const mesh_job& job, const prepared_input& input, const mesh_outcome& outcome) {
+  if (!input.complexity) return;
+  if (job.refinement.vertices)
+    std::cout << vertex_count_text(*job.refinement.vertices, outcome.sites);
+  else
+    std::cout << fmt::format("complexity: {:g} wanted, {:g} delivered", *job.complexity,
+                             *input.complexity);
+  std::cout << ", size " << number_text(*job.size) << '\n';
+}
+
+// Tells of the mesh: the verdict, then what was asked beside what was delivered, and what was done
+// on the way.
+void tell(const mesh_job& job, const prepared_input& input, const certified_mesh& made) {
+  if (!job.tells()) return;
+  const mesh_outcome& outcome = made.outcome;
+  std::optional<double> unit_edges;
+  if (job.size) unit_edges = made.claim.measured.at("unit_edges");
+  write_summary(std::cout, made, unit_edges);
+  if (outcome.delivered) std::cout << "delivered: " << text_of(*outcome.delivered) << '\n';
+  if (outcome.one_metric && made.certified())
+    std::cout << "last resort: " << made.claim.reason << '\n';
+  tell_scale(job, input, outcome);
+  if (input.gradation) std::cout << "gradation: " << text_of(*input.gradation) << '\n';
+  if (input.repairs.distance > 0) std::cout << "repaired: " << text_of(input.repairs) << '\n';
+  if (outcome.improved)
+    std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
+}
+
+// Returns the status of the run, and says on standard error what was not reached.
 int conclude(const mesh_job& job, const certified_mesh& made) {
   const mesh_outcome& outcome = made.outcome;
   const audit_report& report = made.report;
   const bool reached = made.certified();
-  std::optional<double> unit_edges;
-  if (job.size) unit_edges = made.claim.measured.at("unit_edges");
-  if (job.tells() && outcome.improved)
-    std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
-  if (job.tells() && outcome.delivered)
-    std::cout << "delivered: " << text_of(*outcome.delivered) << '\n';
-  if (job.tells() && outcome.one_metric && reached)
-    std::cout << "last resort: " << made.claim.reason << '\n';
-  if (job.tells()) write_summary(std::cout, made, unit_edges);
   const bool dual_as_asked =
       !job.refinement.prove_voronoi || report.voronoi == voronoi_verdict::proved;
   if (reached && dual_as_asked) return done;
@@ -242,18 +263,8 @@ result<certified_mesh> mesh_within_memory(const mesh_job& job, const prepared_in
   return mesh_with_progress(job, input, limits, stop);
 }
 
-// Says how near the mesh is to what was asked of its size in all.
-void tell_scale(const mesh_job& job, const prepared_input& input, const mesh_outcome& outcome) {
-  if (!job.tells() || !input.complexity) return;
-  if (job.refinement.vertices)
-    std::cout << vertex_count_text(*job.refinement.vertices, outcome.sites);
-  else
-    std::cout << fmt::format("complexity: {:g} wanted, {:g} delivered", *job.complexity,
-                             *input.complexity);
-  std::cout << ", size " << number_text(*job.size) << '\n';
-}
-
 int run_within_limits(const mesh_job& asked) {
+  const auto start = std::chrono::steady_clock::now();
   mesh_job job = asked;
   std::optional<tbb::global_control> threads;
   if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
@@ -280,15 +291,12 @@ int run_within_limits(const mesh_job& asked) {
       },
       input.value(), made.value());
   if (input.value().complexity) job.size = input.value().size;
-  if (input.value().gradation && job.tells())
-    std::cout << "gradation: " << text_of(*input.value().gradation) << '\n';
   describe(made.value(), job, input.value());
   limits.conclude();
   if (const auto failure = write_files(job, certificate_path, input.value(), made.value()))
     return complain(*failure, not_reached);
-  if (input.value().repairs.distance > 0 && job.tells())
-    std::cout << "repaired: " << text_of(input.value().repairs) << '\n';
-  tell_scale(job, input.value(), made.value().outcome);
+  tell(job, input.value(), made.value());
+  if (job.tells()) write_files_written(std::cout, written_files(job, certificate_path), start);
   const int status = conclude(job, made.value());
   const std::string next = status == done ? "" : next_step(job, input.value(), made.value());
   if (!next.empty() && !job.quiet) std::cerr << "asterism: try " << next << '\n';

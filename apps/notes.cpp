@@ -3,12 +3,15 @@
 
 #include <iostream>
 
+#include "asterism/apps/terminal.hpp"
+
 namespace asterism::apps {
 
 std::optional<error> say_notes(const std::vector<std::string>& notes, const note_options& how) {
   if (how.strict && !notes.empty()) return error{"--strict: " + notes.front()};
   if (how.quiet) return std::nullopt;
-  for (const std::string& note : notes) std::cerr << "asterism: note: " << note << '\n';
+  for (const std::string& note : notes)
+    std::cerr << "asterism: note: " << without_controls(note) << '\n';
   return std::nullopt;
 }
 

@@ -29,6 +29,14 @@ void write_triangles(std::ostream& out, const certify_report& report, const mesh
         << " more (--all-findings lists them)\n";
 }
 
+// Returns the verdict on what a run made, in the first words of its line.
+std::string verdict_of(const certified_mesh& made) {
+  if (made.certified()) return in_colour("certified", ink::green, 1);
+  if (made.outcome.delivered && made.report.certified)
+    return in_colour("certified", ink::yellow, 1) + " in the metric delivered, NOT complete";
+  return in_colour("NOT certified", ink::red, 1) + ", incomplete";
+}
+
 }  // namespace
 
 std::string worst_angle_text(double degrees) {
@@ -50,8 +58,7 @@ std::string text_of(const gradation_report& done) {
                      " nodes changed, density at most times " + number_text(done.largest_growth);
   // The nodes of a mesh have no cells.
   if (done.largest_cell > 0)
-    text +=
-        ", cells from " + number_text(done.smallest_cell) + " to " + number_text(done.largest_cell);
+    text += fmt::format(", cells from {:.4g} to {:.4g}", done.smallest_cell, done.largest_cell);
   text += ", " + std::to_string(done.sweeps) + " sweeps";
   if (!done.resolved) text += "; the grid could not be made as fine as it should be";
   if (!done.settled) text += "; NOT settled";
@@ -62,8 +69,9 @@ std::string text_of(const improvement_report& done, std::size_t sites) {
   return std::to_string(done.passes) + " passes of " + std::to_string(done.tries) + " tries, " +
          std::to_string(done.removed) + " removed, " + std::to_string(done.moved) + " moved, " +
          std::to_string(done.sites_before) + " to " + std::to_string(sites) +
-         " sites, mean quality " + number_text(done.mean_quality_before) + " to " +
-         number_text(done.mean_quality_after) + (done.stopped ? "; stopped" : "");
+         " sites, mean quality " +
+         fmt::format("{:.4f} to {:.4f}", done.mean_quality_before, done.mean_quality_after) +
+         (done.stopped ? "; stopped" : "");
 }
 
 std::string text_of(const delivered_report& done) {
@@ -80,37 +88,39 @@ void write_summary(std::ostream& out, const certified_mesh& made,
                    std::optional<double> unit_edges) {
   const mesh_outcome& outcome = made.outcome;
   const audit_report& report = made.report;
-  const bool is_other = outcome.delivered && outcome.delivered->changed > 0;
-  if (made.claim.theorem)
-    out << "theorem on nets" << (is_other ? ", in the metric delivered: " : ": ")
-        << theorem_text(*made.claim.theorem) << '\n';
-  if (!made.claim.regions.empty()) out << regions_text(made.claim.regions) << '\n';
-  out << report.sites << " sites, " << report.triangles << " triangles, " << angles_text(report)
-      << ", " << std::fixed << std::setprecision(2) << outcome.disagreeing << " disagreeing, "
+  out << verdict_of(made) << ": " << report.sites << " sites, " << report.triangles
+      << " triangles, " << angles_text(report);
+  if (made.claim.angle_bound) out << fmt::format(" (bound {:.6g})", *made.claim.angle_bound);
+  out << ", " << outcome.disagreeing << " disagreeing, "
       << (report.angles_checked ? report.low_triangles.size() : outcome.low_angle) << " low-angle";
   if (outcome.too_large > 0) out << ", " << outcome.too_large << " too large";
   if (outcome.ended.stars_missing > 0)
     out << ", " << outcome.ended.stars_missing << " stars never made";
-  if (unit_edges) out << ", " << *unit_edges * 100 << "% unit edges";
+  if (unit_edges) out << fmt::format(", {:.2f}% unit edges", *unit_edges * 100);
   if (report.voronoi != voronoi_verdict::not_asked)
     out << ", dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)];
-  out << deviation_text(report) << curves_text(report);
-  if (made.certified())
-    out << ": " << in_colour("certified", ink::green, 1) << '\n';
-  else if (outcome.delivered && report.certified)
-    out << ": " << in_colour("certified", ink::yellow, 1)
-        << " in the metric delivered, NOT complete\n";
-  else
-    out << ": " << in_colour("NOT certified", ink::red, 1) << ", incomplete\n";
+  out << deviation_text(report) << curves_text(report) << '\n';
+  if (!made.claim.regions.empty()) out << regions_text(made.claim.regions) << '\n';
+}
+
+void write_files_written(std::ostream& out, const std::vector<std::filesystem::path>& files,
+                         std::chrono::steady_clock::time_point start) {
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  out << "written in " << fmt::format("{:.2f}", taken.count()) << " seconds: ";
+  for (std::size_t i = 0; i < files.size(); ++i)
+    out << (i == 0 ? "" : ", ") << without_controls(files[i].string());
+  out << '\n';
 }
 
 void write_report(std::ostream& out, const certify_report& report, const mesh& m,
                   double angle_bound, bool all_findings) {
+  out << (report.certified() ? in_colour("certified", ink::green, 1)
+                             : in_colour("NOT certified", ink::red, 1))
+      << ": " << m.sites.size() << " sites, " << m.triangles.size() << " triangles, "
+      << m.boundary.size() << " boundary edges\n";
   write_findings(out, report.audit);
   write_triangles(out, report, m, all_findings);
-  out << m.sites.size() << " sites, " << m.triangles.size() << " triangles, " << m.boundary.size()
-      << " boundary edges\n";
   if (report.compared)
     out << "triangles in the stars of all three vertices: " << report.in_stars[3]
         << ", of some: " << report.in_stars[1] + report.in_stars[2]
@@ -134,11 +144,7 @@ void write_report(std::ostream& out, const certify_report& report, const mesh& m
   if (report.audit.voronoi != voronoi_verdict::not_asked)
     out << "dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.audit.voronoi)] << '\n';
-  if (report.theorem) out << "theorem on nets: " << theorem_text(*report.theorem) << '\n';
   if (!report.regions.empty()) out << regions_text(report.regions) << '\n';
-  out << (report.certified() ? in_colour("certified", ink::green, 1)
-                             : in_colour("NOT certified", ink::red, 1))
-      << '\n';
 }
 
 }  // namespace asterism::apps

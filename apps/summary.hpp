@@ -3,10 +3,13 @@
 // Tells about a run in lines for people; certificates hold some of them too.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
+#include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/data/mesh.hpp"
@@ -32,9 +35,14 @@ std::string text_of(const improvement_report& done, std::size_t sites);
 // Tells how far the metric of the mesh is from the one wanted, in one line.
 std::string text_of(const delivered_report& done);
 
-// Writes the one line that a mesh job ends with, to standard output or as if to it. `unit_edges` is
-// their part of all, if it is asked about.
+// Writes the line that a mesh job is judged by, its verdict first, to standard output or as if to
+// it, and a line of the regions' areas where there are several. `unit_edges` is their part of all,
+// if it is asked about.
 void write_summary(std::ostream& out, const certified_mesh& made, std::optional<double> unit_edges);
+
+// Writes the names of the files written, and the seconds of wall time since `start`.
+void write_files_written(std::ostream& out, const std::vector<std::filesystem::path>& files,
+                         std::chrono::steady_clock::time_point start);
 
 // Writes what was found about a mesh that came from elsewhere.
 void write_report(std::ostream& out, const certify_report& report, const mesh& m,

@@ -94,7 +94,8 @@ std::string theorem_metric_text(const metric_answer& metric) {
 }
 
 // Returns what is claimed, what was checked, and against what.
-std::string scope_text(const judgement& judged, const std::optional<certificate>& claim) {
+std::string scope_text(const judgement& judged, const std::optional<certificate>& claim,
+                       bool tells_theorem) {
   const verify_report& verdict = judged.verdict;
   std::string text = "; " + bound_text(judged) + "; " + text_of(judged.shape, claim) +
                      "; metric: " + text_of(judged.metric);
@@ -103,7 +104,7 @@ std::string scope_text(const judgement& judged, const std::optional<certificate>
   if (!verdict.audit.stars_checked) text += "; stars not checked";
   if (verdict.audit.stars_cut_short) text += "; " + cut_short_text(verdict.audit);
   text += size_text(claim);
-  if (verdict.theorem)
+  if (verdict.theorem && tells_theorem)
     text += "; the theorem on nets, " + theorem_metric_text(judged.metric) +
             theorem_text(*verdict.theorem);
   return text + voronoi_text(verdict.audit);
@@ -112,11 +113,6 @@ std::string scope_text(const judgement& judged, const std::optional<certificate>
 void write_verdict(const judgement& judged, const std::string& scope) {
   const verify_report& verdict = judged.verdict;
   const audit_report& audit = verdict.audit;
-  for (const std::string& contradiction : verdict.contradictions)
-    std::cout << "certificate: " << contradiction << '\n';
-  for (const std::string& refusal : judged.metric.refusals)
-    std::cout << "metric: " << refusal << '\n';
-  write_findings(std::cout, audit);
   const bool unasked = audit.certified && verdict.contradictions.empty() &&
                        judged.metric.refusals.empty() && !audit.angles_checked;
   std::cout << (verdict.verified ? in_colour("certified", ink::green, 1) + ": "
@@ -124,6 +120,11 @@ void write_verdict(const judgement& judged, const std::string& scope) {
                           : in_colour("REFUSED", ink::red, 1) + ": ")
             << audit.sites << " sites, " << audit.triangles << " triangles, " << angles_text(audit)
             << scope << '\n';
+  for (const std::string& contradiction : verdict.contradictions)
+    std::cout << "certificate: " << contradiction << '\n';
+  for (const std::string& refusal : judged.metric.refusals)
+    std::cout << "metric: " << refusal << '\n';
+  write_findings(std::cout, audit);
 }
 
 // Judges a mesh that comes without certificate and domain, as `certify` judges it.
@@ -187,7 +188,7 @@ result<judgement> judge(const verify_options& options, mesh subject,
 int tell(const verify_options& options, const std::optional<certificate>& claim,
          const judgement& judged) {
   const int status = judged.verdict.verified ? done : not_reached;
-  const std::string scope = scope_text(judged, claim);
+  const std::string scope = scope_text(judged, claim, options.tells_theorem);
   if (options.json)
     std::cout << summary_json(judged, status, scope.substr(2));
   else
@@ -270,6 +271,8 @@ void add_verify_command(CLI::App& program, command& chosen) {
       *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
       "Checking ends after this time, with status 1 if it was not done")
       ->type_name("S");
+  app->add_flag("--long", options->tells_theorem,
+                "Say, too, whether the theorem on nets applies to the mesh, and why not");
   app->add_flag("--json", options->json, "The verdict as a JSON object, in place of lines");
   add_judging_flags(*app, options->all_findings, options->all_edges);
   app->footer(verify_examples);

@@ -27,6 +27,7 @@ struct verify_options {
   std::optional<double> size, gradation, metric_tolerance;
   bool prove_voronoi = false;
   bool all_findings = false, all_edges = false, json = false;
+  bool tells_theorem = false;  // in the line of the verdict
   std::optional<double> max_seconds;
 };
 

@@ -98,13 +98,13 @@ class comparison {
   // Returns an upper bound of the distance of what the mesh made of a segment and of its former
   // vertices.
   double distance(const segment& s, const std::vector<point>& between) const {
-    if (s.a >= mesh_.given || s.b >= mesh_.given) return infinity;
+    if (s.a >= mesh_.given || s.b >= mesh_.given) return internal::infinity;
     const auto now = chain(s);
-    if (!now) return infinity;
+    if (!now) return internal::infinity;
     std::vector<point> before{shape_.vertices[s.a]};
     before.insert(before.end(), between.begin(), between.end());
     before.push_back(shape_.vertices[s.b]);
-    if (!are_finite(*now) || !are_finite(before)) return infinity;
+    if (!are_finite(*now) || !are_finite(before)) return internal::infinity;
     return root_rounded_up(common_walk(*now, before).greatest_square());
   }
 
@@ -140,7 +140,7 @@ former_boundary_report measure_former_boundary(const mesh& subject, const domain
   for (const std::vector<point>& one : former.between) report.vertices_gone += one.size();
   const comparison compared(subject, shape);
   if (former.between.size() != shape.segments.size() || !compared.has_vertices()) {
-    report.largest_distance = infinity;
+    report.largest_distance = internal::infinity;
     return report;
   }
   for (std::size_t s = 0; s < former.between.size(); ++s)

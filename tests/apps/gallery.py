@@ -21,7 +21,7 @@ def main():
     pages = [(place / "README.md").read_text(encoding="utf-8") for place in (TOP / "docs/gallery", folder)]
     if COUNTS.sub("", pages[0]) != COUNTS.sub("", pages[1]):
         sys.exit("docs/gallery is not what scripts/make-gallery makes")
-    if pages[1].count(": certified") != pages[1].count("!["):
+    if pages[1].count("> certified: ") != pages[1].count("!["):
         sys.exit("a mesh of the gallery is not certified")
     for name in re.findall(r"\]\((\w+\.png)\)", pages[1]):
         if not (TOP / "docs/gallery" / name).is_file() or not (folder / name).is_file():
