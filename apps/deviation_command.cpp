@@ -28,7 +28,7 @@ struct deviation_job {
   bool json = false;
 };
 
-constexpr const char* examples =
+constexpr const char* deviation_examples =
     R"(Encloses two distances: the greatest of a point of the mesh from the surface, and the greatest of a
 point of the surface from the mesh. Each is proved to be in [low, high]: the upper ends by control
 points in intervals, the lower by a witness, a point that is farther than low from all of the other.
@@ -149,7 +149,7 @@ void add_deviation_command(CLI::App& program, command& chosen) {
       "Threads to use (default: one a processor); the answer is the same for any number")
       ->type_name("N");
   app->add_flag("--json", job->json, "The answer as a JSON object, in place of lines");
-  app->footer(examples);
+  app->footer(deviation_examples);
   app->callback([job, &chosen] { chosen = [job] { return run_deviation(*job); }; });
 }
 
