@@ -246,6 +246,24 @@ class filling {
   std::optional<error> failure_;  // of the field, where a site was proposed
 };
 
+// Puts the divisions that were decided before in place of those measured. Their lengths tell on
+// which level of the fill a point is its turn, and nothing else: about even ones will do.
+void keep_prescribed(const domain& d, const prescribed_divisions& prescribed,
+                     std::vector<division>& divisions) {
+  for (std::size_t s = 0; s < divisions.size(); ++s) {
+    if (!prescribed[s]) continue;
+    division& one = divisions[s];
+    const double total = one.lengths.back();
+    one.points = {d.vertices[d.segments[s].a]};
+    one.points.insert(one.points.end(), prescribed[s]->begin(), prescribed[s]->end());
+    one.points.push_back(d.vertices[d.segments[s].b]);
+    const auto parts = static_cast<double>(one.points.size() - 1);
+    one.lengths.clear();
+    for (std::size_t i = 0; i < one.points.size(); ++i)
+      one.lengths.push_back(total * (static_cast<double>(i) / parts));
+  }
+}
+
 }  // namespace
 
 result<filled_domain> fill(const domain& d, const metric_field& field, const fill_options& options,
@@ -258,6 +276,8 @@ result<filled_domain> fill(const domain& d, const metric_field& field, const fil
     nothing.needed = divisions.value().subsegments;
     return nothing;
   }
+  if (options.prescribed != nullptr)
+    keep_prescribed(d, *options.prescribed, divisions.value().of_each);
   return filling(d, field, options, std::move(divisions.value().of_each)).run(progress);
 }
 

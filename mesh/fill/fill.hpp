@@ -24,6 +24,7 @@
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/neighbour_lists.hpp"
 #include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/fill/prescribed_divisions.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
@@ -36,6 +37,8 @@ struct fill_options {
   // divided and coarse sites put inside before there is a star, and where no Voronoi vertex is
   // found, the bisector on the way to the neighbour will do.
   bool is_uneven = false;
+  // Divisions that segments have already, which are kept to; null or by segment.
+  const prescribed_divisions* prescribed = nullptr;
   cancellation stop;  // polled between rounds, and between stars where a round takes long
 };
 

@@ -6,6 +6,7 @@
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/fill/prescribed_divisions.hpp"
 #include "asterism/mesh/stars/star_confirmation.hpp"
 #include "asterism/mesh/stars/star_predicates.hpp"
 
@@ -22,16 +23,17 @@ struct meshing_context {
   progress_listener progress = {};
   double work_share = 1;  // of the work that is allowed for so many sites (stars/work_limit.hpp)
   star_confirmation confirmed = star_confirmation::by_mesher;
+  const prescribed_divisions* prescribed = nullptr;  // by segment of the shape, in the frame
 
   // Returns the same job with one thing changed.
   meshing_context on(const star_predicates& other) const {
-    return {other, shape, field, options, progress, work_share, confirmed};
+    return {other, shape, field, options, progress, work_share, confirmed, prescribed};
   }
   meshing_context in(const metric_field& other) const {
-    return {kernel, shape, other, options, progress, work_share, confirmed};
+    return {kernel, shape, other, options, progress, work_share, confirmed, prescribed};
   }
   meshing_context with(const mesh_options& other) const {
-    return {kernel, shape, field, other, progress, work_share, confirmed};
+    return {kernel, shape, field, other, progress, work_share, confirmed, prescribed};
   }
 };
 

@@ -41,12 +41,14 @@ std::size_t count_segment_ends(const domain& d) {
   return static_cast<std::size_t>(std::count(is_end.begin(), is_end.end(), char{1}));
 }
 
-fill_options fill_options_for(const mesh_options& options) {
+fill_options fill_options_for(const meshing_context& job) {
+  const mesh_options& options = job.options;
   fill_options wanted;
   wanted.distance = largest_circumradius;
   wanted.longest_subsegment = longest_subsegment_of_fill;
   wanted.max_sites = options.max_sites;
   wanted.stop = options.stop;
+  wanted.prescribed = job.prescribed;
   return wanted;
 }
 
@@ -89,7 +91,7 @@ result<std::optional<filled_domain>> fill_by_features(const meshing_context& job
   const double longest = limit_size ? 1 : std::numeric_limits<double>::infinity();
   const auto featured = featured_field::make(job.shape, job.field, longest);
   if (!featured) return featured.failure();
-  fill_options wanted = fill_options_for(job.options);
+  fill_options wanted = fill_options_for(job);
   wanted.is_uneven = true;
   auto made = fill(job.shape, featured.value(), wanted, progress_of(job));
   if (!made) return made.failure();
@@ -106,7 +108,7 @@ result<std::optional<filled_domain>> fill_by_features(const meshing_context& job
 // Fills the domain as the size wants it, or with edges as much longer as the limit on sites asks
 // for.
 result<budgeted_filling> fill_by_halving(const meshing_context& job) {
-  const fill_options wanted = fill_options_for(job.options);
+  const fill_options wanted = fill_options_for(job);
   budgeted_filling filled;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     const coarser_field coarser(job.field, filled.halvings);
