@@ -34,6 +34,11 @@ inline constexpr std::array<std::string_view, 25> mesh_option_names = {"angle-bo
                                                                        "tol-at-end",
                                                                        "vertices"};
 
+// Names that the certificate of one piece of a domain (mesh/pieces) has besides: which it is of how
+// many, the box that formulas are placed in, and the digest of what was asked of it.
+inline constexpr std::array<std::string_view, 3> piece_option_names = {"metric-box", "piece",
+                                                                       "piece-question"};
+
 inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-bound", "mesh",
                                                                          "repair", "size"};
 

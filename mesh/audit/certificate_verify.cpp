@@ -172,6 +172,16 @@ void compare_names(contradictions& all, const certificate& claim, const Names& n
       all.add("\"asked.options." + name + "\" is nothing that is asked");
 }
 
+// Words about a piece are all there, or none.
+void compare_mesh_names(contradictions& all, const certificate& claim) {
+  certificate without = claim;
+  if (claim.options.count("piece") != 0)
+    for (const std::string_view name : piece_option_names)
+      if (without.options.erase(std::string(name)) == 0)
+        all.add("\"asked.options." + std::string(name) + "\" is missing");
+  compare_names(all, without, mesh_option_names);
+}
+
 // Words about what was transferred are there for each component, or not at all.
 void compare_adapted_names(contradictions& all, const certificate& claim) {
   certificate without = claim;
@@ -253,7 +263,7 @@ void compare_options(contradictions& all, const certificate& claim) {
   if (claim.metric.empty()) return compare_unworded(all, claim);
   if (claim.options.count("adapt-mesh") != 0) return compare_adapted_names(all, claim);
   if (claim.options.count("mesh") != 0) return compare_certify_options(all, claim);
-  compare_names(all, claim, mesh_option_names);
+  compare_mesh_names(all, claim);
   const auto option = [&claim](const char* name) { return option_of(claim, name); };
   if ((option("gradation") == "none") != (option("gradation-done") == "none"))
     all.add(

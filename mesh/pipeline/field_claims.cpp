@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
@@ -62,10 +64,11 @@ result<std::unique_ptr<metric_field>> background_of(const metric_wording& asked)
 // Makes the metric the certificate says was asked for, of the size asked for even where the limit
 // on sites made edges longer. One on a mesh has to be that of the mesh it names.
 result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) {
-  if (!claim.original) return error{"the certificate has no domain to place it in"};
+  const auto placed = placed_in(claim);
+  if (!placed) return error{"the certificate has no domain to place it in"};
   const auto asked = wording_in(claim);
   if (!asked) return asked.failure();
-  auto field = field_of(asked.value(), *claim.original);
+  auto field = field_of(asked.value(), *placed);
   if (!field) return field;
   const mesh* const background = field.value()->background();
   if (background != nullptr &&
@@ -76,6 +79,11 @@ result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) 
 
 // True if the metric came as numbers: from a file that `certify` read, or from a program.
 bool is_of_numbers(const certificate& claim) { return claim.metric.starts_with("of "); }
+
+// True if the metric was graded over a domain of which the certificate holds a piece alone.
+bool is_graded_piece(const certificate& claim) {
+  return claim.options.count("metric-box") != 0 && option_of(claim, "gradation") != "none";
+}
 
 // Holds the mesh against the metric it is delivered in another one than.
 void check_delivered(const mesh& subject, const certificate& claim, const metric_field& wanted,
@@ -118,6 +126,23 @@ result<metric_wording> wording_in(const certificate& claim) {
   return asked;
 }
 
+std::optional<domain> placed_in(const certificate& claim) {
+  const auto box = claim.options.find("metric-box");
+  if (box == claim.options.end()) return claim.original;
+  domain corners;
+  std::istringstream words(box->second);
+  std::array<std::string, 4> numbers;
+  for (std::string& number : numbers) words >> number;
+  std::array<double, 4> at{};
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const auto number = parse_number(numbers[i]);
+    if (!number) return std::nullopt;
+    at[i] = number.value();
+  }
+  corners.vertices = {{at[0], at[1]}, {at[2], at[3]}};
+  return corners;
+}
+
 field_check check_field(const mesh& subject, const certificate& claim) {
   field_check check;
   if (claim.fingerprint != mesh_fingerprint(subject)) {
@@ -127,6 +152,10 @@ field_check check_field(const mesh& subject, const certificate& claim) {
   // Whoever calls the library need not name a metric.
   if (claim.metric.empty() || is_of_numbers(claim)) {
     check.why_not = claim.metric.empty() ? "the certificate names none" : "it came as numbers";
+    return check;
+  }
+  if (is_graded_piece(claim)) {
+    check.why_not = "it was graded over the domain of which this is a piece";
     return check;
   }
   const bool is_adapted = is_of_adaptation(claim);

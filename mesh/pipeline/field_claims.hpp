@@ -35,6 +35,10 @@ result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, cons
 // sentence, where size or gradation are no numbers.
 result<metric_wording> wording_in(const certificate& claim);
 
+// Returns what the formulas of the metric were placed in: the box of the domain of which this is a
+// piece, as the certificate says; else its own domain. None if it has no domain.
+std::optional<domain> placed_in(const certificate& claim);
+
 // A mesh held against a metric.
 struct field_check {
   bool made = false;    // true if the metric asked for could be made again
