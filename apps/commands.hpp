@@ -10,11 +10,14 @@
 namespace asterism::apps {
 
 using command = std::function<int()>;
+class piece_team;  // apps/piece_team.hpp
 
 void add_eval_command(CLI::App& program, command& chosen);
 void add_challenge_command(CLI::App& program, command& chosen);
-void add_mesh_command(CLI::App& program, command& chosen);
-void add_verify_command(CLI::App& program, command& chosen);
+// With a team, which must outlive the command, `mesh` makes pieces alone and `verify` judges them,
+// together with the team's other programs.
+void add_mesh_command(CLI::App& program, command& chosen, piece_team* team = nullptr);
+void add_verify_command(CLI::App& program, command& chosen, piece_team* team = nullptr);
 void add_certify_command(CLI::App& program, command& chosen);
 void add_draw_command(CLI::App& program, command& chosen);
 void add_adapt_command(CLI::App& program, command& chosen);

@@ -7,6 +7,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/mesh_job.hpp"
 #include "asterism/apps/option_values.hpp"
+#include "asterism/apps/pieces_job.hpp"
 
 namespace asterism::apps {
 namespace {
@@ -32,6 +33,7 @@ Exit status: 0 complete and certified; 1 not reached, what is certain is written
 Examples:
   asterism mesh square --random-points 10 --metric swirl:12 -o swirl.mesh -o swirl.svg
   asterism mesh square --metric 'expr:1+9*x^2;0;1' --size 0.2 --angle-bound 15 -o layer.vtu
+  asterism mesh coast.poly --size 0.001 --pieces 64 -o coast/
   asterism mesh part.poly --refine darts --angle-bound 10 -o part.mesh --certificate part.json)";
 
 const std::map<std::string, refinement_strategy> strategies = {
@@ -123,7 +125,7 @@ void add_run_options(CLI::App& app, mesh_job& job) {
       app, "--max-sites", 3, 100000000,
       [&options](std::uint64_t n) { options.max_sites = static_cast<std::size_t>(n); },
       "Refinement ends at this many (default 100000, or more: three times those that --vertices or "
-      "--complexity ask for, ten times the domain's vertices)")
+      "--complexity ask for, ten times the domain's vertices; of a piece 100000000)")
       ->type_name("N");
   add_count(
       app, "--improve", 0, 1000,
@@ -156,8 +158,29 @@ void make_room(mesh_job& job) {
   const double asked = job.refinement.vertices
                            ? static_cast<double>(*job.refinement.vertices)
                            : vertices_of_complexity * job.complexity.value_or(0);
-  const auto room = static_cast<std::size_t>(std::min(times * asked + more, most));
+  const auto room =
+      static_cast<std::size_t>(job.pieces > 0 ? most : std::min(times * asked + more, most));
   job.refinement.max_sites = std::max(job.refinement.max_sites, room);
+}
+
+// Adds what is asked of a mesh in pieces.
+void add_piece_options(CLI::App& app, mesh_job& job) {
+  auto* const pieces = add_count(
+      app, "--pieces", 1, 1000000,
+      [&job](std::uint64_t n) { job.pieces = static_cast<std::size_t>(n); },
+      "Cut the domain into K pieces of about equal size, mesh them one after another, and write "
+      "one mesh each, with an index, to the folder OUT");
+  pieces->type_name("K");
+  app.add_option(
+         "--piece-format", job.piece_formats,
+         "Write each piece in this format too: msh, vtu and all others of OUT but html; may "
+         "be given several times")
+      ->needs(pieces)
+      ->type_name("EXT")
+      ->allow_extra_args(false);
+  app.add_flag("--resume", job.resume,
+               "Go on with a run in pieces that was cut off: what is whole in the folder is kept")
+      ->needs(pieces);
 }
 
 void add_output_options(CLI::App& app, mesh_job& job) {
@@ -185,19 +208,23 @@ void add_output_options(CLI::App& app, mesh_job& job) {
 
 }  // namespace
 
-void add_mesh_command(CLI::App& program, command& chosen) {
+void add_mesh_command(CLI::App& program, command& chosen, piece_team* team) {
   auto* const app = program.add_subcommand("mesh", "Mesh a domain, and certify the mesh");
   const auto job = std::make_shared<mesh_job>();
   add_domain_options(*app, *job);
   add_refinement_options(*app, *job);
   add_run_options(*app, *job);
+  add_piece_options(*app, *job);
   add_output_options(*app, *job);
   app->footer(mesh_examples);
-  app->callback([app, job, &chosen] {
+  app->callback([app, job, team, &chosen] {
     job->refinement.limit_size = job->size || job->complexity || job->refinement.vertices;
     job->keeps_site_limit = app->count("--max-sites") > 0;
     if (!job->keeps_site_limit) make_room(*job);
-    chosen = [job] { return run_mesh_job(*job); };
+    if (job->pieces > 0 || team != nullptr)
+      chosen = [job, team] { return run_pieces_job(*job, team); };
+    else
+      chosen = [job] { return run_mesh_job(*job); };
   });
 }
 

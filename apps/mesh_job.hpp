@@ -26,8 +26,11 @@ struct mesh_job {
   double vertices_factor = 1;             // of those aimed at, to those wanted
   bool number_regions = false;            // those the domain does not number, too
   std::size_t random_points = 0;
-  mesh_options refinement;        // its seed is the random points' too
-  bool keeps_site_limit = false;  // else it is raised where the domain has many vertices
+  std::size_t pieces = 0;                  // 0: the mesh is made in one
+  std::vector<std::string> piece_formats;  // endings of further files of each piece
+  bool resume = false;                     // pieces that are there already are kept
+  mesh_options refinement;                 // its seed is the random points' too
+  bool keeps_site_limit = false;           // else it is raised where the domain has many vertices
   std::vector<std::filesystem::path> outputs;
   std::filesystem::path certificate;    // empty: beside the first output
   std::size_t threads = 0;              // 0: as many as there are processors

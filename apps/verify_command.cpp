@@ -21,9 +21,11 @@
 #include "asterism/apps/verdict_text.hpp"
 #include "asterism/apps/verify_domain.hpp"
 #include "asterism/apps/verify_metric.hpp"
+#include "asterism/apps/verify_pieces_command.hpp"
 #include "asterism/apps/verify_question.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/pipeline/field_claims.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
 #include "asterism/mesh/pipeline/outcome_claims.hpp"
@@ -40,12 +42,16 @@ is named. Each part of the question that an option names is judged: the domain, 
 metric and how far the mesh's may be from it. What no option names is taken from the certificate,
 and the verdict says so. Random points added to the domain need not be named.
 
+Of a folder that `mesh --pieces` wrote every piece is checked, and that all together are a mesh of the
+domain; one of its pieces is checked by itself as any other mesh.
+
 Exit status: 0 certified; 1 refused, with witnesses (numbers count from 1), or no angle bound is
 known, from a certificate or --angle-bound, and nothing is certified; 2 unreadable.
 
 Examples:
   asterism verify swirl.mesh
   asterism verify part.mesh --certificate part.json
+  asterism verify coast/
   asterism verify other.mesh --angle-bound 15 --domain part.poly
   asterism verify part.mesh --domain part.poly --repair-distance 0.01 --angle-bound 20 \
                   --metric swirl:3 --size 0.1 --metric-tolerance 0.5)";
@@ -164,8 +170,9 @@ result<judgement> judge(const verify_options& options, mesh subject,
   judged.shape = std::move(shape);
   audit_options asked = questions_of(options, judged.shape);
   asked.stop = stop;
+  const std::optional<domain> placed = claim ? placed_in(*claim) : std::nullopt;
   const domain* where = asked.original;
-  if (where == nullptr && claim && claim->original) where = &*claim->original;
+  if (placed && (where == nullptr || claim->options.count("metric-box") != 0)) where = &*placed;
   auto metric = judge_metric(options, subject, claim, where);
   if (!metric) return metric.failure();
   judged.metric = std::move(metric).value();
@@ -260,7 +267,7 @@ void add_question(CLI::App& app, verify_options& options) {
 
 }  // namespace
 
-void add_verify_command(CLI::App& program, command& chosen) {
+void add_verify_command(CLI::App& program, command& chosen, piece_team* team) {
   auto* const app = program.add_subcommand("verify", "Check a mesh again from its files");
   const auto options = std::make_shared<verify_options>();
   app->add_option("MESH", options->mesh, "What to check")->required();
@@ -276,7 +283,12 @@ void add_verify_command(CLI::App& program, command& chosen) {
   app->add_flag("--json", options->json, "The verdict as a JSON object, in place of lines");
   add_judging_flags(*app, options->all_findings, options->all_edges);
   app->footer(verify_examples);
-  app->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
+  app->callback([options, team, &chosen] {
+    chosen = [options, team] {
+      return team != nullptr || is_of_pieces(*options) ? run_verify_pieces(*options, team)
+                                                       : run_verify(*options);
+    };
+  });
 }
 
 }  // namespace asterism::apps

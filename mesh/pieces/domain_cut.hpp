@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// Cuts a domain into pieces along segments.
+//
+// A star does not see across a segment. So where a domain is cut along segments, each piece can be
+// meshed and certified by itself, and the meshes together are one of the whole domain if they meet
+// bit for bit (docs/math/pieces.md). The cuts are edges of a coarse mesh of the domain, in the
+// metric itself: they end in corners that the metric sees as wide as angles of that mesh are, and
+// go round what is narrow. Pieces have about the same area as the metric measures it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
+
+namespace asterism::internal {
+
+using piece_index = std::uint32_t;  // from 0
+inline constexpr piece_index no_piece = std::numeric_limits<piece_index>::max();
+inline constexpr vertex_index no_segment = std::numeric_limits<vertex_index>::max();
+
+// An edge of the cut domain: a part of a segment of the domain, or a cut. `left` is the piece on
+// the left of a -> b, `right` the one on the right, if the domain is there.
+struct cut_edge {
+  vertex_index a = 0, b = 0;  // into domain_cut::vertices
+  int marker = 0;
+  vertex_index segment = no_segment;  // of the domain, that it is a part of; none: a cut
+  int left_region = 1, right_region = 1;
+  piece_index left = no_piece, right = no_piece;
+
+  bool is_cut() const { return segment == no_segment; }
+  // True if two pieces meet there.
+  bool is_seam() const { return left != right && left != no_piece && right != no_piece; }
+};
+
+// A domain cut into pieces.
+struct domain_cut {
+  std::size_t pieces = 0;
+  vertex_index given = 0;  // the domain's vertices, which are the first, in their order
+  std::vector<point> vertices;
+  // The parts of the domain's segments, in the order of these and along each; then the cuts.
+  std::vector<cut_edge> edges;
+  // By given vertex: the piece that one on no edge is in; else none.
+  std::vector<piece_index> piece_of_loose;
+  int marker = 0;  // of cuts: greater than all of the domain's
+};
+
+// Wishes for a cut.
+struct cut_wishes {
+  std::size_t pieces = 1;
+  double angle_bound = 20;  // degrees: of the corners that cuts make, as their ends measure
+  cancellation stop = {};
+};
+
+// Cuts a domain, accepted by check_domain and without curves, into so many pieces. Fails where the
+// field does, where there would be less than about six triangles a piece, and where the coarse mesh
+// is no triangulation of the domain or was stopped. The same for any number of threads.
+result<domain_cut> cut_domain(const domain& d, const metric_field& field, const cut_wishes& wishes);
+
+// Returns the cut along the edges of a mesh of the domain, between triangles of different pieces.
+domain_cut cut_along(const domain& d, const mesh& coarse, const std::vector<piece_index>& piece_of,
+                     std::size_t pieces);
+
+}  // namespace asterism::internal

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+//
+// States what the pieces of a mesh are pieces of, beside them.
+//
+// As a file: JSON, UTF-8, the same bytes for the same question, however the work was shared out.
+// Pieces, vertices and edges are counted from 1 there, and 0 is none. It ends with a digest of
+// itself, which tells files apart and protects against no forger; verify_pieces.hpp says what is
+// proved.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/pieces/domain_cut.hpp"
+#include "asterism/mesh/pieces/piece_shape.hpp"
+
+namespace asterism::internal {
+
+// What the index says of one piece.
+struct piece_entry {
+  std::string mesh, certificate;  // files, beside the index
+  std::uint64_t fingerprint = 0;  // of the mesh (audit/certificate.hpp)
+  std::uint64_t digest = 0;       // of the certificate's bytes
+  std::size_t sites = 0, triangles = 0;
+  double worst_angle = 180;  // degrees, 180 where there is none to judge
+  bool certified = false;    // and complete
+  std::string reason;        // how its run ended
+};
+
+// Of a seam: its digest in the pieces on both sides, over positions and tensors of all its
+// vertices.
+using seam_digests = std::vector<std::uint64_t>;  // by edge of the cut; 0 but on seams
+
+// An index in memory.
+struct pieces_index {
+  std::string version;
+  std::string metric;                          // as --metric takes it
+  std::map<std::string, std::string> options;  // the question, as certificates word it
+  double angle_bound = 0;                      // degrees
+  bool certified = false;                      // all pieces are
+  std::size_t rounds = 0;                      // until no piece asked for more on its seams
+  std::size_t made = 0;                        // pieces made in all rounds
+  std::size_t sites = 0, triangles = 0;        // of the whole, those on seams counted once
+  domain original;
+  domain_cut cut;
+  seam_points points;
+  seam_digests digests;
+  std::vector<piece_entry> pieces;
+};
+
+// Returns a 64-bit FNV-1a hash of the bytes.
+std::uint64_t digest_of(const std::string& bytes);
+// Returns sixteen hexadecimal digits.
+std::string digest_text(std::uint64_t digest);
+
+std::string index_text(const pieces_index& index);
+// Reads the text of a file. `name` is the file's, for messages. Nothing in it passes unread.
+result<pieces_index> parse_index(const std::string& text, const std::string& name);
+result<pieces_index> read_index(const std::filesystem::path& path);
+
+// Returns the files of a piece of so many: "piece_03.mesh" of up to 99.
+std::string name_of_piece(piece_index piece, std::size_t pieces, const std::string& ending);
+
+// How far the rounds of a run have come, for a run that goes on: the round that is next, the pieces
+// it makes, and the seams as they are then.
+struct rounds_done {
+  std::string question;  // digest of what the whole run was asked
+  std::size_t rounds = 0, made = 0;
+  std::vector<piece_index> next;
+  seam_points points;
+};
+
+std::string rounds_text(const rounds_done& done);
+// Returns nothing for a text that is not one of a run with this cut.
+std::optional<rounds_done> parse_rounds(const std::string& text, std::size_t edges,
+                                        std::size_t pieces);
+
+}  // namespace asterism::internal
