@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Builds the Python package: the module by CMake, from the same files as the library."""
+"""Builds the package on Debian's own packages, without network; python/build_backend chooses between
+this and scikit-build-core. What the package is called and needs is in pyproject.toml."""
 import pathlib
 import re
 
@@ -11,24 +12,6 @@ HEADER = (FOLDER / "core/version.h").read_text(encoding="utf-8")
 setup(
     name="asterism",
     version=re.search(r'VERSION_TEXT "([^"]+)"', HEADER).group(1),
-    description="Exact anisotropic predicates and certified triangle meshes",
-    long_description=(FOLDER / "README.md").read_text(encoding="utf-8"),
-    long_description_content_type="text/markdown",
-    author="The Asterism authors",
-    license="MIT",
-    keywords=["mesh", "triangulation", "anisotropic", "Delaunay", "predicates", "adaptation"],
-    classifiers=[
-        "Development Status :: 4 - Beta",
-        "Intended Audience :: Science/Research",
-        "License :: OSI Approved :: MIT License",
-        "Operating System :: POSIX :: Linux",
-        "Programming Language :: C++",
-        "Programming Language :: Python :: 3",
-        "Topic :: Scientific/Engineering :: Mathematics",
-        "Typing :: Typed",
-    ],
-    python_requires=">=3.9",
-    install_requires=["numpy"],
     package_dir={"": "python"},
     packages=["asterism"],
     package_data={"asterism": ["py.typed", "*.pyi"]},

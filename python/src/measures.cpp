@@ -5,12 +5,14 @@
 #include <pybind11/pybind11.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "arguments.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/metric_angle.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/transfer/triangle_finder.hpp"
 #include "bindings.hpp"
@@ -83,7 +85,7 @@ py::array_t<std::int32_t> neighbours(const py_mesh& held) {
   return table;
 }
 
-py::array_t<std::int32_t> located(const py_mesh& held, const py::object& points) {
+std::vector<point> points_of(const py::object& points) {
   const number_table at(points, 2, "points");
   std::vector<point> places;
   for (std::size_t k = 0; k < at.rows(); ++k) {
@@ -91,12 +93,32 @@ py::array_t<std::int32_t> located(const py_mesh& held, const py::object& points)
     if (!std::isfinite(places[k].x) || !std::isfinite(places[k].y))
       throw input_error("points: row " + std::to_string(k) + " is not finite");
   }
+  return places;
+}
+
+py::array_t<std::int32_t> located(const py_mesh& held, const py::object& points) {
+  const std::vector<point> places = points_of(points);
   py::array_t<std::int32_t> column(static_cast<py::ssize_t>(places.size()));
   std::int32_t* to = column.mutable_data();
   const py::gil_scoped_release unlocked;
   check_triangulation(held);
   for (const vertex_index t : internal::locate_points(held.content, places))
     *to++ = number_or_none(t);
+  return column;
+}
+
+// Returns the numbers of points in their order along a curve through their box.
+py::array_t<std::int32_t> order_along_curve(const py::object& points) {
+  const std::vector<point> places = points_of(points);
+  std::vector<std::uint32_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0U);
+  if (!places.empty()) {
+    bounding_box box{places.front(), places.front()};
+    for (const point& p : places) box.include(p);
+    internal::sort_along_curve(order, places, box);
+  }
+  py::array_t<std::int32_t> column(static_cast<py::ssize_t>(order.size()));
+  std::copy(order.begin(), order.end(), column.mutable_data());
   return column;
 }
 
@@ -112,6 +134,7 @@ void define_measures(py::module_& m) {
   m.def("_qualities", &qualities, py::arg("mesh"));
   m.def("_neighbors", &neighbours, py::arg("mesh"));
   m.def("_locate", &located, py::arg("mesh"), py::arg("points"));
+  m.def("_order_along_curve", &order_along_curve, py::arg("points"));
 }
 
 }  // namespace asterism::python

@@ -1,0 +1,520 @@
+# SPDX-License-Identifier: MIT
+"""Distributed meshes of PETSc (DMPlex) adapted: gathered, meshed by threads, scattered again.
+
+    import asterism.petsc
+    made = asterism.petsc.adapt(dm, metric, threads=8)      # under mpirun: every process calls it
+    dm = made.dm
+
+The mesh is put into one order, whatever its distribution, before it is meshed on the first process: the
+same mesh comes out for any number of processes and of threads. Plane triangles. Tried with PETSc 3.18.
+"""
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import sys
+import traceback
+from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _asterism
+from ._adapt import adapt as _adapt_arrays
+from ._asterism import InputError
+from ._forms import doubles, tensor_rows
+from ._mesh import Mesh
+
+# Labels that a DMPlex makes for itself.
+_OWN_LABELS = ("celltype", "depth")
+
+Pair = Tuple[str, int]  # a label's name and a value of it
+
+
+class AdaptedPlex(NamedTuple):
+    """What asterism.petsc.adapt() makes, on each process: the distributed dm; values and carried at its local
+    vertices, in the form in which they were given; the report; and on the first process the `asterism` mesh with
+    its certificate, elsewhere None."""
+
+    dm: Any
+    values: Any
+    carried: Any
+    report: Dict[str, Any]
+    asterism: Optional[Mesh]
+
+
+class _Part(NamedTuple):
+    """What a process has: its vertices, its own cells by them, labelled cells, edges and vertices, and rows."""
+
+    points: npt.NDArray[np.float64]
+    cells: npt.NDArray[np.int64]
+    labels: List[Tuple[Pair, npt.NDArray[np.int64], npt.NDArray[np.int64], npt.NDArray[np.int64]]]
+    rows: Dict[str, npt.NDArray[np.float64]]
+
+
+class _Whole(NamedTuple):
+    """The mesh in its one order: vertices by x, then y; cells by their vertices."""
+
+    points: npt.NDArray[np.float64]
+    cells: npt.NDArray[np.int64]
+    cell_labels: Dict[Pair, npt.NDArray[np.int64]]
+    edge_labels: Dict[Pair, npt.NDArray[np.int64]]
+    vertex_labels: Dict[Pair, npt.NDArray[np.int64]]
+    rows: Dict[str, npt.NDArray[np.float64]]
+
+
+def adapt(dm: Any, metric: Any = None, *, values: Any = None, carry: Any = None, overlap: int = 0,
+          **wishes: Any) -> AdaptedPlex:
+    """The next mesh of a DMPlex, as asterism.adapt() makes it, distributed along a space-filling curve.
+
+    metric: one in any form that tensors have, or a Vec as dm.metricCreate() makes it; or values: fields, or a
+    dict of them, of which the metric is made. carry: fields that come along. All are arrays with a row for each
+    local vertex, in the order of the dm, ghosts among them, or local Vecs of such rows. overlap: of the new
+    distribution. wishes: the other arguments of asterism.adapt().
+    Labels stay: on cells and edges as they are, on vertices where they are those of labelled edges and cells, or
+    else with the vertices, which are kept. Every process calls this; one that fails, or is interrupted, ends the
+    call on all of them with its error.
+    """
+    comm = dm.comm.tompi4py()
+    part = _together(comm, lambda: _part_of(dm, {"metric": metric, "u": values, "carried": carry}))
+    parts = comm.gather(part)
+    plan = _on_first(comm, lambda: _adapted(parts, values, carry, metric is not None, wishes))
+    made, scattered = plan if comm.rank == 0 else (None, None)
+    with _ending_all(comm):
+        new, index = _scatter(dm.comm, scattered, overlap)
+        wanted, carried, report = _rows_for(comm, index, made, scattered)
+    return AdaptedPlex(new, _as_given(values, wanted), _as_given(carry, carried), report,
+                       made.mesh if comm.rank == 0 else None)
+
+
+def gathered(dm: Any) -> Optional[Mesh]:
+    """The asterism.Mesh of a distributed DMPlex in its one order, on the first process; elsewhere None."""
+    comm = dm.comm.tompi4py()
+    parts = comm.gather(_together(comm, lambda: _part_of(dm, {})))
+    made: Optional[Mesh] = _on_first(comm, lambda: _mesh_of(_whole_of(parts))[0])
+    return made
+
+
+# Errors: whoever fails tells the others before anybody waits for somebody.
+
+
+def _raise_first(told: List[Optional[BaseException]]) -> None:
+    for rank, error in enumerate(told):
+        if isinstance(error, InputError):
+            raise InputError(f"{error} (process {rank})" if len(told) > 1 else str(error))
+        if error is not None:
+            raise error
+
+
+def _kept(error: BaseException) -> BaseException:
+    """An error that can be sent: one that cannot is told by its text."""
+    import pickle
+
+    try:
+        pickle.loads(pickle.dumps(error))
+        return error
+    except Exception:  # an exception of any package may refuse to be pickled
+        return RuntimeError(f"{type(error).__name__}: {error}")
+
+
+def _together(comm: Any, work: Callable[[], Any]) -> Any:
+    """The outcome of work on this process; the first error of any on all of them."""
+    done, error = None, None
+    try:
+        done = work()
+    except BaseException as raised:  # an interrupt is told, too
+        error = _kept(raised)
+    _raise_first(comm.allgather(error))
+    return done
+
+
+def _on_first(comm: Any, work: Callable[[], Any]) -> Any:
+    """The outcome of work on the first process, None elsewhere; its error on all of them."""
+    done, error = None, None
+    if comm.rank == 0:
+        try:
+            done = work()
+        except BaseException as raised:  # an interrupt is told, too
+            error = _kept(raised)
+    error = comm.bcast(error)
+    if error is not None:
+        _raise_first([error])
+    return done
+
+
+@contextlib.contextmanager
+def _ending_all(comm: Any) -> Iterator[None]:
+    """Ends all processes where one fails among calls in which the others wait for it."""
+    try:
+        yield
+    except BaseException:
+        if comm.size == 1:
+            raise
+        traceback.print_exc()
+        sys.stderr.flush()
+        comm.Abort(1)
+
+
+# A process's part.
+
+
+def _cones(dm: Any, cells: Tuple[int, int], edges: Tuple[int, int]) -> Tuple[Any, Any]:
+    """The edges of each cell and the vertices of each edge, as numbers of points."""
+    from petsc4py import PETSc
+
+    count = [cells[1] - cells[0], edges[1] - edges[0]]
+    flat = None
+    try:  # all of them by one call of the library that petsc4py is linked with
+        first = ctypes.c_void_p()
+        library = ctypes.CDLL(PETSc.__file__)
+        if library.DMPlexGetCones(ctypes.c_void_p(dm.handle), ctypes.byref(first)) == 0 and first.value:
+            whole = ctypes.c_int64 if np.dtype(PETSc.IntType).itemsize == 8 else ctypes.c_int32
+            size = 3 * count[0] + 2 * count[1]
+            flat = np.ctypeslib.as_array(ctypes.cast(first, ctypes.POINTER(whole)), (size,)).astype(np.int64)
+    except (OSError, AttributeError):
+        pass
+    if flat is not None and cells[0] == 0 and count[0]:
+        of_cells, of_edges = flat[:3 * count[0]].reshape(-1, 3), flat[3 * count[0]:].reshape(-1, 2)
+        ends = [(of_cells, cells[0]), (of_edges, edges[0])]
+        if all(np.array_equal(table[k], dm.getCone(start + k)) for table, start in ends for k in (0, len(table) - 1)):
+            return of_cells, of_edges
+    return (np.array([dm.getCone(p) for p in range(*cells)], dtype=np.int64).reshape(-1, 3),
+            np.array([dm.getCone(p) for p in range(*edges)], dtype=np.int64).reshape(-1, 2))
+
+
+def _strata(dm: Any) -> Tuple[Tuple[int, int], Tuple[int, int], Tuple[int, int]]:
+    if dm.getDimension() != 2 or dm.getDepth() not in (2, -1) or dm.getCoordinateDim() != 2:
+        raise InputError("dm: triangles in the plane, with their edges (interpolate=True), are wanted")
+    return dm.getHeightStratum(0), dm.getDepthStratum(1), dm.getDepthStratum(0)
+
+
+def _part_of(dm: Any, given: Dict[str, Any]) -> _Part:
+    cells, edges, vertices = _strata(dm)
+    if any(dm.getConeSize(p) != 3 for p in (cells[0], cells[1] - 1) if cells[1] > cells[0]):
+        raise InputError("dm: triangles are wanted")
+    cell_edges, edge_vertices = _cones(dm, cells, edges)
+    ends = edge_vertices[cell_edges - edges[0]].reshape(-1, 6) - vertices[0]
+    corners = np.sort(ends, axis=1)[:, ::2] if len(ends) else np.zeros((0, 3), dtype=np.int64)
+    at = np.array(dm.getCoordinatesLocal().array_r).reshape(-1, 2) + 0.0  # no zero is below another
+    section = dm.getCoordinateSection()
+    place = np.array([section.getOffset(v) for v in range(*vertices)], dtype=np.int64) // 2
+    own = np.ones(len(corners), dtype=bool)
+    if dm.comm.size > 1:
+        leaves = dm.getPointSF().getGraph()[1]
+        ghosts = leaves[(leaves >= cells[0]) & (leaves < cells[1])] - cells[0]
+        own[ghosts] = False
+    labels = []
+    for name in (dm.getLabelName(k) for k in range(dm.getNumLabels())):
+        if name not in _OWN_LABELS:
+            labels += _stratum(dm, name, own, edge_vertices - vertices[0])
+    count = vertices[1] - vertices[0]
+    return _Part(at[place].reshape(-1, 2), corners[own], labels, _rows_of(given, count))
+
+
+def _stratum(dm: Any, name: str, own: Any, edge_vertices: Any) -> List[Any]:
+    """For each value of a label the own cells, the edges by their vertices, and the vertices that have it."""
+    cells, edges, vertices = _strata(dm)
+    number = np.cumsum(own) - 1
+    found = []
+    for value in dm.getLabelIdIS(name).getIndices() if dm.getLabelSize(name) else []:
+        points = dm.getStratumIS(name, int(value)).getIndices().astype(np.int64)
+        of_cells = points[(points >= cells[0]) & (points < cells[1])] - cells[0]
+        of_edges = points[(points >= edges[0]) & (points < edges[1])] - edges[0]
+        of_vertices = points[(points >= vertices[0]) & (points < vertices[1])] - vertices[0]
+        found.append(((name, int(value)), number[of_cells[own[of_cells]]], edge_vertices[of_edges], of_vertices))
+    return found
+
+
+def _rows_of(given: Dict[str, Any], count: int) -> Dict[str, Any]:
+    """The arrays by their names, prefixed by what they are for; rows for the local vertices."""
+    rows: Dict[str, Any] = {}
+    for use, fields in given.items():
+        if fields is None:
+            continue
+        for name, of in (fields.items() if isinstance(fields, Mapping) else [("", fields)]):
+            of = np.array(of.array_r) if hasattr(of, "array_r") else of
+            array = doubles(f"{use} {name}".strip(), of)
+            if array.ndim == 1 and count and array.size % count == 0 and array.size // count > 1:
+                array = array.reshape(count, -1)
+            if use == "metric":
+                array = array.reshape(-1, 2, 2) if array.ndim == 2 and array.shape[1] == 4 else array
+                array = tensor_rows(use, array, count) if count else np.zeros((0, 3))
+                array = np.tile(array, (count, 1)) if array.ndim == 1 else array
+            if array.ndim == 0 or len(array) != count:
+                raise InputError(f"{use} {name}: rows for the {count} local vertices are wanted, not an array of the "
+                                 f"shape {array.shape}".replace(" :", ":"))
+            rows[f"{use}/{name}"] = array
+    return rows
+
+
+# The whole, on the first process.
+
+
+def _whole_of(parts: List[_Part]) -> _Whole:
+    points = np.concatenate([part.points for part in parts])
+    starts = np.cumsum([0] + [len(part.points) for part in parts])
+    order = np.lexsort((points[:, 1], points[:, 0]))
+    in_order = points[order]
+    is_new = np.ones(len(order), dtype=bool)
+    is_new[1:] = (in_order[1:] != in_order[:-1]).any(axis=1)
+    number = np.empty(len(order), dtype=np.int64)
+    number[order] = np.cumsum(is_new) - 1
+    cells = np.concatenate([number[part.cells + start] for part, start in zip(parts, starts)])
+    cells = _one_way_round(in_order[is_new], cells)
+    cell_order = np.lexsort((cells[:, 2], cells[:, 1], cells[:, 0]))
+    cell_number = np.empty(len(cells), dtype=np.int64)
+    cell_number[cell_order] = np.arange(len(cells))
+    of_cells, of_edges, of_vertices = _whole_labels(parts, starts, number, cell_number)
+    return _Whole(in_order[is_new], cells[cell_order], of_cells, of_edges, of_vertices,
+                  _whole_rows(parts, order, is_new, number))
+
+
+def _one_way_round(points: Any, cells: Any) -> Any:
+    """Counter-clockwise, the least vertex first."""
+    from ._predicates import orientation
+
+    cells = np.sort(cells, axis=1)
+    corners = points[cells]
+    turns = np.asarray(orientation(corners[:, 0], corners[:, 1], corners[:, 2])).reshape(-1)
+    cells[turns < 0, 1:] = cells[turns < 0, :0:-1]
+    return cells
+
+
+def _whole_labels(parts: Any, starts: Any, number: Any, cell_number: Any) -> Tuple[Any, Any, Any]:
+    of_cells: Dict[Pair, Any] = {}
+    of_edges: Dict[Pair, Any] = {}
+    of_vertices: Dict[Pair, Any] = {}
+    first_cell = 0
+    for part, start in zip(parts, starts):
+        for pair, cells, edges, vertices in part.labels:
+            of_cells.setdefault(pair, []).append(cell_number[cells + first_cell])
+            of_edges.setdefault(pair, []).append(np.sort(number[edges + start], axis=1))
+            of_vertices.setdefault(pair, []).append(number[vertices + start])
+        first_cell += len(part.cells)
+    return ({pair: np.unique(np.concatenate(found)) for pair, found in sorted(of_cells.items())},
+            {pair: np.unique(np.concatenate(found), axis=0) for pair, found in sorted(of_edges.items())},
+            {pair: np.unique(np.concatenate(found)) for pair, found in sorted(of_vertices.items())})
+
+
+def _whole_rows(parts: List[_Part], order: Any, is_new: Any, number: Any) -> Dict[str, Any]:
+    rows: Dict[str, Any] = {}
+    for name in parts[0].rows:
+        together = np.concatenate([part.rows[name] for part in parts])
+        rows[name] = together[order][is_new]
+        if not np.array_equal(rows[name][number], together, equal_nan=True):
+            raise InputError(f"{name.replace('/', ' ').strip()}: a vertex that processes share has several values; bring "
+                             "ghosts up to date (dm.globalToLocal)")
+    return rows
+
+
+# The whole as an asterism.Mesh, its labels as regions, markers and required vertices.
+
+
+class _Labelling(NamedTuple):
+    """What the numbers of regions and markers, and the required vertices, stand for."""
+
+    regions: List[Tuple[Pair, ...]]
+    markers: List[Tuple[Pair, ...]]
+    vertices: Dict[Pair, npt.NDArray[np.float64]]  # places
+    to_edges: List[Pair]  # pairs that edges of labelled cells have
+    to_vertices: List[Pair]  # pairs that vertices of labelled edges and cells have
+
+
+def _combined(labels: Dict[Pair, Any], count: int) -> Tuple[Any, List[Tuple[Pair, ...]]]:
+    """The number of what each item has of labels, from 1 where it has none."""
+    numbers = np.zeros(count, dtype=np.int64)
+    sets: List[Tuple[Pair, ...]] = [()]
+    for pair, items in labels.items():
+        found: Dict[int, int] = {}
+        for old in np.unique(numbers[items]):
+            found[int(old)] = len(sets)
+            sets.append((*sets[int(old)], pair))
+        numbers[items] = [found[int(old)] for old in numbers[items]]
+    used, compact = np.unique(numbers, return_inverse=True)
+    if len(used) and used[0] != 0:
+        used, compact = np.concatenate([[0], used]), compact + 1
+    return compact, [sets[int(k)] for k in used]
+
+
+def _keys(edges: Any, count: int) -> Any:
+    return edges.min(axis=1) * count + edges.max(axis=1)
+
+
+def _mesh_of(whole: _Whole) -> Tuple[Mesh, _Labelling]:
+    count = len(whole.points)
+    sides = whole.cells[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+    keys, first, times = np.unique(_keys(sides, count), return_index=True, return_counts=True)
+    edges = sides[first]
+    regions, region_sets = _combined(whole.cell_labels, len(whole.cells))
+    of_edges, to_edges = _edges_apart(whole, keys, count)
+    markers, marker_sets = _combined(of_edges, len(keys))
+    order = np.argsort(_keys(sides, count), kind="stable")
+    last = order[np.cumsum(times) - 1]
+    listed = (times == 1) | (markers != 0) | (regions[first // 3] != regions[last // 3])
+    required, to_vertices = _vertices_apart(whole, count)
+    kept = np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *required.values()]))
+    # Region 0 is what a part without a number may have; ours begin at 1.
+    made = Mesh(whole.points, whole.cells, regions=regions + 1, edges=edges[listed], markers=markers[listed],
+                required_points=kept)
+    places = {pair: whole.points[found] for pair, found in required.items()}
+    return made, _Labelling(region_sets, marker_sets, places, to_edges, to_vertices)
+
+
+def _edges_apart(whole: _Whole, keys: Any, count: int) -> Tuple[Dict[Pair, Any], List[Pair]]:
+    """Labelled edges by their numbers among the keys, without those that have the label of their cell, and the
+    pairs of which there are such."""
+    apart: Dict[Pair, Any] = {}
+    closed = []
+    for pair, edges in whole.edge_labels.items():
+        found = np.searchsorted(keys, _keys(edges, count)) if len(edges) else np.zeros(0, dtype=np.int64)
+        corners = whole.cells[whole.cell_labels[pair]]
+        of_cells = np.unique(np.searchsorted(keys, _keys(corners[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), count)))
+        if len(of_cells) and np.isin(of_cells, found).all():
+            closed.append(pair)
+            found = np.setdiff1d(found, of_cells)
+        apart[pair] = found
+    return apart, closed
+
+
+def _vertices_apart(whole: _Whole, count: int) -> Tuple[Dict[Pair, Any], List[Pair]]:
+    """Labelled vertices without those of labelled edges and cells, and the pairs of which these are."""
+    apart: Dict[Pair, Any] = {}
+    closed = []
+    for pair, vertices in whole.vertex_labels.items():
+        below = np.unique(np.concatenate([whole.edge_labels[pair].reshape(-1),
+                                          whole.cells[whole.cell_labels[pair]].reshape(-1)]))
+        if len(below) and np.isin(below, vertices).all():
+            closed.append(pair)
+            vertices = np.setdiff1d(vertices, below)
+        if len(vertices):
+            apart[pair] = vertices
+    return apart, closed
+
+
+class _Scattered(NamedTuple):
+    """A mesh to scatter, with the labels of its points, and its fields by use and name."""
+
+    mesh: Mesh
+    labelling: _Labelling
+    names: List[Pair]  # all pairs of the mesh before
+    rows: Dict[str, npt.NDArray[np.float64]]
+
+
+def _adapted(parts: List[_Part], values: Any, carry: Any, has_metric: bool, wishes: Dict[str, Any]) -> Any:
+    whole = _whole_of(parts)
+    old, labelling = _mesh_of(whole)
+    wanted = _fields(whole, "u", values)
+    carried = _fields(whole, "carried", carry)
+    made = _adapt_arrays(old, wanted, metric=whole.rows["metric/"] if has_metric else None, carry=carried, **wishes)
+    rows = {f"{use}/{name}": np.asarray(of) for use, form, moved in (
+        ("u", values, made.values), ("carried", carry, made.carried)) if form is not None
+        for name, of in (moved.items() if isinstance(form, Mapping) else [("", moved)])}
+    names = sorted({*whole.cell_labels, *whole.edge_labels, *whole.vertex_labels})
+    return made, _Scattered(made.mesh, labelling, names, rows)
+
+
+def _fields(whole: _Whole, use: str, form: Any) -> Any:
+    if form is None:
+        return None
+    found = {name.split("/", 1)[1]: of for name, of in whole.rows.items() if name.startswith(f"{use}/")}
+    return found if isinstance(form, Mapping) else found[""]
+
+
+# The new mesh, scattered.
+
+
+def _scatter(comm: Any, scattered: Optional[_Scattered], overlap: int) -> Tuple[Any, Any]:
+    """The distributed dm, and which point of the mesh each local vertex is."""
+    from petsc4py import PETSc
+
+    mpi = comm.tompi4py()
+    cells, points, order = np.zeros((0, 3), dtype=PETSc.IntType), np.zeros((0, 2)), None
+    if scattered is not None:
+        order = _asterism._order_along_curve(scattered.mesh.points[scattered.mesh.triangles].mean(axis=1))
+        cells = np.array(scattered.mesh.triangles[order], dtype=PETSc.IntType)
+        points = np.array(scattered.mesh.points)
+    dm = PETSc.DMPlex().createFromCellList(2, cells, points, interpolate=True, comm=comm)
+    names = mpi.bcast(None if scattered is None else sorted({name for name, _ in scattered.names}))
+    for name in names:
+        if not dm.hasLabel(name):
+            dm.createLabel(name)
+    start, end = dm.getDepthStratum(0)
+    index = np.full(dm.getChart()[1], -1, dtype=np.int64)
+    index[start:end] = np.arange(end - start)
+    _on_first(mpi, lambda: _set_labels(dm, scattered, order, start))
+    if mpi.size == 1:
+        return dm, index[start:end]
+    partitioner = dm.getPartitioner()
+    partitioner.setType("shell")
+    if scattered is not None:
+        cuts = np.array([len(cells) * k // mpi.size for k in range(mpi.size + 1)])
+        partitioner.setShellPartition(mpi.size, np.diff(cuts).astype(PETSc.IntType),
+                                      np.arange(len(cells), dtype=PETSc.IntType))
+    else:
+        partitioner.setShellPartition(mpi.size, np.zeros(mpi.size, dtype=PETSc.IntType), np.zeros(0, dtype=PETSc.IntType))
+    moved = dm.distribute(overlap=overlap)
+    return dm, _brought(dm, moved, index)
+
+
+def _brought(dm: Any, moved: Any, index: Any) -> Any:
+    from mpi4py import MPI
+
+    local = np.full(dm.getChart()[1], -1, dtype=np.int64)
+    moved.bcastBegin(MPI.INT64_T, index, local, MPI.REPLACE)
+    moved.bcastEnd(MPI.INT64_T, index, local, MPI.REPLACE)
+    return local[slice(*dm.getDepthStratum(0))]
+
+
+def _set_labels(dm: Any, scattered: Any, order: Any, first_vertex: int) -> None:
+    """Sets the labels of cells, edges and vertices of the dm, of which the first process has all."""
+    from petsc4py import PETSc
+
+    mesh, labelling = scattered.mesh, scattered.labelling
+    cells, edges, vertices = _strata(dm)
+    cell_edges, edge_vertices = _cones(dm, cells, edges)
+    edge_vertices = edge_vertices - first_vertex
+    has: Dict[Pair, List[Any]] = {}
+    regions = np.asarray(mesh.regions)[order] - 1
+    for number, pairs in enumerate(labelling.regions):
+        for pair in pairs:
+            has.setdefault(pair, []).append(np.flatnonzero(regions == number) + cells[0])
+    count = len(mesh.points)
+    keys = _keys(edge_vertices, count)
+    by_key = np.argsort(keys)
+    points_of = edges[0] + by_key[np.searchsorted(keys[by_key], _keys(np.asarray(mesh.edges, dtype=np.int64), count))]
+    markers = np.asarray(mesh.edge_markers)
+    for number, pairs in enumerate(labelling.markers):
+        for pair in pairs:
+            has.setdefault(pair, []).append(points_of[markers == number])
+    for pair in labelling.to_edges:
+        own = np.concatenate(has.get(pair, [np.zeros(0, dtype=np.int64)]))
+        has.setdefault(pair, []).append(np.unique(cell_edges[own[own < cells[1]]]))
+    for pair in labelling.to_vertices:
+        own = np.concatenate(has.get(pair, [np.zeros(0, dtype=np.int64)]))
+        of_cells = cell_edges[own[own < cells[1]]].reshape(-1) - edges[0]
+        of_edges = own[(own >= edges[0]) & (own < edges[1])] - edges[0]
+        has.setdefault(pair, []).append(first_vertex + np.unique(edge_vertices[np.concatenate([of_cells, of_edges])]))
+    at = {place: k for k, place in enumerate(map(tuple, np.asarray(mesh.points)[:mesh.given].tolist()))}
+    for pair, places in labelling.vertices.items():
+        has.setdefault(pair, []).append(np.array([first_vertex + at[tuple(place)] for place in places.tolist()]))
+    for (name, value), found in has.items():
+        every = np.unique(np.concatenate(found)).astype(PETSc.IntType)
+        dm.getLabel(name).insertIS(PETSc.IS().createGeneral(every, comm=PETSc.COMM_SELF), value)
+
+
+def _rows_for(comm: Any, index: Any, made: Any, scattered: Optional[_Scattered]) -> Tuple[Any, Any, Any]:
+    """Fields at the local vertices, and the report."""
+    wanted = comm.gather(index)
+    sent = None
+    if scattered is not None:
+        sent = [({name: of[rows] for name, of in scattered.rows.items()}, made.report) for rows in wanted]
+    rows, report = comm.scatter(sent)
+    return ({name: of for name, of in rows.items() if name.startswith("u/")},
+            {name: of for name, of in rows.items() if name.startswith("carried/")}, report)
+
+
+def _as_given(form: Any, rows: Dict[str, Any]) -> Any:
+    if form is None:
+        return None
+    found = {name.split("/", 1)[1]: of for name, of in rows.items()}
+    return found if isinstance(form, Mapping) else found[""]

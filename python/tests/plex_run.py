@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: MIT
+"""What test_petsc.py runs under mpirun: `plex_run.py JOB`. Prints one line of JSON on the first process."""
+import hashlib
+import json
+import sys
+
+import numpy as np
+from petsc4py import PETSc
+
+import asterism
+import asterism.petsc
+
+COMM = PETSc.COMM_WORLD
+MPI = COMM.tompi4py()
+N = 14
+
+
+def square():
+    """A grid of the unit square with labels of every kind, distributed by PETSc in its own way."""
+    cells, points = np.zeros((0, 3), dtype=PETSc.IntType), np.zeros((0, 2))
+    if MPI.rank == 0:
+        points = np.array([(i / N, j / N) for j in range(N + 1) for i in range(N + 1)])
+        quads = [(j * (N + 1) + i, j * (N + 1) + i + 1, (j + 1) * (N + 1) + i + 1, (j + 1) * (N + 1) + i)
+                 for j in range(N) for i in range(N)]
+        cells = np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))], dtype=PETSc.IntType)
+    dm = PETSc.DMPlex().createFromCellList(2, cells, points, interpolate=True, comm=COMM)
+    for name in ("Cell Sets", "Face Sets", "marker", "probe"):
+        dm.createLabel(name)
+    if MPI.rank == 0:
+        label_all(dm, points)
+    dm.distribute(overlap=1 if "overlap" in sys.argv else 0)
+    return dm
+
+
+def label_all(dm, points):
+    cells, edges, vertices = dm.getHeightStratum(0), dm.getDepthStratum(1), dm.getDepthStratum(0)
+    for edge in range(*edges):
+        (x0, y0), (x1, y1) = (points[v - vertices[0]] for v in dm.getCone(edge))
+        for tag, on in ((1, y0 == y1 == 0), (2, x0 == x1 == 1), (3, y0 == y1 == 1), (4, x0 == x1 == 0),
+                        (9, x0 == x1 == 0.5 and max(y0, y1) <= 0.5)):
+            if on:
+                dm.setLabelValue("Face Sets", edge, tag)
+                if tag != 9:
+                    for point in (edge, *dm.getCone(edge)):
+                        dm.setLabelValue("marker", point, 1)
+    for cell in range(*cells):
+        corners = points[dm.getTransitiveClosure(cell)[0][-3:] - vertices[0]]
+        dm.setLabelValue("Cell Sets", cell, 5 if corners.mean(axis=0)[0] < 0.5 else 6)
+    dm.setLabelValue("probe", vertices[0] + 4 * (N + 1) + 3, 7)
+
+
+def coordinates(dm):
+    return dm.getCoordinatesLocal().array_r.reshape(-1, 2)
+
+
+def front(p):
+    return np.tanh(25 * (p[:, 1] - 0.4 - 0.2 * np.sin(4 * p[:, 0])))
+
+
+def digest(whole):
+    told = hashlib.sha256()
+    for part in (whole.points, whole.cells, *[of for group in (
+            whole.cell_labels, whole.edge_labels, whole.vertex_labels) for of in group.values()]):
+        told.update(np.ascontiguousarray(part).tobytes())
+    return told.hexdigest()
+
+
+def measures(whole):
+    corners = whole.points[whole.cells]
+    areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
+    sizes = lambda edges: np.linalg.norm(whole.points[edges[:, 0]] - whole.points[edges[:, 1]], axis=1).sum()
+    return {"areas": {f"{n} {v}": areas[of].sum() for (n, v), of in whole.cell_labels.items() if len(of)},
+            "lengths": {f"{n} {v}": sizes(of) for (n, v), of in whole.edge_labels.items() if len(of)},
+            "probe": whole.points[whole.vertex_labels["probe", 7]].tolist(),
+            "marked": sorted(whole.points[whole.vertex_labels["marker", 1]].tolist())}
+
+
+def whole(dm):
+    parts = MPI.gather(asterism.petsc._part_of(dm, {}))
+    return asterism.petsc._whole_of(parts) if MPI.rank == 0 else None
+
+
+def run_adapt():
+    dm = square()
+    for _ in range(2):
+        at = coordinates(dm)
+        made = asterism.petsc.adapt(dm, values=front(at), carry={"x": at[:, 0], "v": at}, vertices=700,
+                                    threads=1 + MPI.size % 2)
+        dm = made.dm
+        new = coordinates(dm)
+        assert np.allclose(made.carried["x"], new[:, 0], atol=1e-13) and np.allclose(made.carried["v"], new, atol=1e-13)
+        assert len(made.values) == len(new) and abs(made.values).max() <= 1
+    found = whole(dm)
+    share = MPI.gather(dm.getHeightStratum(0)[1])
+    if MPI.rank == 0:
+        assert made.asterism.certified
+        return {"digest": digest(found), "mesh": hashlib.sha256(made.asterism.sites.tobytes()).hexdigest(),
+                "vertices": len(found.points), "share": share, "reached": made.report["reached"], **measures(found)}
+
+
+def run_metric():
+    dm = square()
+    at = coordinates(dm)
+    tensors = np.column_stack([100 + 900 * at[:, 0], 0 * at[:, 0], np.full(len(at), 100.0)])
+    made = asterism.petsc.adapt(dm, tensors, keep="never")
+    vector = PETSc.Vec().createWithArray(np.stack([np.array([[a, b], [b, c]]) for a, b, c in tensors]).reshape(-1).copy()
+                                         if len(at) else np.zeros(0), comm=PETSc.COMM_SELF)
+    same = asterism.petsc.adapt(dm, vector, keep="never")
+    one, two = whole(made.dm), whole(same.dm)
+    if MPI.rank == 0:
+        return {"digest": digest(one), "same": digest(two), "vertices": len(one.points)}
+
+
+def run_errors():
+    """Each error is raised on all processes; afterwards all go on together."""
+    dm = square()
+    at = coordinates(dm)
+    last = MPI.size - 1
+    told = []
+    for arguments in ({"metric": np.ones((2, 3))} if MPI.rank == last else {"metric": (1, 0, 1)},
+                      {"values": front(at), "vertices": -1}, {"values": np.full(len(at), float(MPI.rank + 1)) + at[:, 0] * MPI.rank},
+                      {"values": front(at), "progress": lambda state: 1 / 0, "vertices": 3000, "keep": "never"}):
+        try:
+            asterism.petsc.adapt(dm, **arguments)
+            told.append(None)
+        except (asterism.InputError, ZeroDivisionError) as error:
+            told.append(f"{type(error).__name__}: {error}")
+    every = MPI.gather(told)
+    if MPI.rank == 0:
+        return {"told": every}
+
+
+if __name__ == "__main__":
+    told = {"adapt": run_adapt, "metric": run_metric, "errors": run_errors}[sys.argv[1]]()
+    if MPI.rank == 0:
+        print(json.dumps(told))

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""Distributed meshes of PETSc, under mpirun. Skipped where petsc4py, mpi4py or mpirun are not installed."""
+import importlib.util
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+for needed, package in (("petsc4py", "python3-petsc4py"), ("mpi4py", "python3-mpi4py")):
+    if importlib.util.find_spec(needed) is None:
+        pytest.skip(f"{needed} is not installed ({package})", allow_module_level=True)
+if shutil.which("mpirun") is None:
+    pytest.skip("mpirun is not installed (openmpi-bin)", allow_module_level=True)
+
+RUN = pathlib.Path(__file__).parent / "plex_run.py"
+
+
+def run(processes, *job):
+    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+                   "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
+    done = subprocess.run(["mpirun", "-n", str(processes), "--bind-to", "none", sys.executable, "-W", "ignore", str(RUN),
+                           *job], env=environment, capture_output=True, text=True, timeout=600)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return json.loads(done.stdout.strip().splitlines()[-1])
+
+
+def on_square(places):
+    return all(0 in p or 1 in p for p in places)
+
+
+def test_the_same_mesh_on_any_number_of_processes():
+    alone = run(1, "adapt")
+    assert alone["reached"] and abs(alone["vertices"] / 700 - 1) < 0.03
+    assert alone["areas"] == pytest.approx({"Cell Sets 5": 0.5, "Cell Sets 6": 0.5})
+    assert alone["lengths"] == pytest.approx({"Face Sets 1": 1, "Face Sets 2": 1, "Face Sets 3": 1, "Face Sets 4": 1,
+                                              "Face Sets 9": 0.5, "marker 1": 4})
+    assert alone["probe"] == [[3 / 14, 4 / 14]] and len(alone["marked"]) > 20 and on_square(alone["marked"])
+    for processes in (2, 3, 4):
+        several = run(processes, "adapt")
+        share = several.pop("share")
+        assert {**several, "share": alone["share"]} == alone, processes
+        assert max(share) - min(share) <= 1 and sum(share) == alone["share"][0]
+    overlapped = run(3, "adapt", "overlap")
+    assert overlapped["digest"] == alone["digest"]
+
+
+def test_a_metric_as_rows_and_as_a_vector():
+    alone, several = run(1, "metric"), run(3, "metric")
+    assert alone["digest"] == alone["same"] == several["digest"] == several["same"]
+
+
+def test_an_error_on_one_process_is_one_on_all():
+    told = run(3, "errors")["told"]
+    assert told[0] == told[1] == told[2]
+    first, second, third, fourth = told[0]
+    assert first.startswith("InputError: metric") and "(process 2)" in first
+    assert second.startswith("InputError: vertices") and "several values" in third
+    assert fourth.startswith("ZeroDivisionError")

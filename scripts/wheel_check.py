@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+"""Tries an installed package: a mesh, an adaptation, the predicates, files."""
+import pathlib
+import tempfile
+
+import numpy as np
+
+import asterism
+
+mesh = asterism.mesh([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], size=0.2)
+assert mesh.certified and mesh.verify()["verified"]
+made = asterism.adapt(mesh, np.tanh(9 * (mesh.points[:, 0] - mesh.points[:, 1])), vertices=500, threads=2)
+assert made.mesh.certified and made.report["reached"], made.report
+assert asterism.orientation((0, 0), (1, 0), (0, 1)) == 1
+with tempfile.TemporaryDirectory() as folder:
+    made.mesh.save(pathlib.Path(folder) / "m.mesh")
+    made.mesh.save(pathlib.Path(folder) / "m.html")
+    assert asterism.verify(pathlib.Path(folder) / "m.mesh")["triangles"] == len(made.mesh.triangles)
+print(f"asterism {asterism.__version__} works: {made.mesh!r}")
