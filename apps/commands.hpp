@@ -26,6 +26,8 @@ void add_transfer_command(CLI::App& program, command& chosen);
 void add_deviation_command(CLI::App& program, command& chosen);
 void add_info_command(CLI::App& program, command& chosen);
 void add_completion_command(CLI::App& program, command& chosen);
+void add_help_command(CLI::App& program, command& chosen);
+// Requires that all other commands are there.
 void add_man_command(CLI::App& program, command& chosen);
 
 }  // namespace asterism::apps

@@ -7,6 +7,8 @@
 #include "asterism/apps/command_tree.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/help_text.hpp"
+#include "asterism/apps/usage_message.hpp"
 
 namespace asterism::apps {
 namespace {
@@ -38,6 +40,27 @@ void add_completion_command(CLI::App& program, command& chosen) {
     chosen = [&program, shell] {
       std::cout << completion_script(command_tree(program), *shell);
       return static_cast<int>(done);
+    };
+  });
+}
+
+void add_help_command(CLI::App& program, command& chosen) {
+  auto* const app = program.add_subcommand("help", "Show the options and examples of a command");
+  const auto name = std::make_shared<std::string>();
+  app->add_option("COMMAND", *name, "The command; default: the program");
+  app->footer("Example:\n  asterism help mesh");
+  app->callback([&program, name, &chosen] {
+    chosen = [&program, name]() -> int {
+      if (name->empty()) {
+        std::cout << wrapped(program.help("", CLI::AppFormatMode::All), help_columns());
+        return done;
+      }
+      for (const CLI::App* other : program.get_subcommands([](const CLI::App*) { return true; }))
+        if (other->get_name() == *name) {
+          std::cout << wrapped(other->help(program.get_name()), help_columns());
+          return done;
+        }
+      return complain({no_such_command(program, *name)}, refused);
     };
   });
 }

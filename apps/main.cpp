@@ -8,6 +8,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/freed_memory.hpp"
+#include "asterism/apps/help_text.hpp"
 #include "asterism/apps/usage_message.hpp"
 #include "asterism/core/version.h"
 
@@ -22,7 +23,8 @@ int run(int argc, char** argv) {
   program.footer(
       "Exit status: 0 done; 1 not reached (what is certain is written, and says so);\n"
       "2 bad usage or input (nothing is written).\n\n"
-      "asterism COMMAND --help shows the options and examples of one command.");
+      "Begin with:\n  asterism mesh square --metric swirl:3 --size 0.1 -o swirl.html\n\n"
+      "'asterism help COMMAND' shows the options and examples of one command.");
   command chosen;
   add_mesh_command(program, chosen);
   add_verify_command(program, chosen);
@@ -36,13 +38,22 @@ int run(int argc, char** argv) {
   add_draw_command(program, chosen);
   add_info_command(program, chosen);
   add_completion_command(program, chosen);
+  add_help_command(program, chosen);
   add_man_command(program, chosen);
+  group_options(program);
+  if (const auto message = misread_help(program, {argv + 1, argv + argc})) {
+    std::cerr << "asterism: " << without_controls(*message) << '\n';
+    return refused;
+  }
   try {
     program.parse(argc, argv);
     if (!chosen)
       throw CLI::RequiredError(
           "a command (mesh, adapt, metric, transfer, verify, certify, eval, challenge, deviation, "
           "draw, info, completion or man)");
+  } catch (const CLI::CallForHelp&) {
+    std::cout << wrapped(program.help(), help_columns());
+    return done;
   } catch (const CLI::ParseError& failure) {
     if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
     std::cerr << "asterism: "

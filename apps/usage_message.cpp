@@ -3,24 +3,29 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <numeric>
+#include <string_view>
 
 namespace asterism::apps {
 namespace {
 
-// Returns how many letters must be changed, added or taken away to make one word of the other.
+// Returns how many letters must be changed, added, taken away or exchanged with their neighbour to
+// make one word of the other (optimal string alignment).
 std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t before = row[0]++;  // of the row above, one to the left
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t above = row[j + 1];
-      row[j + 1] = std::min({above + 1, row[j] + 1, before + (a[i] == b[j] ? 0 : 1)});
-      before = above;
+  std::vector<std::vector<std::size_t>> rows(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  std::iota(rows[0].begin(), rows[0].end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    rows[i][0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      rows[i][j] = std::min({rows[i - 1][j] + 1, rows[i][j - 1] + 1,
+                             rows[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      const bool is_exchanged = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (is_exchanged) rows[i][j] = std::min(rows[i][j], rows[i - 2][j - 2] + 1);
     }
   }
-  return row[b.size()];
+  return rows[a.size()][b.size()];
 }
 
 // "; did you mean --size?" where a name is at most two letters off, and less than half of it.
@@ -42,15 +47,69 @@ std::vector<std::string> options_of(const CLI::App& app) {
   return names;
 }
 
+struct foreign_option {
+  std::string_view name;  // without dashes
+  std::string_view ours, what;
+};
+
+// Options of other meshers, and what they are called here.
+constexpr std::array<foreign_option, 17> foreign_options = {{
+    {"hmax", "--size", "the length of an edge of metric length 1"},
+    {"hsiz", "--size", "the length of an edge of metric length 1"},
+    {"clmax", "--size", "the length of an edge of metric length 1"},
+    {"lc", "--size", "the length of an edge of metric length 1"},
+    {"hmin", "--size", "the length of an edge of metric length 1"},
+    {"hgrad", "--gradation", "the greatest ratio of neighbouring sizes"},
+    {"min-angle", "--angle-bound", "the least angle in degrees, in the metric"},
+    {"minangle", "--angle-bound", "the least angle in degrees, in the metric"},
+    {"ar", "--corner-angle", "beyond which the boundary has a corner"},
+    {"nbvx", "--max-sites", "the greatest number of vertices"},
+    {"err", "--error", "the interpolation error wanted"},
+    {"out", "-o", "the file to write"},
+    {"nt", "--threads", "how many threads work"},
+    {"j", "--threads", "how many threads work"},
+    {"q", "--angle-bound", "the least angle in degrees, in the metric"},
+    {"a", "--size", "the length of an edge; a triangle of it has 0.433 of its square as area"},
+    {"p", "-o", "the file to write; a .poly is read without an option"},
+}};
+
+// Returns what an unknown option is called here, as the end of a message; empty if that is not
+// known. Triangle and others write a value right behind the letter: -q30.
+std::string hint_for(const std::string& word, const std::vector<std::string>& known) {
+  std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
+  if (word[1] != '-' && name.size() > 1 && std::isalpha(static_cast<unsigned char>(name[1])) == 0)
+    name.resize(1);
+  if (std::find(known.begin(), known.end(), "--" + name) != known.end())
+    return "; did you mean --" + name + "?";
+  for (const foreign_option& other : foreign_options) {
+    const bool is_ours = std::find(known.begin(), known.end(), other.ours) != known.end();
+    if (other.name == name && is_ours)
+      return "; here it is " + std::string(other.ours) + " (" + std::string(other.what) + ")";
+  }
+  return "";
+}
+
 // The first word that looks like an option and is none of them; empty if all are.
 std::string unknown_option(const std::vector<std::string>& words,
                            const std::vector<std::string>& known) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     const std::string name = words[i].substr(0, words[i].find('='));
-    const bool looks_so = name.size() > 1 && name[0] == '-' && std::isalpha(name.back()) != 0;
+    const bool looks_so = name.size() > 1 && name[0] == '-' &&
+                          (name[1] == '-' || std::isalpha(static_cast<unsigned char>(name[1])));
+    // -oFILE
+    if (looks_so && name.size() > 2 && name[1] != '-' && name[1] != 'h' &&
+        std::find(known.begin(), known.end(), name.substr(0, 2)) != known.end())
+      continue;
     if (looks_so && std::find(known.begin(), known.end(), name) == known.end()) return name;
   }
   return "";
+}
+
+std::string no_such_option(const CLI::App& app, const std::string& word) {
+  const std::vector<std::string> known = options_of(app);
+  const std::string hint = hint_for(word, known);
+  return app.get_name() + " has no option " + word + (hint.empty() ? meant(word, known) : hint) +
+         "\n'asterism " + app.get_name() + " --help' lists the options.";
 }
 
 }  // namespace
@@ -58,22 +117,39 @@ std::string unknown_option(const std::vector<std::string>& words,
 std::string usage_message(const CLI::App& program, const std::vector<std::string>& words,
                           const CLI::ParseError& failure) {
   const CLI::App* app = nullptr;
-  std::vector<std::string> commands;
-  for (const CLI::App* one : program.get_subcommands([](const CLI::App*) { return true; })) {
-    commands.push_back(one->get_name());
+  for (const CLI::App* one : program.get_subcommands([](const CLI::App*) { return true; }))
     if (!words.empty() && words[0] == one->get_name()) app = one;
-  }
   if (app == nullptr) {
     const std::string help = "\n'asterism --help' lists the commands.";
     if (words.empty() || words[0][0] == '-') return failure.what() + help;
-    return "there is no command '" + words[0] + "'" + meant(words[0], commands) + help;
+    return no_such_command(program, words[0]);
   }
   const std::string help = "\n'asterism " + app->get_name() + " --help' lists the options.";
   const std::vector<std::string> known = options_of(*app);
   const std::string unknown = unknown_option(words, known);
   if (dynamic_cast<const CLI::ExtrasError*>(&failure) == nullptr || unknown.empty())
     return failure.what() + help;
-  return app->get_name() + " has no option " + unknown + meant(unknown, known) + help;
+  return no_such_option(*app, unknown);
+}
+
+std::string no_such_command(const CLI::App& program, const std::string& word) {
+  std::vector<std::string> commands;
+  for (const CLI::App* one : program.get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(one->get_name());
+  return "there is no command '" + word + "'" + meant(word, commands) +
+         "\n'asterism --help' lists the commands.";
+}
+
+std::optional<std::string> misread_help(const CLI::App& program,
+                                        const std::vector<std::string>& words) {
+  if (words.empty() || words[0] == "challenge") return std::nullopt;
+  for (const CLI::App* app : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (app->get_name() != words[0]) continue;
+    for (const std::string& word : words)
+      if (word.size() > 2 && word.compare(0, 2, "-h") == 0 && word != "-help")
+        return no_such_option(*app, word);
+  }
+  return std::nullopt;
 }
 
 }  // namespace asterism::apps

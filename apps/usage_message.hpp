@@ -3,6 +3,7 @@
 // Says what is wrong with a command line that could not be parsed, and what was probably meant.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,14 @@ namespace asterism::apps {
 // without the program's own name.
 std::string usage_message(const CLI::App& program, const std::vector<std::string>& words,
                           const CLI::ParseError& failure);
+
+// Returns the message for a word that is no command.
+std::string no_such_command(const CLI::App& program, const std::string& word);
+
+// Returns the message for a word like -hmax, in which the parser would read -h and forget the rest;
+// none where there is no such word. Words behind `challenge` are left alone: some are another
+// program's.
+std::optional<std::string> misread_help(const CLI::App& program,
+                                        const std::vector<std::string>& words);
 
 }  // namespace asterism::apps

@@ -13,7 +13,7 @@ import unittest
 import command
 
 COMMANDS = ["mesh", "verify", "certify", "adapt", "metric", "transfer", "eval", "challenge", "deviation", "draw", "info",
-            "completion", "man"]
+            "completion", "help", "man"]
 
 
 class Help(command.CommandTest):
@@ -23,7 +23,7 @@ class Help(command.CommandTest):
         return set(re.findall(r"^  (?:-\w,)?(--[a-z][a-z-]*)", listed, re.M))
 
     def test_all_commands_are_known_here(self):
-        listed = self.run_command("--help").stdout.split("Subcommands:")[1]
+        listed = self.run_command("--help").stdout.split("Subcommands:")[1].split("Exit status:")[0]
         self.assertEqual(set(re.findall(r"^  (\w+) ", listed, re.M)), set(COMMANDS))
 
     def test_every_option_is_completed_in_every_shell(self):
@@ -214,6 +214,33 @@ class Help(command.CommandTest):
             self.assertEqual(done.returncode, 2)
             self.assertIn(told, done.stderr)
             self.assertRegex(done.stderr, "'asterism (mesh |verify )?--help' lists")
+
+    def test_options_of_other_meshers_are_told_by_their_name_here(self):
+        for word, told in (("-hmax", "-hmax; here it is --size|-hmax; did you mean --hmax"), ("--min-angle", "--angle-bound"),
+                           ("-q30", "-q30; here it is --angle-bound"), ("-a.1", "-a.1; here it is --size"),
+                           ("--clmax", "--size"), ("-j", "-j; here it is --threads"), ("-nt", "--threads")):
+            done = self.run_command("mesh", "square", word, "0.1", "-o", "m.mesh")
+            self.assertEqual(done.returncode, 2, word)
+            self.assertRegex(done.stderr, told)
+            self.assertEqual(self.files(), [])
+        self.assertIn("did you mean mesh?", self.run_command("mehs", "square").stderr)
+
+    def test_help_of_a_command_is_wrapped_and_grouped(self):
+        for words in (("help", "mesh"), ("mesh", "--help"), ("help",), ("--help",)):
+            for columns in ("60", "80", "100"):
+                done = subprocess.run([command.PROGRAM, *words], capture_output=True, text=True, check=True,
+                                      env={**os.environ, "COLUMNS": columns})
+                prose = [line for line in done.stdout.splitlines() if not line.startswith(("  asterism ", "Usage:"))]
+                most = max(len(line) for line in prose)
+                self.assertLessEqual(most, int(columns), [line for line in prose if len(line) == most])
+        said = self.run_command("help", "mesh").stdout
+        for heading in ("What is wanted:", "Domain:", "Files and words:", "Limits:", "Examples:"):
+            self.assertIn("\n" + heading + "\n", said)
+        self.assertEqual(said, self.run_command("mesh", "--help").stdout)
+        self.assertIn("asterism mesh square", self.run_command("--help").stdout)
+        done = self.run_command("help", "mehs")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("did you mean mesh?", done.stderr)
 
     def test_a_mesh_that_is_not_certified_may_be_repaired(self):
         self.run_command("mesh", "square", "--size", "0.3", "-o", "m.mesh")

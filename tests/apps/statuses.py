@@ -22,6 +22,14 @@ def runs(page):
 
 
 class Statuses(command.CommandTest):
+    def test_the_line_of_verify_is_the_one_shown(self):
+        page = PAGE.read_text(encoding="utf-8")
+        shown = re.search(r"\n`asterism (mesh [^`]*)`, then `asterism (verify [^`]*)`:\n\n((?:    .*\n)+)", page)
+        for words in shown[1].split(), shown[2].split():
+            done = self.run_command(*words)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.split(), shown[3].split())
+
     def test_every_run_of_the_table_ends_as_it_says(self):
         listed = list(runs(PAGE.read_text(encoding="utf-8")))
         for name in ("mesh", "verify", "certify", "eval", "draw", "challenge", "metric", "adapt"):

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// Lays out what --help and `asterism help` print.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace asterism::apps {
+
+// Puts the options of every command under headings: what is wanted, the domain, files and words,
+// limits. An option that has no heading of its own stays under "Options".
+void group_options(CLI::App& program);
+
+// Returns the columns that lines may take: those of COLUMNS, else of the terminal that standard
+// output is, else 100.
+std::size_t help_columns();
+
+// Returns the help with lines longer than `columns` broken between words. A description goes on
+// below its first word. Examples stay as they are: a broken command line cannot be copied.
+std::string wrapped(const std::string& help, std::size_t columns);
+
+}  // namespace asterism::apps
