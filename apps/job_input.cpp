@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/job_input.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,7 +19,9 @@
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/metric/local_sizes.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/layer_rows.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "asterism/mesh/pipeline/scaled_metric.hpp"
 
@@ -40,13 +45,21 @@ result<field_of_size> metric_of(const mesh_job& job, const domain& shape) {
   });
 }
 
-result<prepared_input> with_metric(const mesh_job& job, domain shape) {
+// Returns the size wanted where no place has one of its own.
+std::optional<double> size_elsewhere(const mesh_job& job, const size_wishes& sizes,
+                                     const domain& shape) {
+  if (job.size || job.complexity || job.refinement.vertices || sizes.is_empty()) return job.size;
+  return size_where_none_is_wished(sizes, shape);
+}
+
+result<prepared_input> with_metric(const mesh_job& job, const size_wishes& sizes, domain shape) {
   const auto metric = metric_of(job, shape);
   if (!metric) return metric.failure();
   scale_demand wanted;
-  wanted.size = job.size;
+  wanted.size = size_elsewhere(job, sizes, shape);
   wanted.gradation = job.gradation;
   wanted.complexity = job.complexity;
+  wanted.sizes = sizes;
   if (job.refinement.vertices)
     wanted.complexity = job.vertices_factor * complexity_of_vertices(*job.refinement.vertices);
   auto made = make_scaled_metric(shape, metric.value(), wanted);
@@ -56,7 +69,9 @@ result<prepared_input> with_metric(const mesh_job& job, domain shape) {
                         made.value().gradation,
                         made.value().size,
                         {},
-                        made.value().complexity};
+                        made.value().complexity,
+                        made.value().background_fingerprint,
+                        sizes};
 }
 
 // Adds to a refusal that there is an option which mends it, if there is, or may be.
@@ -99,11 +114,34 @@ result<domain> checked_domain(const mesh_job& job, const domain& loaded, const m
   return job.repair ? without_repair(checked.failure()) : with_remedy(checked.failure(), loaded);
 }
 
-result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repairs& repairs) {
+// Takes the areas that the domain wants of triangles in its regions as sizes there. A triangle is
+// too large when its corners are farther than 0.75 from its centre, so that none has more than 3/4
+// sqrt(3) 0.75^2 = 0.7308 of the square of the size.
+std::optional<error> take_areas(domain& d, size_wishes& sizes) {
+  constexpr double greatest_area = 0.7308;
+  std::map<int, double> known;
+  for (region_point& r : d.regions) {
+    const double area = std::exchange(r.largest_area, 0);
+    const auto [at, is_new] = known.emplace(r.number, area);
+    if (!is_new && at->second != area)
+      return error{"--sizes-of-file: two points of region " + std::to_string(r.number) + " in " +
+                   d.name +
+                   " want triangles of other areas; regions of other sizes need other "
+                   "numbers"};
+    if (is_new && area > 0) sizes.regions.push_back({r.number, std::sqrt(area / greatest_area)});
+  }
+  if (!sizes.regions.empty()) return std::nullopt;
+  return error{"--sizes-of-file: " + d.name + " wants no areas of triangles in regions"};
+}
+
+result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repairs& repairs,
+                              size_wishes& sizes) {
   auto read = load_domain(job.domain);
   if (!read) return read.failure();
   loaded = std::move(read).value();
   if (job.number_regions) loaded.number_all_regions = true;
+  if (job.sizes_of_file)
+    if (auto refused = take_areas(loaded, sizes)) return *refused;
   if (job.chord_tolerance && loaded.curves.empty())
     return error{"--chord-tolerance: " + job.domain + " has no curves"};
   auto checked = checked_domain(job, loaded, nullptr, repairs);
@@ -118,6 +156,8 @@ result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repair
 result<domain> domain_of_mesh(const mesh_job& job) {
   if (job.repair)
     return error{"--repair-domain: " + job.domain + " is a mesh, whose edges are kept as they are"};
+  if (job.sizes_of_file)
+    return error{"--sizes-of-file: " + job.domain + " is a mesh, which has no areas of regions"};
   if (job.number_regions)
     return error{"--regions: " + job.domain + " is a mesh, which has its regions already"};
   auto adopted = read_triangulation(job.domain, false);
@@ -148,12 +188,17 @@ bool is_mesh(const mesh_job& job) { return is_mesh_file(job.domain); }
 result<prepared_input> prepare(const mesh_job& job) {
   domain_repairs repairs;
   domain loaded;
-  auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job, loaded, repairs);
+  size_wishes sizes = job.sizes;
+  if (job.metric != "identity" && !job.size && !job.complexity && !job.refinement.vertices &&
+      (!sizes.is_empty() || job.sizes_of_file))
+    return error{"sizes at places with --metric " + job.metric +
+                 ": --size says how long edges are in that"};
+  auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job, loaded, repairs, sizes);
   if (!checked) return checked.failure();
   // Curves are divided for the metric once it is known. What is placed in the domain's box is made
   // anew then: in the box of the chords that are meshed, which the certificate holds.
   if (job.refinement.limit_size && !checked.value().curves.empty()) {
-    const auto rough = with_metric(job, checked.value());
+    const auto rough = with_metric(job, sizes, checked.value());
     if (!rough) return rough.failure();
     checked = checked_domain(job, loaded, rough.value().field.get(), repairs);
     if (!checked) return checked.failure();
@@ -161,7 +206,14 @@ result<prepared_input> prepare(const mesh_job& job) {
   auto populated = add_random_points(checked.value(), job.random_points, job.refinement.seed);
   if (!populated) return populated.failure();
   if (auto refused = check_counts(job, populated.value().vertices.size())) return *refused;
-  auto prepared = with_metric(job, std::move(populated).value());
+  auto prepared = with_metric(job, sizes, std::move(populated).value());
+  if (prepared && !sizes.layers.empty()) {
+    const prepared_input& rough = prepared.value();
+    auto rows = with_layer_rows(rough.shape, sizes, *rough.field,
+                                job.refinement.max_sites - rough.shape.vertices.size());
+    if (!rows) return rows.failure();
+    prepared = with_metric(job, sizes, std::move(rows).value());
+  }
   if (prepared) prepared.value().repairs = std::move(repairs);
   return prepared;
 }

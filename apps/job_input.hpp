@@ -3,6 +3,7 @@
 // Reads what a mesh job starts from: its domain, checked, and its metric.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
+#include "asterism/mesh/metric/size_wishes.hpp"
 
 namespace asterism::apps {
 
@@ -22,6 +24,8 @@ struct prepared_input {
   double size = 1;                   // of the job, or the one that gives the complexity asked for
   domain_repairs repairs;            // of the domain; distance 0: none were asked for
   std::optional<double> complexity;  // of the metric, where one was asked for
+  std::optional<std::uint64_t> background_fingerprint = {};  // of the mesh with the metric
+  size_wishes sizes = {};  // of the job, and of the domain's file where they are asked for
 };
 
 // True if the job's domain is what a finished mesh covers.

@@ -42,6 +42,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
       {"complexity", job.complexity ? number_text(*job.complexity) : "none"},
       {"complexity-delivered", input.complexity ? number_text(*input.complexity) : "none"},
       {"size", job.size ? number_text(*job.size) : "none"},
+      {"sizes", asterism::text_of(input.sizes)},
       {"size-delivered", text_of_size_delivered(job, outcome)},
       {"gradation", job.gradation ? number_text(*job.gradation) : "none"},
       {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
@@ -59,9 +60,8 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
       {"repair-done", input.repairs.distance > 0 ? text_of(input.repairs) : "none"},
       {"repair-places", text_of_places(input.repairs)},
       {"random-points", std::to_string(job.random_points)},
-      {"metric-fingerprint", input.field->background() != nullptr
-                                 ? std::to_string(mesh_fingerprint(*input.field->background()))
-                                 : "none"},
+      {"metric-fingerprint",
+       input.background_fingerprint ? std::to_string(*input.background_fingerprint) : "none"},
       {"metric-tolerance", asked.metric_tolerance ? number_text(*asked.metric_tolerance) : "none"},
       {"seed", std::to_string(asked.seed)}};
 }

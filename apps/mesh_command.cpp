@@ -8,6 +8,7 @@
 #include "asterism/apps/mesh_job.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/pieces_job.hpp"
+#include "asterism/apps/size_options.hpp"
 
 namespace asterism::apps {
 namespace {
@@ -34,6 +35,8 @@ Examples:
   asterism mesh square --random-points 10 --metric swirl:12 -o swirl.mesh -o swirl.svg
   asterism mesh square --metric 'expr:1+9*x^2;0;1' --size 0.2 --angle-bound 15 -o layer.vtu
   asterism mesh coast.poly --size 0.001 --pieces 64 -o coast/
+  asterism mesh wing.poly --size 0.5 --size-near 2:0.01,1.2 --size-at 3,0,1:0.1 -o wing.mesh
+  asterism mesh pipe.msh --size 0.1 --layers wall:1e-3,1.2 -o pipe.mesh
   asterism mesh part.poly --refine darts --angle-bound 10 -o part.mesh --certificate part.json)";
 
 const std::map<std::string, refinement_strategy> strategies = {
@@ -211,14 +214,18 @@ void add_output_options(CLI::App& app, mesh_job& job) {
 void add_mesh_command(CLI::App& program, command& chosen, piece_team* team) {
   auto* const app = program.add_subcommand("mesh", "Mesh a domain, and certify the mesh");
   const auto job = std::make_shared<mesh_job>();
+  const auto sizes_asked = std::make_shared<std::vector<worded_size>>();
   add_domain_options(*app, *job);
+  add_size_options(*app, *job, *sizes_asked);
   add_refinement_options(*app, *job);
   add_run_options(*app, *job);
   add_piece_options(*app, *job);
   add_output_options(*app, *job);
   app->footer(mesh_examples);
-  app->callback([app, job, team, &chosen] {
-    job->refinement.limit_size = job->size || job->complexity || job->refinement.vertices;
+  app->callback([app, job, sizes_asked, team, &chosen] {
+    take_sizes(*job, *sizes_asked);
+    job->refinement.limit_size = job->size || job->complexity || job->refinement.vertices ||
+                                 !job->sizes.is_empty() || job->sizes_of_file;
     job->keeps_site_limit = app->count("--max-sites") > 0;
     if (!job->keeps_site_limit) make_room(*job);
     if (job->pieces > 0 || team != nullptr)

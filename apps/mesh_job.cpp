@@ -239,7 +239,7 @@ int run_within_limits(const mesh_job& asked) {
         return mesh_within_memory(other, of_other, limits, bounded);
       },
       input.value(), made.value());
-  if (input.value().complexity) job.size = input.value().size;
+  if (input.value().complexity || !input.value().sizes.is_empty()) job.size = input.value().size;
   describe(made.value(), job, input.value());
   limits.conclude();
   if (const auto failure = write_files(job, certificate_path, input.value(), made.value()))

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/metric/size_wishes.hpp"
 
 namespace asterism::apps {
 
@@ -19,6 +20,8 @@ struct mesh_job {
   std::string metric = "identity";
   std::optional<double> size;
   std::optional<double> complexity;       // in place of a size: the area as the metric measures it
+  size_wishes sizes;                      // at places, and bounds on all
+  bool sizes_of_file = false;             // areas of the domain's regions are sizes
   std::optional<double> gradation;        // beta; empty: the metric is taken as it is
   bool repair = false;                    // what the domain's file has wrong
   std::optional<double> repair_distance;  // empty: as little as suffices

@@ -50,6 +50,11 @@ std::optional<error> check_job(const mesh_job& job) {
     return refuse("--pieces: one folder is wanted for -o, and there are several");
   if (!job.certificate.empty())
     return refuse("--certificate: each piece has its own beside it, with --pieces");
+  if (!job.sizes.near.empty() || !job.sizes.layers.empty() || !job.sizes.regions.empty() ||
+      job.sizes_of_file)
+    return refuse(
+        "--pieces: sizes at segments and in regions want the whole domain, which no piece has; "
+        "--size-at and --size-box can be asked for");
   if (!asked.limit_size)
     return refuse("--pieces: a size is wanted: --size, --vertices or --complexity");
   if (asked.strategy != refinement_strategy::fill)
@@ -349,7 +354,7 @@ int run_pieces_job(const mesh_job& asked, piece_team* given_team) {
   run_limits limits(job.max_seconds, std::nullopt);
   auto input = prepare(job);
   if (!input) return complain_once(input.failure());
-  if (input.value().complexity) job.size = input.value().size;
+  if (input.value().complexity || !input.value().sizes.is_empty()) job.size = input.value().size;
   if (const auto failure = check_piece_places(job)) return complain_once(*failure);
   return pieces_run(std::move(job), std::move(input).value(), team, limits).run();
 }

@@ -34,17 +34,21 @@ domain around(const mesh& subject) {
 result<metric_wording> wording_asked(const verify_options& options,
                                      const std::optional<certificate>& claim,
                                      metric_answer& answer) {
-  metric_wording asked{options.metric, 1, std::nullopt};
+  metric_wording asked;
+  asked.name = options.metric;
   if (claim) {
     const auto claimed = wording_in(*claim);
     if (!claimed) return error{"certificate: " + claimed.failure().message};
     asked.size = claimed.value().size;
     asked.gradation = claimed.value().gradation;
+    asked.sizes = claimed.value().sizes;
   }
   if (!options.size && asked.size != 1) answer.filled_in = "size " + format_number(asked.size);
   if (!options.gradation && asked.gradation)
     answer.filled_in += (answer.filled_in.empty() ? "gradation " : ", gradation ") +
                         format_number(*asked.gradation);
+  if (asked.sizes != "none")
+    answer.filled_in += (answer.filled_in.empty() ? "sizes " : ", sizes ") + asked.sizes;
   if (options.size) asked.size = *options.size;
   if (options.gradation) asked.gradation = options.gradation;
   return asked;

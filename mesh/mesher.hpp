@@ -17,9 +17,11 @@
 #include "asterism/mesh/io/load_domain.hpp"            // IWYU pragma: export
 #include "asterism/mesh/io/solution_file.hpp"          // IWYU pragma: export
 #include "asterism/mesh/io/write_mesh.hpp"             // IWYU pragma: export
+#include "asterism/mesh/metric/local_sizes.hpp"        // IWYU pragma: export
 #include "asterism/mesh/metric/make_metric_field.hpp"  // IWYU pragma: export
 #include "asterism/mesh/pipeline/adapt_to_metric.hpp"  // IWYU pragma: export
 #include "asterism/mesh/pipeline/certified_mesh.hpp"   // IWYU pragma: export
+#include "asterism/mesh/pipeline/layer_rows.hpp"       // IWYU pragma: export
 #include "asterism/mesh/pipeline/make_mesh.hpp"        // IWYU pragma: export
 #include "asterism/mesh/pipeline/outcome_text.hpp"     // IWYU pragma: export
 #include "asterism/mesh/solution/hessian.hpp"          // IWYU pragma: export

@@ -8,7 +8,7 @@
 
 namespace asterism::internal {
 
-inline constexpr std::array<std::string_view, 25> mesh_option_names = {"angle-bound",
+inline constexpr std::array<std::string_view, 26> mesh_option_names = {"angle-bound",
                                                                        "certify",
                                                                        "chord-tolerance",
                                                                        "complexity",
@@ -30,6 +30,7 @@ inline constexpr std::array<std::string_view, 25> mesh_option_names = {"angle-bo
                                                                        "seed",
                                                                        "size",
                                                                        "size-delivered",
+                                                                       "sizes",
                                                                        "tol",
                                                                        "tol-at-end",
                                                                        "vertices"};

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Decides by exact signs whether a point is strictly inside a domain.
+// Decides by exact signs whether a point is strictly inside a domain, or one of its regions.
 #pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/search/box_index.hpp"
 
 namespace asterism::internal {
 
@@ -13,5 +18,28 @@ namespace asterism::internal {
 // on a segment, internal or not, or on a vertex of one is not inside. `q` finite. Time: O(number of
 // segments).
 bool contains(const domain& d, const point& q);
+
+// The same for many points: looks at the segments on the way alone.
+class inside_index {
+ public:
+  // Of the domain, or of one of its regions. `d` as for contains(); keeps its own copy of what it
+  // needs.
+  explicit inside_index(const domain& d, std::optional<int> region = {});
+
+  // True if q is strictly inside: not on a segment between inside and outside. Segments with the
+  // same on both sides are not looked at. May be called from any thread.
+  bool contains(const point& q) const;
+  // True if there is no segment that bounds it: there is no such region.
+  bool is_empty() const { return ends_.empty(); }
+
+ private:
+  struct ends {
+    point a, b;
+  };
+
+  bounding_box box_;
+  std::vector<ends> ends_;
+  box_index segments_;
+};
 
 }  // namespace asterism::internal

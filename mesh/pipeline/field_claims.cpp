@@ -13,6 +13,7 @@
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/metric/local_sizes.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/adaptation_claims.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
@@ -61,6 +62,26 @@ result<std::unique_ptr<metric_field>> background_of(const metric_wording& asked)
   return make_sampled_field(adopted.value().subject, asked.size);
 }
 
+// Makes the metric of the size asked for, before anything is done to it.
+result<std::unique_ptr<metric_field>> bare_field(const metric_wording& asked, const domain& shape) {
+  return is_mesh_file(asked.name) ? background_of(asked)
+                                  : make_metric_field(asked.name, shape.box(), asked.size);
+}
+
+// Returns the metric with sizes at places and gradation.
+result<std::unique_ptr<metric_field>> dressed(std::unique_ptr<metric_field> bare,
+                                              const metric_wording& asked, const domain& shape) {
+  const auto wishes = size_wishes_of(asked.sizes);
+  if (!wishes) return wishes.failure().at("sizes");
+  auto field = with_local_sizes(std::move(bare), shape, wishes.value());
+  if (!field || !asked.gradation) return field;
+  gradation_options options;
+  options.beta = *asked.gradation;
+  auto graded = grade_as_given(std::move(field).value(), shape, options);
+  if (!graded) return graded.failure();
+  return std::move(graded.value().field);
+}
+
 // Makes the metric the certificate says was asked for, of the size asked for even where the limit
 // on sites made edges longer. One on a mesh has to be that of the mesh it names.
 result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) {
@@ -68,13 +89,13 @@ result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) 
   if (!placed) return error{"the certificate has no domain to place it in"};
   const auto asked = wording_in(claim);
   if (!asked) return asked.failure();
-  auto field = field_of(asked.value(), *placed);
-  if (!field) return field;
-  const mesh* const background = field.value()->background();
+  auto bare = bare_field(asked.value(), *placed);
+  if (!bare) return bare;
+  const mesh* const background = bare.value()->background();
   if (background != nullptr &&
       option_of(claim, "metric-fingerprint") != std::to_string(mesh_fingerprint(*background)))
     return error{"its file holds another mesh now"};
-  return field;
+  return dressed(std::move(bare).value(), asked.value(), *placed);
 }
 
 // True if the metric came as numbers: from a file that `certify` read, or from a program.
@@ -101,18 +122,14 @@ void check_delivered(const mesh& subject, const certificate& claim, const metric
 }  // namespace
 
 result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, const domain& shape) {
-  auto field = is_mesh_file(asked.name) ? background_of(asked)
-                                        : make_metric_field(asked.name, shape.box(), asked.size);
-  if (!field || !asked.gradation) return field;
-  gradation_options options;
-  options.beta = *asked.gradation;
-  auto graded = grade_as_given(std::move(field).value(), shape, options);
-  if (!graded) return graded.failure();
-  return std::move(graded.value().field);
+  auto bare = bare_field(asked, shape);
+  if (!bare) return bare;
+  return dressed(std::move(bare).value(), asked, shape);
 }
 
 result<metric_wording> wording_in(const certificate& claim) {
-  metric_wording asked{claim.metric, 1, std::nullopt};
+  metric_wording asked;
+  asked.name = claim.metric;
   if (const std::string size = option_of(claim, "size"); size != "none") {
     const auto number = parse_number(size);
     if (!number) return error{"the size is no number"};
@@ -123,6 +140,9 @@ result<metric_wording> wording_in(const certificate& claim) {
     if (!number) return error{"the gradation is no number"};
     asked.gradation = number.value();
   }
+  const auto wishes = size_wishes_of(option_of(claim, "sizes"));
+  if (!wishes) return error{"the sizes cannot be read: " + wishes.failure().message};
+  asked.sizes = text_of(wishes.value());
   return asked;
 }
 

@@ -23,16 +23,18 @@ struct metric_wording {
   std::string name;  // as --metric takes it
   double size = 1;
   std::optional<double> gradation;
+  std::string sizes = "none";  // at places, as text_of(size_wishes) has them
 
   friend bool operator==(const metric_wording&, const metric_wording&) = default;
 };
 
-// Makes a metric of the size asked for, graded as it was. `shape` is the domain as meshed, curves
-// divided: formulas are placed in its box, and gradation knows its width.
+// Makes a metric of the sizes asked for, graded as it was. `shape` is the domain as meshed, curves
+// divided: formulas are placed in its box, sizes at its segments, and gradation knows its width.
 result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, const domain& shape);
 
 // Returns how the certificate of a mesh says its metric was asked for. Fails, saying why in half a
-// sentence, where size or gradation are no numbers.
+// sentence, where size, gradation or
+// sizes at places cannot be read.
 result<metric_wording> wording_in(const certificate& claim);
 
 // Returns what the formulas of the metric were placed in: the box of the domain of which this is a

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/metric/local_sizes.hpp"
 #include "asterism/mesh/pipeline/metric_complexity.hpp"
 
 namespace asterism {
@@ -15,10 +17,14 @@ namespace {
 // Makes the metric of a size, graded if that is asked for.
 result<scaled_metric> of_size(const domain& d, const field_of_size& make,
                               const scale_demand& wanted, double size) {
-  auto field = make(size);
-  if (!field) return field.failure();
+  auto given = make(size);
+  if (!given) return given.failure();
   scaled_metric made;
   made.size = size;
+  if (const mesh* const background = given.value()->background())
+    made.background_fingerprint = mesh_fingerprint(*background);
+  auto field = with_local_sizes(std::move(given).value(), d, wanted.sizes);
+  if (!field) return field.failure();
   if (!wanted.gradation) {
     made.field = std::move(field).value();
     return made;

@@ -8,6 +8,7 @@
 // triangles again as an area has equilateral ones of side 1 to its vertex.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
+#include "asterism/mesh/metric/size_wishes.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism {
@@ -31,6 +33,7 @@ struct scale_demand {
   std::optional<double> complexity;  // positive, finite
   std::optional<double> gradation;   // beta, above 1
   cancellation stop = {};            // polled now and then
+  size_wishes sizes = {};            // at places, in units of the domain: not scaled
 };
 
 // The metric, and by what it came about.
@@ -39,15 +42,18 @@ struct scaled_metric {
   double size = 1;  // the one asked for, or found
   std::optional<gradation_report> gradation;
   std::optional<double> complexity;  // of the field, if one was asked for: within half a percent
+  // Of the mesh that the metric is given on, before anything is done to it; none where it is given
+  // otherwise.
+  std::optional<std::uint64_t> background_fingerprint;
 };
 
 // Returns the complexity for this many vertices.
 ASTERISM_EXPORT double complexity_of_vertices(std::size_t vertices);
 
-// Makes the metric. Gradation changes the complexity, and a size the gradation: they are done by
-// turns until the complexity is within half a percent of the one wanted. Fails where the field
-// does, for demands out of range, when it was stopped, and where twenty turns do not come that
-// near.
+// Makes the metric, finer where sizes are wished (metric/local_sizes.hpp), then graded. Gradation
+// changes the complexity, and a size the gradation: they are done by turns until the complexity is
+// within half a percent of the one wanted. Fails where the field does, for demands out of range,
+// when it was stopped, and where twenty turns do not come that near.
 ASTERISM_EXPORT result<scaled_metric> make_scaled_metric(const domain& d, const field_of_size& make,
                                                          const scale_demand& wanted);
 

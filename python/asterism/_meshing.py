@@ -15,6 +15,7 @@ from ._domain import AnyDomain, Domain, as_domain
 from ._forms import CalledMetric, constant_text, doubles, gradation_of, tensor_rows
 from ._mesh import Mesh
 from ._reported import ReportedArray
+from ._sizes import Places, Sizes, words_of
 
 Metric = Union[str, float, Callable[[Any], Any], Tuple[Mesh, npt.ArrayLike], Mesh, npt.ArrayLike]
 Progress = Callable[[Dict[str, Any]], Any]
@@ -29,6 +30,9 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
          gradation: Union[float, str, None] = None, prove_voronoi: bool = False, improve: int = 0,
          vertices: Optional[int] = None, complexity: Optional[float] = None,
          metric_tolerance: Optional[float] = None, chord_tolerance: Optional[float] = None,
+         size_at: Places = (), size_box: Places = (), size_in: Optional[Sizes] = None,
+         size_near: Optional[Sizes] = None, layers: Optional[Sizes] = None, hmin: Optional[float] = None,
+         hmax: Optional[float] = None, aspect: Optional[float] = None,
          repair: "bool | float" = False, max_seconds: Optional[float] = None,
          threads: Optional[int] = None, progress: Optional[Progress] = None) -> Mesh:
     """Makes a mesh whose angles are at least angle_bound degrees, each measured by the metric of all
@@ -59,6 +63,14 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     chord, and with a size, vertices or complexity a fiftieth of the size wanted across the curve, or a
     hundredth where the metric is on a mesh. Curves are divided for each mesh: the vertices of the domain
     that stay are the ends of its curves and those that are on none.
+    size_at, size_box, size_in, size_near: finer sizes at places, of which the finest counts: (x, y,
+    radius, h) and (x0, y0, x1, y1, h), and {region: h} and {marker: h}; a number after h, or a pair (h,
+    growth), is the factor from edge to edge away from the place, 1.3 where there is none.
+    layers: {marker: (h0, growth)} or {marker: (h0, growth, n)}: layers along the segments with a marker,
+    the first h0 high, each growth times as high as the one before, n of them.
+    hmin, hmax, aspect: bounds on all edges, and on how many times as long as wide triangles are.
+    With any of these and without size, vertices or complexity the size elsewhere is hmax, or the width of
+    the domain.
     repair: True, or the distance within which points are joined: a domain whose segments cross or leave
     gaps is mended, told in a UserWarning.
     max_seconds: refinement ends after this time, and the mesh says so. threads: as many are used; the
@@ -75,6 +87,8 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
         "gradation": gradation_of(gradation, False), "prove_voronoi": prove_voronoi, "improve": improve,
         "vertices": vertices, "complexity": complexity, "metric_tolerance": metric_tolerance,
         "chord_tolerance": chord_tolerance, "keep_if_complete": _is_mesh(domain), "max_seconds": max_seconds,
+        "sizes": words_of(size_at, size_box, size_in, size_near, layers,
+                          {"hmin": hmin, "hmax": hmax, "aspect": aspect}),
         "threads": threads, "progress": progress}))
     if not made.complete:
         warnings.warn(made.reason, NotReachedWarning, stacklevel=2)

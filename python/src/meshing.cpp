@@ -10,8 +10,10 @@
 
 #include "arguments.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
+#include "asterism/mesh/metric/local_sizes.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/counted_mesh.hpp"
+#include "asterism/mesh/pipeline/layer_rows.hpp"
 #include "bindings.hpp"
 #include "py_domain.hpp"
 #include "py_mesh.hpp"
@@ -24,6 +26,7 @@ namespace {
 struct mesh_arguments {
   std::optional<double> size, gradation, complexity, chord_tolerance;
   mesh_options options;
+  size_wishes sizes;
 };
 
 // Raises the default limit where more sites are asked for in numbers, with room for what boundaries
@@ -61,7 +64,8 @@ mesh_arguments arguments_of(const keywords& given, std::size_t vertices_of_domai
   a.options.prove_voronoi = given.flag("prove_voronoi");
   a.options.improve_passes = given.count("improve").value_or(0);
   a.options.keep_if_complete = given.flag("keep_if_complete");
-  a.options.limit_size = a.size || a.options.vertices || a.complexity;
+  a.sizes = value_or_raise(size_wishes_of(given.has("sizes") ? given.word("sizes") : "none"));
+  a.options.limit_size = a.size || a.options.vertices || a.complexity || !a.sizes.is_empty();
   check_ranges(a);
   return a;
 }
@@ -97,6 +101,7 @@ py_mesh packaged(certified_mesh made, const python_metric& metric, const mesh_ar
       {"domain", "given"},
       {"angle-bound", text_of(a.options.angle_bound)},
       {"size", size},
+      {"sizes", asterism::text_of(a.sizes)},
       {"size-delivered", delivered},
       {"vertices", a.options.vertices ? std::to_string(*a.options.vertices) : "none"},
       {"complexity", a.complexity ? text_of(*a.complexity) : "none"},
@@ -144,6 +149,27 @@ result<domain> divided_for(const domain& d, const field_of_size& metric, const s
   return divide_curves_anew(d, chords);
 }
 
+// Returns the size where no place has one of its own, as the command has it.
+std::optional<double> size_elsewhere(const mesh_arguments& a, const domain& d,
+                                     const py::object& metric) {
+  if (a.size || a.complexity || a.options.vertices) return a.size;
+  if (!py::isinstance<py::str>(metric) || metric.cast<std::string>() != "identity")
+    throw input_error("sizes at places: size says how long edges are in this metric");
+  return size_where_none_is_wished(a.sizes, d);
+}
+
+// Returns the domain with the first rows of layers.
+result<domain> with_rows(domain d, const field_of_size& metric, const scale_demand& scale,
+                         const mesh_arguments& a) {
+  if (a.sizes.layers.empty()) return d;
+  scale_demand wanted = scale;
+  if (a.options.vertices) wanted.complexity = complexity_of_vertices(*a.options.vertices);
+  const auto scaled = make_scaled_metric(d, metric, wanted);
+  if (!scaled) return scaled.failure();
+  const std::size_t room = a.options.max_sites - std::min(a.options.max_sites, d.vertices.size());
+  return with_layer_rows(std::move(d), a.sizes, *scaled.value().field, room);
+}
+
 void check_counts(const domain& d, const mesh_arguments& a) {
   if (a.chord_tolerance && d.curves.empty())
     throw input_error("chord_tolerance: the domain has no curves");
@@ -168,12 +194,14 @@ py_mesh run(const py_domain& held, const py::object& metric, const py::dict& mor
     return wanted.back().take_field();
   };
   a.options.stop = watch.stop();
-  const scale_demand scale{a.size, a.complexity, a.gradation, a.options.stop};
+  if (!a.sizes.is_empty()) a.size = size_elsewhere(a, d, metric);
+  const scale_demand scale{a.size, a.complexity, a.gradation, a.options.stop, a.sizes};
   std::optional<result<counted_mesh>> made;
   {
     const py::gil_scoped_release unlocked;
     const bool is_divided = !d.curves.empty() && (a.options.limit_size || a.chord_tolerance);
-    const auto shape = is_divided ? divided_for(d, metric_of_size, scale, a) : result<domain>(d);
+    auto shape = is_divided ? divided_for(d, metric_of_size, scale, a) : result<domain>(d);
+    if (shape) shape = with_rows(std::move(shape).value(), metric_of_size, scale, a);
     if (shape)
       made = make_counted_mesh(shape.value(), metric_of_size, scale, a.options, watch.listener());
     else

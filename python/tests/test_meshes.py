@@ -258,3 +258,20 @@ def test_pictures_and_other_packages(made):
 
     axes = made.plot(plt.figure().gca())
     assert axes.lines
+
+
+def test_sizes_at_places_are_those_of_the_command():
+    domain = asterism.Domain.square()
+    made = asterism.mesh(domain, size=0.4, size_at=[(0.5, 0.5, 0.1, 0.05)], size_box=[(-1, -1, -0.8, -0.8, 0.1, 1.5)],
+                         size_near={3: (0.1, 1.4)}, size_in={1: 0.35}, layers={1: (0.01, 1.2, 8)}, hmin=0.005)
+    asked = made.certificate.data["asked"]["options"]["sizes"]
+    assert asked == ("at 0.5,0.5,0.1:0.05,1.3; box -1,-1,-0.8,-0.8:0.1,1.5; in 1:0.35,1.3; near 3:0.1,1.4; "
+                     "layers 1:0.01,1.2,8; hmin 0.005")
+    assert made.certified and made.verify()["verified"]
+    below = made.points[:, 1] + 1
+    assert np.isclose(below[below > 1e-9].min(), 0.01)
+    assert asterism.mesh(domain, hmax=0.3).certificate.data["asked"]["options"]["size"] == "0.3"
+    for wrong, words in [({"size_near": {9: 0.1}}, "no segment has the marker 9"), ({"hmin": 1, "hmax": 0.5}, "hmin 1"),
+                         ({"metric": "swirl:3", "hmax": 1}, "size says how long")]:
+        with pytest.raises(asterism.InputError, match=words):
+            asterism.mesh(domain, **wrong)

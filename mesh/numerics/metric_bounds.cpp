@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/solution/metric_bounds.hpp"
+#include "asterism/mesh/numerics/metric_bounds.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes a metric finer where sizes are wished, and keeps it within bounds.
+#pragma once
+
+#include <memory>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/metric/size_wishes.hpp"
+
+namespace asterism {
+
+// Returns the size where nothing is wished and none is named: the greatest that may be, or, without
+// a bound, the longer side of the domain's box.
+ASTERISM_EXPORT double size_where_none_is_wished(const size_wishes& wishes, const domain& d);
+
+// Returns the field with these sizes in the domain `d`, as check_domain leaves it (its curves
+// divided: distances are from the chords). Takes `base` over, and returns it where nothing is
+// wished. At each point, in this order:
+//
+//  - layers: the length across becomes what they want there, if it was longer, and the length along
+//    the wall no longer than its curvature and its corners allow (metric/wall_layers.hpp);
+//  - sizes: no direction is longer than the least of them;
+//  - bounds, as `asterism adapt` has them: no direction longer than `greatest`, then none shorter
+//    than `least`, which wins, then `aspect`.
+//
+// A tensor that has to change in nothing keeps its bits. Distances are straight, through walls too.
+// Fails for a region or a marker that the domain does not have, naming those it has, and for bounds
+// of which the least is not below the greatest.
+ASTERISM_EXPORT result<std::unique_ptr<metric_field>> with_local_sizes(
+    std::unique_ptr<metric_field> base, const domain& d, const size_wishes& wishes);
+
+}  // namespace asterism

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// Layers along parts of the boundary: how high they are at a distance, which way across is, and how
+// long their triangles may be along them.
+//
+// Heights: the row of triangles of a mesh with edges of metric length 1 is sqrt(3)/2 high. A metric
+// that wants h across has rows of that height with the length 2/sqrt(3) h across: `edge_across`.
+// Where the direction across turns by the angle t, an edge l along the wall for the one is l t
+// across for the other, which is l t / h in the metric. No mesh has triangles for which that is
+// near 1. It is kept at 0.16 or below: in a vertex where the wall turns by t edges are no longer
+// than 0.16 h / t (or h, where that is more), and grow from there; where vertices of a wall of
+// radius of curvature R are nearer together, t is l / R over an edge, and edges are no longer than
+// 0.4 sqrt(R h). The sagitta of a chord that long is a fiftieth of h, as for curves that are
+// divided for a size (domain/divide_curves.hpp). Where a wall ends on open ground edges are as long
+// as high.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/metric/size_wishes.hpp"
+#include "asterism/mesh/search/place_tree.hpp"
+
+namespace asterism::internal {
+
+// A segment, walked with the domain on its left.
+struct wall_side {
+  vertex_index a = 0, b = 0;
+  std::size_t segment = 0;  // of the domain
+  std::size_t wish = 0;     // which of the layers it has
+};
+
+// Returns the sides of segments that have layers, those of internal segments both.
+std::vector<wall_side> wall_sides(const domain& d, const std::vector<boundary_layers>& layers);
+
+// Returns the length wanted of an edge across, at this distance from the wall.
+double edge_across(const boundary_layers& layers, double distance);
+
+class wall_layers {
+ public:
+  // `d` as check_domain leaves it; keeps its own copy of what it needs.
+  wall_layers(const domain& d, std::vector<boundary_layers> layers);
+
+  // Returns the tensor with what the layers want at q added: nowhere is it longer than it was.
+  metric_tensor added_to(const metric_tensor& m, const point& q) const;
+  // True if there is a segment for each of the layers.
+  const std::vector<bool>& found() const { return found_; }
+
+ private:
+  struct one_wall {
+    place_tree segments;
+    std::vector<point> normals_at_ends;  // of each segment two
+  };
+
+  point direction_across(const one_wall& wall, const point& q, std::size_t segment) const;
+
+  std::vector<boundary_layers> layers_;
+  std::vector<one_wall> walls_;  // as many
+  place_tree lengths_along_;
+  std::vector<bool> found_;
+};
+
+}  // namespace asterism::internal
