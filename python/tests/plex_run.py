@@ -2,6 +2,7 @@
 """What test_petsc.py runs under mpirun: `plex_run.py JOB`. Prints one line of JSON on the first process."""
 import hashlib
 import json
+import pathlib
 import sys
 
 import numpy as np
@@ -130,7 +131,15 @@ def run_errors():
         return {"told": every}
 
 
+def run_page():
+    page = (pathlib.Path(__file__).parents[2] / "docs/manual/solvers.md").read_text()
+    names = {}
+    exec(page.split("```python\n")[2].split("```")[0], names)
+    count = len(whole(names["dm"]).points) if MPI.size == 1 else None
+    return {"reached": names["made"].report["reached"], "vertices": count}
+
+
 if __name__ == "__main__":
-    told = {"adapt": run_adapt, "metric": run_metric, "errors": run_errors}[sys.argv[1]]()
+    told = {"adapt": run_adapt, "metric": run_metric, "errors": run_errors, "page": run_page}[sys.argv[1]]()
     if MPI.rank == 0:
         print(json.dumps(told))

@@ -155,3 +155,11 @@ def test_what_is_refused(square):
                 MPI.COMM_SELF, 2, 2, dmesh.CellType.quadrilateral)), "triangles of degree")):
         with pytest.raises(asterism.InputError, match=message):
             call()
+
+
+def test_the_page_of_the_manual_runs():
+    page = (__import__("pathlib").Path(__file__).parents[2] / "docs/manual/solvers.md").read_text()
+    names: dict = {}
+    exec(page.split("```python\n")[1].split("```")[0], names)
+    assert names["made"].asterism.certified and names["made"].report["reached"]
+    assert len(names["uh"].x.array) == len(names["mesh"].geometry.x)

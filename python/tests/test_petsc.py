@@ -60,3 +60,7 @@ def test_an_error_on_one_process_is_one_on_all():
     assert first.startswith("InputError: metric") and "(process 2)" in first
     assert second.startswith("InputError: vertices") and "several values" in third
     assert fourth.startswith("ZeroDivisionError")
+
+
+def test_the_page_of_the_manual_runs():
+    assert run(1, "page")["reached"] and run(2, "page")["reached"]
