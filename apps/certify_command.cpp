@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -57,12 +58,15 @@ struct certify_options {
   std::optional<std::size_t> max_sites;
   std::optional<double> max_seconds;
   bool all_findings = false, all_edges = false;
+  bool strict = false;  // what readers change is refused
 };
 
 constexpr const char* certify_examples =
-    R"(MESH is a Medit file with triangles, from any program; SOL holds its metric, a symmetric tensor
-m11 m12 m22 at each vertex (default: NAME.sol beside NAME.mesh), or is BAMG's NAME.mtr; --metric and
---size give it by a formula instead, as for 'asterism mesh'. The domain is what the file's Edges
+    R"(MESH is a file of triangles from any program: .mesh, .meshb, .msh (gmsh, FreeFEM), .vtu, .vtk, .su2,
+.14 or .grd (ADCIRC), .2dm or .stl. SOL holds the metric of a Medit file, a symmetric tensor m11 m12
+m22 at each vertex (default: NAME.sol beside NAME.mesh), or is BAMG's NAME.mtr; --metric and --size
+give it by a formula instead, as for 'asterism mesh'. Where nobody gives a metric it is the identity,
+which is said. The domain is what the file's Edges
 enclose, or, when it lists none, the edges with one triangle. An edge listed with triangles on both
 sides is a segment if the file requires it (RequiredEdges), or gives it a reference other than 0 in
 a list that leaves inner edges out, or has triangles of different references on its sides. With
@@ -77,6 +81,7 @@ that holds. Whatever is certified is written to OUT, with a certificate; anythin
 Exit status: 0 certified; 1 not certified; 2 bad usage or input, nothing is written.
 
 Examples:
+  asterism certify grid.su2
   asterism certify bamg.mesh bamg.mtr --angle-bound 10
   asterism certify bamg.mesh -o bamg.html
   asterism certify bamg.mesh --metric swirl:24 --size 0.02 --repair -o repaired.mesh)";
@@ -279,30 +284,42 @@ struct measured_mesh {
   std::unique_ptr<metric_field> field;
 };
 
-result<measured_mesh> read_measured(const certify_options& options) {
+// A mesh without a metric is judged in the plane one, as if that had been asked for.
+result<measured_mesh> read_measured(certify_options& options) {
   medit_read_options how;
   how.solution = options.solution;
   how.without_solution = options.metric.has_value();
+  how.identity_without_solution = options.solution.empty();
   how.all_edges = options.all_edges;
-  auto read = read_mesh(options.mesh, how);
+  auto read = read_mesh_file(options.mesh, how);
   if (!read) return read.failure();
+  mesh& subject = read.value().content;
+  if (!options.metric && !read.value().has_metric) {
+    options.metric = "identity";
+    if (!options.json)
+      std::cout << "metric: identity, as there is none in the file or beside it\n";
+  }
   std::unique_ptr<metric_field> formula;
   if (options.metric) {
-    auto made = measure_by_formula(options, read.value());
+    auto made = measure_by_formula(options, subject);
     if (!made) return made.failure();
     formula = std::move(made).value();
   }
   // Adds segments between regions for a repair alone: a mesh to be judged is taken as listed.
-  auto adopted = adopt_mesh(std::move(read).value(),
+  auto adopted = adopt_mesh(std::move(subject),
                             options.repair ? region_edges::segments : region_edges::as_listed);
   if (!adopted) return adopted.failure().at(options.mesh.string());
-  if (auto refused = say_notes(adopted.value().subject.notes, {})) return *refused;
+  if (auto refused = say_notes(adopted.value().subject.notes, {false, options.strict}))
+    return *refused;
   return measured_mesh{std::move(adopted).value(), std::move(formula)};
 }
 
 int run_certify(certify_options options) {
   const bool is_medit = has_ending(options.mesh.string(), ".mesh");
-  if (options.solution.empty() && is_medit) options.solution = solution_path(options.mesh);
+  std::error_code ignored;
+  if (const fs::path beside = solution_path(options.mesh);
+      options.solution.empty() && is_medit && fs::exists(beside, ignored))
+    options.solution = beside;
   if (const auto failure = check_files(options)) return complain(*failure, refused);
   run_limits limits(options.max_seconds, std::nullopt);
   auto measured = read_measured(options);
@@ -377,6 +394,7 @@ void add_certify_command(CLI::App& program, command& chosen) {
       "Ends after this time: NOT certified, unless it was done; a repair writes what there is")
       ->type_name("S");
   add_judging_flags(*app, options->all_findings, options->all_edges);
+  app->add_flag("--strict", options->strict, "Refuse a file that is read with a note");
   app->footer(certify_examples);
   app->callback([options, &chosen] { chosen = [options] { return run_certify(*options); }; });
 }

@@ -7,6 +7,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
@@ -80,6 +81,7 @@ int run_draw(const draw_options& options) {
   const auto drawn =
       read_mesh(options.mesh, {.identity_without_solution = !options.style.ellipses && !is_page});
   if (!drawn) return complain(drawn.failure(), refused);
+  if (const auto failed = say_notes(drawn.value().notes, {})) return complain(*failed, refused);
   const auto rendered = internal::render_mesh(options.picture, drawn.value(), how);
   if (!rendered) return complain(rendered.failure(), not_reached);
   const held_signals held;

@@ -12,6 +12,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
+#include "asterism/mesh/io/edges_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -120,9 +121,11 @@ void add_certificate(const fs::path& path, const mesh& m, file_facts& facts) {
 }
 
 result<file_facts> facts_of_mesh(const fs::path& path) {
-  auto read = read_mesh(path, {.identity_without_solution = true});
+  auto read = read_mesh_file(path, {.identity_without_solution = true});
   if (!read) return read.failure();
-  const mesh& m = read.value();
+  if (has_edges_alone(read.value()))
+    return facts_of(domain_of_edges(std::move(read).value(), path.string()));
+  const mesh& m = read.value().content;
   file_facts facts = {{"kind", "mesh"},
                       {"vertices", m.sites.size()},
                       {"given vertices", std::size_t{m.given}},
@@ -133,13 +136,14 @@ result<file_facts> facts_of_mesh(const fs::path& path) {
     for (const site& s : m.sites) box.include(s.position);
     facts.emplace_back("box", text_of(box));
   }
-  const physical_names names = names_in(path);
+  const physical_names& names = read.value().names;
   std::map<int, std::size_t> markers, regions;
   for (const boundary_edge& e : m.boundary) ++markers[e.marker];
   for (const int region : m.regions) ++regions[region];
   if (m.regions.empty()) regions[1] = m.triangles.size();
   facts.emplace_back("markers", text_of(markers, names.markers));
   facts.emplace_back("regions", text_of(regions, names.regions));
+  if (!m.notes.empty()) facts.emplace_back("notes", fmt::format("{}", fmt::join(m.notes, "; ")));
   add_metric(read_mesh(path), facts);
   add_certificate(path, m, facts);
   return facts;
@@ -180,7 +184,7 @@ result<file_facts> facts_of_solution(const fs::path& path) {
 }
 
 bool is_domain(const std::string& name) {
-  for (const char* const ending : {".poly", ".geojson", ".json", ".wkt"})
+  for (const char* const ending : {".poly", ".node", ".geojson", ".json", ".wkt"})
     if (has_ending(name, ending)) return true;
   return name == "square" || name == "airfoil" || name == "naca0012";
 }
@@ -222,14 +226,14 @@ result<file_facts> facts_of_file(const fs::path& path) {
   for (const char* const ending : {".sol", ".solb", ".bb", ".mtr", ".vtu"})
     if (has_ending(name, ending)) return facts_of_solution(path);
   for (const char* const ending :
-       {".su2", ".node", ".ele", ".edge", ".svg", ".png", ".pdf", ".html"})
+       {".ele", ".edge", ".svg", ".png", ".pdf", ".html"})
     if (has_ending(name, ending))
       return error{name + ": files of this kind are written here, not read"};
   if (!is_domain(name))
     return error{
         name +
-        ": not a file that is known here by its name: domains (.poly, .geojson, .json, "
-        ".wkt), meshes (.mesh, .meshb, .msh, .vtu), solutions (.sol, .solb, .bb, .vtu), metrics "
+        ": not a file that is known here by its name: domains (.poly, .node, .geojson, .json, "
+        ".wkt), meshes (.mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm, .stl), solutions (.sol, .solb, .bb, .vtu), metrics "
         "(.sol, .solb, .mtr), certificates (.certificate.json)"};
   const auto loaded = load_domain(name);
   if (loaded) return facts_of(loaded.value());

@@ -14,8 +14,10 @@
 #include "asterism/apps/summary.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/convex_hull.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/repair_domain.hpp"
+#include "asterism/mesh/io/edges_domain.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
@@ -88,6 +90,9 @@ error with_remedy(const error& refusal, const domain& d) {
     case repair_answer::fails:
       break;
   }
+  if (const auto closed = with_convex_hull(d); closed && check_domain(closed.value()))
+    return {refusal.message + "; --convex-hull closes it by the convex hull of its vertices",
+            refusal.code};
   return refusal;
 }
 
@@ -134,11 +139,13 @@ std::optional<error> take_areas(domain& d, size_wishes& sizes) {
   return error{"--sizes-of-file: " + d.name + " wants no areas of triangles in regions"};
 }
 
-result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repairs& repairs,
-                              size_wishes& sizes) {
-  auto read = load_domain(job.domain);
-  if (!read) return read.failure();
-  loaded = std::move(read).value();
+result<domain> put_in_order(const mesh_job& job, domain& loaded, domain_repairs& repairs,
+                            size_wishes& sizes) {
+  if (job.convex_hull) {
+    auto closed = with_convex_hull(std::move(loaded));
+    if (!closed) return error{"--convex-hull: " + closed.failure().message, closed.failure().code};
+    loaded = std::move(closed).value();
+  }
   if (job.number_regions) loaded.number_all_regions = true;
   if (job.sizes_of_file)
     if (auto refused = take_areas(loaded, sizes)) return *refused;
@@ -151,19 +158,41 @@ result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repair
   return checked;
 }
 
+result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repairs& repairs,
+                              size_wishes& sizes) {
+  auto read = load_domain(job.domain);
+  if (!read) return read.failure();
+  loaded = std::move(read).value();
+  return put_in_order(job, loaded, repairs, sizes);
+}
+
 // Returns what a mesh covers, with its vertices, boundary edges and regions; its metric is not
 // used.
-result<domain> domain_of_mesh(const mesh_job& job) {
+result<domain> domain_of_mesh(const mesh_job& job, mesh read) {
   if (job.repair)
     return error{"--repair-domain: " + job.domain + " is a mesh, whose edges are kept as they are"};
   if (job.sizes_of_file)
     return error{"--sizes-of-file: " + job.domain + " is a mesh, which has no areas of regions"};
   if (job.number_regions)
     return error{"--regions: " + job.domain + " is a mesh, which has its regions already"};
-  auto adopted = read_triangulation(job.domain, false);
+  if (job.convex_hull)
+    return error{"--convex-hull: " + job.domain + " is a mesh, which has its boundary already"};
+  auto adopted = checked_triangulation(std::move(read), job.domain);
   if (!adopted) return adopted.failure();
   if (auto refused = say_notes(adopted.value().subject.notes, notes_of(job))) return *refused;
   return std::move(adopted.value().shape);
+}
+
+// Reads the domain of a mesh file: what its triangles cover, or what its edges bound where it has
+// no triangles.
+result<domain> read_mesh_domain(const mesh_job& job, domain& loaded, domain_repairs& repairs,
+                                size_wishes& sizes, bool& of_mesh) {
+  auto read = read_mesh_file(job.domain, {.without_solution = true});
+  if (!read) return read.failure();
+  of_mesh = !has_edges_alone(read.value());
+  if (of_mesh) return domain_of_mesh(job, std::move(read.value().content));
+  loaded = domain_of_edges(std::move(read).value(), job.domain);
+  return put_in_order(job, loaded, repairs);
 }
 
 // Refuses a limit that the vertices of the domain alone exceed.
@@ -183,8 +212,6 @@ std::optional<error> check_counts(const mesh_job& job, std::size_t given) {
 
 }  // namespace
 
-bool is_mesh(const mesh_job& job) { return is_mesh_file(job.domain); }
-
 result<prepared_input> prepare(const mesh_job& job) {
   domain_repairs repairs;
   domain loaded;
@@ -193,7 +220,9 @@ result<prepared_input> prepare(const mesh_job& job) {
       (!sizes.is_empty() || job.sizes_of_file))
     return error{"sizes at places with --metric " + job.metric +
                  ": --size says how long edges are in that"};
-  auto checked = is_mesh(job) ? domain_of_mesh(job) : load_and_check(job, loaded, repairs, sizes);
+  bool of_mesh = false;
+  auto checked = is_mesh_file(job.domain) ? read_mesh_domain(job, loaded, repairs, sizes, of_mesh)
+                                          : load_and_check(job, loaded, repairs, sizes);
   if (!checked) return checked.failure();
   // Curves are divided for the metric once it is known. What is placed in the domain's box is made
   // anew then: in the box of the chords that are meshed, which the certificate holds.
@@ -214,7 +243,9 @@ result<prepared_input> prepare(const mesh_job& job) {
     if (!rows) return rows.failure();
     prepared = with_metric(job, sizes, std::move(rows).value());
   }
-  if (prepared) prepared.value().repairs = std::move(repairs);
+  if (!prepared) return prepared;
+  prepared.value().repairs = std::move(repairs);
+  prepared.value().of_mesh = of_mesh;
   return prepared;
 }
 

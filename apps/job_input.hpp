@@ -26,10 +26,8 @@ struct prepared_input {
   std::optional<double> complexity;  // of the metric, where one was asked for
   std::optional<std::uint64_t> background_fingerprint = {};  // of the mesh with the metric
   size_wishes sizes = {};  // of the job, and of the domain's file where they are asked for
+  bool of_mesh = false;    // the domain is what a finished mesh covers
 };
-
-// True if the job's domain is what a finished mesh covers.
-bool is_mesh(const mesh_job& job);
 
 // Reads and checks the domain, adds the random points, and makes the metric. Notes on repairs go to
 // standard error, unless the job is quiet.

@@ -82,6 +82,9 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
       "Greatest distance of a curve from its chords (default: a fiftieth of each chord, and with a "
       "size a fiftieth of it, as the metric has it across the curve)")
       ->type_name("D");
+  app.add_flag("--convex-hull", job.convex_hull,
+               "Close the domain by the convex hull of its vertices: of a .node file, or segments "
+               "that bound nothing");
   app.add_flag("--regions", job.number_regions,
                "Number every region that has no region point, from 1");
   add_count(

@@ -175,7 +175,7 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
 result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_input& input,
                                           run_limits& limits, const cancellation& stop) {
   mesh_options options = job.refinement;
-  options.keep_if_complete = is_mesh(job);
+  options.keep_if_complete = input.of_mesh;
   options.stop = stop;
   if (options.vertices) options.vertices = vertices_aimed_at(job);
   progress_line line(!job.quiet);

@@ -28,6 +28,7 @@ struct mesh_job {
   std::optional<double> chord_tolerance;  // empty: a part of each chord
   double vertices_factor = 1;             // of those aimed at, to those wanted
   bool number_regions = false;            // those the domain does not number, too
+  bool convex_hull = false;               // of the vertices, as segments
   std::size_t random_points = 0;
   std::size_t pieces = 0;                  // 0: the mesh is made in one
   std::vector<std::string> piece_formats;  // endings of further files of each piece

@@ -55,7 +55,7 @@ std::string lower_bound(const mesh_job& job, const certified_mesh& made, const s
 // Returns the option that joins vertices a rounding apart; empty where there are none, and where
 // the domain is of a kind that is not repaired.
 std::string repair(const mesh_job& job, const prepared_input& input, const mesh_outcome& outcome) {
-  if (job.repair || is_mesh(job) || !input.shape.curves.empty()) return "";
+  if (job.repair || input.of_mesh || !input.shape.curves.empty()) return "";
   const auto edge = internal::shortest_given_edge(outcome.result);
   if (!edge || !internal::is_rounding(*edge)) return "";
   return fmt::format("--repair-domain, which joins vertices {} and {}, {} apart", edge->a + 1,

@@ -12,6 +12,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/transfer_text.hpp"
@@ -31,7 +32,7 @@ struct transfer_job {
   transfer_method how = transfer_method::interpolate;
   fs::path output;
   std::size_t threads = 0;
-  bool quiet = false, json = false;
+  bool quiet = false, json = false, strict = false;
 };
 
 constexpr const char* transfer_examples =
@@ -53,20 +54,48 @@ std::optional<error> check_files(const transfer_job& job) {
   return check_distinct(used);
 }
 
+// Returns the solution with zeros at the vertices that were left out of the mesh, so that it has a
+// row for each vertex of the file.
+solution with_rows(const solution& s, const std::vector<vertex_index>& left_out) {
+  if (left_out.empty()) return s;
+  solution whole{s.vertices + left_out.size(), {}};
+  for (const solution_field& f : s.fields) {
+    const std::size_t width = components_of(f.kind);
+    solution_field& filled = whole.fields.emplace_back(solution_field{f.name, f.kind, {}});
+    filled.values.assign(whole.vertices * width, 0);
+    auto next = left_out.begin();
+    for (std::size_t v = 0, from = 0; v < whole.vertices; ++v) {
+      if (next != left_out.end() && *next == v) {
+        ++next;
+        continue;
+      }
+      for (std::size_t i = 0; i < width; ++i)
+        filled.values[v * width + i] = f.values[from * width + i];
+      ++from;
+    }
+  }
+  return whole;
+}
+
 int run_transfer(const transfer_job& job) {
   std::optional<tbb::global_control> threads;
   if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
   if (const auto failed = check_files(job)) return complain(*failed, refused);
-  const auto from = read_plain_triangulation(job.from);
+  const auto from = read_plain_mesh_file(job.from);
   if (!from) return complain(from.failure(), refused);
-  const auto values = read_solution(job.values, from.value());
+  const mesh& source = from.value().content;
+  const auto values = read_solution(job.values, source, from.value().left_out);
   if (!values) return complain(values.failure(), refused);
-  const auto to = read_plain_triangulation(job.to);
+  const auto to = read_plain_mesh_file(job.to);
   if (!to) return complain(to.failure(), refused);
-  const auto done_so = transfer_solution(from.value(), values.value(), to.value(), job.how);
+  for (const mesh_file* const read : {&from.value(), &to.value()})
+    if (const auto failed = say_notes(read->content.notes, {job.quiet, job.strict}))
+      return complain(*failed, refused);
+  const auto done_so = transfer_solution(source, values.value(), to.value().content, job.how);
   if (!done_so) return complain(done_so.failure(), refused);
   const held_signals held;
-  const auto written = write_solution(job.output, done_so.value().values);
+  const auto written =
+      write_solution(job.output, with_rows(done_so.value().values, to.value().left_out));
   if (!written) return complain(written.failure(), not_reached);
   if (job.json)
     std::cout << transfer_json(done_so.value().report, done, {job.output});
@@ -95,6 +124,7 @@ void add_transfer_command(CLI::App& program, command& chosen) {
   auto* const quiet = app->add_flag("--quiet", job->quiet, "No summary");
   app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
       ->excludes(quiet);
+  app->add_flag("--strict", job->strict, "Refuse a file that is read with a note");
   app->footer(transfer_examples);
   app->callback([job, &chosen] { chosen = [job] { return run_transfer(*job); }; });
 }

@@ -238,6 +238,9 @@ void add_question(CLI::App& app, verify_options& options) {
       "It should be a mesh of that domain as --repair-domain repairs it within this distance")
       ->type_name("D")
       ->needs(shape);
+  app.add_flag("--convex-hull", options.convex_hull,
+               "The domain named by --domain was meshed with --convex-hull")
+      ->needs(shape);
   app.add_flag("--regions", options.number_regions,
                "The domain named by --domain was meshed with --regions");
   auto* const metric =

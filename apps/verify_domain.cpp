@@ -12,9 +12,11 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/same_domain.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/convex_hull.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
 #include "asterism/mesh/domain/repair_domain.hpp"
+#include "asterism/mesh/io/edges_domain.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
@@ -90,6 +92,8 @@ std::optional<error> put_in_order(const domain& d, const verify_options& options
 result<domain> load(const verify_options& options) {
   auto loaded = load_domain(options.domain);
   if (!loaded) return loaded;
+  if (options.convex_hull) loaded = with_convex_hull(std::move(loaded).value());
+  if (!loaded) return loaded;
   if (auto refused = say_notes(loaded.value().origin.notes, {})) return *refused;
   if (options.number_regions) loaded.value().number_all_regions = true;
   return loaded;
@@ -97,7 +101,11 @@ result<domain> load(const verify_options& options) {
 
 std::optional<error> read_domain(const verify_options& options,
                                  const std::optional<certificate>& claim, asked_domain& asked) {
-  if (!is_mesh_file(options.domain)) {
+  const bool is_mesh_name = is_mesh_file(options.domain);
+  auto read = is_mesh_name ? read_mesh_file(options.domain, {.without_solution = true})
+                           : result<mesh_file>(mesh_file{});
+  if (!read) return read.failure();
+  if (!is_mesh_name || has_edges_alone(read.value())) {
     const auto loaded = load(options);
     if (!loaded) return loaded.failure();
     return put_in_order(loaded.value(), options, claim, asked);
@@ -105,7 +113,7 @@ std::optional<error> read_domain(const verify_options& options,
   if (options.repair_distance)
     return error{"--repair-distance: " + options.domain +
                  " is a mesh, whose edges are kept as they are"};
-  auto adopted = read_triangulation(options.domain, false);
+  auto adopted = checked_triangulation(std::move(read.value().content), options.domain);
   if (!adopted) return adopted.failure();
   if (auto refused = say_notes(adopted.value().subject.notes, {})) return refused;
   asked.shape = std::move(adopted.value().shape);

@@ -23,6 +23,7 @@ struct verify_options {
   std::string domain;
   std::optional<double> repair_distance;
   bool number_regions = false;
+  bool convex_hull = false;
   std::string metric;
   std::optional<double> size, gradation, metric_tolerance;
   bool prove_voronoi = false;

@@ -9,12 +9,14 @@
 // number of a physical group must be positive: 0 and negative numbers take a free one, with their
 // own in the name, "marker -7", where it is read back from.
 //
-// Read: sections in the order that gmsh writes, tags in any order and with gaps; lines and
-// triangles of first order, points; node data "metric"; other sections are passed over. Each line
-// is a segment. Refused: binary files, other versions, elements of other kinds, a third coordinate
-// other than 0, parametric nodes, tags that do not exist or twice, numbers that are not finite,
-// elements of an entity in several physical groups. Source: the gmsh 4.11 manual, "MSH file
-// format", and "MSH file format version 2 (Legacy)".
+// Read: versions 1, 2.0 to 2.2, 4.0 and 4.1; sections in the order that gmsh writes, tags in any
+// order and with gaps; points, lines, triangles and quadrilaterals, of higher order by their
+// corners; node data "metric"; other sections are passed over. Each line is a segment. An element
+// in several physical groups has a number for the set of them and all their names. What does not
+// begin as gmsh's is FreeFEM's (mesh/io/freefem_reader.cpp). Refused: binary files, elements of
+// other kinds, tags that do not exist or twice, numbers that are not finite, and what put_in_order
+// refuses. Source: the gmsh 4.11 manual, "MSH file format", and "MSH file format version 1/2
+// (Legacy)".
 #pragma once
 
 #include <filesystem>
@@ -22,20 +24,15 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/io/listed_mesh.hpp"
 #include "asterism/mesh/io/physical_names.hpp"
 
 namespace asterism::internal {
 
-struct gmsh_file {
-  mesh content;
-  physical_names names;
-  bool has_metric = false;  // else every vertex has the identity
-};
-
 // Reads a file. Where no triangle is in a physical group, the regions are empty. `given` is the
 // number of points if these are the first vertices, else 0. Tensors are checked to be positive
 // definite, exactly.
-result<gmsh_file> read_gmsh(const std::filesystem::path& path);
+result<listed_mesh> read_gmsh(const std::filesystem::path& path);
 
 enum class gmsh_version { two, four };
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -12,7 +14,8 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
-#include "asterism/mesh/io/medit_edges.hpp"
+#include "asterism/mesh/io/gmsh_groups.hpp"
+#include "asterism/mesh/io/listed_readers.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism::internal {
@@ -20,14 +23,35 @@ namespace {
 
 using failure = std::optional<error>;
 
-constexpr long long line_element = 1, triangle_element = 2, point_element = 15;
+// Elements of so many corners, which are the first of so many nodes.
+struct element_kind {
+  long long type;
+  std::size_t corners, nodes;
+};
+constexpr std::array<element_kind, 19> element_kinds = {
+    {{15, 1, 1},  {1, 2, 2},   {8, 2, 3},   {26, 2, 4},  {27, 2, 5},  {28, 2, 6},  {2, 3, 3},
+     {9, 3, 6},   {20, 3, 9},  {21, 3, 10}, {22, 3, 12}, {23, 3, 15}, {24, 3, 15}, {25, 3, 21},
+     {3, 4, 4},   {16, 4, 8},  {10, 4, 9},  {36, 4, 16}, {37, 4, 25}}};
+
+// What a version calls its sections, and whether it has entities in blocks.
+struct gmsh_dialect {
+  std::string_view text;
+  int major, minor;
+};
+constexpr std::array<gmsh_dialect, 7> dialects = {{{"4.1", 4, 1},
+                                                   {"4.0", 4, 0},
+                                                   {"4", 4, 0},
+                                                   {"2.2", 2, 2},
+                                                   {"2.1", 2, 1},
+                                                   {"2.0", 2, 0},
+                                                   {"2", 2, 0}}};
 
 class gmsh_reader {
  public:
-  explicit gmsh_reader(text_scanner& source) : source_(source) {}
+  explicit gmsh_reader(text_scanner& source) : source_(source) { file_.file = source.file(); }
 
   failure read();
-  gmsh_file take() { return std::move(file_); }
+  listed_mesh take() { return std::move(file_); }
 
  private:
   failure read_format();
@@ -35,14 +59,24 @@ class gmsh_reader {
   failure read_names();
   failure read_entities();
   failure read_entity(int dimension);
-  failure read_nodes_of_two();
+  failure read_nodes_of_two(const std::string& end);
   failure read_nodes_of_four();
   failure read_node_block();
+  failure read_positions_of_block(std::size_t nodes, std::size_t parameters);
+  failure read_elements_of_one();
   failure read_elements_of_two();
   failure read_elements_of_four();
   failure read_element_block();
-  // Reads the vertices of an element, which is in `number` of its kind.
-  failure read_element(long long type, std::size_t line, int number);
+  // Reads the vertices of an element, which is in the groups of that number.
+  failure read_element(const element_kind& kind, std::size_t line, int groups);
+  void add_element(const element_kind& kind, const std::array<vertex_index, 4>& corners,
+                   std::size_t line, int groups);
+  // Returns the dimension whose groups an element of these corners is in.
+  static int dimension_of(const element_kind& kind) {
+    return static_cast<int>(std::min<std::size_t>(kind.corners, 3)) - 1;
+  }
+  result<element_kind> read_kind();
+  void unite_repeated();
   failure read_node_data();
   failure read_metric();
   failure skip_to_end(const std::string& section, std::size_t line);
@@ -59,21 +93,22 @@ class gmsh_reader {
     return to_count(source_, source_.next(), what);
   }
   result<vertex_index> vertex(std::string_view what);
-  // Returns the number that a physical group stands for: its tag, or what its name says.
-  int number_of(int dimension, int tag) const;
 
   text_scanner& source_;
-  gmsh_file file_;
-  int version_ = 0;
-  bool nodes_seen_ = false, elements_seen_ = false, grouped_ = false;
+  listed_mesh file_;
+  int version_ = 0, minor_ = 0;
+  bool nodes_seen_ = false, elements_seen_ = false;
   std::unordered_map<long long, vertex_index> vertex_of_;
-  std::map<std::pair<int, long long>, int> physical_;  // tag of each entity, by its dimension
-  std::map<std::pair<int, int>, std::string> names_;   // of physical groups, by dimension and tag
-  std::vector<vertex_index> points_;
+  std::map<std::pair<int, long long>, int> physical_;  // groups of each entity, by its dimension
+  gmsh_groups groups_;
 };
 
 failure gmsh_reader::read() {
-  if (auto failed = read_format()) return failed;
+  const word first = text_scanner(source_).next();
+  if (first.text == "$NOD")
+    version_ = 1;
+  else if (auto failed = read_format())
+    return failed;
   while (true) {
     const word head = source_.next();
     if (head.empty()) break;
@@ -87,14 +122,15 @@ failure gmsh_reader::read_format() {
   if (head.text != "$MeshFormat")
     return source_.failure(head.line, "$MeshFormat wanted, not " + quoted_token(head.text));
   const word version = source_.next();
-  if (version.text == "4.1")
-    version_ = 4;
-  else if (version.text == "2.2")
-    version_ = 2;
-  else
+  for (const gmsh_dialect& d : dialects)
+    if (version.text == d.text) {
+      version_ = d.major;
+      minor_ = d.minor;
+    }
+  if (version_ == 0)
     return source_.failure(version.line, "version " + quoted_token(version.text) +
-                                             ": 4.1 and 2.2 can be read; gmsh -save -format msh41 "
-                                             "writes the first");
+                                             ": 1, 2.0 to 2.2, 4.0 and 4.1 can be read; gmsh "
+                                             "-save -format msh41 writes the last");
   const auto kind = integer("kind of file");
   if (!kind.ok()) return kind.failure();
   if (kind.value() != 0)
@@ -111,14 +147,16 @@ failure gmsh_reader::read_section(const word& head) {
     return source_.failure(head.line, "a section wanted, not " + quoted_token(head.text));
   if (name == "$PhysicalNames") return read_names();
   if (name == "$Entities") return read_entities();
-  if (name == "$Nodes") {
-    if (std::exchange(nodes_seen_, true)) return source_.failure(head.line, "a second $Nodes");
-    return version_ == 2 ? read_nodes_of_two() : read_nodes_of_four();
+  if (name == "$Nodes" || name == "$NOD") {
+    if (std::exchange(nodes_seen_, true)) return source_.failure(head.line, "a second " + name);
+    if (version_ == 4) return read_nodes_of_four();
+    return read_nodes_of_two(version_ == 1 ? "$ENDNOD" : "$EndNodes");
   }
-  if (name == "$Elements") {
-    if (!nodes_seen_) return source_.failure(head.line, "$Elements before $Nodes");
+  if (name == "$Elements" || name == "$ELM") {
+    if (!nodes_seen_) return source_.failure(head.line, name + " before $Nodes");
     if (std::exchange(elements_seen_, true))
-      return source_.failure(head.line, "a second $Elements");
+      return source_.failure(head.line, "a second " + name);
+    if (version_ == 1) return read_elements_of_one();
     return version_ == 2 ? read_elements_of_two() : read_elements_of_four();
   }
   if (name == "$NodeData") return read_node_data();
@@ -152,7 +190,7 @@ failure gmsh_reader::read_names() {
     const std::string_view name(begin, words.back().text.data() + words.back().text.size() - begin);
     if (name.size() < 2 || name.front() != '"' || name.back() != '"')
       return source_.failure(words[2].line, "a name in \" wanted, not " + quoted_token(name));
-    names_[{dimension.value(), tag.value()}] = name.substr(1, name.size() - 2);
+    groups_.set_name(dimension.value(), tag.value(), std::string(name.substr(1, name.size() - 2)));
   }
   return expect("$EndPhysicalNames");
 }
@@ -180,19 +218,21 @@ failure gmsh_reader::read_entity(int dimension) {
   const word w = source_.next();
   const auto tag = to_integer(source_, w, "tag of an entity");
   if (!tag.ok()) return tag.failure();
-  if (auto failed = read_numbers(dimension == 0 ? 3 : 6, "box of an entity")) return failed;
+  // Points have a place; in version 4.0 that is a box, too.
+  if (auto failed = read_numbers(dimension == 0 && minor_ > 0 ? 3 : 6, "box of an entity"))
+    return failed;
   const auto groups = count("number of physical groups");
   if (!groups.ok()) return groups.failure();
+  std::vector<int> tags;
   for (std::size_t i = 0; i < groups.value(); ++i) {
-    const word group = source_.next();
-    const auto number = to_marker(source_, group, "physical group");
+    const auto number = to_marker(source_, source_.next(), "physical group");
     if (!number.ok()) return number.failure();
-    if (i > 0 && dimension > 0)
-      return source_.failure(group.line, "entity " + quoted_token(w.text) +
-                                             " is in several physical groups, and a marker or a "
-                                             "region is one number");
-    physical_[{dimension, tag.value()}] = number.value();
+    // The sign is a direction, which edges and triangles have no use for.
+    if (number.value() != std::numeric_limits<int>::min())
+      tags.push_back(std::abs(number.value()));
   }
+  if (dimension < 3)
+    physical_[{dimension, tag.value()}] = groups_.number_of_set(dimension, std::move(tags));
   if (dimension == 0) return {};
   const auto bounding = count("number of bounding entities");
   if (!bounding.ok()) return bounding.failure();
@@ -218,45 +258,57 @@ failure gmsh_reader::read_position(site& s) {
   const auto z = to_number(source_, w, "z of a node");
   if (!z.ok()) return z.failure();
   if (z.value() != 0)
-    return source_.failure(w.line, "z of a node: " + quoted_token(w.text) +
-                                       " is not 0: only plane meshes can be read");
+    file_.heights.push_back(
+        {static_cast<vertex_index>(&s - file_.content.sites.data()), w.line, z.value()});
   s = {{x.value(), y.value()}, {1, 0, 1}};
   return {};
 }
 
-failure gmsh_reader::read_nodes_of_two() {
+failure gmsh_reader::read_nodes_of_two(const std::string& end) {
   const auto nodes = count("number of nodes");
   if (!nodes.ok()) return nodes.failure();
   for (std::size_t i = 0; i < nodes.value(); ++i) {
     if (auto failed = add_node(source_.next())) return failed;
     if (auto failed = read_position(file_.content.sites.back())) return failed;
   }
-  return expect("$EndNodes");
+  return expect(end);
 }
 
 failure gmsh_reader::read_nodes_of_four() {
   const auto blocks = count("number of blocks");
   if (!blocks.ok()) return blocks.failure();
-  if (auto failed = read_numbers(3, "count of nodes")) return failed;
+  if (auto failed = read_numbers(minor_ > 0 ? 3 : 1, "count of nodes")) return failed;
   for (std::size_t i = 0; i < blocks.value(); ++i)
     if (auto failed = read_node_block()) return failed;
   return expect("$EndNodes");
 }
 
 failure gmsh_reader::read_node_block() {
-  if (auto failed = read_numbers(2, "entity of nodes")) return failed;
-  const word w = source_.next();
-  const auto parametric = to_integer(source_, w, "parametric");
+  // Of version 4.0 the entity comes first, and each tag is before its node's place.
+  const auto first = count("entity of nodes"), second = count("entity of nodes");
+  if (!first.ok()) return first.failure();
+  if (!second.ok()) return second.failure();
+  const std::size_t dimension = minor_ > 0 ? first.value() : second.value();
+  const auto parametric = integer("parametric");
   if (!parametric.ok()) return parametric.failure();
-  if (parametric.value() != 0)
-    return source_.failure(w.line, "parametric nodes cannot be read; save without them");
   const auto nodes = count("number of nodes");
   if (!nodes.ok()) return nodes.failure();
+  const std::size_t parameters =
+      parametric.value() != 0 ? std::min<std::size_t>(dimension, 3) : std::size_t{0};
+  return read_positions_of_block(nodes.value(), parameters);
+}
+
+failure gmsh_reader::read_positions_of_block(std::size_t nodes, std::size_t parameters) {
   const std::size_t first = file_.content.sites.size();
-  for (std::size_t i = 0; i < nodes.value(); ++i)
-    if (auto failed = add_node(source_.next())) return failed;
-  for (std::size_t i = 0; i < nodes.value(); ++i)
+  if (minor_ > 0)
+    for (std::size_t i = 0; i < nodes; ++i)
+      if (auto failed = add_node(source_.next())) return failed;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    if (minor_ == 0)
+      if (auto failed = add_node(source_.next())) return failed;
     if (auto failed = read_position(file_.content.sites[first + i])) return failed;
+    if (auto failed = read_numbers(parameters, "parameter of a node")) return failed;
+  }
   return {};
 }
 
@@ -270,47 +322,60 @@ result<vertex_index> gmsh_reader::vertex(std::string_view what) {
                          std::string(what) + ": node " + quoted_token(w.text) + " does not exist");
 }
 
-// The name "marker -7" stands for a number that no physical group can have.
-int gmsh_reader::number_of(int dimension, int tag) const {
-  const auto named = names_.find({dimension, tag});
-  const std::string_view what = dimension == 1 ? "marker " : "region ";
-  if (named == names_.end() || !named->second.starts_with(what)) return tag;
-  const text_scanner nowhere("", "");
-  const auto number = to_marker(nowhere, {std::string_view(named->second).substr(what.size()), 0},
-                                "number in a name");
-  return number.ok() && number.value() <= 0 ? number.value() : tag;
+result<element_kind> gmsh_reader::read_kind() {
+  const word w = source_.next();
+  const auto type = to_integer(source_, w, "type of an element");
+  if (!type.ok()) return type.failure();
+  for (const element_kind& kind : element_kinds)
+    if (kind.type == type.value()) return kind;
+  return source_.failure(w.line, "element of type " + quoted_token(w.text) +
+                                     ": points, lines, triangles and quadrilaterals can be read");
 }
 
-failure gmsh_reader::read_element(long long type, std::size_t line, int number) {
-  mesh& m = file_.content;
-  if (type == point_element) {
-    const auto v = vertex("point");
+failure gmsh_reader::read_element(const element_kind& kind, std::size_t line, int groups) {
+  constexpr std::array<std::string_view, 5> meanings = {
+      "", "point", "end of a line", "corner of a triangle", "corner of a quadrilateral"};
+  std::array<vertex_index, 4> corners{};
+  for (std::size_t k = 0; k < kind.nodes; ++k) {
+    const auto v = vertex(meanings[kind.corners]);
     if (!v.ok()) return v.failure();
-    points_.push_back(v.value());
-    return {};
+    if (k < kind.corners) corners[k] = v.value();
   }
-  if (type == line_element) {
-    const auto a = vertex("end of a line");
-    if (!a.ok()) return a.failure();
-    const auto b = vertex("end of a line");
-    if (!b.ok()) return b.failure();
-    m.boundary.push_back(
-        {a.value(), b.value(), static_cast<vertex_index>(m.boundary.size()), number_of(1, number)});
-    return {};
-  }
-  if (type != triangle_element)
-    return source_.failure(line, "element of type " + std::to_string(type) +
-                                     ": points, lines and triangles of first order can be read");
-  triangle t{};
-  for (vertex_index& corner : t) {
-    const auto v = vertex("corner of a triangle");
-    if (!v.ok()) return v.failure();
-    corner = v.value();
-  }
-  m.triangles.push_back(t);
-  m.regions.push_back(number_of(2, number));
-  grouped_ = grouped_ || number != 0;
+  add_element(kind, corners, line, groups);
   return {};
+}
+
+void gmsh_reader::add_element(const element_kind& kind, const std::array<vertex_index, 4>& corners,
+                              std::size_t line, int groups) {
+  mesh& m = file_.content;
+  if (kind.nodes > kind.corners) ++file_.second_order;
+  if (kind.corners == 1) file_.marks.required_vertices.push_back(corners[0]);
+  if (kind.corners == 2)
+    m.boundary.push_back(
+        {corners[0], corners[1], static_cast<vertex_index>(m.boundary.size()), groups});
+  if (kind.corners == 4) file_.quadrilaterals.push_back({corners, groups, line});
+  if (kind.corners != 3) return;
+  m.triangles.push_back({corners[0], corners[1], corners[2]});
+  m.regions.push_back(groups);
+}
+
+// Elements of version 1: number, type, physical group, entity, number of nodes, and these.
+failure gmsh_reader::read_elements_of_one() {
+  const auto elements = count("number of elements");
+  if (!elements.ok()) return elements.failure();
+  for (std::size_t i = 0; i < elements.value(); ++i) {
+    if (auto failed = read_numbers(1, "tag of an element")) return failed;
+    const auto kind = read_kind();
+    if (!kind.ok()) return kind.failure();
+    const auto tag = to_marker(source_, source_.next(), "physical group");
+    if (!tag.ok()) return tag.failure();
+    const std::size_t line = source_.line();
+    if (auto failed = read_numbers(2, "entity of an element")) return failed;
+    const int dimension = dimension_of(kind.value());
+    const int groups = tag.value() == 0 ? 0 : groups_.number_of_set(dimension, {tag.value()});
+    if (auto failed = read_element(kind.value(), line, groups)) return failed;
+  }
+  return expect("$ENDELM");
 }
 
 failure gmsh_reader::read_elements_of_two() {
@@ -318,9 +383,9 @@ failure gmsh_reader::read_elements_of_two() {
   if (!elements.ok()) return elements.failure();
   for (std::size_t i = 0; i < elements.value(); ++i) {
     if (auto failed = read_numbers(1, "tag of an element")) return failed;
-    const word w = source_.next();
-    const auto type = to_integer(source_, w, "type of an element");
-    if (!type.ok()) return type.failure();
+    const auto kind = read_kind();
+    if (!kind.ok()) return kind.failure();
+    const std::size_t line = source_.line();
     const auto tags = count("number of tags");
     if (!tags.ok()) return tags.failure();
     int number = 0;
@@ -329,7 +394,9 @@ failure gmsh_reader::read_elements_of_two() {
       if (!tag.ok()) return tag.failure();
       if (k == 0) number = tag.value();
     }
-    if (auto failed = read_element(type.value(), w.line, number)) return failed;
+    const int groups =
+        number == 0 ? 0 : groups_.number_of_set(dimension_of(kind.value()), {number});
+    if (auto failed = read_element(kind.value(), line, groups)) return failed;
   }
   return expect("$EndElements");
 }
@@ -337,29 +404,68 @@ failure gmsh_reader::read_elements_of_two() {
 failure gmsh_reader::read_elements_of_four() {
   const auto blocks = count("number of blocks");
   if (!blocks.ok()) return blocks.failure();
-  if (auto failed = read_numbers(3, "count of elements")) return failed;
+  if (auto failed = read_numbers(minor_ > 0 ? 3 : 1, "count of elements")) return failed;
   for (std::size_t i = 0; i < blocks.value(); ++i)
     if (auto failed = read_element_block()) return failed;
   return expect("$EndElements");
 }
 
 failure gmsh_reader::read_element_block() {
-  const auto dimension = to_marker(source_, source_.next(), "dimension of an entity");
-  if (!dimension.ok()) return dimension.failure();
-  const auto entity = integer("entity of elements");
-  if (!entity.ok()) return entity.failure();
-  const word w = source_.next();
-  const auto type = to_integer(source_, w, "type of an element");
-  if (!type.ok()) return type.failure();
+  // Of version 4.0 the entity comes first.
+  const auto first = integer("entity of elements"), second = integer("entity of elements");
+  if (!first.ok()) return first.failure();
+  if (!second.ok()) return second.failure();
+  const long long entity = minor_ > 0 ? second.value() : first.value();
+  const auto kind = read_kind();
+  if (!kind.ok()) return kind.failure();
   const auto elements = count("number of elements");
   if (!elements.ok()) return elements.failure();
-  const auto group = physical_.find({dimension.value(), entity.value()});
-  const int number = group == physical_.end() ? 0 : group->second;
+  const auto group = physical_.find({dimension_of(kind.value()), entity});
+  const int groups = group == physical_.end() ? 0 : group->second;
   for (std::size_t i = 0; i < elements.value(); ++i) {
     if (auto failed = read_numbers(1, "tag of an element")) return failed;
-    if (auto failed = read_element(type.value(), w.line, number)) return failed;
+    if (auto failed = read_element(kind.value(), source_.line(), groups)) return failed;
   }
   return {};
+}
+
+// Gives an element that is listed again, once for each of its physical groups, all of them. So
+// version 2 says that there are several.
+void gmsh_reader::unite_repeated() {
+  mesh& m = file_.content;
+  const auto unite = [&](int dimension, std::size_t count, const auto& key_of,
+                         const auto& groups_of) {
+    using key = std::array<vertex_index, 4>;
+    std::vector<std::pair<key, std::size_t>> order(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      order[i] = {key_of(i), i};
+      std::sort(order[i].first.begin(), order[i].first.end());
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
+      int all = groups_of(order[begin].second);
+      for (end = begin + 1; end < count && order[end].first == order[begin].first; ++end)
+        all = groups_.united(dimension, all, groups_of(order[end].second));
+      for (std::size_t k = begin; k < end; ++k) groups_of(order[k].second) = all;
+    }
+  };
+  unite(
+      2, m.triangles.size(),
+      [&](std::size_t i) {
+        const triangle& t = m.triangles[i];
+        return std::array{t[0], t[1], t[2], t[2]};
+      },
+      [&](std::size_t i) -> int& { return m.regions[i]; });
+  unite(
+      2, file_.quadrilaterals.size(), [&](std::size_t i) { return file_.quadrilaterals[i].corners; },
+      [&](std::size_t i) -> int& { return file_.quadrilaterals[i].region; });
+  unite(
+      1, m.boundary.size(),
+      [&](std::size_t i) {
+        const boundary_edge& e = m.boundary[i];
+        return std::array{e.a, e.b, e.b, e.b};
+      },
+      [&](std::size_t i) -> int& { return m.boundary[i].marker; });
 }
 
 // String tags, real tags, integer tags; the first string is the name, the second integer the number
@@ -416,26 +522,24 @@ failure gmsh_reader::read_metric() {
 failure gmsh_reader::finish() {
   mesh& m = file_.content;
   if (!elements_seen_) return source_.failure(source_.line(), "there is no section $Elements");
-  if (!grouped_ || std::all_of(m.regions.begin(), m.regions.end(), [](int r) { return r == 1; }))
-    m.regions.clear();
+  if (version_ < 4) unite_repeated();
+  groups_.settle(file_);
+  file_.all_edges = true;
+  if (auto failed = put_in_order(file_, listed_order::put_right)) return failed;
+  const std::vector<vertex_index> points = std::exchange(file_.marks.required_vertices, {});
   bool in_order = true;
-  for (std::size_t i = 0; i < points_.size(); ++i) in_order = in_order && points_[i] == i;
-  m.given = in_order ? static_cast<vertex_index>(points_.size()) : 0;
-  keep_segments(m, {std::vector<char>(m.boundary.size(), 1), true});
-  list_sides(m);
-  for (const auto& [place, name] : names_) {
-    if (place.first == 1) file_.names.markers[number_of(1, place.second)] = name;
-    if (place.first == 2) file_.names.regions[number_of(2, place.second)] = name;
-  }
+  for (std::size_t i = 0; i < points.size(); ++i) in_order = in_order && points[i] == i;
+  m.given = in_order ? static_cast<vertex_index>(points.size()) : 0;
   return {};
 }
 
 }  // namespace
 
-result<gmsh_file> read_gmsh(const std::filesystem::path& path) {
+result<listed_mesh> read_gmsh(const std::filesystem::path& path) {
   const auto text = read_text_file(path);
   if (!text.ok()) return text.failure();
-  text_scanner source(path.string(), text.value());
+  text_scanner source(path.string(), text.value(), '\0');
+  if (is_freefem_mesh(source)) return read_freefem(source);
   gmsh_reader reader(source);
   if (auto failed = reader.read()) return std::move(*failed);
   return reader.take();

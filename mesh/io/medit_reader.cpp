@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -10,9 +11,11 @@
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/io/listed_readers.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_binary.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
+#include "asterism/mesh/io/medit_passed_over.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
@@ -23,71 +26,55 @@ namespace {
 
 using failure = std::optional<error>;
 
-// Sections that mean nothing here: how many words a record of theirs has, in `dimension`
-// dimensions.
-struct skipped_section {
-  std::string_view keyword;
-  int words_in_2d, words_in_3d;
+// Elements of so many corners, which are the first of so many vertices.
+struct element_section {
+  std::string_view keyword, meaning;
+  std::size_t corners, vertices;
 };
-constexpr std::array<skipped_section, 18> skipped_sections = {{
-    {"Ridges", 1, 1},
-    {"RequiredTriangles", 1, 1},
-    {"Normals", 2, 3},
-    {"NormalAtVertices", 2, 2},
-    {"NormalAtTriangleVertices", 3, 3},
-    {"Tangents", 2, 3},
-    {"TangentAtVertices", 2, 2},
-    {"TangentAtEdges", 3, 3},
-    {"SubDomainFromMesh", 4, 4},
-    {"SubDomain", 4, 4},
-    {"SubDomainFromGeom", 4, 4},
-    {"CrackedEdges", 2, 2},
-    {"VertexOnGeometricVertex", 2, 2},
-    {"VertexOnGeometricEdge", 3, 3},
-    {"EdgeOnGeometricEdge", 2, 2},
-    {"VertexOnSupportVertex", 2, 2},
-    {"VertexOnSupportEdge", 3, 3},
-    {"VertexOnSupportTriangle", 4, 4},
+constexpr std::array<element_section, 10> element_sections = {{
+    {"Triangles", "corner of a triangle", 3, 3},
+    {"TrianglesP2", "vertex of a triangle", 3, 6},
+    {"TrianglesP3", "vertex of a triangle", 3, 10},
+    {"TrianglesP4", "vertex of a triangle", 3, 15},
+    {"Quadrilaterals", "corner of a quadrilateral", 4, 4},
+    {"QuadrilateralsQ2", "vertex of a quadrilateral", 4, 9},
+    {"QuadrilateralsQ3", "vertex of a quadrilateral", 4, 16},
+    {"Edges", "end of an edge", 2, 2},
+    {"EdgesP2", "vertex of an edge", 2, 3},
+    {"EdgesP3", "vertex of an edge", 2, 4},
 }};
-
-// Keywords of BAMG's that hold one text in quotation marks, or one number and no count.
-constexpr std::array<std::string_view, 4> texts = {
-    "Identifier", "Geometry", "MeshSupportOfVertices", "IdentityOfMeshSupport"};
-constexpr std::array<std::string_view, 2> single_numbers = {"MaximalAngleOfCorner",
-                                                            "AngleOfCornerBound"};
-
-template <std::size_t N>
-bool is_among(const std::array<std::string_view, N>& all, std::string_view text) {
-  return std::find(all.begin(), all.end(), text) != all.end();
-}
+constexpr std::array<std::string_view, 5> solid_sections = {"Tetrahedra", "Hexahedra", "Prisms",
+                                                            "Pyramids", "TetrahedraP2"};
 
 class medit_reader {
  public:
-  medit_reader(text_scanner& source, mesh& m, bool all_edges)
-      : source_(source), m_(m), all_edges_(all_edges) {}
+  medit_reader(text_scanner& source, listed_mesh& made)
+      : source_(source), made_(made), m_(made.content) {}
 
   // Reads the header, then sections until End or the end of the file.
   failure read_mesh();
-  const mesh_marks& marks() const { return marks_; }
+  // Puts the mesh in order once its metric has been read. A file of ours is as it is.
+  failure finish(listed_order how);
+  bool lists_triangles() const { return lists_triangles_; }
 
  private:
   failure read_section(const word& keyword);
   failure read_vertices();
-  failure read_triangles();
-  failure read_edges();
+  failure read_elements(const element_section& kind);
+  void add_element(const element_section& kind, const std::array<vertex_index, 4>& corners,
+                   int reference, std::size_t line);
   failure read_required();
   failure read_corners();
   failure read_required_edges();
-  failure skip(const word& keyword, int words);
-  failure skip_text(const word& keyword);
+  failure refuse_solids(const word& keyword);
 
   // Reads the count of a section that may occur once.
-  result<std::size_t> read_count(std::string_view keyword, bool& seen);
+  result<std::size_t> read_count(std::string_view keyword);
   result<double> read_number(std::string_view meaning) {
     return to_number(source_, source_.next(), meaning);
   }
   result<int> read_reference(std::string_view meaning) {
-    return to_marker(source_, source_.next(), meaning);
+    return made_.wide.read(source_, source_.next(), meaning);
   }
   // Reads a vertex number of the file. Whether it exists is known when all sections have been
   // read.
@@ -97,7 +84,6 @@ class medit_reader {
   void note_marks();
   bool take_segment_numbers();
   bool take_given_number();
-  void find_segments(bool is_own);
 
   struct use {
     vertex_index vertex;
@@ -106,19 +92,18 @@ class medit_reader {
   };
 
   text_scanner& source_;
+  listed_mesh& made_;
   mesh& m_;
   int dimension_ = 2;
-  bool all_edges_;
-  bool vertices_seen_ = false, triangles_seen_ = false, edges_seen_ = false, required_seen_ = false,
-       corners_seen_ = false, required_edges_seen_ = false, names_segments_ = false;
+  bool names_segments_ = false, lists_triangles_ = false;
+  std::set<std::string_view> seen_;
+  passed_over passed_;
   std::vector<use> uses_;
-  std::vector<vertex_index> required_;
   struct named_edge {
     std::size_t number;  // from 0
     std::size_t line;
   };
   std::vector<named_edge> required_edges_;
-  mesh_marks marks_;
 };
 
 failure medit_reader::read_mesh() {
@@ -126,58 +111,63 @@ failure medit_reader::read_mesh() {
   if (!dimension.ok()) return dimension.failure();
   dimension_ = dimension.value();
   while (true) {
-    const word keyword = source_.next();
+    const word keyword = passed_.next ? *std::exchange(passed_.next, {}) : source_.next();
     if (keyword.empty() || keyword.text == "End") break;
     if (auto failed = read_section(keyword)) return failed;
   }
-  if (!vertices_seen_) return source_.failure(source_.line(), "there is no section Vertices");
-  if (!triangles_seen_) return source_.failure(source_.line(), "there is no section Triangles");
+  if (seen_.count("Vertices") == 0)
+    return source_.failure(source_.line(), "there is no section Vertices");
   if (auto failed = check_vertices()) return failed;
   if (auto failed = check_required_edges()) return failed;
   note_marks();
-  find_segments(take_segment_numbers());
-  if (m_.references == vertex_references(m_)) m_.references.clear();
-  if (std::all_of(m_.regions.begin(), m_.regions.end(), [](int region) { return region == 1; }))
-    m_.regions.clear();
+  if (!passed_.names.empty())
+    m_.notes.push_back(source_.file() + ": sections that mean nothing here are passed over: " +
+                       passed_.names);
+  return {};
+}
+
+failure medit_reader::finish(listed_order how) {
+  const bool is_own = take_segment_numbers();
+  made_.all_edges = made_.all_edges || is_own;
+  made_.lists_sides = names_segments_;
+  if (auto failed = put_in_order(made_, names_segments_ ? listed_order::as_listed : how))
+    return failed;
   if (take_given_number()) return {};
   // Ours are the first ones, in order; what other programs require are no vertices of a domain
   // here.
+  const std::vector<vertex_index>& required = made_.marks.required_vertices;
   bool in_order = true;
-  for (std::size_t i = 0; i < required_.size(); ++i) in_order = in_order && required_[i] == i;
-  m_.given = in_order ? static_cast<vertex_index>(required_.size()) : 0;
+  for (std::size_t i = 0; i < required.size(); ++i) in_order = in_order && required[i] == i;
+  m_.given = in_order ? static_cast<vertex_index>(required.size()) : 0;
   return {};
 }
 
 failure medit_reader::read_section(const word& keyword) {
   if (keyword.text == "Vertices") return read_vertices();
-  if (keyword.text == "Triangles") return read_triangles();
-  if (keyword.text == "Edges") return read_edges();
+  for (const element_section& kind : element_sections)
+    if (keyword.text == kind.keyword) return read_elements(kind);
   if (keyword.text == "RequiredVertices") return read_required();
   if (keyword.text == "Corners") return read_corners();
   if (keyword.text == "RequiredEdges") return read_required_edges();
-  for (const skipped_section& s : skipped_sections)
-    if (keyword.text == s.keyword)
-      return skip(keyword, dimension_ == 2 ? s.words_in_2d : s.words_in_3d);
-  if (is_among(texts, keyword.text)) return skip_text(keyword);
-  if (is_among(single_numbers, keyword.text)) {
-    const auto value = read_number(keyword.text);
-    return value.ok() ? failure{} : value.failure();
-  }
-  if (keyword.text == "Quadrilaterals" || keyword.text == "Tetrahedra" ||
-      keyword.text == "Hexahedra" || keyword.text == "Prisms" || keyword.text == "Pyramids") {
-    const auto count = to_count(source_, source_.next(), keyword.text);
-    if (!count.ok()) return count.failure();
-    if (count.value() == 0) return {};
-    return source_.failure(keyword.line,
-                           std::string(keyword.text) + ": only triangles can be read");
-  }
-  return source_.failure(keyword.line, quoted_token(keyword.text) + " is no known section");
+  if (std::find(solid_sections.begin(), solid_sections.end(), keyword.text) !=
+      solid_sections.end())
+    return refuse_solids(keyword);
+  return pass_over(source_, keyword, dimension_, passed_);
 }
 
-result<std::size_t> medit_reader::read_count(std::string_view keyword, bool& seen) {
+failure medit_reader::refuse_solids(const word& keyword) {
+  const auto count = to_count(source_, source_.next(), keyword.text);
+  if (!count.ok()) return count.failure();
+  if (count.value() == 0) return {};
+  return source_.failure(keyword.line, std::string(keyword.text) +
+                                           ": only meshes of triangles and quadrilaterals in the "
+                                           "plane can be read");
+}
+
+result<std::size_t> medit_reader::read_count(std::string_view keyword) {
   const word w = source_.next();
-  if (seen) return source_.failure(w.line, "a second section " + std::string(keyword));
-  seen = true;
+  if (!seen_.insert(keyword).second)
+    return source_.failure(w.line, "a second section " + std::string(keyword));
   auto count = to_count(source_, w, keyword);
   if (count.ok() && count.value() > std::numeric_limits<vertex_index>::max() / 4)
     return source_.failure(w.line, std::string(keyword) + ": more than 32-bit numbers can name");
@@ -198,7 +188,7 @@ result<vertex_index> medit_reader::read_vertex(std::string_view meaning) {
 }
 
 failure medit_reader::read_vertices() {
-  const auto count = read_count("Vertices", vertices_seen_);
+  const auto count = read_count("Vertices");
   if (!count.ok()) return count.failure();
   m_.sites.reserve(count.value());
   for (std::size_t i = 0; i < count.value(); ++i) {
@@ -211,8 +201,7 @@ failure medit_reader::read_vertices() {
       const auto z = to_number(source_, w, "z of a vertex");
       if (!z.ok()) return z.failure();
       if (z.value() != 0)
-        return source_.failure(w.line, "z of a vertex: " + quoted_token(w.text) +
-                                           " is not 0: only plane meshes can be read");
+        made_.heights.push_back({static_cast<vertex_index>(i), w.line, z.value()});
     }
     const auto reference = read_reference("reference of a vertex");
     if (!reference.ok()) return reference.failure();
@@ -222,66 +211,67 @@ failure medit_reader::read_vertices() {
   return {};
 }
 
-failure medit_reader::read_triangles() {
-  const auto count = read_count("Triangles", triangles_seen_);
+failure medit_reader::read_elements(const element_section& kind) {
+  const auto count = read_count(kind.keyword);
   if (!count.ok()) return count.failure();
-  m_.triangles.reserve(count.value());
+  if (kind.corners == 3) m_.triangles.reserve(m_.triangles.size() + count.value());
+  if (kind.corners == 2) m_.boundary.reserve(m_.boundary.size() + count.value());
+  if (kind.vertices > kind.corners) made_.second_order += count.value();
+  lists_triangles_ = lists_triangles_ || kind.corners > 2;
+  const std::string reference_of =
+      kind.corners == 2 ? "reference of an edge"
+                        : (kind.corners == 3 ? "reference of a triangle" : "reference of a cell");
   for (std::size_t i = 0; i < count.value(); ++i) {
-    triangle t{};
-    for (vertex_index& corner : t) {
-      const auto v = read_vertex("corner of a triangle");
+    std::array<vertex_index, 4> corners{};
+    for (std::size_t k = 0; k < kind.vertices; ++k) {
+      const auto v = read_vertex(kind.meaning);
       if (!v.ok()) return v.failure();
-      corner = v.value();
+      if (k < kind.corners) corners[k] = v.value();
     }
-    const auto reference = read_reference("reference of a triangle");
+    const auto reference = read_reference(reference_of);
     if (!reference.ok()) return reference.failure();
-    m_.triangles.push_back(t);
-    m_.regions.push_back(reference.value());
+    add_element(kind, corners, reference.value(), source_.line());
   }
   return {};
 }
 
-failure medit_reader::read_edges() {
-  const auto count = read_count("Edges", edges_seen_);
-  if (!count.ok()) return count.failure();
-  m_.boundary.reserve(count.value());
-  for (std::size_t i = 0; i < count.value(); ++i) {
-    const auto a = read_vertex("end of an edge");
-    if (!a.ok()) return a.failure();
-    const auto b = read_vertex("end of an edge");
-    if (!b.ok()) return b.failure();
-    const auto marker = read_reference("reference of an edge");
-    if (!marker.ok()) return marker.failure();
-    m_.boundary.push_back({a.value(), b.value(), static_cast<vertex_index>(i), marker.value()});
-  }
-  return {};
+void medit_reader::add_element(const element_section& kind,
+                               const std::array<vertex_index, 4>& corners, int reference,
+                               std::size_t line) {
+  if (kind.corners == 2)
+    m_.boundary.push_back(
+        {corners[0], corners[1], static_cast<vertex_index>(m_.boundary.size()), reference});
+  if (kind.corners == 4) made_.quadrilaterals.push_back({corners, reference, line});
+  if (kind.corners != 3) return;
+  m_.triangles.push_back({corners[0], corners[1], corners[2]});
+  m_.regions.push_back(reference);
 }
 
 failure medit_reader::read_required() {
-  const auto count = read_count("RequiredVertices", required_seen_);
+  const auto count = read_count("RequiredVertices");
   if (!count.ok()) return count.failure();
   for (std::size_t i = 0; i < count.value(); ++i) {
     const auto v = read_vertex("required vertex");
     if (!v.ok()) return v.failure();
-    required_.push_back(v.value());
+    made_.marks.required_vertices.push_back(v.value());
   }
   return {};
 }
 
 // Reads corners as they have to be, and does not use them.
 failure medit_reader::read_corners() {
-  const auto count = read_count("Corners", corners_seen_);
+  const auto count = read_count("Corners");
   if (!count.ok()) return count.failure();
   for (std::size_t i = 0; i < count.value(); ++i) {
     const auto v = read_vertex("corner");
     if (!v.ok()) return v.failure();
-    marks_.corners.push_back(v.value());
+    made_.marks.corners.push_back(v.value());
   }
   return {};
 }
 
 failure medit_reader::read_required_edges() {
-  const auto count = read_count("RequiredEdges", required_edges_seen_);
+  const auto count = read_count("RequiredEdges");
   if (!count.ok()) return count.failure();
   for (std::size_t i = 0; i < count.value(); ++i) {
     const word w = source_.next();
@@ -295,43 +285,12 @@ failure medit_reader::read_required_edges() {
   return {};
 }
 
-failure medit_reader::skip(const word& keyword, int words) {
-  const auto count = to_count(source_, source_.next(), keyword.text);
-  if (!count.ok()) return count.failure();
-  for (std::size_t i = 0; i < count.value() * static_cast<std::size_t>(words); ++i)
-    if (const auto value = read_number(keyword.text); !value.ok()) return value.failure();
-  return {};
-}
-
-failure medit_reader::skip_text(const word& keyword) {
-  const word first = source_.next();
-  if (first.empty() || first.text.front() != '"')
-    return source_.failure(first.line, std::string(keyword.text) + ": a text in \" wanted, not " +
-                                           quoted_token(first.text));
-  word last = first;
-  while (last.text.back() != '"' ||
-         (last.text.data() == first.text.data() && last.text.size() < 2)) {
-    last = source_.next();
-    if (last.empty())
-      return source_.failure(first.line, std::string(keyword.text) + ": the text has no end");
-  }
-  return {};
-}
-
 // Notes edges by their ends while they are numbered as in the file.
 void medit_reader::note_marks() {
-  marks_.required_vertices = required_;
-  for (const named_edge& e : required_edges_)
-    marks_.required_edges.push_back({m_.boundary[e.number].a, m_.boundary[e.number].b});
-}
-
-// Decides which edges are segments. A file of ours lists subsegments alone.
-void medit_reader::find_segments(bool is_own) {
-  edge_marks marks{std::vector<char>(m_.boundary.size(), 0), all_edges_ || is_own};
-  for (const named_edge& e : required_edges_) marks.required[e.number] = 1;
-  keep_segments(m_, marks);
-  // Not for our own files, which list all: a side missing there was taken away.
-  if (!names_segments_) list_sides(m_);
+  for (const named_edge& e : required_edges_) {
+    made_.required_edges.push_back(e.number);
+    made_.marks.required_edges.push_back({m_.boundary[e.number].a, m_.boundary[e.number].b});
+  }
 }
 
 failure medit_reader::check_required_edges() {
@@ -387,7 +346,8 @@ bool medit_reader::take_given_number() {
         static_cast<std::uint64_t>(number.value()) > m_.sites.size())
       return false;
     const auto given = static_cast<vertex_index>(number.value());
-    if (std::any_of(required_.begin(), required_.end(),
+    const auto& required = made_.marks.required_vertices;
+    if (std::any_of(required.begin(), required.end(),
                     [given](vertex_index v) { return v >= given; }))
       return false;
     m_.given = given;
@@ -396,32 +356,66 @@ bool medit_reader::take_given_number() {
   return false;
 }
 
-}  // namespace
-
-result<mesh> read_medit(const std::filesystem::path& path, const medit_read_options& options) {
-  const auto text = read_medit_text(path);
-  if (!text.ok()) return text.failure();
-  text_scanner source(path.string(), text.value());
-  mesh m;
-  if (auto failed = medit_reader(source, m, options.all_edges).read_mesh())
-    return std::move(*failed);
+failure read_metric_beside(const std::filesystem::path& path, listed_mesh& m,
+                           const medit_read_options& options) {
   std::filesystem::path beside = solution_path(path);
   std::error_code ignored;
   if (is_medit_binary(path) && !std::filesystem::exists(beside, ignored))
     beside.replace_extension(".sol");
-  const auto& solution = options.solution.empty() ? beside : options.solution;
-  if (auto failed = read_medit_solution(solution, m, options)) return std::move(*failed);
-  return m;
+  const auto& file = options.solution.empty() ? beside : options.solution;
+  m.has_metric = !options.without_solution &&
+                 (!options.identity_without_solution || std::filesystem::exists(file, ignored));
+  return read_medit_solution(file, m.content, options);
 }
 
-result<mesh_marks> read_medit_marks(const std::filesystem::path& path) {
+bool lists_edges_alone(const listed_mesh& m) {
+  return m.content.triangles.empty() && m.quadrilaterals.empty() && !m.content.boundary.empty();
+}
+
+// Reads a mesh with its metric, whose rows are those of the vertices as listed.
+result<listed_mesh> read_listed(const std::filesystem::path& path,
+                                const medit_read_options& options, listed_order how) {
   const auto text = read_medit_text(path);
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
-  mesh m;
-  medit_reader reader(source, m, false);
+  listed_mesh made;
+  made.file = path.string();
+  made.all_edges = options.all_edges;
+  medit_reader reader(source, made);
   if (auto failed = reader.read_mesh()) return std::move(*failed);
-  return reader.marks();
+  if (how == listed_order::as_listed && !reader.lists_triangles())
+    return source.failure(source.line(), "there is no section Triangles");
+  // Edges alone are a domain, and have no metric.
+  medit_read_options metric = options;
+  metric.without_solution = options.without_solution || lists_edges_alone(made);
+  if (auto failed = read_metric_beside(path, made, metric)) return std::move(*failed);
+  if (auto failed = reader.finish(how)) return std::move(*failed);
+  return made;
+}
+
+}  // namespace
+
+namespace internal {
+
+result<listed_mesh> read_listed_medit(const std::filesystem::path& path,
+                                      const medit_read_options& options) {
+  return read_listed(path, options, listed_order::put_right);
+}
+
+}  // namespace internal
+
+result<mesh> read_medit(const std::filesystem::path& path, const medit_read_options& options) {
+  auto read = read_listed(path, options, listed_order::as_listed);
+  if (!read) return read.failure();
+  return std::move(read.value().content);
+}
+
+result<mesh_marks> read_medit_marks(const std::filesystem::path& path) {
+  medit_read_options options;
+  options.without_solution = true;
+  auto read = read_listed(path, options, listed_order::as_listed);
+  if (!read) return read.failure();
+  return std::move(read.value().marks);
 }
 
 }  // namespace asterism

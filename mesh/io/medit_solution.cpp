@@ -116,9 +116,10 @@ result<int> read_medit_header(text_scanner& source) {
   const word number = source.next();
   const auto version = to_integer(source, number, "MeshVersionFormatted");
   if (!version.ok()) return version.failure();
-  if (version.value() < 1 || version.value() > 3)
+  // 0 is what BAMG writes; 4 has wider numbers in binary files, and is the same as text.
+  if (version.value() < 0 || version.value() > 4)
     return source.failure(
-        number.line, "MeshVersionFormatted: " + quoted_token(number.text) + " is not 1, 2 or 3");
+        number.line, "MeshVersionFormatted: " + quoted_token(number.text) + " is none of 0 to 4");
   const word keyword = source.next();
   if (keyword.text != "Dimension")
     return source.failure(keyword.line, quoted_token(keyword.text) + " where Dimension should be");

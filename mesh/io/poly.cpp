@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/io/poly.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,16 +25,12 @@ namespace {
 using words = std::vector<word>;
 using failure = std::optional<error>;
 
-// Returns the attribute of a region. Triangle's is any number; here it names a region, so it is a
-// whole one, however it is written.
-result<int> to_region_number(const text_scanner& source, const word& w) {
-  const auto value = to_number(source, w, "attribute of a region");
-  if (!value.ok()) return value.failure();
+// Returns the number that the attribute of a region is; none where it is no whole one of 32 bits.
+std::optional<int> whole_number(double attribute) {
   constexpr double low = std::numeric_limits<int>::min(), high = std::numeric_limits<int>::max();
-  if (value.value() < low || value.value() > high || std::floor(value.value()) != value.value())
-    return source.failure(w.line, "attribute of a region: " + quoted_token(w.text) +
-                                      " is no whole number of 32 bits, which region numbers are");
-  return static_cast<int>(value.value());
+  if (!(attribute >= low && attribute <= high) || std::floor(attribute) != attribute)
+    return std::nullopt;
+  return static_cast<int>(attribute);
 }
 
 // Reads one file, a .poly or a .node, into a domain that is still being put together.
@@ -44,6 +44,8 @@ class poly_reader {
   failure read_holes();
   failure read_regions();
   failure expect_end();
+  // Numbers the regions whose attributes are no numbers of regions. Returns these by number.
+  std::map<int, double> number_regions();
 
  private:
   // Reads the header of the vertices: their number, and how many words each line has.
@@ -70,6 +72,7 @@ class poly_reader {
 
   text_scanner& source_;
   domain& d_;
+  std::vector<std::pair<std::size_t, double>> other_attributes_;  // of regions
   std::optional<long long> first_number_;  // of this file's vertices, then of its segments
 };
 
@@ -288,9 +291,15 @@ failure poly_reader::read_regions() {
 failure poly_reader::read_region(const words& record) {
   region_point region;
   if (auto failed = read_point(record, "region", region.at)) return failed;
-  const auto number = to_region_number(source_, record[3]);
-  if (!number.ok()) return number.failure();
-  region.number = number.value();
+  const auto attribute = to_number(source_, record[3], "attribute of a region");
+  if (!attribute.ok()) return attribute.failure();
+  const auto number = whole_number(attribute.value());
+  region.number = number.value_or(0);
+  // Triangle takes the only number of a line for both.
+  if (!number) {
+    other_attributes_.emplace_back(d_.regions.size(), attribute.value());
+    if (record.size() == 4) region.largest_area = std::max(attribute.value(), 0.0);
+  }
   if (record.size() > 4) {
     const auto area = to_number(source_, record[4], "largest area in a region");
     if (!area.ok()) return area.failure();
@@ -299,6 +308,36 @@ failure poly_reader::read_region(const words& record) {
   d_.regions.push_back(region);
   d_.origin.region_lines.push_back(record[0].line);
   return {};
+}
+
+std::map<int, double> poly_reader::number_regions() {
+  std::map<int, double> named;
+  if (other_attributes_.empty()) return named;
+  std::set<int> used;
+  std::set<std::size_t> others;
+  for (const auto& [r, attribute] : other_attributes_) others.insert(r);
+  for (std::size_t r = 0; r < d_.regions.size(); ++r)
+    if (others.count(r) == 0) used.insert(d_.regions[r].number);
+  std::map<double, int> number_of;
+  std::string told;
+  int next = 1;
+  for (const auto& [r, attribute] : other_attributes_) {
+    const auto [at, is_new] = number_of.emplace(attribute, 0);
+    if (is_new) {
+      while (used.count(next) != 0) ++next;
+      at->second = next++;
+      named[at->second] = attribute;
+      constexpr std::size_t longest = 200;
+      if (told.size() < longest)
+        told += fmt::format("{}{} is region {}", told.empty() ? "" : ", ", number_text(attribute),
+                            at->second);
+      else if (!told.ends_with("..."))
+        told += ", ...";
+    }
+    d_.regions[r].number = at->second;
+  }
+  d_.origin.notes.push_back("attributes of regions that are no whole numbers: " + told);
+  return named;
 }
 
 failure poly_reader::expect_end() {
@@ -323,7 +362,10 @@ failure read_node_file(const std::filesystem::path& poly_path, domain& d) {
   return reader.expect_end();
 }
 
-failure read_poly_text(const std::filesystem::path& path, text_scanner& source, domain& d) {
+using attributes = std::map<int, double>;  // by region
+
+failure read_poly_text(const std::filesystem::path& path, text_scanner& source, domain& d,
+                       attributes& named) {
   poly_reader reader(source, d);
   std::size_t vertices = 0;
   if (auto failed = reader.read_vertices(vertices)) return failed;
@@ -332,13 +374,12 @@ failure read_poly_text(const std::filesystem::path& path, text_scanner& source, 
   if (auto failed = reader.read_segments()) return failed;
   if (auto failed = reader.read_holes()) return failed;
   if (auto failed = reader.read_regions()) return failed;
+  named = reader.number_regions();
   if (auto failed = read_poly_curves(source, d)) return failed;
   return reader.expect_end();
 }
 
-}  // namespace
-
-result<domain> read_poly(const std::filesystem::path& path) {
+result<domain> read_with_attributes(const std::filesystem::path& path, attributes& named) {
   const auto text = read_text_file(path);
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
@@ -347,7 +388,36 @@ result<domain> read_poly(const std::filesystem::path& path) {
   domain d;
   d.name = path.string();
   d.origin.file = d.origin.vertex_file = path.string();
-  if (auto failed = read_poly_text(path, source, d)) return std::move(*failed);
+  if (auto failed = read_poly_text(path, source, d, named)) return std::move(*failed);
+  return d;
+}
+
+}  // namespace
+
+result<domain> read_poly(const std::filesystem::path& path) {
+  attributes named;
+  return read_with_attributes(path, named);
+}
+
+std::map<int, std::string> region_names_in_poly(const std::filesystem::path& path) {
+  attributes named;
+  std::map<int, std::string> names;
+  if (!read_with_attributes(path, named)) return names;
+  for (const auto& [number, attribute] : named) names[number] = number_text(attribute);
+  return names;
+}
+
+result<domain> read_nodes(const std::filesystem::path& path) {
+  const auto text = read_text_file(path);
+  if (!text.ok()) return text.failure();
+  text_scanner source(path.string(), text.value());
+  domain d;
+  d.name = path.string();
+  d.origin.file = d.origin.vertex_file = path.string();
+  poly_reader reader(source, d);
+  std::size_t vertices = 0;
+  if (auto failed = reader.read_vertices(vertices)) return std::move(*failed);
+  if (auto failed = reader.expect_end()) return std::move(*failed);
   return d;
 }
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/io/read_mesh.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
+#include "asterism/mesh/io/listed_readers.hpp"
+#include "asterism/mesh/io/poly.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 #include "asterism/mesh/io/vtu_mesh.hpp"
 
@@ -12,61 +16,93 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-bool is_gmsh(std::string_view name) {
-  return has_ending(name, ".msh") || has_ending(name, ".msh2");
+using text_reader = result<listed_mesh> (*)(std::string_view, const std::string&);
+
+// Formats of one file. In what the metric is, where they have a place for it.
+struct whole_file_format {
+  std::string_view ending, place_of_metric;
+  text_reader read;  // null: by read_gmsh
+};
+constexpr std::array<whole_file_format, 9> formats = {{{".msh", "node data", nullptr},
+                                                       {".msh2", "node data", nullptr},
+                                                       {".vtu", "point data", read_vtu_mesh},
+                                                       {".vtk", "", read_vtk},
+                                                       {".su2", "", read_su2},
+                                                       {".14", "", read_adcirc},
+                                                       {".grd", "", read_adcirc},
+                                                       {".2dm", "", read_sms},
+                                                       {".stl", "", read_stl}}};
+
+const whole_file_format* format_of(std::string_view name) {
+  const auto at = std::find_if(formats.begin(), formats.end(), [name](const whole_file_format& f) {
+    return has_ending(name, f.ending);
+  });
+  return at == formats.end() ? nullptr : &*at;
 }
 
-bool is_vtu(std::string_view name) { return has_ending(name, ".vtu"); }
-
-// Holds a mesh from a format whose files may contain the metric.
-struct self_contained {
-  mesh content;
-  bool has_metric = false;
-};
-
-result<self_contained> read_self_contained(const std::filesystem::path& path) {
-  if (is_gmsh(path.string())) {
-    auto read = read_gmsh(path);
-    if (!read) return read.failure();
-    return self_contained{std::move(read.value().content), read.value().has_metric};
-  }
+result<listed_mesh> read_whole(const whole_file_format& format, const std::filesystem::path& path) {
+  if (format.read == nullptr) return read_gmsh(path);
   const auto text = read_text_file(path);
   if (!text) return text.failure();
-  auto read = read_vtu_mesh(text.value(), path.string());
-  if (!read) return read.failure();
-  return self_contained{std::move(read.value().content), read.value().has_metric};
+  return format.read(text.value(), path.string());
+}
+
+error no_metric(const whole_file_format& format, const std::string& file) {
+  const std::string where(format.place_of_metric);
+  return {file + (where.empty() ? ": files of this kind have no metric"
+                                : ": there is no " + where + " \"metric\"") +
+              "; give the metric as a formula",
+          error_code::invalid_metric};
+}
+
+std::optional<error> check_metric(const whole_file_format& format, const listed_mesh& m,
+                                  const medit_read_options& options) {
+  if (options.identity_without_solution || options.without_solution || m.has_metric) return {};
+  return no_metric(format, m.file);
 }
 
 }  // namespace
 
 bool is_mesh_file(std::string_view name) {
-  return has_ending(name, ".mesh") || has_ending(name, ".meshb") || is_gmsh(name) || is_vtu(name);
+  return has_ending(name, ".mesh") || has_ending(name, ".meshb") || format_of(name) != nullptr;
+}
+
+result<mesh_file> read_mesh_file(const std::filesystem::path& path,
+                                 const medit_read_options& options) {
+  const whole_file_format* const format = format_of(path.string());
+  if (format != nullptr && !options.solution.empty())
+    return error{options.solution.string() + ": the metric of " + path.string() +
+                     (format->place_of_metric.empty()
+                          ? " has no place beside it"
+                          : " is in it, as " + std::string(format->place_of_metric) + " \"metric\""),
+                 error_code::bad_option};
+  auto read = format == nullptr ? read_listed_medit(path, options) : read_whole(*format, path);
+  if (!read) return read.failure();
+  listed_mesh& m = read.value();
+  const bool is_mesh = !m.content.triangles.empty();
+  if (format != nullptr && is_mesh)
+    if (auto failed = check_metric(*format, m, options)) return *failed;
+  return mesh_file{std::move(m.content), std::move(m.marks), std::move(m.names),
+                   std::move(m.left_out), m.has_metric};
 }
 
 result<mesh> read_mesh(const std::filesystem::path& path, const medit_read_options& options) {
-  if (!is_gmsh(path.string()) && !is_vtu(path.string())) return read_medit(path, options);
-  const std::string where = is_vtu(path.string()) ? "point data" : "node data";
-  if (!options.solution.empty())
-    return error{options.solution.string() + ": the metric of " + path.string() + " is in it, as " +
-                     where + " \"metric\"",
-                 error_code::bad_option};
-  auto read = read_self_contained(path);
+  auto read = read_mesh_file(path, options);
   if (!read) return read.failure();
-  if (!read.value().has_metric && !options.identity_without_solution && !options.without_solution)
-    return error{
-        path.string() + ": there is no " + where + " \"metric\"; give the metric as a formula",
-        error_code::invalid_metric};
   return std::move(read.value().content);
 }
 
 result<mesh_marks> read_mesh_marks(const std::filesystem::path& path) {
-  if (is_gmsh(path.string()) || is_vtu(path.string())) return mesh_marks{};
-  return read_medit_marks(path);
+  if (format_of(path.string()) != nullptr) return mesh_marks{};
+  auto read = read_mesh_file(path, {.without_solution = true});
+  if (!read) return read.failure();
+  return std::move(read.value().marks);
 }
 
 physical_names names_in(const std::filesystem::path& path) {
-  if (!is_gmsh(path.string())) return {};
-  auto read = read_gmsh(path);
+  if (has_ending(path.string(), ".poly")) return {{}, region_names_in_poly(path)};
+  if (format_of(path.string()) == nullptr) return {};
+  auto read = read_mesh_file(path, {.without_solution = true});
   return read ? std::move(read.value().names) : physical_names{};
 }
 

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a mesh in the format that the extension names: .msh (and .msh2) by mesh/io/gmsh.hpp, .vtu
-// by mesh/io/vtu_mesh.hpp, anything else as Medit's .mesh (mesh/io/medit.hpp).
+// Reads a mesh in the format that the extension names: .mesh and .meshb (mesh/io/medit.hpp), .msh
+// (and .msh2) of gmsh and FreeFEM, .vtu and .vtk, .su2, ADCIRC's .14 and .grd, .2dm, .stl; anything
+// else as Medit's .mesh.
+//
+// Whatever the format, the mesh is put in order, with a note for each kind of change: clockwise
+// triangles are turned over, quadrilaterals split in two, vertices in no triangle left out, heights
+// up to rounding dropped, sides that are not listed get the marker 0. What would change the domain
+// is refused (docs/manual/files.md).
 #pragma once
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
@@ -16,18 +23,36 @@
 
 namespace asterism {
 
-// True if a file of this name is a mesh: .mesh, .meshb, .msh, .msh2 or .vtu.
+// What a file of a mesh has.
+struct mesh_file {
+  mesh content;
+  mesh_marks marks;
+  physical_names names;
+  // Vertices that were left out, by their numbers in the file from 0, ascending: files of values at
+  // its vertices have numbers for them, too.
+  std::vector<vertex_index> left_out;
+  bool has_metric = false;  // else every vertex has the identity
+};
+
+// True if a file of this name is a mesh: .mesh, .meshb, .msh, .msh2, .vtu, .vtk, .su2, .14, .grd,
+// .2dm or .stl. It may be one of edges alone, which are a domain.
 ASTERISM_EXPORT bool is_mesh_file(std::string_view name);
 
 // Reads a mesh with its metric. A .msh or .vtu file has its own, as data at its nodes; the options
-// about a .sol mean that for it, and options.solution is an error.
+// about a .sol mean that for it, and options.solution is an error. Other formats have none. A file
+// of edges alone has no triangles and needs no metric.
+ASTERISM_EXPORT result<mesh_file> read_mesh_file(const std::filesystem::path& path,
+                                                 const medit_read_options& options = {});
+
+// Returns the content of read_mesh_file.
 ASTERISM_EXPORT result<mesh> read_mesh(const std::filesystem::path& path,
                                        const medit_read_options& options = {});
 
 // Returns what the file says must stay. Formats other than Medit's say nothing of it.
 ASTERISM_EXPORT result<mesh_marks> read_mesh_marks(const std::filesystem::path& path);
 
-// Returns the names that a .msh file gives to markers and regions; of other files none. Empty, too,
+// Returns the names that a file gives to markers and regions; a Medit file gives none, a .poly file
+// to regions whose attributes are no whole numbers. Empty, too,
 // where the file cannot be read.
 ASTERISM_EXPORT physical_names names_in(const std::filesystem::path& path);
 

@@ -32,8 +32,8 @@ std::size_t numbers_of(field_kind kind, int dimension) {
 
 class values_reader {
  public:
-  values_reader(text_scanner& source, const mesh& m, solution& made)
-      : source_(source), mesh_(m), made_(made) {}
+  values_reader(text_scanner& source, std::size_t vertices, solution& made)
+      : source_(source), vertices_(vertices), made_(made) {}
 
   failure read_medit();
   failure read_bamg(bool with_types);
@@ -46,7 +46,7 @@ class values_reader {
   failure check_end();
 
   text_scanner& source_;
-  const mesh& mesh_;
+  std::size_t vertices_;
   solution& made_;
 };
 
@@ -54,9 +54,9 @@ failure values_reader::read_count() {
   const word w = source_.next();
   const auto count = to_count(source_, w, "number of vertices");
   if (!count) return count.failure();
-  if (count.value() != mesh_.sites.size())
+  if (count.value() != vertices_)
     return source_.failure(w.line, fmt::format("values at {} vertices, and the mesh has {}",
-                                               count.value(), mesh_.sites.size()));
+                                               count.value(), vertices_));
   made_.vertices = count.value();
   return {};
 }
@@ -75,12 +75,9 @@ failure values_reader::read_kind() {
 
 result<double> values_reader::read_number(std::size_t field, std::size_t v) {
   const word w = source_.next();
-  const auto place = [&] { return fmt::format("field {}, vertex {}", field + 1, v + 1); };
-  if (w.empty()) return source_.failure(w.line, place() + ": the file ends here");
-  auto value = parse_number(w.text);
-  if (!value)
-    return source_.failure(w.line, value.failure().at(place()).message, value.failure().code);
-  return value;
+  // The place is put into words for a failure alone.
+  if (auto value = to_number(source_, w, ""); value) return value;
+  return to_number(source_, w, fmt::format("field {}, vertex {}", field + 1, v + 1));
 }
 
 failure values_reader::read_values(int dimension) {
@@ -159,6 +156,27 @@ failure check_fields(const solution& s, const std::string& file) {
   return {};
 }
 
+// Leaves out the values of vertices that are not in the mesh.
+void leave_out(solution& s, const std::vector<vertex_index>& left_out) {
+  if (left_out.empty()) return;
+  for (solution_field& f : s.fields) {
+    const std::size_t width = components_of(f.kind);
+    std::size_t kept = 0;
+    auto next = left_out.begin();
+    for (std::size_t v = 0; v < s.vertices; ++v) {
+      if (next != left_out.end() && *next == v) {
+        ++next;
+        continue;
+      }
+      for (std::size_t i = 0; i < width; ++i)
+        f.values[kept * width + i] = f.values[v * width + i];
+      ++kept;
+    }
+    f.values.resize(kept * width);
+  }
+  s.vertices -= left_out.size();
+}
+
 const char* const suffixes[3][3] = {{"", "", ""}, {".x", ".y", ""}, {".xx", ".xy", ".yy"}};
 
 std::string name_of(const solution_field& f, std::size_t component) {
@@ -194,6 +212,11 @@ void append_values(std::string& contents, const solution& s) {
 }  // namespace
 
 result<solution> read_solution(const std::filesystem::path& path, const mesh& m) {
+  return read_solution(path, m, {});
+}
+
+result<solution> read_solution(const std::filesystem::path& path, const mesh& m,
+                               const std::vector<vertex_index>& left_out) {
   const std::string file = path.string();
   const bool is_vtu = has_ending(file, ".vtu"), is_bamg = has_ending(file, ".bb");
   if (!is_vtu && !is_bamg && !has_ending(file, ".sol") && !has_ending(file, ".solb"))
@@ -203,16 +226,17 @@ result<solution> read_solution(const std::filesystem::path& path, const mesh& m)
   if (!text) return text.failure();
   solution made;
   if (is_vtu) {
-    auto read = read_vtu_solution(text.value(), file, m);
+    auto read = read_vtu_solution(text.value(), file, m, left_out);
     if (!read) return read;
     made = std::move(read).value();
   } else {
     text_scanner source(file, text.value());
-    values_reader reader(source, m, made);
+    values_reader reader(source, m.sites.size() + left_out.size(), made);
     if (auto failed = is_bamg ? reader.read_bamg(has_types(path)) : reader.read_medit())
       return *failed;
   }
   if (auto failed = check_fields(made, file)) return *failed;
+  leave_out(made, left_out);
   return made;
 }
 

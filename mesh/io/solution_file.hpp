@@ -32,6 +32,11 @@ namespace asterism {
 // refused.
 ASTERISM_EXPORT result<solution> read_solution(const std::filesystem::path& path, const mesh& m);
 
+// Reads the solution on a mesh of whose file some vertices were left out (read_mesh_file), by their
+// numbers there, ascending: their values are left out, too.
+ASTERISM_EXPORT result<solution> read_solution(const std::filesystem::path& path, const mesh& m,
+                                               const std::vector<vertex_index>& left_out);
+
 // Returns the scalars named: `NAME`, all components of it, or NAME.x, NAME.y. Without names: all
 // scalars and vectors. They are sorted by name, each once. Fails for names that are not there, for
 // tensors, and where nothing is left.

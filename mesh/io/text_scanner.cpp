@@ -13,6 +13,24 @@ namespace asterism::internal {
 
 namespace {
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Returns a number of Fortran's with an exponent that C knows; empty for what is none.
+std::string with_plain_exponent(std::string_view number) {
+  constexpr std::string_view marks = "dD";
+  std::string plain(number);
+  if (const std::size_t at = number.find_first_of(marks); at != std::string_view::npos) {
+    plain[at] = 'e';
+    return at > 0 && (is_digit(number[at - 1]) || number[at - 1] == '.') ? plain : std::string();
+  }
+  // Three digits leave no room for a letter, and a point is always there.
+  const std::size_t at = number.find_last_of("+-");
+  if (at == std::string_view::npos || at < 2 || number.size() - at != 4 ||
+      number.find('.') > at || !is_digit(number[at + 1]))
+    return {};
+  return plain.insert(at, 1, 'e');
+}
+
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 
 }  // namespace
@@ -52,7 +70,7 @@ std::string without_controls(std::string text) {
 void text_scanner::skip_blanks(bool across_lines) {
   while (!at_end()) {
     const char c = text_[position_];
-    if (c == '#') {
+    if (c == comment_mark_ && c != '\0') {
       const std::size_t end = std::min(text_.find('\n', position_), text_.size());
       comments_.push_back(text_.substr(position_ + 1, end - position_ - 1));
       position_ = end;
@@ -71,7 +89,7 @@ word text_scanner::next() {
   skip_blanks(true);
   const std::size_t begin = position_;
   while (!at_end() && !is_blank(text_[position_]) && text_[position_] != '\n' &&
-         text_[position_] != '#')
+         (text_[position_] != comment_mark_ || comment_mark_ == '\0'))
     ++position_;
   return {text_.substr(begin, position_ - begin), line_};
 }
@@ -91,6 +109,25 @@ void text_scanner::next_line(std::vector<word>& words) {
   }
 }
 
+std::string_view text_scanner::rest_of_line() {
+  const std::size_t begin = position_, end = std::min(text_.find('\n', position_), text_.size());
+  position_ = end;
+  if (!at_end()) {
+    ++position_;
+    ++line_;
+  }
+  std::string_view rest = text_.substr(begin, end - begin);
+  while (!rest.empty() && is_blank(rest.back())) rest.remove_suffix(1);
+  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+  return rest;
+}
+
+std::string_view text_scanner::take_bytes(std::size_t count) {
+  const std::string_view bytes = text_.substr(position_, count);
+  position_ += bytes.size();
+  return bytes;
+}
+
 error text_scanner::failure(std::size_t line, const std::string& what, error_code code) const {
   return {file_ + ":" + std::to_string(line) + ": " + without_controls(what), code};
 }
@@ -98,10 +135,11 @@ error text_scanner::failure(std::size_t line, const std::string& what, error_cod
 result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning) {
   if (w.empty()) return source.failure(w.line, std::string(meaning) + ": the file ends here");
   const result<double> value = parse_number(w.text);
-  if (!value.ok())
-    return source.failure(w.line, value.failure().at(std::string(meaning)).message,
-                          value.failure().code);
-  return value.value();
+  if (value.ok()) return value.value();
+  if (const std::string plain = with_plain_exponent(w.text); !plain.empty())
+    if (const result<double> other = parse_number(plain); other.ok()) return other.value();
+  return source.failure(w.line, value.failure().at(std::string(meaning)).message,
+                        value.failure().code);
 }
 
 result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning) {

@@ -29,16 +29,22 @@ struct word {
   bool empty() const { return text.empty(); }
 };
 
-// Words are separated by blanks (space, tab, return, form feed, line ends). `#` starts a comment
-// that runs to the end of its line. The text must outlive the scanner and its words.
+// Words are separated by blanks (space, tab, return, form feed, line ends). A mark, `#` unless
+// another is named, starts a comment that runs to the end of its line; the mark 0 none. The text
+// must outlive the scanner and its words.
 class text_scanner {
  public:
-  text_scanner(std::string file, std::string_view text) : file_(std::move(file)), text_(text) {}
+  text_scanner(std::string file, std::string_view text, char comment_mark = '#')
+      : file_(std::move(file)), text_(text), comment_mark_(comment_mark) {}
 
   // Returns the next word, or an empty one (with the last line's number) at the end of the text.
   word next();
   // Returns the words of the next line that has any; empty at the end of the text.
   std::vector<word> next_line();
+  // Returns the rest of the current line, without its end, and goes on with the next one.
+  std::string_view rest_of_line();
+  // Returns so many bytes from here on; fewer where the text ends before.
+  std::string_view take_bytes(std::size_t count);
   // Puts them in the place of `words`, which a file of many lines asks for once.
   void next_line(std::vector<word>& words);
   // Returns the comments passed so far, without their `#`.
@@ -58,11 +64,13 @@ class text_scanner {
 
   std::string file_;
   std::string_view text_;
+  char comment_mark_;
   std::size_t position_ = 0, line_ = 1;
   std::vector<std::string_view> comments_;
 };
 
-// Returns the value of a word, or the error `file:line: <meaning>: ...`.
+// Returns the value of a word, or the error `file:line: <meaning>: ...`. Exponents may be Fortran's:
+// 1.5D-3, 1.5d-3, and 1.5-103, which has no room for the letter.
 result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning);
 result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning);
 // Reads a marker or reference, which is kept as an int.

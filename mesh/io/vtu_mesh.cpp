@@ -14,7 +14,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/io/medit_edges.hpp"
+#include "asterism/mesh/io/vtk_cells.hpp"
 #include "asterism/mesh/io/vtu_file.hpp"
 
 namespace asterism::internal {
@@ -23,38 +23,22 @@ namespace {
 using failure = std::optional<error>;
 using numbers = std::vector<double>;
 
-constexpr int vertex_cell = 1, line_cell = 3, triangle_cell = 5;
-
-// Names that programs give to the numbers of materials and markers: ours, gmsh's, Medit's,
-// FreeFEM's, Elmer's, meshio's.
-constexpr std::array<std::string_view, 12> names_of_regions = {
-    "region",      "regions",   "gmsh:physical", "medit:ref", "Label",      "CellEntityIds",
-    "GeometryIds", "cell_tags", "reference",     "material",  "MaterialID", "materialid"};
-// Whole numbers that are no region: counts and numbers of the cells themselves.
-constexpr std::array<std::string_view, 7> other_names = {
-    "disagreeing",      "vtkGhostType",     "vtkOriginalCellIds", "GlobalCellIds",
-    "GlobalElementIds", "gmsh:geometrical", "vtkGhostLevels"};
-
-template <std::size_t N>
-bool is_among(const std::array<std::string_view, N>& all, std::string_view name) {
-  return std::find(all.begin(), all.end(), name) != all.end();
-}
-
 bool holds_integers(const vtu_array& a) {
   return a.tag["type"].starts_with("Int") || a.tag["type"].starts_with("UInt");
 }
 
 class vtu_mesh_reader {
  public:
-  explicit vtu_mesh_reader(vtu_file& from) : from_(from) {}
+  vtu_mesh_reader(vtu_file& from, const std::string& file) : from_(from), cells_(made_) {
+    made_.file = file;
+  }
 
   failure read();
-  vtu_mesh take() { return std::move(made_); }
+  listed_mesh take() { return std::move(made_); }
 
  private:
   failure read_points();
   failure read_cells();
-  failure read_cell(int type, std::size_t cell, const double* corners, std::size_t count);
   failure choose_regions();
   failure read_regions();
   failure read_disagreeing();
@@ -68,9 +52,9 @@ class vtu_mesh_reader {
   }
 
   vtu_file& from_;
-  vtu_mesh made_;
+  listed_mesh made_;
+  vtk_cells cells_;
   const vtu_array *connectivity_ = nullptr, *types_ = nullptr, *regions_ = nullptr;
-  std::vector<std::size_t> triangles_, lines_;  // their cells
 };
 
 failure vtu_mesh_reader::read_points() {
@@ -88,9 +72,7 @@ failure vtu_mesh_reader::read_points() {
       if (!std::isfinite(p[i]))
         return refuse(*points, fmt::format("point {}: a coordinate is not finite", v + 1));
     if (w > 2 && p[2] != 0)
-      return refuse(
-          *points,
-          fmt::format("point {}: z is {:g}, not 0: only plane meshes can be read", v + 1, p[2]));
+      made_.heights.push_back({static_cast<vertex_index>(v), points->tag.line, p[2]});
     made_.content.sites.push_back({{p[0], p[1]}, {1, 0, 1}});
   }
   return {};
@@ -117,32 +99,6 @@ result<vertex_index> vtu_mesh_reader::vertex(double number, const vtu_array& a) 
       a, fmt::format("point {:.0f}, from 0, does not exist; there are {}", number, from_.points()));
 }
 
-failure vtu_mesh_reader::read_cell(int type, std::size_t cell, const double* corners,
-                                   std::size_t count) {
-  if (type == vertex_cell) return {};
-  const std::size_t wanted = type == line_cell ? 2 : 3;
-  if ((type != line_cell && type != triangle_cell) || count != wanted)
-    return from_.failure(types_->tag.line,
-                         fmt::format("cell {} is of type {} with {} points: triangles (5), lines "
-                                     "(3) and points (1) of first order can be read",
-                                     cell + 1, type, count));
-  triangle t{};
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto v = vertex(corners[i], *connectivity_);
-    if (!v) return v.failure();
-    t[i] = v.value();
-  }
-  mesh& m = made_.content;
-  if (type == triangle_cell) {
-    triangles_.push_back(cell);
-    m.triangles.push_back(t);
-  } else {
-    lines_.push_back(cell);
-    m.boundary.push_back({t[0], t[1], static_cast<vertex_index>(m.boundary.size()), 0, false});
-  }
-  return {};
-}
-
 failure vtu_mesh_reader::read_cells() {
   const vtu_array* offsets_of = nullptr;
   for (const auto& [name, array] : {std::pair{"connectivity", &connectivity_},
@@ -164,9 +120,9 @@ failure vtu_mesh_reader::read_cells() {
   std::size_t begin = 0;
   for (std::size_t cell = 0; cell < from_.cells(); ++cell) {
     const auto end = static_cast<std::size_t>(ends[cell]);
-    if (auto failed = read_cell(static_cast<int>(types.value()[cell]), cell,
-                                corners.value().data() + begin, end - begin))
-      return failed;
+    const vtk_cell next{static_cast<int>(types.value()[cell]), cell, types_->tag.line,
+                        corners.value().data() + begin, end - begin};
+    if (auto failed = cells_.add(next)) return failed;
     begin = end;
   }
   return {};
@@ -175,22 +131,16 @@ failure vtu_mesh_reader::read_cells() {
 // Chooses the array of cell data that numbers the regions. What might be one by its values alone is
 // taken where there is no doubt about it, and never dropped.
 failure vtu_mesh_reader::choose_regions() {
-  for (const std::string_view name : names_of_regions)
-    if ((regions_ = from_.find("CellData", name)) != nullptr) return {};
-  const vtu_array* other = nullptr;
-  for (const vtu_array& a : from_.arrays()) {
-    if (a.section != "CellData" || !holds_integers(a) || is_among(other_names, a.name())) continue;
-    if (regions_ != nullptr) other = &a;
-    if (regions_ == nullptr) regions_ = &a;
-  }
-  if (other != nullptr)
-    return from_.failure(other->tag.line,
-                         fmt::format("cell data {} and {} hold whole numbers, and none is named "
-                                     "region: name the one that is so",
-                                     quoted_token(regions_->name()), quoted_token(other->name())));
-  if (regions_ != nullptr)
-    made_.content.notes.push_back("the cell data " + quoted_token(regions_->name()) +
-                                  " are taken for the regions");
+  std::vector<const vtu_array*> arrays;
+  std::vector<vtk_candidate> candidates;
+  for (const vtu_array& a : from_.arrays())
+    if (a.section == "CellData") {
+      arrays.push_back(&a);
+      candidates.push_back({a.name(), holds_integers(a), a.tag.line});
+    }
+  const auto chosen = choose_region_array(candidates, made_);
+  if (!chosen) return chosen.failure();
+  if (chosen.value()) regions_ = arrays[*chosen.value()];
   return {};
 }
 
@@ -200,14 +150,10 @@ failure vtu_mesh_reader::read_regions() {
   const auto width = from_.components(*regions_);
   if (!width) return width.failure();
   if (width.value() != 1) return refuse(*regions_, "one number for each cell is wanted");
-  constexpr double least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
-  const auto found = whole_numbers(*regions_, from_.cells(), least, most);
+  constexpr double most = 1e15;  // all whole numbers up to it are doubles
+  const auto found = whole_numbers(*regions_, from_.cells(), -most, most);
   if (!found) return found.failure();
-  mesh& m = made_.content;
-  for (const std::size_t cell : triangles_)
-    m.regions.push_back(static_cast<int>(found.value()[cell]));
-  for (std::size_t i = 0; i < lines_.size(); ++i)
-    m.boundary[i].marker = static_cast<int>(found.value()[lines_[i]]);
+  cells_.set_numbers(found.value());
   return {};
 }
 
@@ -219,8 +165,8 @@ failure vtu_mesh_reader::read_disagreeing() {
   if (!found) return found.failure();
   mesh& m = made_.content;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    if (found.value()[triangles_[i]] != 0) {
+  for (std::size_t i = 0; i < cells_.triangles().size(); ++i) {
+    if (found.value()[cells_.triangles()[i]] != 0) {
       m.disagreeing.push_back(m.triangles[i]);
       continue;
     }
@@ -301,22 +247,20 @@ failure vtu_mesh_reader::read() {
         &vtu_mesh_reader::read_disagreeing, &vtu_mesh_reader::read_boundary,
         &vtu_mesh_reader::read_metric, &vtu_mesh_reader::read_given})
     if (auto failed = (this->*part)()) return failed;
-  mesh& m = made_.content;
-  if (m.triangles.empty())
-    return from_.failure(from_.piece_line(), "there is no cell of type 5, a triangle");
-  keep_segments(m, {std::vector<char>(m.boundary.size(), 1), true});
-  list_sides(m);
-  if (std::all_of(m.regions.begin(), m.regions.end(), [](int region) { return region == 1; }))
-    m.regions.clear();
-  return {};
+  const mesh& m = made_.content;
+  if (m.triangles.empty() && made_.quadrilaterals.empty() && m.boundary.empty())
+    return from_.failure(from_.piece_line(),
+                         "there is no cell of type 5, a triangle, nor any other that is read");
+  made_.all_edges = true;
+  return put_in_order(made_, listed_order::put_right);
 }
 
 }  // namespace
 
-result<vtu_mesh> read_vtu_mesh(std::string_view text, const std::string& file) {
+result<listed_mesh> read_vtu_mesh(std::string_view text, const std::string& file) {
   auto opened = vtu_file::open(text, file);
   if (!opened) return opened.failure();
-  vtu_mesh_reader reader(opened.value());
+  vtu_mesh_reader reader(opened.value(), file);
   if (auto failed = reader.read()) return *failed;
   return reader.take();
 }

@@ -19,20 +19,26 @@ namespace {
 using failure = std::optional<error>;
 
 // The points of the file may have been written in single precision.
-failure check_points(vtu_file& from, const mesh& m) {
+failure check_points(vtu_file& from, const mesh& m, const std::vector<vertex_index>& left_out) {
   const vtu_array* const points = from.find("Points");
   if (points == nullptr) return {};
   const auto width = from.components(*points);
   if (!width) return width.failure();
   if (width.value() < 2) return from.failure(points->tag.line, "points have no y");
-  const auto found = from.numbers(*points, width.value() * m.sites.size());
+  const auto found = from.numbers(*points, width.value() * from.points());
   if (!found) return found.failure();
   const bounding_box box = box_of_sites(m.sites);
   const double most = std::max(
       {std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
-  for (std::size_t v = 0; v < m.sites.size(); ++v) {
+  auto skipped = left_out.begin();
+  std::size_t next = 0;
+  for (std::size_t v = 0; v < from.points(); ++v) {
+    if (skipped != left_out.end() && *skipped == v) {
+      ++skipped;
+      continue;
+    }
     const double x = found.value()[v * width.value()], y = found.value()[v * width.value() + 1];
-    const point& p = m.sites[v].position;
+    const point& p = m.sites[next++].position;
     if (std::abs(x - p.x) <= 1e-6 * most && std::abs(y - p.y) <= 1e-6 * most) continue;
     return from.failure(points->tag.line,
                         fmt::format("point {} is at ({:g}, {:g}), and the mesh's vertex at "
@@ -71,15 +77,17 @@ failure add_field(vtu_file& from, const vtu_array& a, solution& made) {
 
 }  // namespace
 
-result<solution> read_vtu_solution(std::string_view text, const std::string& file, const mesh& m) {
+result<solution> read_vtu_solution(std::string_view text, const std::string& file, const mesh& m,
+                                   const std::vector<vertex_index>& left_out) {
   auto opened = vtu_file::open(text, file);
   if (!opened) return opened.failure();
   vtu_file& from = opened.value();
-  if (from.points() != m.sites.size())
+  const std::size_t listed = m.sites.size() + left_out.size();
+  if (from.points() != listed)
     return from.failure(from.piece_line(),
                         fmt::format("values at {} points, and the mesh has {} vertices",
-                                    from.points(), m.sites.size()));
-  if (auto failed = check_points(from, m)) return *failed;
+                                    from.points(), listed));
+  if (auto failed = check_points(from, m, left_out)) return *failed;
   solution made;
   made.vertices = from.points();
   for (const vtu_array& a : from.arrays())

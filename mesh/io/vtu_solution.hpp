@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
@@ -13,6 +14,7 @@
 namespace asterism::internal {
 
 // `file` is its name, for messages.
-result<solution> read_vtu_solution(std::string_view text, const std::string& file, const mesh& m);
+result<solution> read_vtu_solution(std::string_view text, const std::string& file, const mesh& m,
+                                   const std::vector<vertex_index>& left_out);
 
 }  // namespace asterism::internal

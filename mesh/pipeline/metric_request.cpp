@@ -38,8 +38,9 @@ result<std::vector<tensors>> read_intersected(const metric_request& request) {
 
 result<solution_metric> metric_of_solution(const metric_request& request,
                                            const std::vector<tensors>& intersected,
+                                           const std::vector<vertex_index>& left_out,
                                            requested_metric& made) {
-  auto values = read_solution(request.solution, made.background);
+  auto values = read_solution(request.solution, made.background, left_out);
   if (!values) return values.failure();
   made.values = std::move(values).value();
   const auto fields = select_values(made.values, request.fields);
@@ -81,13 +82,14 @@ std::string name_of(const metric_request& request) {
 }
 
 result<requested_metric> answer(const metric_request& request) {
-  auto read = read_plain_triangulation(request.mesh);
+  auto read = read_plain_mesh_file(request.mesh);
   if (!read) return read.failure();
-  requested_metric made{std::move(read).value(), {}, {}};
+  requested_metric made{std::move(read.value().content), {}, {}};
   const auto intersected = read_intersected(request);
   if (!intersected) return intersected.failure();
   auto metric = request.solution.empty() ? metric_given(request, intersected.value(), made)
-                                         : metric_of_solution(request, intersected.value(), made);
+                                         : metric_of_solution(request, intersected.value(),
+                                                              read.value().left_out, made);
   if (!metric) return metric.failure();
   for (std::size_t v = 0; v < made.background.sites.size(); ++v)
     made.background.sites[v].metric = metric.value().tensors[v];

@@ -19,15 +19,21 @@ result<adopted_mesh> checked_triangulation(mesh read, const std::string& path) {
   return adopted;
 }
 
-result<mesh> read_plain_triangulation(const std::string& path) {
+result<mesh_file> read_plain_mesh_file(const std::string& path) {
   medit_read_options how;
   how.without_solution = true;
-  auto read = read_mesh(path, how);
+  auto read = read_mesh_file(path, how);
   if (!read) return read;
-  auto checked = checked_triangulation(read.value(), path);
+  auto checked = checked_triangulation(read.value().content, path);
   if (!checked) return checked.failure();
-  read.value().notes = std::move(checked.value().subject.notes);
+  read.value().content.notes = std::move(checked.value().subject.notes);
   return read;
+}
+
+result<mesh> read_plain_triangulation(const std::string& path) {
+  auto read = read_plain_mesh_file(path);
+  if (!read) return read.failure();
+  return std::move(read.value().content);
 }
 
 result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wanted) {

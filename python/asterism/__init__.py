@@ -17,6 +17,7 @@ from ._adapt import Adapted, adapt, implied_metric, metric, transfer
 from ._asterism import InputError, __version__
 from ._certificate import Certificate, Finding
 from ._domain import Domain, Repair
+from ._drawing import poly_of_dxf, read_dxf
 from ._judging import certify, verify
 from ._mesh import Mesh, read
 from ._meshing import NotReachedWarning, mesh
@@ -40,6 +41,6 @@ __all__ = [
     "Adapted", "Certificate", "Domain", "Finding", "InputError", "Mesh", "NotReachedWarning", "Page", "Repair",
     "ReportedArray", "__version__", "adapt", "arc_intersection_count", "certify", "compare_distance", "dominates",
     "edge_test", "encroaches", "implied_metric", "in_circle", "in_wedge", "insertion_test",
-    "is_positive_definite", "mesh", "metric", "orientation", "read", "transfer", "verify",
-    "voronoi_vertex_count",
+    "is_positive_definite", "mesh", "metric", "orientation", "poly_of_dxf", "read", "read_dxf", "transfer",
+    "verify", "voronoi_vertex_count",
 ]

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from ._mesh import Mesh
 
 _BUILT_IN = ("square", "airfoil", "naca0012")
-_MESH_FILES = (".mesh", ".meshb", ".msh", ".msh2", ".vtu")
+_MESH_FILES = (".mesh", ".meshb", ".msh", ".msh2", ".vtu", ".vtk", ".su2", ".14", ".grd", ".2dm", ".stl",
+               ".xdmf", ".xmf")
 
 
 class Repair(NamedTuple):
@@ -97,18 +98,25 @@ class Domain:
 
     @classmethod
     def read(cls, path: "str | os.PathLike[str]", *, repair: "bool | float" = False) -> Domain:
-        """From a file: .poly, .geojson, .json or .wkt, or what a .mesh, .meshb, .msh or .vtu covers. What
-        its reader passed over is a UserWarning."""
+        """From a file: .poly, .geojson, .json or .wkt; .dxf, as read_dxf() does; or what a mesh file covers,
+        or its edges bound where it has no triangles. What its reader passed over is a UserWarning."""
         name = path_of(path)
         if not os.path.exists(name):
             raise InputError(f"{name}: cannot be opened for reading")
+        if name.lower().endswith(".dxf"):
+            from ._drawing import read_dxf
+
+            return read_dxf(name, repair=repair)
         if not name.lower().endswith(_MESH_FILES):
+            return cls._of(_Domain.load(name, repair))
+        from ._mesh import read
+
+        of = read(name)
+        if len(of.triangles) == 0:
             return cls._of(_Domain.load(name, repair))
         if repair is not False:
             raise InputError(f"repair: {name} is a mesh, whose edges are kept as they are")
-        from ._mesh import read
-
-        return cls.from_mesh(read(name))
+        return cls.from_mesh(of)
 
     @classmethod
     def from_mesh(cls, mesh: Mesh, corner_angle: Optional[float] = None) -> Domain:

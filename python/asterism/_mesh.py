@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from typing import Any, Dict, List, Mapping, Optional
 
 import numpy as np
@@ -265,6 +266,19 @@ def _weights(corners: Doubles, at: Doubles) -> Doubles:
 
 
 def read(path: "str | os.PathLike[str]") -> Mesh:
-    """Reads a .mesh, .meshb, .msh or .vtu, with the metric of its .sol or in it (without one: the
-    plane's) and the certificate beside it. What its reader changed is a UserWarning."""
-    return Mesh._of(_Mesh.read(path_of(path)))
+    """Reads a mesh: .mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm, .stl, or .xdmf through meshio;
+    with the metric of its .sol or in it (without one: the plane's) and the certificate beside it. What its
+    reader changed is a UserWarning."""
+    name = path_of(path)
+    if not name.lower().endswith((".xdmf", ".xmf")):
+        return Mesh._of(_Mesh.read(name))
+    import meshio
+
+    try:
+        given = meshio.read(name)
+    except (OSError, meshio.ReadError) as odd:
+        raise InputError(f"{name}: {odd}") from odd
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, os.path.basename(name) + ".vtu")
+        meshio.write(file, given)
+        return Mesh._of(_Mesh.read(file))

@@ -235,7 +235,7 @@ py_mesh read_unlocked(const std::string& name) {
   const std::filesystem::path path = name;
   const py::gil_scoped_release unlocked;
   medit_read_options options;
-  options.identity_without_solution = !std::filesystem::exists(solution_path(path));
+  options.identity_without_solution = true;
   py_mesh made;
   made.content = value_or_raise(read_mesh(path, options));
   made.marks = value_or_raise(read_mesh_marks(path));

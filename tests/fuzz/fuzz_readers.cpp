@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -107,15 +108,28 @@ bool read_a_domain(const path& file) {
   return true;
 }
 
-void expect_again(const mesh& m, const path& to) {
-  if (!write_mesh(to, m)) give_up("what was read cannot be written to " + to.string());
-  const auto again = read_mesh(to);
-  if (!again) give_up("what was written cannot be read: " + again.failure().message);
-  const mesh& other = again.value();
+void expect_same(const mesh& m, const mesh& other, const path& to) {
   if (!std::equal(m.sites.begin(), m.sites.end(), other.sites.begin(), other.sites.end(),
                   [](const site& a, const site& b) { return same(a, b); }))
     give_up("other sites are read from " + to.string());
   if (m.triangles != other.triangles) give_up("other triangles are read from " + to.string());
+}
+
+mesh written_and_read(const mesh& m, const path& to) {
+  if (!write_mesh(to, m)) give_up("what was read cannot be written to " + to.string());
+  auto again = read_mesh(to);
+  if (!again) give_up("what was written cannot be read: " + again.failure().message);
+  return std::move(again.value());
+}
+
+// A mesh that was put in order stays as it is, through whatever format. One of our own text files
+// is as it is listed, and is so when it comes back from one.
+void expect_again(const mesh& m, const path& to) { expect_same(m, written_and_read(m, to), to); }
+
+bool is_own(const path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return text.find("segments") != std::string::npos;
 }
 
 bool read_a_mesh(const path& file) {
@@ -125,10 +139,12 @@ bool read_a_mesh(const path& file) {
   (void)read_medit_marks(file);
   (void)names_in(file);
   if (!is_read(read)) return false;
-  for (const char* name : {"again.mesh", "again.meshb", "again.msh", "again.msh2"})
+  // Edges alone are a domain.
+  if (read.value().triangles.empty()) return true;
+  expect_again(read.value(), files().of("again.mesh"));
+  if (is_own(file)) return true;
+  for (const char* name : {"again.meshb", "again.msh", "again.msh2", "again.vtu"})
     expect_again(read.value(), files().of(name));
-  // A grid without triangles is no mesh.
-  if (!read.value().triangles.empty()) expect_again(read.value(), files().of("again.vtu"));
   return true;
 }
 
@@ -176,7 +192,7 @@ struct reader {
   unsigned long long taken = 0, refused = 0;
 };
 
-std::array<reader, 16> readers{{{"a.poly", read_a_domain},
+std::array<reader, 23> readers{{{"a.poly", read_a_domain},
                                 {"b.geojson", read_a_domain},
                                 {"c.wkt", read_a_domain},
                                 {"d.mesh", read_a_mesh},
@@ -191,7 +207,14 @@ std::array<reader, 16> readers{{{"a.poly", read_a_domain},
                                 {"m.BB", read_a_solution},
                                 {"n.vtu", read_a_solution},
                                 {"o.certificate.json", read_a_certificate},
-                                {"p.vtu", read_a_mesh}}};
+                                {"p.vtu", read_a_mesh},
+                                {"q.su2", read_a_mesh},
+                                {"r.14", read_a_mesh},
+                                {"s.2dm", read_a_mesh},
+                                {"t.vtk", read_a_mesh},
+                                {"u.stl", read_a_mesh},
+                                {"v.node", read_a_domain},
+                                {"w.mesh", read_a_domain}}};
 
 void write_counts() {
   const char* const name = std::getenv("ASTERISM_FUZZ_COUNTS");

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// Takes the edges of a mesh file without triangles for a domain.
+#pragma once
+
+#include <string>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
+
+namespace asterism::internal {
+
+// True if the file lists edges and no triangle, as BAMG's geometries and the input of mmg2d do.
+bool has_edges_alone(const mesh_file& file);
+
+// Returns the domain that they bound, with their markers, as segments of a .poly file would:
+// vertices on no edge are vertices of it where they are inside. `name` is the file's. Notes are
+// those of its reader.
+domain domain_of_edges(mesh_file file, const std::string& name);
+
+}  // namespace asterism::internal

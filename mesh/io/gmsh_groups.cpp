@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/gmsh_groups.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "asterism/mesh/io/text_scanner.hpp"
+
+namespace asterism::internal {
+
+int gmsh_groups::number_of_set(int dimension, std::vector<int> tags) {
+  std::sort(tags.begin(), tags.end());
+  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
+  if (tags.empty()) return 0;
+  auto& all = sets_[dimension];
+  const auto [at, is_new] = numbers_[dimension].emplace(tags, static_cast<int>(all.size()));
+  if (is_new) all.push_back(std::move(tags));
+  return at->second;
+}
+
+int gmsh_groups::united(int dimension, int one, int other) {
+  if (one == other) return one;
+  tag_set both = sets_[dimension][static_cast<std::size_t>(one)];
+  const tag_set& more = sets_[dimension][static_cast<std::size_t>(other)];
+  both.insert(both.end(), more.begin(), more.end());
+  return number_of_set(dimension, std::move(both));
+}
+
+// The name "marker -7" stands for a number that no physical group can have.
+int gmsh_groups::number_of(int dimension, int tag) const {
+  const auto named = names_.find({dimension, tag});
+  const std::string_view what = dimension == 1 ? "marker " : "region ";
+  if (named == names_.end() || !named->second.starts_with(what)) return tag;
+  const text_scanner nowhere("", "");
+  const auto number = to_marker(nowhere, {std::string_view(named->second).substr(what.size()), 0},
+                                "number in a name");
+  return number.ok() && number.value() <= 0 ? number.value() : tag;
+}
+
+std::string gmsh_groups::name_of(int dimension, int tag) const {
+  const auto named = names_.find({dimension, tag});
+  return named == names_.end() ? std::to_string(tag) : named->second;
+}
+
+std::vector<int> gmsh_groups::numbers_of_sets(int dimension, std::map<int, std::string>& names,
+                                              std::vector<std::string>& notes) const {
+  const auto& all = sets_[dimension];
+  std::map<int, std::size_t> uses;
+  for (const tag_set& set : all)
+    for (const int tag : set) ++uses[tag];
+  int greatest = 0;
+  for (const auto& entry : names_)
+    if (entry.first.first == dimension) greatest = std::max(greatest, entry.first.second);
+  if (!uses.empty()) greatest = std::max(greatest, uses.rbegin()->first);
+  std::vector<int> numbers;
+  std::size_t several = 0;
+  std::string first;
+  for (const tag_set& set : all) {
+    if (set.size() < 2) {
+      numbers.push_back(set.empty() ? 0 : number_of(dimension, set.front()));
+      continue;
+    }
+    std::string name;
+    for (const int tag : set) {
+      if (!name.empty()) name += '+';
+      name += name_of(dimension, tag);
+    }
+    const auto own = std::find_if(set.begin(), set.end(), [&](int tag) { return uses[tag] == 1; });
+    numbers.push_back(own != set.end() ? *own : ++greatest);
+    names[numbers.back()] = name;
+    if (several++ == 0) first = fmt::format("{} is \"{}\"", numbers.back(), name);
+  }
+  if (several > 0)
+    notes.push_back(fmt::format("{} that are in several physical groups have a number for each set "
+                                "of groups and all their names, the first: {}",
+                                dimension == 1 ? "curves" : "surfaces", first));
+  return numbers;
+}
+
+void gmsh_groups::settle(listed_mesh& m) {
+  for (const auto& [place, name] : names_) {
+    if (place.first == 1) m.names.markers[number_of(1, place.second)] = name;
+    if (place.first == 2) m.names.regions[number_of(2, place.second)] = name;
+  }
+  mesh& made = m.content;
+  const std::vector<int> markers = numbers_of_sets(1, m.names.markers, made.notes);
+  const std::vector<int> regions = numbers_of_sets(2, m.names.regions, made.notes);
+  bool grouped = false;
+  for (int& region : made.regions) {
+    grouped = grouped || region != 0;
+    region = regions[static_cast<std::size_t>(region)];
+  }
+  for (listed_quadrilateral& q : m.quadrilaterals) {
+    grouped = grouped || q.region != 0;
+    q.region = regions[static_cast<std::size_t>(q.region)];
+  }
+  if (!grouped) {
+    made.regions.assign(made.triangles.size(), 1);
+    for (listed_quadrilateral& q : m.quadrilaterals) q.region = 1;
+  }
+  for (boundary_edge& e : made.boundary)
+    e.marker = markers[static_cast<std::size_t>(e.marker)];
+}
+
+}  // namespace asterism::internal

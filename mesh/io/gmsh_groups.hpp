@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// Gives markers and regions to elements that are in physical groups of gmsh, in one or in several.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/io/listed_mesh.hpp"
+
+namespace asterism::internal {
+
+// The physical groups of a file. Dimension 1 has lines, 2 surfaces.
+class gmsh_groups {
+ public:
+  void set_name(int dimension, int tag, std::string name) {
+    names_[{dimension, tag}] = std::move(name);
+  }
+
+  // Returns the number of a set of groups of one dimension: 0 for none.
+  int number_of_set(int dimension, std::vector<int> tags);
+  // Returns the number of the set with those of both.
+  int united(int dimension, int one, int other);
+
+  // Replaces the numbers of sets by markers and regions, and names these. Those of one group are
+  // its tag, or what its name says ("marker -7" for a number that no group can have); of several a
+  // tag that no other set has, or the next free number, under all their names. Regions are left
+  // out where no surface is in a group.
+  void settle(listed_mesh& m);
+
+ private:
+  using tag_set = std::vector<int>;
+  int number_of(int dimension, int tag) const;
+  std::string name_of(int dimension, int tag) const;
+  std::vector<int> numbers_of_sets(int dimension, std::map<int, std::string>& names,
+                                   std::vector<std::string>& notes) const;
+
+  std::map<std::pair<int, int>, std::string> names_;  // by dimension and tag
+  std::map<tag_set, int> numbers_[3];                 // of sets, by dimension
+  std::vector<tag_set> sets_[3] = {{{}}, {{}}, {{}}};
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/listed_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "asterism/core/number_text.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/io/medit_edges.hpp"
+#include "asterism/mesh/search/triangle_sides.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using failure = std::optional<error>;
+
+error refuse(const listed_mesh& m, std::size_t line, const std::string& what) {
+  return {fmt::format("{}:{}: {}", m.file, line, what), error_code::malformed_file};
+}
+
+std::string place(const mesh& m, vertex_index v) {
+  const point& p = m.sites[v].position;
+  return fmt::format("({:g}, {:g})", p.x, p.y);
+}
+
+// Returns "1 vertex", "3 vertices".
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+double extent(const mesh& m) {
+  const bounding_box box = box_of_sites(m.sites);
+  return std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+}
+
+// Leaves out heights that are rounding, or one for all vertices.
+failure flatten(listed_mesh& m) {
+  if (m.heights.empty()) return {};
+  constexpr double rounding = 1e-9;  // of the extent: what programs leave that turn a plane
+  const double common = m.heights.size() == m.content.sites.size() ? m.heights.front().z : 0;
+  const double allowed = rounding * extent(m.content);
+  double most = 0;
+  for (const listed_height& h : m.heights) {
+    const double off = std::abs(h.z - common);
+    if (!(off <= allowed))
+      return refuse(m, h.line,
+                    fmt::format("z of a vertex: vertex {} has {}, which is not {}: only plane "
+                                "meshes can be read, parallel to x and y",
+                                h.vertex + 1, number_text(h.z), number_text(common)));
+    most = std::max(most, off);
+  }
+  if (common != 0)
+    m.content.notes.push_back(
+        fmt::format("all vertices are at the height z = {}, which is left out", number_text(common)));
+  if (most > 0)
+    m.content.notes.push_back(fmt::format(
+        "heights of up to {:.3g} are taken for rounding and left out: {}, the first: vertex {}",
+        most, m.heights.size(), m.heights.front().vertex + 1));
+  return {};
+}
+
+void add_triangle(mesh& m, const triangle& t, int region, bool has_regions) {
+  m.triangles.push_back(t);
+  if (has_regions) m.regions.push_back(region);
+}
+
+double squared_length(const mesh& m, vertex_index a, vertex_index b) {
+  const point &p = m.sites[a].position, &q = m.sites[b].position;
+  return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+}
+
+sign orientation(const mesh& m, vertex_index a, vertex_index b, vertex_index c) {
+  return filtered_kernel().orientation(m.sites[a].position, m.sites[b].position,
+                                       m.sites[c].position);
+}
+
+// Splits along a diagonal with triangles of one orientation on its sides, the shorter of two.
+failure split(listed_mesh& from, const listed_quadrilateral& quad, bool has_regions) {
+  mesh& m = from.content;
+  const auto [a, b, c, d] = quad.corners;
+  const sign abc = orientation(m, a, b, c), acd = orientation(m, a, c, d);
+  const sign abd = orientation(m, a, b, d), bcd = orientation(m, b, c, d);
+  const bool by_ac = abc == acd && abc != sign::zero, by_bd = abd == bcd && abd != sign::zero;
+  if (!by_ac && !by_bd)
+    return refuse(from, quad.line,
+                  fmt::format("the quadrilateral of the vertices {}, {}, {} and {} is folded or "
+                              "flat: no diagonal splits it into two triangles",
+                              a + 1, b + 1, c + 1, d + 1));
+  const bool takes_ac =
+      by_ac && (!by_bd || squared_length(m, a, c) <= squared_length(m, b, d));
+  add_triangle(m, takes_ac ? triangle{a, b, c} : triangle{a, b, d}, quad.region, has_regions);
+  add_triangle(m, takes_ac ? triangle{a, c, d} : triangle{b, c, d}, quad.region, has_regions);
+  return {};
+}
+
+// Returns the triangle that a quadrilateral is when two neighbouring corners are one.
+std::optional<triangle> as_triangle(const std::array<vertex_index, 4>& q) {
+  for (std::size_t i = 0; i < 4; ++i)
+    if (q[i] == q[(i + 1) % 4]) return triangle{q[i], q[(i + 2) % 4], q[(i + 3) % 4]};
+  return std::nullopt;
+}
+
+failure split_quadrilaterals(listed_mesh& from) {
+  if (from.quadrilaterals.empty()) return {};
+  mesh& m = from.content;
+  const bool has_regions = m.regions.size() == m.triangles.size();
+  std::size_t count = 0;
+  for (const listed_quadrilateral& quad : from.quadrilaterals) {
+    if (const auto t = as_triangle(quad.corners)) {
+      add_triangle(m, *t, quad.region, has_regions);
+      continue;
+    }
+    if (auto failed = split(from, quad, has_regions)) return failed;
+    ++count;
+  }
+  if (count > 0)
+    m.notes.push_back(counted(count, "quadrilateral is", "quadrilaterals are") +
+                      " split into two triangles each");
+  from.quadrilaterals.clear();
+  return {};
+}
+
+void turn_over(mesh& m) {
+  std::size_t count = 0, first = 0;
+  for (std::size_t t = 0; t < m.triangles.size(); ++t) {
+    triangle& c = m.triangles[t];
+    if (orientation(m, c[0], c[1], c[2]) != sign::negative) continue;
+    std::swap(c[1], c[2]);
+    if (count++ == 0) first = t;
+  }
+  if (count == 0) return;
+  m.notes.push_back(
+      count == m.triangles.size()
+          ? fmt::format("the triangles are clockwise and turned over: {}", count)
+          : fmt::format("{} of {} triangles are clockwise and turned over, the first: triangle {}",
+                        count, m.triangles.size(), first + 1));
+}
+
+// Returns the triangles in groups by their least vertex, and where each group begins.
+struct triangle_groups {
+  std::vector<std::size_t> begins, members;
+};
+
+triangle_groups by_least_vertex(const mesh& m) {
+  triangle_groups made;
+  made.begins.assign(m.sites.size() + 1, 0);
+  const auto least = [](const triangle& t) { return *std::min_element(t.begin(), t.end()); };
+  for (const triangle& t : m.triangles) ++made.begins[least(t) + 1];
+  for (std::size_t v = 0; v < m.sites.size(); ++v) made.begins[v + 1] += made.begins[v];
+  made.members.resize(m.triangles.size());
+  std::vector<std::size_t> next = made.begins;
+  for (std::size_t t = 0; t < m.triangles.size(); ++t)
+    made.members[next[least(m.triangles[t])]++] = t;
+  return made;
+}
+
+triangle sorted(triangle t) {
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+template <class Value>
+void keep(std::vector<Value>& all, const std::vector<char>& dropped) {
+  if (all.size() != dropped.size()) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (dropped[i] == 0) {
+      if (kept != i) all[kept] = std::move(all[i]);
+      ++kept;
+    }
+  all.resize(kept);
+}
+
+// Leaves out triangles that are listed again.
+failure drop_repeated(listed_mesh& from) {
+  mesh& m = from.content;
+  triangle_groups groups = by_least_vertex(m);
+  std::vector<char> again(m.triangles.size(), 0);
+  std::size_t count = 0, first = m.triangles.size();
+  for (std::size_t v = 0; v < m.sites.size(); ++v) {
+    const auto begin = groups.members.begin() + static_cast<std::ptrdiff_t>(groups.begins[v]);
+    const auto end = groups.members.begin() + static_cast<std::ptrdiff_t>(groups.begins[v + 1]);
+    if (end - begin < 2) continue;
+    std::sort(begin, end, [&m](std::size_t s, std::size_t t) {
+      const triangle p = sorted(m.triangles[s]), q = sorted(m.triangles[t]);
+      return p != q ? p < q : s < t;
+    });
+    for (auto at = begin + 1; at != end; ++at) {
+      const std::size_t s = at[-1], t = at[0];
+      if (sorted(m.triangles[s]) != sorted(m.triangles[t])) continue;
+      if (!m.regions.empty() && m.regions[s] != m.regions[t])
+        return error{fmt::format("{}: triangles {} and {} are of the same vertices and in the "
+                                 "regions {} and {}: take one of them out",
+                                 from.file, s + 1, t + 1, m.regions[s], m.regions[t]),
+                     error_code::invalid_mesh};
+      again[t] = 1;
+      ++count;
+      first = std::min(first, t);
+    }
+  }
+  if (count == 0) return {};
+  keep(m.regions, again);
+  keep(m.triangles, again);
+  m.notes.push_back(counted(count, "triangle is", "triangles are") +
+                    fmt::format(" listed again and left out, the first: triangle {}", first + 1));
+  return {};
+}
+
+// Leaves out the edges marked, and renumbers those that the file requires.
+void drop_edges(listed_mesh& from, const std::vector<char>& dropped) {
+  std::vector<std::size_t> number(dropped.size());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < dropped.size(); ++i) number[i] = dropped[i] != 0 ? kept : kept++;
+  std::vector<std::size_t> required;
+  for (const std::size_t e : from.required_edges)
+    if (dropped[e] == 0) required.push_back(number[e]);
+  from.required_edges = std::move(required);
+  keep(from.content.boundary, dropped);
+}
+
+using ends = std::array<vertex_index, 2>;
+
+// Leaves out edges that are listed again.
+failure drop_repeated_edges(listed_mesh& from) {
+  mesh& m = from.content;
+  std::vector<std::pair<ends, std::size_t>> order;
+  order.reserve(m.boundary.size());
+  for (std::size_t i = 0; i < m.boundary.size(); ++i) {
+    const boundary_edge& e = m.boundary[i];
+    order.push_back({{std::min(e.a, e.b), std::max(e.a, e.b)}, i});
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<char> again(m.boundary.size(), 0);
+  std::vector<std::size_t> first(m.boundary.size());
+  std::iota(first.begin(), first.end(), std::size_t{0});
+  std::size_t count = 0;
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    if (order[k].first != order[k - 1].first) continue;
+    const std::size_t s = order[k - 1].second, t = order[k].second;
+    if (m.boundary[s].marker != m.boundary[t].marker)
+      return error{fmt::format("{}: the edge from {} to {} is listed with the markers {} and {}: "
+                               "take one of them out",
+                               from.file, place(m, m.boundary[s].a), place(m, m.boundary[s].b),
+                               m.boundary[s].marker, m.boundary[t].marker),
+                   error_code::invalid_mesh};
+    again[t] = 1;
+    first[t] = first[s];
+    ++count;
+  }
+  if (count == 0) return {};
+  // A required edge stays one, whichever of its lines says so.
+  for (std::size_t& e : from.required_edges) e = first[e];
+  drop_edges(from, again);
+  m.notes.push_back(counted(count, "edge is", "edges are") + " listed again and left out");
+  return {};
+}
+
+constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
+
+void renumber(std::vector<vertex_index>& list, const std::vector<vertex_index>& number) {
+  std::size_t kept = 0;
+  for (const vertex_index v : list)
+    if (number[v] != none) list[kept++] = number[v];
+  list.resize(kept);
+}
+
+void renumber(listed_mesh& from, const std::vector<vertex_index>& number) {
+  mesh& m = from.content;
+  for (auto* const triangles : {&m.triangles, &m.disagreeing})
+    for (triangle& t : *triangles)
+      for (vertex_index& v : t) v = number[v];
+  for (boundary_edge& e : m.boundary) {
+    e.a = number[e.a];
+    e.b = number[e.b];
+  }
+  renumber(from.marks.corners, number);
+  renumber(from.marks.required_vertices, number);
+  std::size_t kept = 0;
+  for (const ends& e : from.marks.required_edges)
+    if (number[e[0]] != none && number[e[1]] != none)
+      from.marks.required_edges[kept++] = {number[e[0]], number[e[1]]};
+  from.marks.required_edges.resize(kept);
+}
+
+// Leaves out vertices in no triangle, and the edges at them.
+void drop_lone_vertices(listed_mesh& from) {
+  mesh& m = from.content;
+  std::vector<char> lone(m.sites.size(), 1);
+  for (const auto* const triangles : {&m.triangles, &m.disagreeing})
+    for (const triangle& t : *triangles)
+      for (const vertex_index v : t) lone[v] = 0;
+  std::vector<vertex_index> number(m.sites.size(), none);
+  vertex_index next = 0;
+  for (vertex_index v = 0; v < number.size(); ++v) {
+    if (lone[v] == 0)
+      number[v] = next++;
+    else
+      from.left_out.push_back(v);
+  }
+  if (from.left_out.empty()) return;
+  std::vector<char> at_lone(m.boundary.size(), 0);
+  std::size_t edges = 0;
+  for (std::size_t i = 0; i < m.boundary.size(); ++i)
+    if (lone[m.boundary[i].a] != 0 || lone[m.boundary[i].b] != 0) {
+      at_lone[i] = 1;
+      ++edges;
+    }
+  drop_edges(from, at_lone);
+  m.notes.push_back(
+      counted(from.left_out.size(), "vertex", "vertices") + " in no triangle left out" +
+      (edges == 0 ? "" : ", with " + counted(edges, "edge", "edges")) +
+      fmt::format(", the first: vertex {} at {}", from.left_out[0] + 1, place(m, from.left_out[0])));
+  keep(m.references, lone);
+  keep(m.sites, lone);
+  renumber(from, number);
+}
+
+void find_segments(listed_mesh& from) {
+  mesh& m = from.content;
+  edge_marks marks{std::vector<char>(m.boundary.size(), 0), from.all_edges};
+  for (const std::size_t e : from.required_edges) marks.required[e] = 1;
+  keep_segments(m, marks);
+  // Not of files that list them all: a side missing there was taken away.
+  if (!from.lists_sides) list_sides(m);
+}
+
+// Leaves out edges of strings that are no side of a triangle.
+void drop_edges_across(listed_mesh& from) {
+  if (!from.edges_are_strings) return;
+  mesh& m = from.content;
+  const triangle_sides sides(m);
+  std::vector<char> across(m.boundary.size(), 0);
+  std::size_t count = 0, first = 0;
+  for (std::size_t i = 0; i < across.size(); ++i) {
+    const boundary_edge& e = m.boundary[i];
+    if (sides.find(e.a, e.b) != nullptr || sides.find(e.b, e.a) != nullptr) continue;
+    across[i] = 1;
+    if (count++ == 0) first = i;
+  }
+  if (count == 0) return;
+  const boundary_edge& e = m.boundary[first];
+  m.notes.push_back(counted(count, "edge of a string is no side of a triangle and is",
+                            "edges of strings are no sides of triangles and are") +
+                    " left out, the first from " + place(m, e.a) + " to " + place(m, e.b));
+  drop_edges(from, across);
+}
+
+// Settles references beyond 32 bits.
+void settle(listed_mesh& from) {
+  if (from.wide.empty()) return;
+  mesh& m = from.content;
+  std::vector<int> markers, of_quadrilaterals;
+  for (const boundary_edge& e : m.boundary) markers.push_back(e.marker);
+  for (const listed_quadrilateral& q : from.quadrilaterals) of_quadrilaterals.push_back(q.region);
+  std::string note =
+      from.wide.settle({&m.regions, &markers, &m.references, &of_quadrilaterals}, from.names);
+  for (std::size_t i = 0; i < markers.size(); ++i) m.boundary[i].marker = markers[i];
+  for (std::size_t i = 0; i < of_quadrilaterals.size(); ++i)
+    from.quadrilaterals[i].region = of_quadrilaterals[i];
+  m.notes.push_back(std::move(note));
+}
+
+failure put_right(listed_mesh& m) {
+  turn_over(m.content);
+  if (auto failed = drop_repeated(m)) return failed;
+  if (auto failed = drop_repeated_edges(m)) return failed;
+  drop_edges_across(m);
+  drop_lone_vertices(m);
+  return {};
+}
+
+}  // namespace
+
+std::optional<error> put_in_order(listed_mesh& m, listed_order how) {
+  settle(m);
+  if (auto failed = flatten(m)) return failed;
+  if (m.second_order > 0)
+    m.content.notes.push_back(
+        counted(m.second_order, "element is", "elements are") +
+        " of higher order: taken by their corners, with straight sides between them");
+  if (auto failed = split_quadrilaterals(m)) return failed;
+  if (m.content.triangles.empty() && m.content.disagreeing.empty()) return {};
+  if (how == listed_order::put_right)
+    if (auto failed = put_right(m)) return failed;
+  find_segments(m);
+  mesh& made = m.content;
+  if (std::all_of(made.regions.begin(), made.regions.end(), [](int r) { return r == 1; }))
+    made.regions.clear();
+  if (made.references == vertex_references(made)) made.references.clear();
+  return {};
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds a mesh as its file lists it, and puts it in the order that is wanted here: one step for the
+// readers of all formats.
+//
+// Changed, with a note each: heights up to rounding and one height for all are left out;
+// quadrilaterals are split in two; elements of higher order keep their corners alone; clockwise
+// triangles are turned over; a triangle or an edge that is listed again is left out; and so are
+// vertices in no triangle, with the edges at them. Refused, naming file and line: vertices out of
+// the plane, quadrilaterals that no diagonal splits, one triangle in two regions, one edge with two
+// markers. A list without triangles stays as it is: its edges may be a domain.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/mesh_marks.hpp"
+#include "asterism/mesh/io/physical_names.hpp"
+#include "asterism/mesh/io/wide_references.hpp"
+
+namespace asterism::internal {
+
+// A third coordinate other than 0.
+struct listed_height {
+  vertex_index vertex;
+  std::size_t line;
+  double z;
+};
+
+struct listed_quadrilateral {
+  std::array<vertex_index, 4> corners;
+  int region;
+  std::size_t line;
+};
+
+struct listed_mesh {
+  std::string file;
+  // Triangles and edges in either direction. Regions: one a triangle, or none.
+  mesh content;
+  std::vector<listed_height> heights;
+  std::vector<listed_quadrilateral> quadrilaterals;
+  std::size_t second_order = 0;  // elements of which the corners alone were taken
+  // Edges that the file requires, by their numbers in content.boundary from 0.
+  std::vector<std::size_t> required_edges;
+  bool all_edges = false;     // every edge listed is a segment
+  bool lists_sides = false;   // sides that are not listed were taken away
+  bool edges_are_strings = false;  // lists of vertices for solvers, which need not follow sides
+  mesh_marks marks;           // numbered as listed
+  physical_names names;
+  wide_references wide;
+  bool has_metric = false;    // else every vertex has the identity
+  // Vertices that were left out, by their numbers in the file from 0, ascending: files of values
+  // have numbers for them.
+  std::vector<vertex_index> left_out;
+};
+
+enum class listed_order {
+  put_right,  // for use
+  as_listed,  // triangles and vertices as they are in the file: of a mesh that is judged by its file
+};
+
+// Puts the mesh in order.
+std::optional<error> put_in_order(listed_mesh& m, listed_order how);
+
+}  // namespace asterism::internal

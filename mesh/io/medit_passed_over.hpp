@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// Passes over sections of Medit files that mean nothing here.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
+
+namespace asterism::internal {
+
+struct passed_over {
+  std::string names;         // of sections that are not known, with commas between
+  std::optional<word> next;  // the keyword after one of them, already read
+};
+
+// Passes over the section that the keyword begins: by its count where its shape is known, else to
+// the next word that begins with a letter. Refuses what cannot be a keyword.
+std::optional<error> pass_over(text_scanner& source, const word& keyword, int dimension,
+                               passed_over& passed);
+
+}  // namespace asterism::internal

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/wide_references.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace asterism::internal {
+namespace {
+
+// References below it are wide ones too, so that no reference is taken for a place holder.
+constexpr int first_reference = std::numeric_limits<int>::min() / 2;
+
+void replace_keys(std::map<int, std::string>& names, const std::map<int, int>& by) {
+  std::map<int, std::string> replaced;
+  for (auto& [number, name] : names) {
+    const auto at = by.find(number);
+    replaced[at == by.end() ? number : at->second] = std::move(name);
+  }
+  names = std::move(replaced);
+}
+
+}  // namespace
+
+int wide_references::number(long long reference) {
+  if (reference >= first_reference && reference <= std::numeric_limits<int>::max())
+    return static_cast<int>(reference);
+  const int next = std::numeric_limits<int>::min() + static_cast<int>(holder_.size());
+  return holder_.emplace(reference, next).first->second;
+}
+
+result<int> wide_references::read(const text_scanner& source, const word& w,
+                                  std::string_view meaning) {
+  const auto value = to_integer(source, w, meaning);
+  if (!value.ok()) return value.failure();
+  return number(value.value());
+}
+
+std::string wide_references::settle(const std::vector<std::vector<int>*>& lists,
+                                    physical_names& names) {
+  std::set<int> used;
+  for (const auto* list : lists) used.insert(list->begin(), list->end());
+  for (const auto* named : {&names.markers, &names.regions})
+    for (const auto& entry : *named) used.insert(entry.first);
+  std::map<int, int> by;
+  std::string told;
+  constexpr std::size_t most_told = 3;
+  int next = 1;
+  for (const auto& [reference, holder] : holder_) {
+    while (used.count(next) != 0) ++next;
+    by[holder] = next;
+    if (by.size() <= most_told)
+      told += fmt::format("{}{} is {}", told.empty() ? "" : ", ", reference, next);
+    ++next;
+  }
+  for (auto* list : lists)
+    for (int& number : *list)
+      if (number < first_reference) number = by.at(number);
+  replace_keys(names.markers, by);
+  replace_keys(names.regions, by);
+  return fmt::format("references that 32 bits do not hold have other numbers here: {}{}", told,
+                     by.size() > most_told ? fmt::format(", and {} more", by.size() - most_told)
+                                           : "");
+}
+
+}  // namespace asterism::internal
