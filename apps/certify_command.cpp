@@ -58,7 +58,8 @@ struct certify_options {
   std::optional<std::size_t> max_sites;
   std::optional<double> max_seconds;
   bool all_findings = false, all_edges = false;
-  bool strict = false;  // what readers change is refused
+  bool strict = false;          // what readers change is refused
+  bool metric_assumed = false;  // as there is none
 };
 
 constexpr const char* certify_examples =
@@ -296,8 +297,7 @@ result<measured_mesh> read_measured(certify_options& options) {
   mesh& subject = read.value().content;
   if (!options.metric && !read.value().has_metric) {
     options.metric = "identity";
-    if (!options.json)
-      std::cout << "metric: identity, as there is none in the file or beside it\n";
+    options.metric_assumed = true;
   }
   std::unique_ptr<metric_field> formula;
   if (options.metric) {
@@ -324,6 +324,8 @@ int run_certify(certify_options options) {
   run_limits limits(options.max_seconds, std::nullopt);
   auto measured = read_measured(options);
   if (!measured) return complain(measured.failure(), refused);
+  if (options.metric_assumed && !options.json)
+    std::cout << "metric: identity, as there is none in the file or beside it\n";
   const adopted_mesh& adopted = measured.value().adopted;
   const std::size_t sites = adopted.subject.sites.size();
   if (options.max_sites && *options.max_sites < sites)

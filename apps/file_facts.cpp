@@ -123,8 +123,11 @@ void add_certificate(const fs::path& path, const mesh& m, file_facts& facts) {
 result<file_facts> facts_of_mesh(const fs::path& path) {
   auto read = read_mesh_file(path, {.identity_without_solution = true});
   if (!read) return read.failure();
-  if (has_edges_alone(read.value()))
-    return facts_of(domain_of_edges(std::move(read).value(), path.string()));
+  if (has_edges_alone(read.value())) {
+    const auto bounded = domain_of_edges(std::move(read).value(), path.string());
+    if (!bounded) return bounded.failure();
+    return facts_of(bounded.value());
+  }
   const mesh& m = read.value().content;
   file_facts facts = {{"kind", "mesh"},
                       {"vertices", m.sites.size()},
@@ -225,15 +228,15 @@ result<file_facts> facts_of_file(const fs::path& path) {
   if (has_ending(name, ".certificate.json")) return facts_of_certificate(path);
   for (const char* const ending : {".sol", ".solb", ".bb", ".mtr", ".vtu"})
     if (has_ending(name, ending)) return facts_of_solution(path);
-  for (const char* const ending :
-       {".ele", ".edge", ".svg", ".png", ".pdf", ".html"})
+  for (const char* const ending : {".ele", ".edge", ".svg", ".png", ".pdf", ".html"})
     if (has_ending(name, ending))
       return error{name + ": files of this kind are written here, not read"};
   if (!is_domain(name))
     return error{
         name +
         ": not a file that is known here by its name: domains (.poly, .node, .geojson, .json, "
-        ".wkt), meshes (.mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm, .stl), solutions (.sol, .solb, .bb, .vtu), metrics "
+        ".wkt), meshes (.mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm, .stl), solutions "
+        "(.sol, .solb, .bb, .vtu), metrics "
         "(.sol, .solb, .mtr), certificates (.certificate.json)"};
   const auto loaded = load_domain(name);
   if (loaded) return facts_of(loaded.value());

@@ -191,7 +191,9 @@ result<domain> read_mesh_domain(const mesh_job& job, domain& loaded, domain_repa
   if (!read) return read.failure();
   of_mesh = !has_edges_alone(read.value());
   if (of_mesh) return domain_of_mesh(job, std::move(read.value().content));
-  loaded = domain_of_edges(std::move(read).value(), job.domain);
+  auto bounded = domain_of_edges(std::move(read).value(), job.domain);
+  if (!bounded) return bounded;
+  loaded = std::move(bounded).value();
   return put_in_order(job, loaded, repairs);
 }
 

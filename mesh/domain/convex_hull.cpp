@@ -29,11 +29,10 @@ std::vector<vertex_index> from_left(const domain& d) {
     const point &p = d.vertices[a], &q = d.vertices[b];
     return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : a < b;
   });
-  order.erase(std::unique(order.begin(), order.end(),
-                          [&d](vertex_index a, vertex_index b) {
-                            return d.vertices[a] == d.vertices[b];
-                          }),
-              order.end());
+  order.erase(
+      std::unique(order.begin(), order.end(),
+                  [&d](vertex_index a, vertex_index b) { return d.vertices[a] == d.vertices[b]; }),
+      order.end());
   return order;
 }
 
@@ -42,9 +41,9 @@ std::vector<vertex_index> lower_part(const domain& d, const std::vector<vertex_i
   const filtered_kernel kernel;
   std::vector<vertex_index> part;
   for (const vertex_index v : order) {
-    while (part.size() > 1 && kernel.orientation(d.vertices[part[part.size() - 2]],
-                                                 d.vertices[part.back()],
-                                                 d.vertices[v]) == sign::negative)
+    while (part.size() > 1 &&
+           kernel.orientation(d.vertices[part[part.size() - 2]], d.vertices[part.back()],
+                              d.vertices[v]) == sign::negative)
       part.pop_back();
     part.push_back(v);
   }
@@ -67,8 +66,8 @@ result<domain> with_convex_hull(domain d) {
     // All are on the lower part, so the upper one is a single side, unless all are on one line.
     const filtered_kernel kernel;
     const bool flat = std::all_of(hull.begin(), hull.end(), [&](vertex_index v) {
-      return kernel.orientation(d.vertices[hull.front()], d.vertices[v],
-                                d.vertices[hull.back()]) == sign::zero;
+      return kernel.orientation(d.vertices[hull.front()], d.vertices[v], d.vertices[hull.back()]) ==
+             sign::zero;
     });
     if (hull.size() < 3 || flat)
       return error{d.name + ": the convex hull has no area: all vertices are on one line",

@@ -44,9 +44,9 @@ class adcirc_reader {
 failure adcirc_reader::next_line(words& line, std::size_t least, std::string_view what) {
   source_.next_line(line);
   if (line.size() >= least) return {};
-  return source_.failure(source_.line(), line.empty() ? "the file ends where " + std::string(what) +
-                                                            " should follow"
-                                                      : std::string(what) + " wanted");
+  return source_.failure(
+      source_.line(), line.empty() ? "the file ends where " + std::string(what) + " should follow"
+                                   : std::string(what) + " wanted");
 }
 
 result<std::size_t> adcirc_reader::count(const word& w, std::string_view what) {
@@ -103,9 +103,8 @@ failure adcirc_reader::read_elements(std::size_t elements) {
     if (!corners) return corners.failure();
     if ((corners.value() != 3 && corners.value() != 4) ||
         line.size() < 2 + static_cast<std::size_t>(corners.value()))
-      return source_.failure(line[1].line,
-                             "an element of " + quoted_token(line[1].text) +
-                                 " nodes: triangles and quadrilaterals can be read");
+      return source_.failure(line[1].line, "an element of " + quoted_token(line[1].text) +
+                                               " nodes: triangles and quadrilaterals can be read");
     const auto count = static_cast<std::size_t>(corners.value());
     std::array<vertex_index, 4> c{};
     for (std::size_t k = 0; k < count; ++k) {

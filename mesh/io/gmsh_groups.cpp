@@ -45,12 +45,13 @@ std::string gmsh_groups::name_of(int dimension, int tag) const {
   return named == names_.end() ? std::to_string(tag) : named->second;
 }
 
-std::vector<int> gmsh_groups::numbers_of_sets(int dimension, std::map<int, std::string>& names,
+std::vector<int> gmsh_groups::numbers_of_sets(int dimension, const std::vector<char>& in_use,
+                                              std::map<int, std::string>& names,
                                               std::vector<std::string>& notes) const {
   const auto& all = sets_[dimension];
   std::map<int, std::size_t> uses;
-  for (const tag_set& set : all)
-    for (const int tag : set) ++uses[tag];
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const int tag : all[i]) uses[tag] += in_use[i] != 0 ? 1 : 0;
   int greatest = 0;
   for (const auto& entry : names_)
     if (entry.first.first == dimension) greatest = std::max(greatest, entry.first.second);
@@ -58,8 +59,9 @@ std::vector<int> gmsh_groups::numbers_of_sets(int dimension, std::map<int, std::
   std::vector<int> numbers;
   std::size_t several = 0;
   std::string first;
-  for (const tag_set& set : all) {
-    if (set.size() < 2) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const tag_set& set = all[i];
+    if (set.size() < 2 || in_use[i] == 0) {
       numbers.push_back(set.empty() ? 0 : number_of(dimension, set.front()));
       continue;
     }
@@ -74,9 +76,10 @@ std::vector<int> gmsh_groups::numbers_of_sets(int dimension, std::map<int, std::
     if (several++ == 0) first = fmt::format("{} is \"{}\"", numbers.back(), name);
   }
   if (several > 0)
-    notes.push_back(fmt::format("{} that are in several physical groups have a number for each set "
-                                "of groups and all their names, the first: {}",
-                                dimension == 1 ? "curves" : "surfaces", first));
+    notes.push_back(
+        fmt::format("{} that are in several physical groups have a number for each set "
+                    "of groups and all their names, the first: {}",
+                    dimension == 1 ? "curves" : "surfaces", first));
   return numbers;
 }
 
@@ -86,8 +89,13 @@ void gmsh_groups::settle(listed_mesh& m) {
     if (place.first == 2) m.names.regions[number_of(2, place.second)] = name;
   }
   mesh& made = m.content;
-  const std::vector<int> markers = numbers_of_sets(1, m.names.markers, made.notes);
-  const std::vector<int> regions = numbers_of_sets(2, m.names.regions, made.notes);
+  std::vector<char> lines(sets_[1].size(), 0), surfaces(sets_[2].size(), 0);
+  for (const boundary_edge& e : made.boundary) lines[static_cast<std::size_t>(e.marker)] = 1;
+  for (const int region : made.regions) surfaces[static_cast<std::size_t>(region)] = 1;
+  for (const listed_quadrilateral& q : m.quadrilaterals)
+    surfaces[static_cast<std::size_t>(q.region)] = 1;
+  const auto markers = numbers_of_sets(1, lines, m.names.markers, made.notes);
+  const auto regions = numbers_of_sets(2, surfaces, m.names.regions, made.notes);
   bool grouped = false;
   for (int& region : made.regions) {
     grouped = grouped || region != 0;
@@ -101,8 +109,7 @@ void gmsh_groups::settle(listed_mesh& m) {
     made.regions.assign(made.triangles.size(), 1);
     for (listed_quadrilateral& q : m.quadrilaterals) q.region = 1;
   }
-  for (boundary_edge& e : made.boundary)
-    e.marker = markers[static_cast<std::size_t>(e.marker)];
+  for (boundary_edge& e : made.boundary) e.marker = markers[static_cast<std::size_t>(e.marker)];
 }
 
 }  // namespace asterism::internal

@@ -34,7 +34,9 @@ class gmsh_groups {
   using tag_set = std::vector<int>;
   int number_of(int dimension, int tag) const;
   std::string name_of(int dimension, int tag) const;
-  std::vector<int> numbers_of_sets(int dimension, std::map<int, std::string>& names,
+  // Only sets that elements have matter.
+  std::vector<int> numbers_of_sets(int dimension, const std::vector<char>& in_use,
+                                   std::map<int, std::string>& names,
                                    std::vector<std::string>& notes) const;
 
   std::map<std::pair<int, int>, std::string> names_;  // by dimension and tag

@@ -28,10 +28,25 @@ struct element_kind {
   long long type;
   std::size_t corners, nodes;
 };
-constexpr std::array<element_kind, 19> element_kinds = {
-    {{15, 1, 1},  {1, 2, 2},   {8, 2, 3},   {26, 2, 4},  {27, 2, 5},  {28, 2, 6},  {2, 3, 3},
-     {9, 3, 6},   {20, 3, 9},  {21, 3, 10}, {22, 3, 12}, {23, 3, 15}, {24, 3, 15}, {25, 3, 21},
-     {3, 4, 4},   {16, 4, 8},  {10, 4, 9},  {36, 4, 16}, {37, 4, 25}}};
+constexpr std::array<element_kind, 19> element_kinds = {{{15, 1, 1},
+                                                         {1, 2, 2},
+                                                         {8, 2, 3},
+                                                         {26, 2, 4},
+                                                         {27, 2, 5},
+                                                         {28, 2, 6},
+                                                         {2, 3, 3},
+                                                         {9, 3, 6},
+                                                         {20, 3, 9},
+                                                         {21, 3, 10},
+                                                         {22, 3, 12},
+                                                         {23, 3, 15},
+                                                         {24, 3, 15},
+                                                         {25, 3, 21},
+                                                         {3, 4, 4},
+                                                         {16, 4, 8},
+                                                         {10, 4, 9},
+                                                         {36, 4, 16},
+                                                         {37, 4, 25}}};
 
 // What a version calls its sections, and whether it has entities in blocks.
 struct gmsh_dialect {
@@ -154,8 +169,7 @@ failure gmsh_reader::read_section(const word& head) {
   }
   if (name == "$Elements" || name == "$ELM") {
     if (!nodes_seen_) return source_.failure(head.line, name + " before $Nodes");
-    if (std::exchange(elements_seen_, true))
-      return source_.failure(head.line, "a second " + name);
+    if (std::exchange(elements_seen_, true)) return source_.failure(head.line, "a second " + name);
     if (version_ == 1) return read_elements_of_one();
     return version_ == 2 ? read_elements_of_two() : read_elements_of_four();
   }
@@ -228,8 +242,7 @@ failure gmsh_reader::read_entity(int dimension) {
     const auto number = to_marker(source_, source_.next(), "physical group");
     if (!number.ok()) return number.failure();
     // The sign is a direction, which edges and triangles have no use for.
-    if (number.value() != std::numeric_limits<int>::min())
-      tags.push_back(std::abs(number.value()));
+    if (number.value() != std::numeric_limits<int>::min()) tags.push_back(std::abs(number.value()));
   }
   if (dimension < 3)
     physical_[{dimension, tag.value()}] = groups_.number_of_set(dimension, std::move(tags));
@@ -457,7 +470,8 @@ void gmsh_reader::unite_repeated() {
       },
       [&](std::size_t i) -> int& { return m.regions[i]; });
   unite(
-      2, file_.quadrilaterals.size(), [&](std::size_t i) { return file_.quadrilaterals[i].corners; },
+      2, file_.quadrilaterals.size(),
+      [&](std::size_t i) { return file_.quadrilaterals[i].corners; },
       [&](std::size_t i) -> int& { return file_.quadrilaterals[i].region; });
   unite(
       1, m.boundary.size(),

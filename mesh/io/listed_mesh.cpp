@@ -56,8 +56,8 @@ failure flatten(listed_mesh& m) {
     most = std::max(most, off);
   }
   if (common != 0)
-    m.content.notes.push_back(
-        fmt::format("all vertices are at the height z = {}, which is left out", number_text(common)));
+    m.content.notes.push_back(fmt::format(
+        "all vertices are at the height z = {}, which is left out", number_text(common)));
   if (most > 0)
     m.content.notes.push_back(fmt::format(
         "heights of up to {:.3g} are taken for rounding and left out: {}, the first: vertex {}",
@@ -92,8 +92,7 @@ failure split(listed_mesh& from, const listed_quadrilateral& quad, bool has_regi
                   fmt::format("the quadrilateral of the vertices {}, {}, {} and {} is folded or "
                               "flat: no diagonal splits it into two triangles",
                               a + 1, b + 1, c + 1, d + 1));
-  const bool takes_ac =
-      by_ac && (!by_bd || squared_length(m, a, c) <= squared_length(m, b, d));
+  const bool takes_ac = by_ac && (!by_bd || squared_length(m, a, c) <= squared_length(m, b, d));
   add_triangle(m, takes_ac ? triangle{a, b, c} : triangle{a, b, d}, quad.region, has_regions);
   add_triangle(m, takes_ac ? triangle{a, c, d} : triangle{b, c, d}, quad.region, has_regions);
   return {};
@@ -312,10 +311,11 @@ void drop_lone_vertices(listed_mesh& from) {
       ++edges;
     }
   drop_edges(from, at_lone);
-  m.notes.push_back(
-      counted(from.left_out.size(), "vertex", "vertices") + " in no triangle left out" +
-      (edges == 0 ? "" : ", with " + counted(edges, "edge", "edges")) +
-      fmt::format(", the first: vertex {} at {}", from.left_out[0] + 1, place(m, from.left_out[0])));
+  m.notes.push_back(counted(from.left_out.size(), "vertex", "vertices") +
+                    " in no triangle left out" +
+                    (edges == 0 ? "" : ", with " + counted(edges, "edge", "edges")) +
+                    fmt::format(", the first: vertex {} at {}", from.left_out[0] + 1,
+                                place(m, from.left_out[0])));
   keep(m.references, lone);
   keep(m.sites, lone);
   renumber(from, number);

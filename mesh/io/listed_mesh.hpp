@@ -21,6 +21,7 @@
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/mesh_marks.hpp"
 #include "asterism/mesh/io/physical_names.hpp"
+#include "asterism/mesh/io/side_of_edge.hpp"
 #include "asterism/mesh/io/wide_references.hpp"
 
 namespace asterism::internal {
@@ -47,21 +48,23 @@ struct listed_mesh {
   std::size_t second_order = 0;  // elements of which the corners alone were taken
   // Edges that the file requires, by their numbers in content.boundary from 0.
   std::vector<std::size_t> required_edges;
-  bool all_edges = false;     // every edge listed is a segment
-  bool lists_sides = false;   // sides that are not listed were taken away
+  bool all_edges = false;          // every edge listed is a segment
+  bool lists_sides = false;        // sides that are not listed were taken away
   bool edges_are_strings = false;  // lists of vertices for solvers, which need not follow sides
-  mesh_marks marks;           // numbered as listed
+  mesh_marks marks;                // numbered as listed
   physical_names names;
   wide_references wide;
-  bool has_metric = false;    // else every vertex has the identity
+  bool has_metric = false;  // else every vertex has the identity
   // Vertices that were left out, by their numbers in the file from 0, ascending: files of values
   // have numbers for them.
   std::vector<vertex_index> left_out;
+  std::vector<side_of_edge> parts;  // of a domain of edges alone
 };
 
 enum class listed_order {
   put_right,  // for use
-  as_listed,  // triangles and vertices as they are in the file: of a mesh that is judged by its file
+  as_listed,  // triangles and vertices as they are in the file: of a mesh that is judged by its
+              // file
 };
 
 // Puts the mesh in order.

@@ -33,8 +33,8 @@ class listed_numbers {
     if (!number) return number.failure();
     const auto found = vertices_.find(number.value());
     if (found != vertices_.end()) return found->second;
-    return source.failure(w.line, std::string(meaning) + ": node " + quoted_token(w.text) +
-                                      " does not exist");
+    return source.failure(
+        w.line, std::string(meaning) + ": node " + quoted_token(w.text) + " does not exist");
   }
 
  private:

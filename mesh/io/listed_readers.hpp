@@ -45,6 +45,4 @@ result<listed_mesh> read_stl(std::string_view text, const std::string& file);
 // Formats", "Simple Legacy Formats".
 result<listed_mesh> read_vtk(std::string_view text, const std::string& file);
 
-
-
 }  // namespace asterism::internal

@@ -40,7 +40,8 @@ result<domain> load_domain(std::string_view what) {
   return error{
       "unknown domain '" + std::string(what) +
           "': square, airfoil, or a file whose name ends in .poly, .node, .geojson, .json or .wkt, "
-          "or as those of meshes do, .mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm or .stl",
+          "or as those of meshes do, .mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm or "
+          ".stl",
       error_code::bad_option};
 }
 

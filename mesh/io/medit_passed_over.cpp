@@ -19,7 +19,7 @@ struct skipped_section {
   std::string_view keyword;
   int words_in_2d, words_in_3d;
 };
-constexpr std::array<skipped_section, 18> skipped_sections = {{
+constexpr std::array<skipped_section, 16> skipped_sections = {{
     {"Ridges", 1, 1},
     {"RequiredTriangles", 1, 1},
     {"Normals", 2, 3},
@@ -29,8 +29,6 @@ constexpr std::array<skipped_section, 18> skipped_sections = {{
     {"TangentAtVertices", 2, 2},
     {"TangentAtEdges", 3, 3},
     {"SubDomainFromMesh", 4, 4},
-    {"SubDomain", 4, 4},
-    {"SubDomainFromGeom", 4, 4},
     {"CrackedEdges", 2, 2},
     {"VertexOnGeometricVertex", 2, 2},
     {"VertexOnGeometricEdge", 3, 3},

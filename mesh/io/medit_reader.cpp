@@ -66,6 +66,7 @@ class medit_reader {
   failure read_required();
   failure read_corners();
   failure read_required_edges();
+  failure read_parts(std::string_view keyword);
   failure refuse_solids(const word& keyword);
 
   // Reads the count of a section that may occur once.
@@ -81,6 +82,7 @@ class medit_reader {
   result<vertex_index> read_vertex(std::string_view meaning);
   failure check_vertices();
   failure check_required_edges();
+  failure check_parts();
   void note_marks();
   bool take_segment_numbers();
   bool take_given_number();
@@ -104,6 +106,13 @@ class medit_reader {
     std::size_t line;
   };
   std::vector<named_edge> required_edges_;
+  struct part {
+    long long kind, edge;
+    bool left;
+    int region;
+    std::size_t line;
+  };
+  std::vector<part> parts_;
 };
 
 failure medit_reader::read_mesh() {
@@ -119,10 +128,11 @@ failure medit_reader::read_mesh() {
     return source_.failure(source_.line(), "there is no section Vertices");
   if (auto failed = check_vertices()) return failed;
   if (auto failed = check_required_edges()) return failed;
+  if (auto failed = check_parts()) return failed;
   note_marks();
   if (!passed_.names.empty())
-    m_.notes.push_back(source_.file() + ": sections that mean nothing here are passed over: " +
-                       passed_.names);
+    m_.notes.push_back(source_.file() +
+                       ": sections that mean nothing here are passed over: " + passed_.names);
   return {};
 }
 
@@ -149,8 +159,9 @@ failure medit_reader::read_section(const word& keyword) {
   if (keyword.text == "RequiredVertices") return read_required();
   if (keyword.text == "Corners") return read_corners();
   if (keyword.text == "RequiredEdges") return read_required_edges();
-  if (std::find(solid_sections.begin(), solid_sections.end(), keyword.text) !=
-      solid_sections.end())
+  if (keyword.text == "SubDomain" || keyword.text == "SubDomainFromGeom")
+    return read_parts(keyword.text);
+  if (std::find(solid_sections.begin(), solid_sections.end(), keyword.text) != solid_sections.end())
     return refuse_solids(keyword);
   return pass_over(source_, keyword, dimension_, passed_);
 }
@@ -281,6 +292,39 @@ failure medit_reader::read_required_edges() {
       return source_.failure(w.line,
                              "required edge: edge " + quoted_token(w.text) + " does not exist");
     required_edges_.push_back({static_cast<std::size_t>(number.value() - 1), w.line});
+  }
+  return {};
+}
+
+// Reads parts of a geometry: 2, an edge, the side of it, and a number. They mean something where
+// there are no triangles.
+failure medit_reader::read_parts(std::string_view keyword) {
+  const auto count = read_count(keyword);
+  if (!count.ok()) return count.failure();
+  for (std::size_t i = 0; i < count.value(); ++i) {
+    long long numbers[3] = {};
+    const std::size_t line = source_.line();
+    for (long long& number : numbers) {
+      const auto value = to_integer(source_, source_.next(), keyword);
+      if (!value.ok()) return value.failure();
+      number = value.value();
+    }
+    const auto region = read_reference(keyword);
+    if (!region.ok()) return region.failure();
+    parts_.push_back({numbers[0], numbers[1], numbers[2] > 0, region.value(), line});
+  }
+  return {};
+}
+
+// Takes the parts that edges are beside, where edges are all there is.
+failure medit_reader::check_parts() {
+  if (lists_triangles_) return {};
+  for (const part& p : parts_) {
+    if (p.kind != 2 || p.edge < 1 || p.edge > static_cast<long long>(m_.boundary.size()))
+      return source_.failure(p.line,
+                             "a sub-domain is given by 2 and an edge that exists, its side "
+                             "and a number");
+    made_.parts.push_back({static_cast<std::size_t>(p.edge - 1), p.left, p.region});
   }
   return {};
 }

@@ -120,7 +120,13 @@ result<int> read_medit_header(text_scanner& source) {
   if (version.value() < 0 || version.value() > 4)
     return source.failure(
         number.line, "MeshVersionFormatted: " + quoted_token(number.text) + " is none of 0 to 4");
-  const word keyword = source.next();
+  word keyword = source.next();
+  // BAMG's own, each with a number, come before in some of its geometries.
+  while (keyword.text == "MaximalAngleOfCorner" || keyword.text == "AngleOfCornerBound") {
+    const auto angle = to_number(source, source.next(), keyword.text);
+    if (!angle.ok()) return angle.failure();
+    keyword = source.next();
+  }
   if (keyword.text != "Dimension")
     return source.failure(keyword.line, quoted_token(keyword.text) + " where Dimension should be");
   const word size = source.next();

@@ -49,8 +49,9 @@ result<listed_mesh> read_whole(const whole_file_format& format, const std::files
 
 error no_metric(const whole_file_format& format, const std::string& file) {
   const std::string where(format.place_of_metric);
-  return {file + (where.empty() ? ": files of this kind have no metric"
-                                : ": there is no " + where + " \"metric\"") +
+  return {file +
+              (where.empty() ? ": files of this kind have no metric"
+                             : ": there is no " + where + " \"metric\"") +
               "; give the metric as a formula",
           error_code::invalid_metric};
 }
@@ -71,19 +72,20 @@ result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                                  const medit_read_options& options) {
   const whole_file_format* const format = format_of(path.string());
   if (format != nullptr && !options.solution.empty())
-    return error{options.solution.string() + ": the metric of " + path.string() +
-                     (format->place_of_metric.empty()
-                          ? " has no place beside it"
-                          : " is in it, as " + std::string(format->place_of_metric) + " \"metric\""),
-                 error_code::bad_option};
+    return error{
+        options.solution.string() + ": the metric of " + path.string() +
+            (format->place_of_metric.empty()
+                 ? " has no place beside it"
+                 : " is in it, as " + std::string(format->place_of_metric) + " \"metric\""),
+        error_code::bad_option};
   auto read = format == nullptr ? read_listed_medit(path, options) : read_whole(*format, path);
   if (!read) return read.failure();
   listed_mesh& m = read.value();
   const bool is_mesh = !m.content.triangles.empty();
   if (format != nullptr && is_mesh)
     if (auto failed = check_metric(*format, m, options)) return *failed;
-  return mesh_file{std::move(m.content), std::move(m.marks), std::move(m.names),
-                   std::move(m.left_out), m.has_metric};
+  return mesh_file{std::move(m.content),  std::move(m.marks), std::move(m.names),
+                   std::move(m.left_out), m.has_metric,       std::move(m.parts)};
 }
 
 result<mesh> read_mesh(const std::filesystem::path& path, const medit_read_options& options) {

@@ -20,6 +20,7 @@
 #include "asterism/mesh/data/mesh_marks.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/physical_names.hpp"
+#include "asterism/mesh/io/side_of_edge.hpp"
 
 namespace asterism {
 
@@ -32,6 +33,9 @@ struct mesh_file {
   // its vertices have numbers for them, too.
   std::vector<vertex_index> left_out;
   bool has_metric = false;  // else every vertex has the identity
+  // The parts of a domain of edges alone that are inside, as BAMG's SubDomainFromGeom has them;
+  // empty: all that the edges enclose.
+  std::vector<side_of_edge> parts = {};
 };
 
 // True if a file of this name is a mesh: .mesh, .meshb, .msh, .msh2, .vtu, .vtk, .su2, .14, .grd,

@@ -28,8 +28,8 @@ constexpr std::array<element_card, 7> element_cards = {{{"E3T", 3, 3},
                                                         {"E9Q", 4, 9},
                                                         {"E2L", 2, 2},
                                                         {"E3L", 2, 3}}};
-constexpr std::array<std::string_view, 6> solid_cards = {"E4T", "E5P", "E6W", "E8H", "E10T",
-                                                         "E20H"};
+constexpr std::array<std::string_view, 6> solid_cards = {"E4T", "E5P",  "E6W",
+                                                         "E8H", "E10T", "E20H"};
 
 class sms_reader {
  public:
@@ -78,9 +78,10 @@ failure sms_reader::read() {
   if (!string_.empty()) end_string();
   if (auto failed = add_elements()) return failed;
   if (has_heights_)
-    made_.content.notes.push_back(source_.file() +
-                                  ": heights of nodes, a bed's, are no part of a plane mesh and are "
-                                  "left out");
+    made_.content.notes.push_back(
+        source_.file() +
+        ": heights of nodes, a bed's, are no part of a plane mesh and are "
+        "left out");
   made_.all_edges = made_.edges_are_strings = true;
   return put_in_order(made_, listed_order::put_right);
 }
@@ -134,8 +135,8 @@ failure sms_reader::read_element(const element_card& card, const words& line) {
     const auto material = to_number(source_, w, "material of an element");
     if (!material) return material.failure();
     if (std::floor(material.value()) != material.value() || std::abs(material.value()) > 1e15)
-      return source_.failure(w.line, "material of an element: " + quoted_token(w.text) +
-                                         " is no whole number");
+      return source_.failure(
+          w.line, "material of an element: " + quoted_token(w.text) + " is no whole number");
     made.material = made_.wide.number(static_cast<long long>(material.value()));
   }
   if (card.nodes > card.corners) ++made_.second_order;

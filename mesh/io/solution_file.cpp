@@ -168,8 +168,7 @@ void leave_out(solution& s, const std::vector<vertex_index>& left_out) {
         ++next;
         continue;
       }
-      for (std::size_t i = 0; i < width; ++i)
-        f.values[kept * width + i] = f.values[v * width + i];
+      for (std::size_t i = 0; i < width; ++i) f.values[kept * width + i] = f.values[v * width + i];
       ++kept;
     }
     f.values.resize(kept * width);

@@ -84,9 +84,9 @@ failure stl_reader::read_binary() {
       for (std::size_t i = 0; i < 3; ++i) {
         p[i] = static_cast<double>(std::bit_cast<float>(word_at(text_, at + 4 * i)));
         if (!std::isfinite(p[i]))
-          return error{made_.file + ": facet " + std::to_string(f + 1) +
-                           ": a coordinate is not finite",
-                       error_code::bad_number};
+          return error{
+              made_.file + ": facet " + std::to_string(f + 1) + ": a coordinate is not finite",
+              error_code::bad_number};
       }
       corners_.push_back({{p[0] + 0.0, p[1] + 0.0}, p[2], 1});
     }

@@ -140,8 +140,8 @@ result<vertex_index> su2_reader::vertex(const word& w) {
 failure su2_reader::read_corners(const words& line, std::size_t count,
                                  std::array<vertex_index, 4>& corners) {
   if (line.size() < count + 1)
-    return source_.failure(line.front().line, "an element of this type has " +
-                                                  std::to_string(count) + " points");
+    return source_.failure(line.front().line,
+                           "an element of this type has " + std::to_string(count) + " points");
   for (std::size_t k = 0; k < count; ++k) {
     const auto v = vertex(line[k + 1]);
     if (!v) return v.failure();
@@ -220,9 +220,9 @@ failure su2_reader::read_marker_elements(std::size_t count, marker_edges& to) {
     if (!type) return type.failure();
     if (type.value() == vertex_type) continue;
     if (type.value() != line_type)
-      return source_.failure(line.front().line, "element of type " +
-                                                    quoted_token(line.front().text) +
-                                                    ": markers are of lines (3)");
+      return source_.failure(
+          line.front().line,
+          "element of type " + quoted_token(line.front().text) + ": markers are of lines (3)");
     std::array<vertex_index, 4> ends{};
     if (auto failed = read_corners(line, 2, ends)) return failed;
     to.edges.push_back({ends[0], ends[1]});
@@ -268,9 +268,8 @@ failure su2_reader::finish() {
       if (!keys.empty()) keys += ", ";
       keys += key;
     }
-    made_.content.notes.push_back(source_.file() +
-                                  ": entries that mean nothing here are passed over: " +
-                                  quoted_token(keys));
+    made_.content.notes.push_back(
+        source_.file() + ": entries that mean nothing here are passed over: " + quoted_token(keys));
   }
   made_.all_edges = true;
   return put_in_order(made_, listed_order::put_right);

@@ -25,8 +25,8 @@ std::string with_plain_exponent(std::string_view number) {
   }
   // Three digits leave no room for a letter, and a point is always there.
   const std::size_t at = number.find_last_of("+-");
-  if (at == std::string_view::npos || at < 2 || number.size() - at != 4 ||
-      number.find('.') > at || !is_digit(number[at + 1]))
+  if (at == std::string_view::npos || at < 2 || number.size() - at != 4 || number.find('.') > at ||
+      !is_digit(number[at + 1]))
     return {};
   return plain.insert(at, 1, 'e');
 }

@@ -69,8 +69,8 @@ class text_scanner {
   std::vector<std::string_view> comments_;
 };
 
-// Returns the value of a word, or the error `file:line: <meaning>: ...`. Exponents may be Fortran's:
-// 1.5D-3, 1.5d-3, and 1.5-103, which has no room for the letter.
+// Returns the value of a word, or the error `file:line: <meaning>: ...`. Exponents may be
+// Fortran's: 1.5D-3, 1.5d-3, and 1.5-103, which has no room for the letter.
 result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning);
 result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning);
 // Reads a marker or reference, which is kept as an int.

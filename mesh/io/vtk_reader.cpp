@@ -318,7 +318,11 @@ failure vtk_reader::read_attribute(const word& head) {
   if (head.text == "FIELD") return read_field();
   const bool is_table = head.text == "LOOKUP_TABLE", is_colour = head.text == "COLOR_SCALARS";
   constexpr std::array<std::pair<std::string_view, std::size_t>, 6> widths = {
-      {{"VECTORS", 3}, {"NORMALS", 3}, {"TENSORS", 9}, {"TENSORS6", 6}, {"GLOBAL_IDS", 1},
+      {{"VECTORS", 3},
+       {"NORMALS", 3},
+       {"TENSORS", 9},
+       {"TENSORS6", 6},
+       {"GLOBAL_IDS", 1},
        {"PEDIGREE_IDS", 1}}};
   const word name = source_.next();
   if (is_table || is_colour) {
@@ -439,8 +443,8 @@ failure vtk_reader::number_cells(std::size_t cells) {
   constexpr double most = 1e15;  // all whole numbers up to it are doubles
   for (const double x : a.values)
     if (!(std::abs(x) <= most) || x != std::floor(x))
-      return source_.failure(a.line, fmt::format("array {}: {:g} is no whole number",
-                                                 quoted_token(a.name), x));
+      return source_.failure(
+          a.line, fmt::format("array {}: {:g} is no whole number", quoted_token(a.name), x));
   cells_.set_numbers(a.values);
   return {};
 }

@@ -84,9 +84,9 @@ result<solution> read_vtu_solution(std::string_view text, const std::string& fil
   vtu_file& from = opened.value();
   const std::size_t listed = m.sites.size() + left_out.size();
   if (from.points() != listed)
-    return from.failure(from.piece_line(),
-                        fmt::format("values at {} points, and the mesh has {} vertices",
-                                    from.points(), listed));
+    return from.failure(
+        from.piece_line(),
+        fmt::format("values at {} points, and the mesh has {} vertices", from.points(), listed));
   if (auto failed = check_points(from, m, left_out)) return *failed;
   solution made;
   made.vertices = from.points();

@@ -61,9 +61,9 @@ std::string wide_references::settle(const std::vector<std::vector<int>*>& lists,
       if (number < first_reference) number = by.at(number);
   replace_keys(names.markers, by);
   replace_keys(names.regions, by);
-  return fmt::format("references that 32 bits do not hold have other numbers here: {}{}", told,
-                     by.size() > most_told ? fmt::format(", and {} more", by.size() - most_told)
-                                           : "");
+  return fmt::format(
+      "references that 32 bits do not hold have other numbers here: {}{}", told,
+      by.size() > most_told ? fmt::format(", and {} more", by.size() - most_told) : "");
 }
 
 }  // namespace asterism::internal

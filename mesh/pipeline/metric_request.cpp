@@ -87,9 +87,9 @@ result<requested_metric> answer(const metric_request& request) {
   requested_metric made{std::move(read.value().content), {}, {}};
   const auto intersected = read_intersected(request);
   if (!intersected) return intersected.failure();
-  auto metric = request.solution.empty() ? metric_given(request, intersected.value(), made)
-                                         : metric_of_solution(request, intersected.value(),
-                                                              read.value().left_out, made);
+  auto metric = request.solution.empty()
+                    ? metric_given(request, intersected.value(), made)
+                    : metric_of_solution(request, intersected.value(), read.value().left_out, made);
   if (!metric) return metric.failure();
   for (std::size_t v = 0; v < made.background.sites.size(); ++v)
     made.background.sites[v].metric = metric.value().tensors[v];

@@ -211,7 +211,6 @@ class Certify(command.CommandTest):
         good = medit(corners, [(1, 2, 3, 0)])
         round_one = [(1, 0, 1)] * 3
         cases = [
-            (good, None, r"t\.sol: no such file"),
             (good, solution(round_one[:2]), r"t\.sol:4: "),
             (good, solution([(1, 0, 1), (1, 2, 1), (1, 0, 1)]), "vertex 2 .*not positive definite"),
             (good, solution([(1, 0, 1), (1, 0, "nan"), (1, 0, 1)]), r"t\.sol:7: "),
@@ -224,14 +223,20 @@ class Certify(command.CommandTest):
         ]
         for mesh, tensors, message in cases:
             self.write("t.mesh", mesh)
-            if tensors is None:
-                (self.folder / "t.sol").unlink(missing_ok=True)
-            else:
-                self.write("t.sol", tensors)
+            self.write("t.sol", tensors)
             done = self.run_certify(2, "t.mesh", "--repair", "-o", "out.mesh")
             self.assertRegex(done.stderr, message)
             self.assertEqual(done.stdout, "")
             self.assertNotIn("out.mesh", self.files())
+
+    def test_without_a_metric_it_is_the_identity_which_is_said(self):
+        self.write("t.mesh", medit([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(1, 2, 3, 0)]))
+        done = self.run_certify(0, "t.mesh", "-o", "out.mesh")
+        self.assertIn("metric: identity", done.stdout)
+        claim = json.loads((self.folder / "out.certificate.json").read_text())
+        self.assertEqual(claim["asked"]["metric"], "identity")
+        self.assertEqual(self.run_command("verify", "out.mesh").returncode, 0)
+        self.assertIn("t.sol: no such file", self.run_certify(2, "t.mesh", "t.sol").stderr)
 
     def test_bad_usage(self):
         self.grid(2, lambda x, y: (1, 0, 1))

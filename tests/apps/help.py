@@ -184,7 +184,7 @@ class Help(command.CommandTest):
                    '<DataArray type="Float64" Name="heat" format="ascii">%s</DataArray></PointData></Piece>'
                    '</UnstructuredGrid></VTKFile>' % (count, " 7.5" * count))
         self.assertRegex(self.run_command("info", "m.vtu").stdout, "field heat +scalar, numbers from 7.5 to 7.5")
-        self.assertIn("written here, not read", self.run_command("info", "m.su2").stderr)
+        self.assertIn("written here, not read", self.run_command("info", "m.edge").stderr)
 
     def test_a_drawing_is_a_picture(self):
         self.run_command(*command.JOB, "-o", "m.mesh")

@@ -11,6 +11,7 @@
 #include "asterism/tests/mesh/fixtures/temporary_directory.hpp"
 
 using namespace asterism;
+using namespace asterism::internal;
 using tests::temporary_directory;
 
 namespace {
@@ -24,23 +25,28 @@ const std::vector<std::pair<std::string, std::string>> squares = {
      "$MeshFormat\n4 0 8\n$EndMeshFormat\n$Entities\n0 0 1 0\n1 0 0 0 1 1 0 2 5 6 0\n"
      "$EndEntities\n$Nodes\n1 4\n1 2 0 4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
      "$Elements\n1 2\n1 2 2 2\n1 1 2 3\n2 1 3 4\n$EndElements\n"},
-    {"c.msh", "$NOD\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$ENDNOD\n$ELM\n3\n1 1 7 7 2 1 2\n"
-              "2 2 5 5 3 1 2 3\n3 2 5 5 3 1 3 4\n$ENDELM\n"},
+    {"c.msh",
+     "$NOD\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$ENDNOD\n$ELM\n3\n1 1 7 7 2 1 2\n"
+     "2 2 5 5 3 1 2 3\n3 2 5 5 3 1 3 4\n$ENDELM\n"},
     {"d.msh", "4 2 2\n0 0 1\n1 0 1\n1 1 3\n0 1 3\n1 2 3 0\n1 3 4 0\n1 2 1\n2 3 2\n"},
-    {"e.su2", "NDIME= 2\nNELEM= 2\n5 0 1 2 0\n5 0 2 3 1\nNPOIN= 4\n0 0 0\n1 0 1\n1 1 2\n0 1 3\n"
-              "NMARK= 2\nMARKER_TAG= wall\nMARKER_ELEMS= 1\n3 0 1\nMARKER_TAG= 9\n"
-              "MARKER_ELEMS= 1\n3 1 2\n"},
-    {"f.14", "title\n2 4\n1 0 0 1.5\n2 1 0 1.5\n3 1 1 2\n4 0 1 2\n1 3 1 2 3\n2 3 1 3 4\n1\n2\n2\n"
-             "1\n2\n1\n3\n3 0\n2\n3\n4\n"},
-    {"g.2dm", "MESH2D\nE3T 1 1 2 3 7\nE3T 2 1 3 4 7\nND 1 0 0 1\nND 2 1 0 1\nND 3 1 1 1\nND 4 0 1 1\n"
-              "NS 1 2 -3 1\n"},
+    {"e.su2",
+     "NDIME= 2\nNELEM= 2\n5 0 1 2 0\n5 0 2 3 1\nNPOIN= 4\n0 0 0\n1 0 1\n1 1 2\n0 1 3\n"
+     "NMARK= 2\nMARKER_TAG= wall\nMARKER_ELEMS= 1\n3 0 1\nMARKER_TAG= 9\n"
+     "MARKER_ELEMS= 1\n3 1 2\n"},
+    {"f.14",
+     "title\n2 4\n1 0 0 1.5\n2 1 0 1.5\n3 1 1 2\n4 0 1 2\n1 3 1 2 3\n2 3 1 3 4\n1\n2\n2\n"
+     "1\n2\n1\n3\n3 0\n2\n3\n4\n"},
+    {"g.2dm",
+     "MESH2D\nE3T 1 1 2 3 7\nE3T 2 1 3 4 7\nND 1 0 0 1\nND 2 1 0 1\nND 3 1 1 1\nND 4 0 1 1\n"
+     "NS 1 2 -3 1\n"},
     {"h.vtk",
      "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 "
      "0 1 1 0 0 1 0\nCELLS 2 8\n3 0 1 2\n3 0 2 3\nCELL_TYPES 2\n5 5\nCELL_DATA 2\nSCALARS "
      "region int\nLOOKUP_TABLE default\n3 4\n"},
-    {"i.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"
-              "endloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\n"
-              "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"},
+    {"i.stl",
+     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"
+     "endloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\n"
+     "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"},
 };
 
 double area(const mesh& m) {
@@ -109,12 +115,15 @@ TEST_CASE("counts that a file cannot hold take no memory") {
   const std::vector<std::pair<std::string, std::string>> files = {
       {"a.su2", "NDIME= 2\nNELEM= 1000000000\n"},
       {"b.14", "x\n1000000000 1000000000\n"},
-      {"c.vtk", "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS "
-                "500000000 double\n"},
-      {"d.vtk", "# vtk DataFile Version 5.1\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 0 float\n"
-                "CELLS 999999999999 999999999999\nOFFSETS vtktypeint64\n"},
-      {"e.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 0 float\n"
-                "POINT_DATA 999999999999999\nFIELD f 1\na 999999999999999 999999999999999 int\n"},
+      {"c.vtk",
+       "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS "
+       "500000000 double\n"},
+      {"d.vtk",
+       "# vtk DataFile Version 5.1\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 0 float\n"
+       "CELLS 999999999999 999999999999\nOFFSETS vtktypeint64\n"},
+      {"e.vtk",
+       "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 0 float\n"
+       "POINT_DATA 999999999999999\nFIELD f 1\na 999999999999999 999999999999999 int\n"},
       {"f.msh", "1000000000 1000000000 0\n0 0 0\n"},
   };
   for (const auto& [name, text] : files) {

@@ -163,10 +163,12 @@ TEST_CASE("malformed .mesh files are refused with file, line and token") {
   const std::vector<malformed> cases = {
       {"", "1", "the file is empty"},
       {"solid cube\n", "1", "'solid' where MeshVersionFormatted should be"},
-      {"MeshVersionFormatted 4\nDimension 2\n", "1", "'4' is not 1, 2 or 3"},
+      {"MeshVersionFormatted 5\nDimension 2\n", "1", "'5' is none of 0 to 4"},
       {"MeshVersionFormatted 2\nVertices\n", "2", "'Vertices' where Dimension should be"},
       {"MeshVersionFormatted 2\nDimension 1\n", "2", "'1' is not 2"},
-      {"MeshVersionFormatted 2\nDimension 3\nVertices 1\n0 0 0.5 0\n", "4", "'0.5' is not 0"},
+      {"MeshVersionFormatted 2\nDimension 3\nVertices 3\n0 0 0 0\n1 0 0.5 0\n0 1 0 0\nTriangles 1\n"
+       "1 2 3 1\n",
+       "5", "vertex 2 has 0.5, which is not 0"},
       {header + "Vertices\n3\n0 0 0\n1 O 0\n0 1 0\n", "6", "y of a vertex: 'O' is not a number"},
       {header + "Vertices\n3\n0 0 0\n1 nan 0\n0 1 0\n", "6", "'nan' is not finite"},
       {header + "Vertices\n3\n0 0 0\n1 0 0\n0 1\n", "8",
@@ -180,8 +182,9 @@ TEST_CASE("malformed .mesh files are refused with file, line and token") {
       {vertices + "Triangles\n1\n1 2 3.5 0\nEnd\n", "10", "'3.5' is not a whole number"},
       {vertices + "Triangles\n2\n1 2 3 0\nEnd\n", "11", "'End' is not a whole number"},
       {vertices + "Vertices\n3\n0 0 0\n1 0 0\n0 1 0\n", "9", "a second section Vertices"},
-      {vertices + "Polygons\n1\n", "8", "'Polygons' is no known section"},
-      {vertices + "Quadrilaterals\n1\n1 2 3 3 0\n", "8", "only triangles can be read"},
+      {vertices + "Polygons\n1\n2.5\n", "11", "there is no section Triangles"},
+      {vertices + "0 0 0\n", "8", "'0' where a section should begin"},
+      {vertices + "Tetrahedra\n1\n1 2 3 3 0\n", "8", "only meshes of triangles"},
   };
   const temporary_directory here("bad-mesh");
   for (const malformed& c : cases) {
