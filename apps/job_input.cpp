@@ -194,7 +194,7 @@ result<domain> read_mesh_domain(const mesh_job& job, domain& loaded, domain_repa
   auto bounded = domain_of_edges(std::move(read).value(), job.domain);
   if (!bounded) return bounded;
   loaded = std::move(bounded).value();
-  return put_in_order(job, loaded, repairs);
+  return put_in_order(job, loaded, repairs, sizes);
 }
 
 // Refuses a limit that the vertices of the domain alone exceed.
