@@ -10,7 +10,7 @@
 namespace asterism::internal {
 namespace {
 
-constexpr double vertices_of_unit_edges = 2 / std::numbers::sqrt3;  // for each of complexity
+constexpr double vertices_a_complexity = 2 / std::numbers::sqrt3;  // for each of complexity
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::optional<error> take_target(const adaptation_wish& wish, const std::string&
   const solution_metric_options& wishes = wish.wishes;
   const bool names_other = wishes.complexity || wishes.error;
   const auto own = static_cast<double>(wish.vertices_before);
-  const double vertices = names_other ? vertices_of_unit_edges * wish.report.complexity_delivered
+  const double vertices = names_other ? vertices_a_complexity * wish.report.complexity_delivered
                                       : wishes.vertices.value_or(own);
   const bool says_how_many = names_other || wishes.vertices || wish.of_solution;
   constexpr auto most = static_cast<double>(most_sites_unasked);
