@@ -56,7 +56,7 @@ struct adapt_job {
   mesh_adaptation_options options;
   transfer_method how = transfer_method::interpolate;
   std::vector<fs::path> outputs;
-  fs::path values, certificate;
+  fs::path values, carried, certificate;  // the solution, and what is carried, on the new mesh
   std::optional<double> chord_tolerance, max_seconds;
   std::size_t threads = 0;
   bool quiet = false, json = false;
@@ -100,11 +100,12 @@ std::optional<error> check_files(const adapt_job& job, const fs::path& certifica
     used.push_back(output);
     if (format.value() == mesh_format::medit) used.push_back(solution_path(output));
   }
-  if (!job.values.empty()) {
-    if (job.request.solution.empty())
-      return error{"--solution-out: there is no --solution to transfer", error_code::bad_option};
-    if (const auto place = check_solution_output(job.values); !place) return place.failure();
-    used.push_back(job.values);
+  if (!job.values.empty() && job.request.solution.empty())
+    return error{"--solution-out: there is no --solution to transfer", error_code::bad_option};
+  for (const fs::path& values : {job.values, job.carried}) {
+    if (values.empty()) continue;
+    if (const auto place = check_solution_output(values); !place) return place.failure();
+    used.push_back(values);
   }
   used.push_back(certificate_path);
   for (const fs::path& output : job.outputs)
@@ -152,7 +153,7 @@ result<adapted> adapt(const adapt_job& job, run_limits& limits) {
                               [&line](const mesh_progress& p) { line.show(p); });
   if (!next) return next.failure();
   made.next = std::move(next).value();
-  if (job.values.empty()) return made;
+  if (job.values.empty() && job.carried.empty()) return made;
   auto values = transfer_solution(made.wanted.background, made.wanted.values,
                                   made.next.made.outcome.result, job.how);
   if (!values) return values.failure();
@@ -185,9 +186,27 @@ written_paths written_files(const adapt_job& job, const fs::path& certificate_pa
   written_paths all;
   for (const fs::path& output : job.outputs)
     for (const fs::path& file : files_of_output(output)) all.push_back(file);
-  if (!job.values.empty()) all.push_back(job.values);
+  for (const fs::path& values : {job.values, job.carried})
+    if (!values.empty()) all.push_back(values);
   all.push_back(certificate_path);
   return all;
+}
+
+// Returns the fields of the solution, and those that were carried, as their files name them.
+std::pair<solution, solution> parted(const adapted& made) {
+  std::pair<solution, solution> parts;
+  if (!made.values) return parts;
+  const solution& all = made.values->values;
+  parts.first.vertices = parts.second.vertices = all.vertices;
+  for (std::size_t k = 0; k < all.fields.size(); ++k) {
+    if (k < made.wanted.own_fields) {
+      parts.first.fields.push_back(all.fields[k]);
+      continue;
+    }
+    parts.second.fields.push_back(all.fields[k]);
+    parts.second.fields.back().name.erase(0, std::string(carried_prefix).size());
+  }
+  return parts;
 }
 
 std::optional<error> write_all(const adapt_job& job, const fs::path& certificate_path,
@@ -205,7 +224,9 @@ std::optional<error> write_all(const adapt_job& job, const fs::path& certificate
     if (!rendered) return rendered.failure();
     std::move(rendered.value().begin(), rendered.value().end(), std::back_inserter(files));
   }
-  if (made.values) files.push_back({job.values, solution_text(job.values, made.values->values)});
+  const auto [own, carried] = parted(made);
+  if (!job.values.empty()) files.push_back({job.values, solution_text(job.values, own)});
+  if (!job.carried.empty()) files.push_back({job.carried, solution_text(job.carried, carried)});
   files.push_back(certificate_file(certificate_path, claim));
   const held_signals held;
   const auto written = asterism::internal::write_files(files);
@@ -350,6 +371,16 @@ void add_adapt_command(CLI::App& program, command& chosen) {
       ->allow_extra_args(false);
   app->add_option("--solution-out", job->values, "The solution on the new mesh, .sol or .bb")
       ->type_name("FILE");
+  auto* const carry =
+      app->add_option("--carry", job->request.carried,
+                      "Fields at the vertices that come along and have no part in the "
+                      "metric: .sol, .bb or .vtu")
+          ->type_name("FILE");
+  auto* const carried =
+      app->add_option("--carry-out", job->carried, "Those on the new mesh, .sol or .bb")
+          ->type_name("FILE")
+          ->needs(carry);
+  carry->needs(carried);
   app->add_option("--certificate", job->certificate,
                   "The certificate's file (default: first OUT with extension .certificate.json)")
       ->type_name("FILE");

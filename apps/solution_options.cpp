@@ -149,7 +149,7 @@ std::optional<error> check_request(const metric_request& request) {
     return error{"--hmin " + number_text(w.least_size) + " is not less than --hmax " +
                      number_text(w.greatest_size),
                  error_code::bad_option};
-  for (const auto& files : {request.fields, request.intersected})
+  for (const auto& files : {request.fields, request.intersected, {request.carried}})
     for (const std::string& text : files)
       if (text.find('\n') != std::string::npos)
         return error{"a name has a line end in it: " + quoted_token(text), error_code::bad_option};
@@ -158,7 +158,7 @@ std::optional<error> check_request(const metric_request& request) {
 
 std::vector<std::filesystem::path> files_of(const metric_request& request) {
   std::vector<std::filesystem::path> files = {request.mesh};
-  for (const std::string& file : {request.solution, request.metric})
+  for (const std::string& file : {request.solution, request.metric, request.carried})
     if (!file.empty()) files.emplace_back(file);
   for (const std::string& file : request.intersected) files.emplace_back(file);
   return files;

@@ -56,6 +56,8 @@ void describe_adaptation(adapted_mesh& next, const adaptation_wording& w) {
   claim.options.merge(words_of(w.request));
   claim.options.merge(words_of(w.report));
   if (w.transfer != nullptr) claim.options.merge(words_of(*w.transfer, w.how));
+  if (w.transfer != nullptr && !w.request.carried.empty())
+    claim.options["transfer-carried"] = w.request.carried;
 }
 
 }  // namespace asterism::internal

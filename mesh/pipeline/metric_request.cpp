@@ -60,6 +60,22 @@ result<solution_metric> metric_given(const metric_request& request,
   return shape_metric(made.background, given.value(), request.wishes, intersected);
 }
 
+// Adds the fields that are carried to those of the solution.
+std::optional<error> add_carried(const metric_request& request,
+                                 const std::vector<vertex_index>& left_out,
+                                 requested_metric& made) {
+  made.own_fields = made.values.fields.size();
+  if (request.carried.empty()) return std::nullopt;
+  auto read = read_solution(request.carried, made.background, left_out);
+  if (!read) return read.failure();
+  made.values.vertices = read.value().vertices;
+  for (solution_field& field : read.value().fields) {
+    field.name = carried_prefix + field.name;
+    made.values.fields.push_back(std::move(field));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<error> check_sources(const metric_request& request) {
@@ -84,7 +100,7 @@ std::string name_of(const metric_request& request) {
 result<requested_metric> answer(const metric_request& request) {
   auto read = read_plain_mesh_file(request.mesh);
   if (!read) return read.failure();
-  requested_metric made{std::move(read.value().content), {}, {}};
+  requested_metric made{std::move(read.value().content), {}, 0, {}};
   const auto intersected = read_intersected(request);
   if (!intersected) return intersected.failure();
   auto metric = request.solution.empty()
@@ -94,6 +110,7 @@ result<requested_metric> answer(const metric_request& request) {
   for (std::size_t v = 0; v < made.background.sites.size(); ++v)
     made.background.sites[v].metric = metric.value().tensors[v];
   made.report = std::move(metric.value().report);
+  if (auto failed = add_carried(request, read.value().left_out, made)) return *failed;
   return made;
 }
 

@@ -21,15 +21,21 @@ struct metric_request {
   std::vector<std::string> fields;       // names; none: all scalars and vectors
   std::vector<std::string> intersected;  // files of metrics on the same mesh
   bool implied = false;                  // the mesh's own metric in place of a solution
+  std::string carried = {};  // file of fields that come along and have no part in the metric
   solution_metric_options wishes;
   bool names_gradation = false;  // else the default of the source holds
   bool names_hessian = false, names_norm = false;
 };
 
+// Before the names of fields that are carried: those of two files may be the same.
+inline constexpr const char* carried_prefix = "carried.";
+
 // A request, read and answered.
 struct requested_metric {
-  mesh background;            // with the metric at its vertices
-  asterism::solution values;  // empty where there is no solution
+  mesh background;  // with the metric at its vertices
+  // The solution's fields, then those that are carried, with carried_prefix before their names.
+  asterism::solution values;
+  std::size_t own_fields = 0;  // of them, the solution's
   solution_metric_report report;
 };
 

@@ -118,6 +118,8 @@ result<metric_request> request_of(const words& all) {
   w.isotropic = read.flag("isotropic");
   w.step = read.real("step");
   if (read.failed()) return error{*read.failed()};
+  if (const auto carried = all.find("transfer-carried"); carried != all.end())
+    request.carried = carried->second;
   return request;
 }
 

@@ -6,20 +6,44 @@ from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
+from ._asterism import InputError
+from ._forms import doubles
+
 Places = Iterable[Sequence[float]]
 Sizes = Mapping[int, Union[float, Sequence[float]]]
 
 
-def _numbers(values: Any) -> str:
-    return ",".join(repr(float(x)) for x in np.atleast_1d(values))
+def _numbers(name: str, values: Any, least: int = 1) -> str:
+    numbers = doubles(name, values).reshape(-1)
+    if len(numbers) < least:
+        raise InputError(f"{name}: {least} numbers or more are wanted, not {values!r}")
+    return ",".join(repr(float(x)) for x in numbers)
+
+
+def _places(name: str, given: Places, width: int) -> Any:
+    """Each place, and what is wanted there."""
+    try:
+        rows = [list(one) for one in given]
+    except TypeError:
+        raise InputError(f"{name}: a list of places is wanted, not {given!r}") from None
+    return [(_numbers(name, row[:width], width), _numbers(name, row[width:])) for row in rows]
+
+
+def _items(name: str, given: Optional[Sizes]) -> Any:
+    """Each number of a region or marker, and what is wanted there."""
+    if not given:
+        return []
+    if not isinstance(given, Mapping) or not all(isinstance(number, (int, np.integer)) for number in given):
+        raise InputError(f"{name}: sizes by the number of a region or marker are wanted, not {given!r}")
+    return [(int(number), _numbers(name, values)) for number, values in given.items()]
 
 
 def words_of(at: Places, boxes: Places, regions: Optional[Sizes], near: Optional[Sizes], layers: Optional[Sizes],
              bounds: Mapping[str, Optional[float]]) -> str:
     """The sizes in one text, "none" for none."""
-    words = [f"at {_numbers(one[:3])}:{_numbers(one[3:])}" for one in at]
-    words += [f"box {_numbers(one[:4])}:{_numbers(one[4:])}" for one in boxes]
-    for kind, sizes in (("in", regions), ("near", near), ("layers", layers)):
-        words += [f"{kind} {int(number)}:{_numbers(values)}" for number, values in (sizes or {}).items()]
-    words += [f"{name} {_numbers(bound)}" for name, bound in bounds.items() if bound is not None]
+    words = [f"at {place}:{wanted}" for place, wanted in _places("size_at", at, 3)]
+    words += [f"box {place}:{wanted}" for place, wanted in _places("size_box", boxes, 4)]
+    for kind, name, sizes in (("in", "size_in", regions), ("near", "size_near", near), ("layers", "layers", layers)):
+        words += [f"{kind} {number}:{wanted}" for number, wanted in _items(name, sizes)]
+    words += [f"{name} {_numbers(name, bound)}" for name, bound in bounds.items() if bound is not None]
     return "; ".join(words) or "none"

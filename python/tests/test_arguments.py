@@ -95,6 +95,9 @@ def test_sizes_in_place_of_tensors():
     (L_SHAPE, {"metric": -0.1}, "metric: a size is positive"), (L_SHAPE, {"metric": None}, "metric: a text"),
     (L_SHAPE, {"metric": np.ones((6, 3))}, "want the mesh"), (L_SHAPE, {"metric": lambda p: "h"}, "the metric's answer"),
     (L_SHAPE, {"metric": lambda p: -np.ones(len(p))}, "a size is positive"), (L_SHAPE, {"on": 3}, "on: a Mesh"),
+    (L_SHAPE, {"size_at": [(1, 1)]}, "size_at: 3 numbers"), (L_SHAPE, {"size_at": 3}, "size_at: a list of places"),
+    (L_SHAPE, {"size_at": [("a", 0, 1, 1)]}, "size_at: "), (L_SHAPE, {"size_near": [(1, 0.1)]}, "size_near: sizes by"),
+    (L_SHAPE, {"size_in": {1: "x"}}, "size_in: an array"), (L_SHAPE, {"hmax": "x"}, "hmax: an array"),
     (L_SHAPE, {"gradation": "some"}, "gradation"), (L_SHAPE, {"metric": "no-such.mesh"}, "no-such.mesh"),
 ])
 def test_wrong_arguments_are_named(domain, options, message):

@@ -34,6 +34,13 @@ def solution_text(rows, types=(1,)):
     return "\n".join(lines + ["End", ""])
 
 
+def rows_after(file, keyword, skipped):
+    """The rows of numbers of a section, its first `skipped` lines left out; the first of these has their number."""
+    lines = file.read_text().split("\n")
+    start = lines.index(keyword) + 1
+    return [list(map(float, line.split())) for line in lines[start + skipped:start + skipped + int(lines[start])]]
+
+
 def front(x, y):
     return math.tanh(20 * (x * x + y * y - 0.5))
 
@@ -210,6 +217,34 @@ class AdaptTest(AdaptationTest):
         (self.folder / "u.sol").unlink()
         self.write("n.certificate.json", certificate)
         self.assertIn("field not checked", self.run_command("verify", "n.mesh").stdout)
+
+    def test_fields_that_are_carried_have_no_part_in_the_metric(self):
+        self.write("c.sol", solution_text([(x, x - 2 * y, y) for x, y in self.points], (1, 2)))
+        plain = self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "300", "-o", "p.mesh")
+        self.assertNotIn("carried", plain.stdout)
+        done = self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "300", "-o", "n.mesh", "--solution-out",
+                          "v.sol", "--carry", "c.sol", "--carry-out", "d.sol", "--transfer", "project")
+        self.assertEqual((self.folder / "n.mesh").read_bytes(), (self.folder / "p.mesh").read_bytes())
+        self.assertIn("carried.2.y", done.stdout)
+        points, rows = rows_after(self.folder / "n.mesh", "Vertices", 1), rows_after(self.folder / "d.sol", "SolAtVertices", 2)
+        self.assertEqual(len(points), len(rows))
+        for (x, y, _), row in list(zip(points, rows))[::17]:
+            for wanted, found in zip((x, x - 2 * y, y), row):
+                self.assertAlmostEqual(wanted, found, places=12)
+        self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+        certificate = (self.folder / "n.certificate.json").read_text()
+        spoiled, count = re.subn('("transfer-integral-after carried.2.y": ")([^"]*)"', r'\g<1>0.123"', certificate)
+        self.assertEqual(count, 1)
+        self.write("n.certificate.json", spoiled)
+        self.assertEqual(self.run_command("verify", "n.mesh").returncode, 1)
+        self.write("m.sol", solution_text([(9.0, 0.0, 30.0)] * len(self.points), (3,)))
+        self.adapt("g.mesh", "--metric", "m.sol", "-o", "q.mesh", "--carry", "c.sol", "--carry-out", "e.bb")
+        self.assertEqual(self.run_command("verify", "q.mesh").returncode, 0)
+        for more, sentence in ((("--carry", "c.sol"), "--carry-out"), (("--carry-out", "e.bb"), "--carry"),
+                               (("--carry", "none.sol", "--carry-out", "f.bb"), "none.sol"),
+                               (("--carry", "c.sol", "--carry-out", "c.sol"), "c.sol"),
+                               (("--carry", "m.sol", "--carry-out", "f.bb"), "m.sol")):
+            self.refused("adapt", "g.mesh", "--solution", "u.sol", "-o", "r.mesh", *more, sentence=sentence)
 
     def test_adapting_twice_with_the_metric_delivered_changes_nothing(self):
         self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "300", "-o", "n.mesh")
