@@ -23,6 +23,7 @@
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
+#include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/solution_options.hpp"
 #include "asterism/apps/summary.hpp"
@@ -57,6 +58,7 @@ struct adapt_job {
   transfer_method how = transfer_method::interpolate;
   std::vector<fs::path> outputs;
   fs::path values, carried, certificate;  // the solution, and what is carried, on the new mesh
+  fs::path proof;
   std::optional<double> chord_tolerance, max_seconds;
   std::size_t threads = 0;
   bool quiet = false, json = false;
@@ -88,6 +90,7 @@ struct adapted {
   adapted_mesh next;
   std::optional<transferred_solution> values;
   std::optional<std::size_t> vertices_wanted;  // none where the metric alone says how many
+  proof_output proof = {};
 };
 
 std::optional<error> check_files(const adapt_job& job, const fs::path& certificate_path) {
@@ -108,6 +111,10 @@ std::optional<error> check_files(const adapt_job& job, const fs::path& certifica
     used.push_back(values);
   }
   used.push_back(certificate_path);
+  if (!job.proof.empty()) {
+    if (auto failed = check_place(job.proof)) return failed;
+    used.push_back(job.proof);
+  }
   for (const fs::path& output : job.outputs)
     if (auto failed = check_place(solution_path(output))) return failed;
   if (auto failed = check_distinct(used)) return failed;
@@ -182,12 +189,14 @@ report_facts facts_of_page(const adapt_job& job, const fs::path& certificate_pat
   return facts;
 }
 
-written_paths written_files(const adapt_job& job, const fs::path& certificate_path) {
+written_paths written_files(const adapt_job& job, const fs::path& certificate_path,
+                            const adapted& made) {
   written_paths all;
   for (const fs::path& output : job.outputs)
     for (const fs::path& file : files_of_output(output)) all.push_back(file);
   for (const fs::path& values : {job.values, job.carried})
     if (!values.empty()) all.push_back(values);
+  if (made.proof.proof) all.push_back(job.proof);
   all.push_back(certificate_path);
   return all;
 }
@@ -227,6 +236,8 @@ std::optional<error> write_all(const adapt_job& job, const fs::path& certificate
   const auto [own, carried] = parted(made);
   if (!job.values.empty()) files.push_back({job.values, solution_text(job.values, own)});
   if (!job.carried.empty()) files.push_back({job.carried, solution_text(job.carried, carried)});
+  if (made.proof.proof)
+    files.push_back(proof_file(job.proof, made.next.made.outcome.result, *made.proof.proof));
   files.push_back(certificate_file(certificate_path, claim));
   const held_signals held;
   const auto written = asterism::internal::write_files(files);
@@ -281,19 +292,24 @@ int run_adapt(adapt_job job) {
   auto made = adapt(job, limits);
   if (!made) return complain(made.failure(), refused);
   describe(job, made.value());
+  const certified_mesh& next = made.value().next.made;
+  made.value().proof =
+      find_proof(job.proof, next.outcome.result, &made.value().next.shape, next.report.certified);
   limits.conclude();
   if (const auto failed = write_all(job, certificate_path, made.value()))
     return complain(*failed, not_reached);
   const auto missed =
       what_is_missed(made.value().next, made.value().wanted.report, made.value().vertices_wanted);
-  const int status = missed ? not_reached : done;
+  const int status = missed || made.value().proof.missing ? not_reached : done;
   if (job.json)
-    std::cout << adapt_json(facts_of(made.value()), status, written_files(job, certificate_path));
+    std::cout << adapt_json(facts_of(made.value()), status,
+                            written_files(job, certificate_path, made.value()));
   else if (!job.quiet) {
     summarize(job, made.value());
-    write_files_written(std::cout, written_files(job, certificate_path), start);
+    write_files_written(std::cout, written_files(job, certificate_path, made.value()), start);
   }
-  return missed ? complain({"not reached: " + *missed}, not_reached) : done;
+  return made.value().proof.conclude(missed ? complain({"not reached: " + *missed}, not_reached)
+                                            : done);
 }
 
 void add_mesh_options(CLI::App& app, adapt_job& job) {
@@ -384,6 +400,7 @@ void add_adapt_command(CLI::App& program, command& chosen) {
   app->add_option("--certificate", job->certificate,
                   "The certificate's file (default: first OUT with extension .certificate.json)")
       ->type_name("FILE");
+  add_proof_option(*app, job->proof);
   auto* const quiet = app->add_flag("--quiet", job->quiet, "No progress, no summary");
   app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
       ->excludes(quiet);

@@ -21,6 +21,7 @@
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
+#include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/apps/verdict_text.hpp"
@@ -47,7 +48,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct certify_options {
-  fs::path mesh, solution;
+  fs::path mesh, solution, proof;
   std::optional<std::string> metric;  // instead of a solution
   double size = 1;
   std::vector<fs::path> outputs;
@@ -94,10 +95,14 @@ fs::path certificate_path(const certify_options& options) {
 std::optional<error> check_files(const certify_options& options) {
   if (options.repair && options.outputs.empty())
     return error{"--repair: name the file to write with -o", error_code::bad_option};
-  if (options.outputs.empty()) return std::nullopt;
+  if (!options.proof.empty())
+    if (auto failure = check_place(options.proof)) return failure;
+  if (options.outputs.empty() && options.proof.empty()) return std::nullopt;
   std::vector<fs::path> used = {options.mesh};
   if (!options.metric && options.solution.empty()) used = files_read_with(options.mesh);
   if (!options.metric && !options.solution.empty()) used.push_back(options.solution);
+  if (!options.proof.empty()) used.push_back(options.proof);
+  if (options.outputs.empty()) return check_distinct(used);
   used.push_back(certificate_path(options));
   for (const fs::path& output : options.outputs) {
     const auto format = check_output(output);
@@ -130,17 +135,21 @@ std::optional<error> write_together(const output_files& files) {
 }
 
 std::optional<error> write_result(const certify_options& options, const mesh& m,
-                                  const certificate& claim, report_facts facts) {
+                                  const certificate& claim, report_facts facts,
+                                  const proof_output& proof) {
   write_options how;
   how.picture.angle_bound = options.angle_bound;
   if (!claim.complete || !claim.certified) how.note = "Incomplete, not certified: " + claim.reason;
   facts.claim = claim;
-  facts.repeat = repeating_command(options.outputs, certificate_path(options));
+  if (!options.outputs.empty())
+    facts.repeat = repeating_command(options.outputs, certificate_path(options));
   how.report = std::move(facts);
   how.names = names_in(options.mesh);
   auto files = render(options.outputs, m, how);
   if (!files) return files.failure();
-  files.value().push_back(certificate_file(certificate_path(options), claim));
+  if (proof.proof) files.value().push_back(proof_file(options.proof, m, *proof.proof));
+  if (!options.outputs.empty())
+    files.value().push_back(certificate_file(certificate_path(options), claim));
   return write_together(files.value());
 }
 
@@ -192,14 +201,15 @@ report_facts facts_of_page(const certify_options& options, const certify_report&
 int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
                    const certify_report& report) {
   const exit_status status = is_dual_as_asked(options, report.audit) ? done : not_reached;
-  if (options.outputs.empty()) return status;
+  if (options.outputs.empty() && options.proof.empty()) return status;
+  const proof_output proof = find_proof(options.proof, adopted.subject, nullptr, true);
   certificate claim = claim_of_judgement(options, adopted, report);
   claim.complete = true;
   claim.reason = certified_as_it_came;
   const report_facts facts = facts_of_page(options, report);
-  if (const auto failure = write_result(options, adopted.subject, claim, facts))
+  if (const auto failure = write_result(options, adopted.subject, claim, facts, proof))
     return complain(*failure, not_reached);
-  return status;
+  return proof.conclude(status);
 }
 
 // A mesh that is not certified has no file but the pages about it, which show why.
@@ -248,15 +258,16 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   report_facts facts;
   facts.title = options.mesh.string() + ", repaired";
   facts.claim_from = "As the run that made this page judged the mesh it had repaired.";
-  if (const auto failure = write_result(options, outcome.result, claim, facts))
-    return complain(*failure, not_reached);
   const bool reached = made.value().certified();
+  const proof_output proof = find_proof(options.proof, outcome.result, nullptr, judged.certified);
+  if (const auto failure = write_result(options, outcome.result, claim, facts, proof))
+    return complain(*failure, not_reached);
   std::cout << (reached ? "certified" : "NOT certified") << ", repaired: " << outcome.sites
             << " sites, " << outcome.sites - adopted.subject.sites.size() << " of them new, "
             << outcome.triangles << " triangles, " << worst_angle_text(judged.worst().degrees)
             << '\n';
   if (!claim.regions.empty()) std::cout << regions_text(claim.regions) << '\n';
-  if (reached && is_dual_as_asked(options, judged)) return done;
+  if (reached && is_dual_as_asked(options, judged)) return proof.conclude(done);
   return complain({reached ? "not proved to be the dual of the Voronoi diagram: " +
                                  judged.findings.front().witness
                            : "not reached: " + claim.reason},
@@ -376,6 +387,7 @@ void add_certify_command(CLI::App& program, command& chosen) {
                   "Where to write what is certified or repaired; may be given several times")
       ->type_name("OUT")
       ->allow_extra_args(false);
+  add_proof_option(*app, options->proof);
   add_real(
       *app, "--angle-bound", angle_bounds, [options](double x) { options->angle_bound = x; },
       "Least angle of a triangle, as each of its vertices measures it (default 20)")

@@ -8,6 +8,7 @@
 #include "asterism/apps/mesh_job.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/pieces_job.hpp"
+#include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/size_options.hpp"
 
 namespace asterism::apps {
@@ -197,6 +198,7 @@ void add_output_options(CLI::App& app, mesh_job& job) {
   app.add_option("--certificate", job.certificate,
                  "The certificate's file (default: first OUT with extension .certificate.json)")
       ->type_name("FILE");
+  add_proof_option(app, job.proof);
   app.add_option_function<std::string>(
          "--certify",
          [&job](const std::string& what) { job.refinement.prove_voronoi = what == "voronoi"; },

@@ -21,6 +21,7 @@
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
+#include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/apps/vertex_count.hpp"
@@ -58,14 +59,19 @@ std::optional<error> check_files(const mesh_job& job, const fs::path& certificat
     if (!format) return format.failure();
     for (const fs::path& file : files_of_output(output)) used.push_back(file);
   }
+  if (!job.proof.empty()) used.push_back(job.proof);
   if (auto failure = check_distinct(used)) return failure;
+  if (!job.proof.empty())
+    if (auto failure = check_place(job.proof)) return failure;
   return check_place(certificate_path);
 }
 
-std::vector<fs::path> written_files(const mesh_job& job, const fs::path& certificate_path) {
+std::vector<fs::path> written_files(const mesh_job& job, const fs::path& certificate_path,
+                                    const proof_output& proof) {
   std::vector<fs::path> all;
   for (const fs::path& output : job.outputs)
     for (const fs::path& file : files_of_output(output)) all.push_back(file);
+  if (proof.proof) all.push_back(job.proof);
   all.push_back(certificate_path);
   return all;
 }
@@ -91,7 +97,8 @@ report_facts facts_of_page(const mesh_job& job, const fs::path& certificate_path
 // everything else is too. Each is written as soon as it is made, since all of them together may
 // take more room than the mesh.
 std::optional<error> write_files(const mesh_job& job, const fs::path& certificate_path,
-                                 const prepared_input& input, const certified_mesh& made) {
+                                 const prepared_input& input, const certified_mesh& made,
+                                 const proof_output& proof) {
   const certificate& claim = made.claim;
   write_options options;
   if (has_page(job.outputs))
@@ -120,6 +127,9 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
                    error_code::unwritable_file};
     }
   }
+  if (proof.proof)
+    if (auto failed = files.add(proof_file(job.proof, made.outcome.result, *proof.proof)))
+      return failed;
   if (auto failed = files.add(certificate_file(certificate_path, claim))) return failed;
   const auto written = files.put_in_place();
   if (!written) return written.failure();
@@ -241,16 +251,20 @@ int run_within_limits(const mesh_job& asked) {
       input.value(), made.value());
   if (input.value().complexity || !input.value().sizes.is_empty()) job.size = input.value().size;
   describe(made.value(), job, input.value());
+  const proof_output proof = find_proof(job.proof, made.value().outcome.result,
+                                        &input.value().shape, made.value().report.certified);
   limits.conclude();
-  if (const auto failure = write_files(job, certificate_path, input.value(), made.value()))
+  if (const auto failure = write_files(job, certificate_path, input.value(), made.value(), proof))
     return complain(*failure, not_reached);
   tell(job, input.value(), made.value());
-  if (job.tells()) write_files_written(std::cout, written_files(job, certificate_path), start);
-  const int status = conclude(job, made.value());
+  if (job.tells())
+    write_files_written(std::cout, written_files(job, certificate_path, proof), start);
+  const int status = proof.conclude(conclude(job, made.value()));
   const std::string next = status == done ? "" : next_step(job, input.value(), made.value());
   if (!next.empty() && !job.quiet) std::cerr << "asterism: try " << next << '\n';
   if (job.json)
-    std::cout << summary_json(made.value(), status, written_files(job, certificate_path), next);
+    std::cout << summary_json(made.value(), status, written_files(job, certificate_path, proof),
+                              next);
   return status;
 }
 

@@ -37,6 +37,7 @@ struct mesh_job {
   bool keeps_site_limit = false;           // else it is raised where the domain has many vertices
   std::vector<std::filesystem::path> outputs;
   std::filesystem::path certificate;    // empty: beside the first output
+  std::filesystem::path proof;          // empty: none is written
   std::size_t threads = 0;              // 0: as many as there are processors
   std::optional<double> max_seconds;    // of wall time, for refinement
   std::optional<double> max_megabytes;  // of resident memory

@@ -8,7 +8,7 @@ import sys
 LAYERS = ["core", "predicates", "kernels", "challenge", "mesh/support", "mesh/data", "mesh/search",
           "mesh/numerics", "mesh/domain", "mesh/metric", "mesh/stars", "mesh/fill", "mesh/refine",
           "mesh/adapt", "mesh/solution", "mesh/transfer",
-          "mesh/audit", "mesh/surface_audit", "mesh/draw", "mesh/io", "mesh/surface_io", "mesh/pipeline",
+          "mesh/audit", "mesh/surface_audit", "mesh/proof", "mesh/draw", "mesh/io", "mesh/surface_io", "mesh/pipeline",
           "mesh/surface", "mesh/pieces", "mesh/c_interface", "mesh", "apps"]
 FOLDERS = ["core", "predicates", "kernels", "challenge", "mesh", "apps"]  # with all that is below them
 CODE = {".hpp", ".cpp", ".h", ".c"}

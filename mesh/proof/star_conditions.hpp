@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+//
+// States the conditions under which a witness shows that a star keeps a neighbour, or refuses
+// another site. docs/math/proof-format.md states and proves what each of them implies.
+//
+// Notation: f_s(p) is the square of the distance from the site s to p, as s measures; a gap of the
+// star of v runs from its neighbour x counter-clockwise to y. A witness is given in steps of 2^-26
+// of two edges, so that every condition is a polynomial in the doubles of the mesh.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "asterism/mesh/proof/number.hpp"
+
+namespace asterism::internal::proof_detail {
+
+inline constexpr double grid_step = 0x1p-26;
+inline constexpr std::int64_t grid_size = std::int64_t{1} << 26;
+// Width of the window of an edge's witness, in steps.
+inline constexpr std::int64_t window = 64;
+
+// A point v + (a X + b Y) 2^-26.
+struct grid_point {
+  std::int64_t a = 0, b = 0;
+};
+
+template <class Number>
+vector2<Number> place(const grid_point& q, const vector2<Number>& x, const vector2<Number>& y) {
+  return Number(static_cast<double>(q.a) * grid_step) * x +
+         Number(static_cast<double>(q.b) * grid_step) * y;
+}
+
+// Holds the points that a gap's region is spanned by, from one on the ray to x counter-clockwise to
+// one on the ray to y, as offsets from v; and what v, x and y measure there.
+template <class Number, std::size_t Capacity>
+struct gap_region {
+  std::size_t count = 0;
+  std::array<vector2<Number>, Capacity> at;
+  // The square of the distance of a point from v, and v's product of it and the one before.
+  std::array<Number, Capacity> own, before;
+  Number on_x, on_y;  // squares of the distances from x and y to the first point and the last
+  vector2<Number> x, y;
+};
+
+template <class Number, std::size_t Capacity>
+gap_region<Number, Capacity> make_region(const site& v, const site& x, const site& y,
+                                         std::span<const grid_point> points) {
+  gap_region<Number, Capacity> r;
+  const tensor<Number> metric(v.metric);
+  r.x = way<Number>(v.position, x.position);
+  r.y = way<Number>(v.position, y.position);
+  for (const grid_point& q : points) {
+    const std::size_t i = r.count++;
+    r.at[i] = place<Number>(q, r.x, r.y);
+    const vector2<Number> dual = metric * r.at[i];
+    r.own[i] = dot(dual, r.at[i]);
+    if (i > 0) r.before[i] = dot(dual, r.at[i - 1]);
+  }
+  r.on_x = tensor<Number>(x.metric).square(r.at[0] - r.x);
+  r.on_y = tensor<Number>(y.metric).square(r.at[r.count - 1] - r.y);
+  return r;
+}
+
+// True if all of the segment from the point i of a region to the next is at least as near to z as
+// to v, and within a right angle of z: then each ray from v meets their bisector up to there (lemma
+// 2).
+template <class Number, std::size_t Capacity>
+uncertain_bool is_behind(const gap_region<Number, Capacity>& r, std::size_t i,
+                         const vector2<Number>& z, const tensor<Number>& own,
+                         const tensor<Number>& other) {
+  const vector2<Number> dual = own * z, p = r.at[i] - z, q = r.at[i + 1] - z, seen = other * q;
+  const Number at_p = r.own[i] - other.square(p), at_q = r.own[i + 1] - dot(seen, q),
+               between = r.before[i + 1] - dot(seen, p);
+  return exceeds_zero(dot(dual, r.at[i])) & exceeds_zero(dot(dual, r.at[i + 1])) &
+         reaches_zero(at_p) & reaches_zero(at_q) &
+         (reaches_zero(between) | reaches_zero(at_p * at_q - between * between));
+}
+
+// True if the segments between the points are behind x up to the point at `turn`, behind y from it
+// on, and each point is not on the right of the ray of the one before (lemma 2).
+template <class Number, std::size_t Capacity>
+uncertain_bool is_sound(const gap_region<Number, Capacity>& r, const site& v, const site& x,
+                        const site& y, std::size_t turn) {
+  const tensor<Number> own(v.metric), of_x(x.metric), of_y(y.metric);
+  uncertain_bool sound = true;
+  for (std::size_t i = 0; i + 1 < r.count && !sound.certainly(false); ++i)
+    sound = sound & reaches_zero(cross(r.at[i], r.at[i + 1])) &
+            (i < turn ? is_behind(r, i, r.x, own, of_x) : is_behind(r, i, r.y, own, of_y));
+  return sound;
+}
+
+// True if w is farther than v from all of the region, and from what is left of both edges farther
+// than x or y: all coefficients of the differences in Bernstein's basis are positive (theorem 3).
+template <class Number, std::size_t Capacity>
+uncertain_bool is_refused(const gap_region<Number, Capacity>& r, const site& v, const site& w) {
+  const tensor<Number> metric(w.metric);
+  const vector2<Number> to_w = way<Number>(v.position, w.position), dual = metric * to_w;
+  std::array<vector2<Number>, Capacity> seen;
+  uncertain_bool refused = true;
+  for (std::size_t i = 0; i < r.count; ++i) {
+    const vector2<Number> from_w = r.at[i] - to_w;
+    seen[i] = metric * from_w;
+    refused = refused & exceeds_zero(Number(0) - dot(dual, from_w)) &
+              exceeds_zero(dot(seen[i], from_w) - r.own[i]);
+    if (i > 0) refused = refused & exceeds_zero(dot(seen[i - 1], from_w) - r.before[i]);
+    if (refused.certainly(false)) return false;
+  }
+  const auto beyond = [&](std::size_t i, const vector2<Number>& z, const Number& square) {
+    return exceeds_zero(dot(seen[i], r.at[i] - to_w) - square) &
+           exceeds_zero(dot(seen[i], z - to_w));
+  };
+  return refused & beyond(0, r.x, r.on_x) & beyond(r.count - 1, r.y, r.on_y);
+}
+
+// Holds the four sites of an inner edge: from v to w, x on the right and y on the left of it.
+struct edge_sites {
+  const site &v, &w, &x, &y;
+};
+
+// True if f_z - f_s is positive on the triangle of s and two points (Bernstein's basis).
+template <class Number>
+uncertain_bool is_nearest(const site& s, const site& z, const point& origin,
+                          const std::array<vector2<Number>, 2>& p) {
+  const tensor<Number> own(s.metric), other(z.metric);
+  const vector2<Number> to_s = way<Number>(origin, s.position),
+                        to_z = way<Number>(origin, z.position);
+  const std::array<vector2<Number>, 2> from_s = {p[0] - to_s, p[1] - to_s},
+                                       from_z = {p[0] - to_z, p[1] - to_z};
+  const std::array<vector2<Number>, 2> seen = {other * from_z[0], other * from_z[1]};
+  const vector2<Number> edge = to_s - to_z;
+  return exceeds_zero(dot(seen[0], edge)) & exceeds_zero(dot(seen[1], edge)) &
+         exceeds_zero(dot(seen[0], from_z[0]) - own.square(from_s[0])) &
+         exceeds_zero(dot(seen[1], from_z[1]) - own.square(from_s[1])) &
+         exceeds_zero(dot(seen[0], from_z[1]) - dot(from_s[0], own * from_s[1]));
+}
+
+// True if a point between the two of the witness, v + (a X + b Y) 2^-26 with X from v to w and Y
+// from v to y, and the same with a + 64 for a, shows that both v and w keep the other (theorem 2).
+template <class Number>
+uncertain_bool is_kept(const edge_sites& e, const grid_point& first) {
+  const point& origin = e.v.position;
+  const vector2<Number> d = way<Number>(origin, e.w.position),
+                        y = way<Number>(origin, e.y.position),
+                        x = way<Number>(origin, e.x.position);
+  const std::array<vector2<Number>, 2> p = {place<Number>(first, d, y),
+                                            place<Number>({first.a + window, first.b}, d, y)};
+  const tensor<Number> by_v(e.v.metric), by_w(e.w.metric);
+  const auto excess = [&](const vector2<Number>& q) { return by_v.square(q) - by_w.square(q - d); };
+  uncertain_bool kept = exceeds_zero(Number(0) - excess(p[0])) & exceeds_zero(excess(p[1]));
+  const vector2<Number> dual_v = by_v * d, dual_w = by_w * d;
+  for (const vector2<Number>& q : p)
+    kept = kept & exceeds_zero(dot(dual_v, q)) & exceeds_zero(dot(dual_w, d - q));
+  if (kept.certainly(false)) return false;
+  for (const site* z : {&e.x, &e.y})
+    kept = kept & is_nearest<Number>(e.v, *z, origin, p) & is_nearest<Number>(e.w, *z, origin, p);
+  if (kept.certainly(false)) return false;
+  const auto both = [&](const auto& test) { return test(p[0]) & test(p[1]); };
+  const uncertain_bool without_y =
+      both([&](const auto& q) { return reaches_zero(Number(0) - cross(d, q)); }) |
+      both([&](const auto& q) { return exceeds_zero(cross(q, y)); }) |
+      both([&](const auto& q) { return exceeds_zero(Number(0) - cross(q - d, y - d)); });
+  const uncertain_bool without_x =
+      both([&](const auto& q) { return reaches_zero(cross(d, q)); }) |
+      both([&](const auto& q) { return exceeds_zero(Number(0) - cross(q, x)); }) |
+      both([&](const auto& q) { return exceeds_zero(cross(q - d, x - d)); });
+  return kept & without_x & without_y;
+}
+
+// True if no point of the segment from a to b, offsets from a site, is within this radius of it.
+template <class Number>
+uncertain_bool is_out_of_reach(const tensor<Number>& metric, const vector2<Number>& a,
+                               const vector2<Number>& b, const Number& squared_radius) {
+  const vector2<Number> dual = metric * a;
+  const Number of_a = dot(dual, a), of_b = metric.square(b), product = dot(dual, b);
+  const uncertain_bool ends =
+      exceeds_zero(of_a - squared_radius) & exceeds_zero(of_b - squared_radius);
+  if (ends.certainly(false)) return false;
+  return ends & (reaches_zero(product - of_a) | reaches_zero(product - of_b) |
+                 exceeds_zero(of_a * of_b - product * product -
+                              squared_radius * (of_a + of_b - Number(2) * product)));
+}
+
+// True if four sites of one metric, x on the right and y on the left of the way from v to w, keep
+// the edge: y is outside the circle of v, w and x, or on it and the greatest of the four is no end
+// of the edge.
+bool is_kept_in_one_metric(const site& v, const site& w, const site& x, const site& y);
+
+inline bool have_one_metric(const site& a, const site& b, const site& c, const site& d) {
+  return a.metric == b.metric && b.metric == c.metric && c.metric == d.metric;
+}
+
+}  // namespace asterism::internal::proof_detail

@@ -1,0 +1,729 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Checks the proof of a mesh, in whole numbers and fractions, without any search.
+
+    check_mesh.py MESH PROOF --domain D.poly --angle-bound B --metric SOL
+
+The question is what the options and MESH say: that MESH triangulates the domain D, that no angle is
+below B degrees, and that its triangles are the stars of its vertices in the metric SOL. PROOF holds
+witnesses; nothing in it is believed. docs/math/proof-format.md numbers the statements that are quoted
+here and proves that what is accepted has the properties 0 to 4 of docs/math/certificate.md.
+
+Exit status: 0 proved; 1 not proved, with the reason; 2 a question or a file of which nothing can be
+said: curves, domains that are no .poly file, a metric that is not given at the vertices.
+"""
+import argparse
+import math
+import struct
+import sys
+from fractions import Fraction
+
+GRID, WINDOW = 26, 64       # witnesses are in steps of 2^-26 of edges; an edge's is 64 steps wide
+ONE = 1 << GRID
+
+
+class NotProved(Exception):
+    pass
+
+
+class CannotSay(Exception):
+    pass
+
+
+def need(holds, what):
+    if not holds:
+        raise NotProved(what)
+
+
+def need_file(good, what):
+    if not good:
+        raise CannotSay(what)
+
+
+# ---- Files ------------------------------------------------------------------------------------------
+
+def number(word):
+    """Returns the double nearest to a decimal number, as every reader of these files takes it."""
+    value = float(word)
+    need_file(value - value == 0, f"{word} is no finite number")
+    return value
+
+
+WIDTHS = {"Vertices": 3, "Triangles": 4, "Edges": 3, "Corners": 1, "RequiredVertices": 1,
+          "RequiredEdges": 1, "Ridges": 1, "SolAtVertices": 3}
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8", errors="replace") as file:
+        return [row for row in (line.split("#", 1)[0].split() for line in file) if row]
+
+
+def read_medit(path):
+    """Returns the sections of a Medit file in text: {name: rows of words}."""
+    words, sections, i = [word for row in rows_of(path) for word in row], {}, 0
+    while i < len(words) and words[i] != "End":
+        name, count, i = words[i], int(words[i + 1]), i + 2
+        if name in ("MeshVersionFormatted", "Dimension"):
+            need_file(name != "Dimension" or count == 2, f"{path}: it is not plane")
+            continue
+        need_file(name in WIDTHS and name not in sections and count >= 0, f"{path}: {name}")
+        if name == "SolAtVertices":
+            need_file(words[i:i + 2] == ["1", "3"], f"{path}: the solution is no metric")
+            i += 2
+        width = WIDTHS[name]
+        need_file(i + width * count <= len(words), f"{path}: {name} ends early")
+        sections[name] = [words[k:k + width] for k in range(i, i + width * count, width)]
+        i += width * count
+    return sections
+
+
+class Domain:
+    """A .poly file of Triangle: points, segments with their markers, hole and region points."""
+
+    def __init__(self, path):
+        need_file(path.endswith(".poly"), f"{path}: only .poly files can be checked yet")
+        rows = iter(rows_of(path))
+        count = int(next(rows)[0])
+        need_file(count > 0, f"{path}: vertices in another file cannot be checked yet")
+        points = [next(rows) for _ in range(count)]
+        first = int(points[0][0])
+        # "A point that is repeated counts once"; `index` numbers each among those that count.
+        known = {}
+        self.index = [known.setdefault((number(p[1]), number(p[2])), len(known)) for p in points]
+        self.points = list(known)
+        head = next(rows)
+        self.segments = []
+        for row in (next(rows) for _ in range(int(head[0]))):
+            ends = int(row[1]) - first, int(row[2]) - first
+            need_file(0 <= min(ends) and max(ends) < count, f"{path}: segment {row[0]}")
+            marker = int(row[3]) if len(head) > 1 and head[1] != "0" else 0
+            self.segments.append((self.index[ends[0]], self.index[ends[1]], marker))
+        holes = [next(rows) for _ in range(int(next(rows, ["0"])[0]))]
+        regions = [next(rows) for _ in range(int(next(rows, ["0"])[0]))]
+        need_file(next(rows, None) is None, f"{path}: curves cannot be checked yet")
+        need_file(all(number(p[3]) == int(number(p[3])) for p in regions), f"{path}: regions")
+        self.holes = [(number(p[1]), number(p[2])) for p in holes]
+        self.regions = [(number(p[1]), number(p[2]), int(number(p[3]))) for p in regions]
+
+
+class Proof:
+    """The witnesses, as docs/math/proof-format.md lays them out."""
+
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            self.data, self.at = file.read(), 80
+        need(self.data[:8] == b"ASTPROOF" and len(self.data) >= 80, "it is no proof")
+        head = struct.unpack_from("<8I5d", self.data, 8)
+        need(head[0] == 1, f"it is a proof of version {head[0]}")
+        need(all(x - x == 0 for x in head[8:]), "the rectangle or the radius is not finite")
+        self.sites, self.triangles, self.rectangle, self.radius = *head[1:3], head[8:12], head[12]
+        self.outside, places, self.edges, self.gaps = (
+            self.take(count, form) for count, form in zip(head[3:7], ("<3I", "<I", "<2i", "<4i")))
+        self.places, self.exceptions = [t for t, in places], {}
+        for _ in range(head[7]):
+            (gap, site, kind, turn, count), = self.take(1, "<2I2BH")
+            self.exceptions[gap, site] = kind, turn, self.take(count, "<2i")
+        need(self.at == len(self.data), "the proof goes on after its end")
+        del self.data
+
+    def take(self, count, form):
+        begin, self.at = self.at, self.at + count * struct.calcsize(form)
+        need(self.at <= len(self.data), "the proof ends early")
+        return list(struct.iter_unpack(form, self.data[begin:self.at]))
+
+
+def power_of(values):
+    """Returns the least power of two by which all of these doubles are whole, as an exponent."""
+    return max((value.as_integer_ratio()[1].bit_length() - 1 for value in values), default=0)
+
+
+def scaled(value, power):
+    top, bottom = value.as_integer_ratio()
+    return top << (power - (bottom.bit_length() - 1))
+
+
+# ---- Points 0 to 2 ----------------------------------------------------------------------------------
+
+class Plane:
+    """The mesh in whole numbers, and the triangles around it: together they fill a rectangle."""
+
+    def __init__(self, mesh, tensors, proof):
+        self.count, low_x, low_y, high_x, high_y = len(mesh.get("Vertices", [])), *proof.rectangle
+        self.doubles = [(number(w[0]), number(w[1])) for w in mesh.get("Vertices", [])]
+        self.doubles += [(low_x, low_y), (high_x, low_y), (high_x, high_y), (low_x, high_y)]
+        self.power = power_of(x for place in self.doubles for x in place)
+        self.metric_power = power_of(entry for tensor in tensors for entry in tensor)
+        # Coordinates are multiplied by 2^power, and by 2^26, so that every witness is whole.
+        self.x = [scaled(p[0], self.power) << GRID for p in self.doubles]
+        self.y = [scaled(p[1], self.power) << GRID for p in self.doubles]
+        self.metric = [tuple(scaled(entry, self.metric_power) for entry in t) for t in tensors]
+        rows = [[int(w) for w in row] for row in mesh.get("Triangles", [])]
+        self.inner = [(a - 1, b - 1, c - 1) for a, b, c, _ in rows]
+        self.region = [row[3] for row in rows]
+        self.triangles, self.markers = self.inner + proof.outside, {}
+        for a, b, marker in ([int(w) for w in row] for row in mesh.get("Edges", [])):
+            need(self.key(a - 1, b - 1) not in self.markers, f"edge {a}-{b} is listed twice")
+            self.markers[self.key(a - 1, b - 1)] = marker
+        # "0. Numbers are finite, tensors positive definite; indices are those of vertices."
+        need(low_x < high_x and low_y < high_y, "the rectangle is none")
+        need(self.inner, "the mesh has no triangle")
+        need(len(tensors) == self.count, "the metric is of another number of vertices")
+        need((proof.sites, proof.triangles) == (self.count, len(rows)), "the proof is of another mesh")
+        for v, (m11, m12, m22) in enumerate(self.metric):
+            need(m11 > 0 and m11 * m22 > m12 * m12, f"the metric of vertex {v + 1} is not definite")
+        for t, corners in enumerate(self.triangles):
+            most = self.count if t < len(self.inner) else self.count + 4
+            need(min(corners) >= 0 and max(corners) < most, f"triangle {t + 1} has no such corner")
+        self.join()
+
+    def key(self, a, b):
+        return (a, b) if a < b else (b, a)
+
+    def is_segment(self, a, b):
+        return self.key(a, b) in self.markers
+
+    def turn(self, a, b, c):
+        """Returns what is positive if the vertices a, b, c turn counter-clockwise."""
+        x, y = self.x, self.y
+        return (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a])
+
+    def join(self):
+        # Theorem 1: "(A) Every triangle turns counter-clockwise. (B) No two have a directed edge in
+        # common. (C) The reverse of every edge is one, but for the sides of the rectangle. (D) Every
+        # vertex is a corner of a triangle of the mesh. (E) The edges listed are edges of the mesh,
+        # and include all that it has in common with the triangles outside."
+        n, stride, edges = self.count, self.count + 4, {}
+        for t, (a, b, c) in enumerate(self.triangles):
+            need(self.turn(a, b, c) > 0, f"triangle {t + 1} is not counter-clockwise")            # (A)
+            for i, key in enumerate((a * stride + b, b * stride + c, c * stride + a)):
+                need(key not in edges, f"triangle {t + 1} has an edge that another one has")      # (B)
+                edges[key] = 3 * t + i
+        sides = {(n + i) * stride + n + (i + 1) % 4 for i in range(4)}
+        self.across, self.most = [-1] * (3 * len(self.triangles)), 3 * len(self.inner)
+        for key, edge in edges.items():
+            a, b = divmod(key, stride)
+            reverse = edges.get(b * stride + a, -1)
+            need((reverse < 0) == (key in sides), f"edge {a + 1}-{b + 1} has nothing beyond")     # (C)
+            self.across[edge] = reverse
+            need(edge >= self.most or reverse < self.most or self.is_segment(a, b),               # (E)
+                 f"edge {a + 1}-{b + 1} of the boundary is not listed")
+        need(len({v for t in self.inner for v in t}) == n, "a vertex is in no triangle")          # (D)
+        for a, b in self.markers:
+            need(min(edges.get(a * stride + b, self.most), edges.get(b * stride + a, self.most))
+                 < self.most, f"the edge listed from {a + 1} to {b + 1} is no edge of the mesh")  # (E)
+
+    def parts(self):
+        """Returns the number of its part, as the edges listed cut the rectangle, of each triangle."""
+        part = [-1] * len(self.triangles)
+        for first in range(len(part)):
+            ahead, count = [first] if part[first] < 0 else [], first
+            while ahead:
+                t = ahead.pop()
+                part[t] = count
+                for i, v in enumerate(self.triangles[t]):
+                    reverse = self.across[3 * t + i]
+                    if (reverse >= 0 and part[reverse // 3] < 0
+                            and not self.is_segment(v, self.triangles[t][i - 2])):
+                        part[reverse // 3] = count
+                        ahead.append(reverse // 3)
+        return part
+
+    def contains(self, t, place):
+        """True if a point of doubles is in or on the triangle."""
+        more = max(0, power_of(place) - self.power)
+        px, py = (scaled(value, self.power + more) << GRID for value in place)
+        at = [(self.x[v] << more, self.y[v] << more) for v in self.triangles[t]]
+        return all((at[i - 2][0] - ax) * (py - ay) >= (at[i - 2][1] - ay) * (px - ax)
+                   for i, (ax, ay) in enumerate(at))
+
+
+def check_faces(plane, domain, proof):
+    # "2. Triangles with no segment between them have the same region. Outside are the part around,
+    # and those with a hole point; the mesh has all others. A region has the number of its point; 0
+    # where others have one, 1 where none has."
+    part, number_of, inner = plane.parts(), {}, len(plane.inner)
+    for t, region in enumerate(plane.region):
+        need(number_of.setdefault(part[t], region) == region, f"triangle {t + 1} is of two regions")
+    if not domain:
+        return
+    places = domain.holes + domain.regions
+    need(len(proof.places) == len(places), "the proof does not place the domain's holes and regions")
+    named, outside = {}, {part[edge // 3] for edge, across in enumerate(plane.across) if across < 0}
+    for k, (t, place) in enumerate(zip(proof.places, places)):
+        need(t < len(part) and plane.contains(t, place[:2]), "a hole or region is not where it is said")
+        need((t >= inner) == (k < len(domain.holes)), "a hole is in the mesh, or a region outside")
+        if t >= inner:
+            outside.add(part[t])
+        else:
+            need(named.setdefault(part[t], place[2]) == place[2], "a region has two numbers")
+    need(all(p in outside for p in part[inner:]), "a part of the domain is not in the mesh")
+    need(not outside.intersection(part[:inner]), "the mesh is where the domain is not")
+    for p, region in number_of.items():
+        need(region == named.get(p, 1 if not domain.regions else 0), f"a region is numbered {region}")
+
+
+def check_domain(plane, domain):
+    # "2. The domain's vertices are the first ones. Every edge listed is in one chain from one of
+    # them to the next. Every segment is a chain, or several in a row where vertices are exactly on
+    # it; every chain is of a segment, and has the first marker of its segments that is not 0."
+    given, around, chains, marker_of = len(domain.points), {}, {}, {}
+    need(plane.doubles[:given] == domain.points and given <= plane.count,
+         "the first vertices are not those of the domain")
+    for a, b in plane.markers:
+        around.setdefault(a, []).append(b)
+        around.setdefault(b, []).append(a)
+    for v in range(given):
+        for beside in around.get(v, ()):
+            chain = [v, beside]
+            while chain[-1] >= given:
+                ends = around[chain[-1]]
+                need(len(ends) == 2, f"the boundary forks or ends at vertex {chain[-1] + 1}")
+                chain.append(ends[0] if ends[1] == chain[-2] else ends[1])
+            need(chain[-1] not in chains.setdefault(v, {}), f"two chains leave vertex {v + 1} alike")
+            chains[v][chain[-1]] = chain
+    need(sum(len(chain) - 1 for v in chains for chain in chains[v].values()) == 2 * len(plane.markers),
+         "a ring of the boundary has no vertex of the domain")
+    for a, b, marker in domain.segments:
+        v = a
+        while v != b:
+            ahead = [u for u in chains.get(v, ()) if plane.turn(v, b, u) == 0 and (
+                u == b or is_between(plane, v, u, b))]
+            need(len(ahead) == 1, f"the edges from vertex {v + 1} to {b + 1} are no segment's")
+            key = plane.key(v, ahead[0])
+            marker_of[key], v = marker_of.get(key) or marker, ahead[0]
+    for v in chains:
+        for u in chains[v]:
+            need(plane.key(v, u) in marker_of, f"the edges from {v + 1} to {u + 1} are no segment's")
+            check_chain(plane, chains[v][u], marker_of[plane.key(v, u)])
+
+
+def is_between(plane, v, u, end):
+    """True if u, on the line from v to the end, is strictly between the two."""
+    x, y = plane.x, plane.y
+    ahead = [(x[b] - x[a]) * (x[end] - x[v]) + (y[b] - y[a]) * (y[end] - y[v])
+             for a, b in ((v, u), (u, end))]
+    return min(ahead) > 0
+
+
+def check_chain(plane, chain, marker):
+    # "2. Along a chain every edge advances. A split point is no farther from the segment than two
+    # units in the last place of the greatest coordinate of its ends, or than sixteen that are at most
+    # 2^-10 of its length."
+    x, y, start, end = plane.x, plane.y, chain[0], chain[-1]
+    dx, dy = x[end] - x[start], y[end] - y[start]
+    length = dx * dx + dy * dy
+    greatest = max(abs(c) for v in (start, end) for c in plane.doubles[v])
+    unit = Fraction(math.ulp(greatest)) * (1 << plane.power + GRID)
+    for v, w in zip(chain, chain[1:]):
+        need(plane.markers[plane.key(v, w)] == marker, f"edge {v + 1}-{w + 1} has another marker")
+        need((x[w] - x[v]) * dx + (y[w] - y[v]) * dy > 0, f"edge {v + 1}-{w + 1} runs back")
+        square = (dx * (y[w] - y[start]) - dy * (x[w] - x[start])) ** 2   # by the length squared
+        need(square <= (2 * unit) ** 2 * length or (
+            square <= (16 * unit) ** 2 * length and square << 20 <= length * length),
+             f"vertex {w + 1} is beside its segment")
+
+
+# ---- Point 3 ----------------------------------------------------------------------------------------
+
+def squared_cotangent(degrees):
+    """Returns fractions below and above cot^2, both equal to it where it is rational."""
+    exact = {30: Fraction(3), 45: Fraction(1), 60: Fraction(1, 3)}
+    if degrees in exact:
+        return exact[degrees], exact[degrees]
+    bits, slack = 192, Fraction(1, 1 << 180)
+
+    def inverse_tangent(n):     # of 1/n, in steps of 2^-192; each of its terms is off by two at most
+        total, power, k = 0, (1 << bits) // n, 0
+        while power:
+            total, power, k = total + (-1) ** k * (power // (2 * k + 1)), power // (n * n), k + 1
+        return total
+
+    def cosine(x):              # the series alternates; 60 terms, each rounded to 2^-192
+        total, term = Fraction(0), Fraction(1)
+        for k in range(60):
+            total += term
+            term = Fraction(round(-term * x * x / ((2 * k + 1) * (2 * k + 2)) * (1 << bits)), 1 << bits)
+        return total
+
+    pi = Fraction(16 * inverse_tangent(5) - 4 * inverse_tangent(239), 1 << bits)
+    cos = cosine(pi * 2 * degrees / 180)        # cot^2 a = (1 + cos 2a) / (1 - cos 2a)
+    low, high = (1 + cos - slack) / (1 - cos + slack), (1 + cos + slack) / (1 - cos - slack)
+    return (Fraction(math.floor(low * (1 << 160)), 1 << 160),
+            Fraction(math.ceil(high * (1 << 160)), 1 << 160))
+
+
+class Angles:
+    def __init__(self, plane, given, degrees):
+        self.plane, self.given, self.exempt = plane, given, set()
+        self.low, self.high = squared_cotangent(degrees)
+
+    def check(self):
+        # "3. At every corner, with edges a and b, in the metric M of each vertex of the triangle,
+        # a^T M b <= 0 or (a^T M b)^2 <= cot^2 det M (a x b)^2, unless the angle is exempt."
+        x, y, top, bottom = self.plane.x, self.plane.y, self.low.numerator, self.low.denominator
+        for t, (a, b, c) in enumerate(self.plane.inner):
+            ways = ((x[b] - x[a], y[b] - y[a]), (x[c] - x[b], y[c] - y[b]), (x[a] - x[c], y[a] - y[c]))
+            area = ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]
+            for p in (a, b, c):
+                metric = self.plane.metric[p]
+                limit = top * determinant(metric) * area * area
+                for i in range(3):
+                    along = -product(metric, ways[i], ways[i - 1])
+                    if along > 0 and bottom * along * along > limit:
+                        self.excuse(t, i, p)
+        # "3. Not more than half of the triangles have an exempt angle and segments for all sides, one
+        # of them inside the domain."
+        enclosed = [t for t in self.exempt if all(
+            self.plane.is_segment(v, self.plane.inner[t][i - 1])
+            for i, v in enumerate(self.plane.inner[t])) and min(
+                self.plane.across[3 * t:3 * t + 3]) < self.plane.most]
+        need(2 * len(enclosed) <= len(self.plane.inner), "next to nothing of the mesh is judged")
+
+    def excuse(self, t, i, p):
+        # "3. Exempt is an angle at a vertex of the domain whose own angle there, between segments in
+        # a row, is below the bound in the metric of the vertex and in the one that measures."
+        plane, v = self.plane, self.plane.inner[t][i]
+        said = f"triangle {t + 1} has an angle below the bound at vertex {v + 1}, seen by {p + 1}"
+        need(v < self.given, said)
+        first, last = 3 * t + i, before(3 * t + i)
+        for _ in range(plane.most):              # clockwise to a segment
+            if plane.is_segment(v, self.corner(after(first))):
+                break
+            first = after(plane.across[first])
+        for _ in range(plane.most):              # counter-clockwise to a segment
+            if plane.is_segment(v, self.corner(last)):
+                break
+            last = before(plane.across[last])
+        a, b = self.corner(after(first)), self.corner(last)
+        need(plane.is_segment(v, a) and plane.is_segment(v, b), said)
+        to_a, to_b = ((plane.x[u] - plane.x[v], plane.y[u] - plane.y[v]) for u in (a, b))
+        area = to_a[0] * to_b[1] - to_a[1] * to_b[0]
+        for metric in (plane.metric[v], plane.metric[p]):
+            along = product(metric, to_a, to_b)
+            need(area > 0 and along > 0
+                 and along * along > self.high * determinant(metric) * area * area, said)
+        self.exempt.add(t)
+
+    def corner(self, edge):
+        return self.plane.triangles[edge // 3][edge % 3]
+
+
+def after(edge):
+    return edge - 2 if edge % 3 == 2 else edge + 1
+
+
+def before(edge):
+    return edge - 1 if edge % 3 else edge + 2
+
+
+def product(m, p, q):
+    return p[0] * (m[0] * q[0] + m[1] * q[1]) + p[1] * (m[1] * q[0] + m[2] * q[1])
+
+
+def determinant(m):
+    return m[0] * m[2] - m[1] * m[1]
+
+
+# ---- Point 4: neighbours stay -----------------------------------------------------------------------
+
+def keeps(plane, v, w, x, y):
+    # "In one metric v and w keep each other if y is outside the circle of v, w and x; of four sites on
+    # a circle, if the greatest is x or y" (x is on the right of the way from v to w, y on the left).
+    px, py = plane.x, plane.y
+    (along_x, area_x), (along_y, area_y) = (
+        (product(plane.metric[v], a, b), a[0] * b[1] - a[1] * b[0]) for a, b in (
+            ((px[v] - px[z], py[v] - py[z]), (px[w] - px[z], py[w] - py[z])) for z in (x, y)))
+    excess = along_x * area_y - along_y * area_x
+    return excess > 0 or (excess == 0 and max((v, w, x, y), key=lambda z: (px[z], py[z])) in (x, y))
+
+
+def have_one_metric(plane, *sites):
+    return all(plane.metric[s] == plane.metric[sites[0]] for s in sites)
+
+
+def check_neighbours(plane, proof):
+    # "An inner edge v-w with y on its left and x on its right is asked about if v or w asks: v, x, y
+    # turn counter-clockwise and w is not strictly within, or w, y, x do and v is not."
+    witnesses, turn = iter(proof.edges), plane.turn
+    for edge, reverse in enumerate(plane.across[:plane.most]):
+        if reverse < edge or reverse >= plane.most:
+            continue
+        v, w, y = (plane.inner[edge // 3][(edge + i) % 3] for i in range(3))
+        x = plane.inner[reverse // 3][(reverse + 2) % 3]
+        if plane.is_segment(v, w) or not ((turn(v, x, y) > 0 and turn(x, y, w) <= 0)
+                                          or (turn(w, y, x) > 0 and turn(y, x, v) <= 0)):
+            continue
+        if have_one_metric(plane, v, w, x, y):
+            need(keeps(plane, v, w, x, y), f"edge {v + 1}-{w + 1} is not kept")
+        else:
+            need(shows_kept(plane, v, w, x, y, next(witnesses, None)),
+                 f"edge {v + 1}-{w + 1} is not shown to be kept")
+    need(next(witnesses, None) is None, "there are witnesses of edges that are none")
+
+
+def shows_kept(plane, v, w, x, y, witness):
+    # Theorem 2: "(1) f_v < f_w at the first point and f_v > f_w at the second: at a p between they are
+    # equal. (2) v and w see p. (3) For z = x and z = y: f_z > f_v on the triangle of v and the points,
+    # f_z > f_w on that of w and the points. (4) x and y are outside the closed triangle v, w, p."
+    if witness is None:
+        return False
+    px, py, (a, b) = plane.x, plane.y, witness
+    at_v, at_w, at_x, at_y = ((px[s], py[s]) for s in (v, w, x, y))
+    points = [tuple(at_v[k] + (at_w[k] - at_v[k] >> GRID) * steps + (at_y[k] - at_v[k] >> GRID) * b
+                    for k in (0, 1)) for steps in (a, a + WINDOW)]
+    p, q = points
+
+    def form(s, r, t):          # the product of r - s and t - s in the metric of s
+        return product(plane.metric[s], (r[0] - px[s], r[1] - py[s]), (t[0] - px[s], t[1] - py[s]))
+
+    if not (form(v, p, p) < form(w, p, p) and form(v, q, q) > form(w, q, q)):           # (1)
+        return False
+    if not all(form(v, r, at_w) > 0 and form(w, r, at_v) > 0 for r in points):          # (2)
+        return False
+    for z in (x, y):                                                                    # (3)
+        for s, at_s in ((v, at_v), (w, at_w)):
+            if not (form(z, p, at_s) > 0 and form(z, q, at_s) > 0 and form(z, p, p) > form(s, p, p)
+                    and form(z, q, q) > form(s, q, q) and form(z, p, q) > form(s, p, q)):
+                return False
+
+    def side(o, r, t):
+        return (r[0] - o[0]) * (t[1] - o[1]) - (r[1] - o[1]) * (t[0] - o[0])
+
+    return ((all(side(at_v, at_w, r) <= 0 for r in points)                              # (4)
+             or all(side(at_v, r, at_y) > 0 for r in points)
+             or all(side(at_w, r, at_y) < 0 for r in points))
+            and (all(side(at_v, at_w, r) >= 0 for r in points)
+                 or all(side(at_v, r, at_x) < 0 for r in points)
+                 or all(side(at_w, r, at_x) > 0 for r in points)))
+
+
+# ---- Point 4: others stay out -----------------------------------------------------------------------
+
+class Gaps:
+    def __init__(self, plane, proof):
+        self.plane, self.proof, self.regions = plane, proof, {}
+        top, bottom = proof.radius.as_integer_ratio()
+        scale = 2 * plane.power + 2 * GRID + plane.metric_power
+        self.radius, self.beyond = (top << scale) // bottom, -((-top << scale) // bottom)
+        # "A gap of the star of v, from x counter-clockwise to y, is asked about unless x-y is a
+        # segment. Its points are sound and within the radius, as v measures."
+        witnesses = iter(proof.gaps)
+        for gap in range(plane.most):
+            v, x, y = (plane.inner[gap // 3][(gap + i) % 3] for i in range(3))
+            if not plane.is_segment(x, y):
+                on_x, a, b, on_y = next(witnesses, (0, 0, 0, 0))
+                region = self.region(v, x, y, ((on_x, 0), (a, b), (0, on_y)), 1)
+                need(region and max(region[4]) <= self.radius,
+                     f"the gap at vertex {v + 1} of triangle {gap // 3 + 1} is not shown to end")
+                self.regions[gap] = *region, a + b <= ONE
+        need(next(witnesses, None) is None, "there are witnesses of gaps that are none")
+
+    def region(self, v, x, y, points, turn):
+        """Returns the region that these points span, or None if they are not sound."""
+        # Lemma 2: "The first is on the ray to x, the last on the ray to y, each on the left of the
+        # one before or on its ray. From each to the next the segment is behind x, up to the one
+        # numbered `turn`; from that on behind y."
+        plane = self.plane
+        vx, vy, own = plane.x[v], plane.y[v], plane.metric[v]
+        to_x, to_y = ((plane.x[z] - vx, plane.y[z] - vy) for z in (x, y))
+        if (len(points) < 2 or turn >= len(points) or points[0][1] or points[-1][0]
+                or min(min(p) for p in points) < 0 or min(a + b for a, b in points) == 0):
+            return None
+        at = [((a * to_x[0] + b * to_y[0]) >> GRID, (a * to_x[1] + b * to_y[1]) >> GRID)
+              for a, b in points]
+        squares = [product(own, p, p) for p in at]
+        products = [product(own, p, q) for p, q in zip(at, at[1:])]
+        for i, (p, q) in enumerate(zip(at, at[1:])):
+            z, to_z = (x, to_x) if i < turn else (y, to_y)
+            if p[0] * q[1] < p[1] * q[0] or not self.is_behind(
+                    p, q, squares[i], squares[i + 1], products[i], to_z, own, plane.metric[z]):
+                return None
+        on_x, on_y = ((p[0] - z[0], p[1] - z[1]) for p, z in ((at[0], to_x), (at[-1], to_y)))
+        return (v, x, y, [(p[0] + vx, p[1] + vy) for p in at], squares, products,
+                product(plane.metric[x], on_x, on_x), product(plane.metric[y], on_y, on_y))
+
+    @staticmethod
+    def is_behind(p, q, of_p, of_q, of_both, to_z, own, other):
+        # Lemma 2: "A segment p-q is behind z if p^T M_v z > 0, q^T M_v z > 0 and f_v - f_z is nowhere
+        # negative on it: not at p and q, and the product is not either, or its square is no more than
+        # that of the ends."
+        if product(own, p, to_z) <= 0 or product(own, q, to_z) <= 0:
+            return False
+        p, q = (p[0] - to_z[0], p[1] - to_z[1]), (q[0] - to_z[0], q[1] - to_z[1])
+        at_p, at_q = of_p - product(other, p, p), of_q - product(other, q, q)
+        both = of_both - product(other, p, q)
+        return at_p >= 0 and at_q >= 0 and (both >= 0 or both * both <= at_p * at_q)
+
+    def walk(self, w, around):
+        # Lemma 3: "From the triangles at w, across the edges that the ball around w meets, one comes
+        # to all triangles that it meets."
+        plane, beyond, radius, seen = self.plane, self.beyond, self.radius, {}
+        x, y, wx, wy, (m11, m12, m22) = plane.x, plane.y, plane.x[w], plane.y[w], plane.metric[w]
+
+        def look(u):
+            if u not in seen:
+                dx, dy = x[u] - wx, y[u] - wy
+                mx, my = m11 * dx + m12 * dy, m12 * dx + m22 * dy
+                seen[u] = dx, dy, mx, my, mx * dx + my * dy
+            return seen[u]
+
+        met = list(around[w])
+        known = set(met)
+        for t in met:
+            corners = plane.triangles[t]
+            for i in range(3):
+                a, b, reverse = corners[i], corners[i - 2], plane.across[3 * t + i]
+                if a == w or b == w or (reverse >= 0 and reverse // 3 in known):
+                    continue
+                (_, _, mx, my, of_a), (bx, by, _, _, of_b) = look(a), look(b)
+                both = mx * bx + my * by
+                # The edge is missed if both ends are, and the nearest point is one, or is missed.
+                if of_a > radius and of_b > radius and (
+                        both >= of_a or both >= of_b
+                        or of_a * of_b - both * both > beyond * (of_a + of_b - 2 * both)):
+                    continue
+                need(reverse >= 0, f"the ball around vertex {w + 1} meets the rectangle's rim")
+                known.add(reverse // 3)
+                met.append(reverse // 3)
+        return met
+
+    def check(self):
+        # Theorem 4: "If no w that is strictly between the rays of a gap is accepted, of those whose
+        # ball meets a triangle in which a part of the gap's region may be, none at all is. The region
+        # is in the gap's own triangle if a + b <= 2^26; else in that and the one behind, if the point
+        # is in it; else in triangles that the ball around v meets."
+        plane, turn, listed = self.plane, self.plane.turn, {}
+        around = [[] for _ in range(plane.count + 4)]
+        for t, corners in enumerate(plane.triangles):
+            for v in corners:
+                around[v].append(t)
+        for gap, region in self.regions.items():
+            if not region[8]:
+                for t in self.behind(gap, around):
+                    listed.setdefault(t, []).append(gap)
+        for w in range(plane.count):
+            for t in self.walk(w, around):
+                corners = plane.triangles[t]
+                if 3 * t < plane.most and w not in corners:
+                    left = [turn(corners[i], corners[i - 2], w) > 0 for i in range(3)]
+                    for i in range(3):
+                        if left[i] and left[i - 1]:     # strictly between the rays of corner i
+                            self.ask(3 * t + i, w)
+                for gap in listed.get(t, ()):
+                    v, x, y = self.regions[gap][:3]
+                    if w not in (v, x, y) and turn(v, x, w) > 0 and turn(y, v, w) > 0:
+                        self.ask(gap, w)
+
+    def behind(self, gap, around):
+        """Returns the triangles, but for its own, that hold what is of a gap's region beyond x-y."""
+        plane, (v, x, y, points), q = self.plane, self.regions[gap][:4], self.regions[gap][3][1]
+        t = plane.across[after(gap)] // 3
+        for a, b in zip(plane.triangles[t], plane.triangles[t][1:] + plane.triangles[t][:1]):
+            if (a, b) != (y, x) and ((plane.x[b] - plane.x[a]) * (q[1] - plane.y[a])
+                                     < (plane.y[b] - plane.y[a]) * (q[0] - plane.x[a])):
+                return [s for s in self.walk(v, around) if s != gap // 3]
+        return [t]
+
+    def ask(self, gap, w):
+        """Needs that a gap refuses a site that is strictly between its rays."""
+        region = self.regions.get(gap)
+        if region is None:
+            return      # x-y is a segment: nothing is seen beyond
+        plane, (v, x, y) = self.plane, region[:3]
+        said = f"vertex {v + 1} is not shown to refuse vertex {w + 1} between {x + 1} and {y + 1}"
+        if have_one_metric(plane, v, w, x, y):
+            need(not keeps(plane, v, w, x, y), f"vertex {v + 1} accepts vertex {w + 1}")
+            return
+        # "v accepts w between x and y if w accepts v between y and x": its gap will do, too.
+        back = self.regions.get(before(plane.across[after(gap)]))
+        if self.refuses(region, w) or (back and back[0] == w and self.refuses(back, v)):
+            return
+        kind, turn_at, points = self.proof.exceptions.get((gap, w), (3, 0, ()))
+        if kind == 0:
+            region = self.region(v, x, y, points, turn_at)
+            need(region and self.refuses(region, w), said)
+        elif kind == 1:
+            region = self.region(w, y, x, points, turn_at)
+            need(region and self.refuses(region, v), said)
+        else:
+            # "A segment crosses the way from v to w: v does not see w."
+            turn = plane.turn
+            need(kind == 2 and len(points) == 1 and plane.is_segment(*points[0]), said)
+            a, b = points[0]
+            need(turn(v, w, a) * turn(v, w, b) < 0 and turn(a, b, v) * turn(a, b, w) < 0, said)
+
+    def refuses(self, region, w):
+        # Theorem 3: "f_w > f_v on the triangles of v and two points in a row, f_w > f_x from the first
+        # point to x and f_w > f_y from the last to y, each as all its Bernstein coefficients are
+        # positive: then w is not accepted."
+        v, x, y, points, squares, products, on_x, on_y = region[:8]
+        plane, first, last = self.plane, None, None
+        wx, wy, (m11, m12, m22) = plane.x[w], plane.y[w], plane.metric[w]
+        ux, uy = plane.x[v] - wx, plane.y[v] - wy
+        kx, ky = m11 * ux + m12 * uy, m12 * ux + m22 * uy
+        for i, (qx, qy) in enumerate(points):
+            dx, dy = qx - wx, qy - wy
+            mx, my = m11 * dx + m12 * dy, m12 * dx + m22 * dy
+            of_w = mx * dx + my * dy
+            if kx * dx + ky * dy <= 0 or of_w <= squares[i]:
+                return False
+            if last and last[0] * dx + last[1] * dy <= products[i - 1]:
+                return False
+            last = mx, my, of_w
+            first = first or last
+        return all(of_w > of_z and mx * (plane.x[z] - wx) + my * (plane.y[z] - wy) > 0
+                   for (mx, my, of_w), z, of_z in ((first, x, on_x), (last, y, on_y)))
+
+
+# ---- The question -----------------------------------------------------------------------------------
+
+def check(mesh_path, proof_path, domain_path, angle_bound, metric_path):
+    domain, mesh = Domain(domain_path) if domain_path else None, read_medit(mesh_path)
+    need_file(metric_path == "identity" or metric_path.endswith(".sol"),
+              f"{metric_path}: only a .sol file with a tensor at each vertex can be checked yet")
+    if metric_path == "identity":
+        tensors = [(1.0, 0.0, 1.0)] * len(mesh.get("Vertices", []))
+    else:       # m11 m12 m22
+        tensors = [tuple(map(number, row)) for row in read_medit(metric_path).get("SolAtVertices", [])]
+    proof = Proof(proof_path)
+    plane = Plane(mesh, tensors, proof)
+    check_faces(plane, domain, proof)
+    if domain:
+        check_domain(plane, domain)
+    if angle_bound > 0:
+        Angles(plane, len(domain.points) if domain else plane.count, angle_bound).check()
+    check_neighbours(plane, proof)
+    # Theorem 5: "If all sites have one metric, nothing else is to be asked."
+    if not have_one_metric(plane, *range(plane.count)):
+        Gaps(plane, proof).check()
+    return plane
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("mesh", metavar="MESH", help="a Medit file in text")
+    parser.add_argument("proof", metavar="PROOF", help="as asterism writes it for --proof")
+    parser.add_argument("--domain", help="a .poly file (default: what the mesh's boundary encloses)")
+    parser.add_argument("--angle-bound", type=Fraction, required=True, help="degrees, below 90")
+    parser.add_argument("--metric", required=True, help="a .sol file, or identity")
+    parser.add_argument("--metric-tolerance", help="cannot be checked yet")
+    asked = parser.parse_args()
+    try:
+        need_file(asked.metric_tolerance is None, "--metric-tolerance: a metric other than the one at the"
+                  " mesh's vertices cannot be checked yet")
+        need_file(0 <= asked.angle_bound < 90, "--angle-bound: not from 0 to 90")
+        plane = check(asked.mesh, asked.proof, asked.domain, asked.angle_bound, asked.metric)
+    except NotProved as refusal:
+        print(f"NOT proved: {refusal}")
+        return 1
+    except (CannotSay, OSError, ValueError, IndexError, StopIteration) as failure:
+        print(f"check_mesh.py: {failure or 'a file ends early'}", file=sys.stderr)
+        return 2
+    print(f"proved: {plane.count} sites, {len(plane.inner)} triangles, no angle below "
+          f"{float(asked.angle_bound):g} degrees but the domain's own; domain "
+          f"{asked.domain or 'as the boundary encloses it'}; metric {asked.metric}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
