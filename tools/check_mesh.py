@@ -1,14 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Checks the proof of a mesh, in whole numbers and fractions, without any search.
-
     check_mesh.py MESH PROOF --domain D.poly --angle-bound B --metric SOL
-
 The question is what the options and MESH say: that MESH triangulates the domain D, that no angle is
 below B degrees, and that its triangles are the stars of its vertices in the metric SOL. PROOF holds
 witnesses; nothing in it is believed. docs/math/proof-format.md numbers the statements that are quoted
 here and proves that what is accepted has the properties 0 to 4 of docs/math/certificate.md.
-
 Exit status: 0 proved; 1 not proved, with the reason; 2 a question or a file of which nothing can be
 said: curves, domains that are no .poly file, a metric that is not given at the vertices.
 """
@@ -21,50 +18,31 @@ from fractions import Fraction
 GRID, WINDOW = 26, 64       # witnesses are in steps of 2^-26 of edges; an edge's is 64 steps wide
 ONE = 1 << GRID
 
-
-class NotProved(Exception):
-    pass
-
-
-class CannotSay(Exception):
-    pass
-
-
-def need(holds, what):
-    if not holds:
-        raise NotProved(what)
-
-
+class NotProved(Exception): pass
+class CannotSay(Exception): pass
+def need(holds, what, otherwise=NotProved):
+    if not holds: raise otherwise(what)
 def need_file(good, what):
-    if not good:
-        raise CannotSay(what)
-
+    need(good, what, CannotSay)
 
 # ---- Files ------------------------------------------------------------------------------------------
-
 def number(word):
     """Returns the double nearest to a decimal number, as every reader of these files takes it."""
     value = float(word)
     need_file(value - value == 0, f"{word} is no finite number")
     return value
 
-
 WIDTHS = {"Vertices": 3, "Triangles": 4, "Edges": 3, "Corners": 1, "RequiredVertices": 1,
           "RequiredEdges": 1, "Ridges": 1, "SolAtVertices": 3}
-
-
 def rows_of(path):
     with open(path, encoding="utf-8", errors="replace") as file:
         return [row for row in (line.split("#", 1)[0].split() for line in file) if row]
-
-
 def read_medit(path):
     """Returns the sections of a Medit file in text: {name: rows of words}."""
     words, sections, i = [word for row in rows_of(path) for word in row], {}, 0
     while i < len(words) and words[i] != "End":
         name, count, i = words[i], int(words[i + 1]), i + 2
-        if name in ("MeshVersionFormatted", "Dimension"):
-            need_file(name != "Dimension" or count == 2, f"{path}: it is not plane")
+        if name == "MeshVersionFormatted" or (name == "Dimension" and count == 2):
             continue
         need_file(name in WIDTHS and name not in sections and count >= 0, f"{path}: {name}")
         if name == "SolAtVertices":
@@ -76,10 +54,8 @@ def read_medit(path):
         i += width * count
     return sections
 
-
 class Domain:
     """A .poly file of Triangle: points, segments with their markers, hole and region points."""
-
     def __init__(self, path):
         need_file(path.endswith(".poly"), f"{path}: only .poly files can be checked yet")
         rows = iter(rows_of(path))
@@ -88,16 +64,14 @@ class Domain:
         points = [next(rows) for _ in range(count)]
         first = int(points[0][0])
         # "A point that is repeated counts once"; `index` numbers each among those that count.
-        known = {}
-        self.index = [known.setdefault((number(p[1]), number(p[2])), len(known)) for p in points]
+        known, self.segments, head = {}, [], next(rows)
+        index = [known.setdefault((number(p[1]), number(p[2])), len(known)) for p in points]
         self.points = list(known)
-        head = next(rows)
-        self.segments = []
         for row in (next(rows) for _ in range(int(head[0]))):
             ends = int(row[1]) - first, int(row[2]) - first
             need_file(0 <= min(ends) and max(ends) < count, f"{path}: segment {row[0]}")
             marker = int(row[3]) if len(head) > 1 and head[1] != "0" else 0
-            self.segments.append((self.index[ends[0]], self.index[ends[1]], marker))
+            self.segments.append((index[ends[0]], index[ends[1]], marker))
         holes = [next(rows) for _ in range(int(next(rows, ["0"])[0]))]
         regions = [next(rows) for _ in range(int(next(rows, ["0"])[0]))]
         need_file(next(rows, None) is None, f"{path}: curves cannot be checked yet")
@@ -105,10 +79,8 @@ class Domain:
         self.holes = [(number(p[1]), number(p[2])) for p in holes]
         self.regions = [(number(p[1]), number(p[2]), int(number(p[3]))) for p in regions]
 
-
 class Proof:
     """The witnesses, as docs/math/proof-format.md lays them out."""
-
     def __init__(self, path):
         with open(path, "rb") as file:
             self.data, self.at = file.read(), 80
@@ -125,28 +97,19 @@ class Proof:
             self.exceptions[gap, site] = kind, turn, self.take(count, "<2i")
         need(self.at == len(self.data), "the proof goes on after its end")
         del self.data
-
     def take(self, count, form):
         begin, self.at = self.at, self.at + count * struct.calcsize(form)
         need(self.at <= len(self.data), "the proof ends early")
         return list(struct.iter_unpack(form, self.data[begin:self.at]))
-
-
-def power_of(values):
-    """Returns the least power of two by which all of these doubles are whole, as an exponent."""
+def power_of(values):       # the least power of two by which all of these doubles are whole, as an exponent
     return max((value.as_integer_ratio()[1].bit_length() - 1 for value in values), default=0)
-
-
 def scaled(value, power):
     top, bottom = value.as_integer_ratio()
     return top << (power - (bottom.bit_length() - 1))
 
-
 # ---- Points 0 to 2 ----------------------------------------------------------------------------------
-
 class Plane:
     """The mesh in whole numbers, and the triangles around it: together they fill a rectangle."""
-
     def __init__(self, mesh, tensors, proof):
         self.count, low_x, low_y, high_x, high_y = len(mesh.get("Vertices", [])), *proof.rectangle
         self.doubles = [(number(w[0]), number(w[1])) for w in mesh.get("Vertices", [])]
@@ -162,7 +125,8 @@ class Plane:
         self.region = [row[3] for row in rows]
         self.triangles, self.markers = self.inner + proof.outside, {}
         for a, b, marker in ([int(w) for w in row] for row in mesh.get("Edges", [])):
-            need(self.key(a - 1, b - 1) not in self.markers, f"edge {a}-{b} is listed twice")
+            need(self.key(a - 1, b - 1) not in self.markers and 0 < min(a, b) and max(a, b) <= self.count,
+                 f"edge {a}-{b} is listed twice, or of vertices that are none")
             self.markers[self.key(a - 1, b - 1)] = marker
         # "0. Numbers are finite, tensors positive definite; indices are those of vertices."
         need(low_x < high_x and low_y < high_y, "the rectangle is none")
@@ -175,18 +139,12 @@ class Plane:
             most = self.count if t < len(self.inner) else self.count + 4
             need(min(corners) >= 0 and max(corners) < most, f"triangle {t + 1} has no such corner")
         self.join()
-
-    def key(self, a, b):
-        return (a, b) if a < b else (b, a)
-
-    def is_segment(self, a, b):
-        return self.key(a, b) in self.markers
-
+    def key(self, a, b): return (a, b) if a < b else (b, a)
+    def is_segment(self, a, b): return self.key(a, b) in self.markers
     def turn(self, a, b, c):
         """Returns what is positive if the vertices a, b, c turn counter-clockwise."""
         x, y = self.x, self.y
         return (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a])
-
     def join(self):
         # Theorem 1: "(A) Every triangle turns counter-clockwise. (B) No two have a directed edge in
         # common. (C) The reverse of every edge is one, but for the sides of the rectangle. (D) Every
@@ -211,7 +169,6 @@ class Plane:
         for a, b in self.markers:
             need(min(edges.get(a * stride + b, self.most), edges.get(b * stride + a, self.most))
                  < self.most, f"the edge listed from {a + 1} to {b + 1} is no edge of the mesh")  # (E)
-
     def parts(self):
         """Returns the number of its part, as the edges listed cut the rectangle, of each triangle."""
         part = [-1] * len(self.triangles)
@@ -227,15 +184,17 @@ class Plane:
                         part[reverse // 3] = count
                         ahead.append(reverse // 3)
         return part
-
     def contains(self, t, place):
-        """True if a point of doubles is in or on the triangle."""
+        """True if a point of doubles is in the triangle, or on an edge that is no segment."""
         more = max(0, power_of(place) - self.power)
         px, py = (scaled(value, self.power + more) << GRID for value in place)
-        at = [(self.x[v] << more, self.y[v] << more) for v in self.triangles[t]]
-        return all((at[i - 2][0] - ax) * (py - ay) >= (at[i - 2][1] - ay) * (px - ax)
-                   for i, (ax, ay) in enumerate(at))
-
+        for i, v in enumerate(self.triangles[t]):
+            u = self.triangles[t][i - 2]
+            (ax, ay), (bx, by) = ((self.x[z] << more, self.y[z] << more) for z in (v, u))
+            side = (bx - ax) * (py - ay) - (by - ay) * (px - ax)
+            if side < 0 or (side == 0 and self.is_segment(v, u)):
+                return False
+        return True
 
 def check_faces(plane, domain, proof):
     # "2. Triangles with no segment between them have the same region. Outside are the part around,
@@ -261,7 +220,6 @@ def check_faces(plane, domain, proof):
     for p, region in number_of.items():
         need(region == named.get(p, 1 if not domain.regions else 0), f"a region is numbered {region}")
 
-
 def check_domain(plane, domain):
     # "2. The domain's vertices are the first ones. Every edge listed is in one chain from one of
     # them to the next. Every segment is a chain, or several in a row where vertices are exactly on
@@ -286,8 +244,8 @@ def check_domain(plane, domain):
     for a, b, marker in domain.segments:
         v = a
         while v != b:
-            ahead = [u for u in chains.get(v, ()) if plane.turn(v, b, u) == 0 and (
-                u == b or is_between(plane, v, u, b))]
+            ahead = [u for u in chains.get(v, ()) if plane.turn(v, b, u) == 0 and all(
+                min(c[v], c[b]) <= c[u] <= max(c[v], c[b]) for c in (plane.x, plane.y))]
             need(len(ahead) == 1, f"the edges from vertex {v + 1} to {b + 1} are no segment's")
             key = plane.key(v, ahead[0])
             marker_of[key], v = marker_of.get(key) or marker, ahead[0]
@@ -295,15 +253,6 @@ def check_domain(plane, domain):
         for u in chains[v]:
             need(plane.key(v, u) in marker_of, f"the edges from {v + 1} to {u + 1} are no segment's")
             check_chain(plane, chains[v][u], marker_of[plane.key(v, u)])
-
-
-def is_between(plane, v, u, end):
-    """True if u, on the line from v to the end, is strictly between the two."""
-    x, y = plane.x, plane.y
-    ahead = [(x[b] - x[a]) * (x[end] - x[v]) + (y[b] - y[a]) * (y[end] - y[v])
-             for a, b in ((v, u), (u, end))]
-    return min(ahead) > 0
-
 
 def check_chain(plane, chain, marker):
     # "2. Along a chain every edge advances. A split point is no farther from the segment than two
@@ -313,50 +262,41 @@ def check_chain(plane, chain, marker):
     dx, dy = x[end] - x[start], y[end] - y[start]
     length = dx * dx + dy * dy
     greatest = max(abs(c) for v in (start, end) for c in plane.doubles[v])
-    unit = Fraction(math.ulp(greatest)) * (1 << plane.power + GRID)
+    unit = len(chain) > 2 and Fraction(math.ulp(greatest)) * (1 << plane.power + GRID)
     for v, w in zip(chain, chain[1:]):
         need(plane.markers[plane.key(v, w)] == marker, f"edge {v + 1}-{w + 1} has another marker")
         need((x[w] - x[v]) * dx + (y[w] - y[v]) * dy > 0, f"edge {v + 1}-{w + 1} runs back")
         square = (dx * (y[w] - y[start]) - dy * (x[w] - x[start])) ** 2   # by the length squared
-        need(square <= (2 * unit) ** 2 * length or (
+        need(w == end or square <= (2 * unit) ** 2 * length or (
             square <= (16 * unit) ** 2 * length and square << 20 <= length * length),
              f"vertex {w + 1} is beside its segment")
 
-
 # ---- Point 3 ----------------------------------------------------------------------------------------
-
 def squared_cotangent(degrees):
     """Returns fractions below and above cot^2, both equal to it where it is rational."""
-    exact = {30: Fraction(3), 45: Fraction(1), 60: Fraction(1, 3)}
-    if degrees in exact:
-        return exact[degrees], exact[degrees]
+    if degrees in (30, 45, 60):
+        return (Fraction({30: 9, 45: 3, 60: 1}[int(degrees)], 3),) * 2
     bits, slack = 192, Fraction(1, 1 << 180)
-
     def inverse_tangent(n):     # of 1/n, in steps of 2^-192; each of its terms is off by two at most
         total, power, k = 0, (1 << bits) // n, 0
         while power:
             total, power, k = total + (-1) ** k * (power // (2 * k + 1)), power // (n * n), k + 1
         return total
-
     def cosine(x):              # the series alternates; 60 terms, each rounded to 2^-192
         total, term = Fraction(0), Fraction(1)
         for k in range(60):
             total += term
             term = Fraction(round(-term * x * x / ((2 * k + 1) * (2 * k + 2)) * (1 << bits)), 1 << bits)
         return total
-
     pi = Fraction(16 * inverse_tangent(5) - 4 * inverse_tangent(239), 1 << bits)
     cos = cosine(pi * 2 * degrees / 180)        # cot^2 a = (1 + cos 2a) / (1 - cos 2a)
     low, high = (1 + cos - slack) / (1 - cos + slack), (1 + cos + slack) / (1 - cos - slack)
-    return (Fraction(math.floor(low * (1 << 160)), 1 << 160),
-            Fraction(math.ceil(high * (1 << 160)), 1 << 160))
-
+    return Fraction(int(low * 2 ** 160), 2 ** 160), Fraction(int(high * 2 ** 160) + 1, 2 ** 160)
 
 class Angles:
     def __init__(self, plane, given, degrees):
         self.plane, self.given, self.exempt = plane, given, set()
         self.low, self.high = squared_cotangent(degrees)
-
     def check(self):
         # "3. At every corner, with edges a and b, in the metric M of each vertex of the triangle,
         # a^T M b <= 0 or (a^T M b)^2 <= cot^2 det M (a x b)^2, unless the angle is exempt."
@@ -378,7 +318,6 @@ class Angles:
             for i, v in enumerate(self.plane.inner[t])) and min(
                 self.plane.across[3 * t:3 * t + 3]) < self.plane.most]
         need(2 * len(enclosed) <= len(self.plane.inner), "next to nothing of the mesh is judged")
-
     def excuse(self, t, i, p):
         # "3. Exempt is an angle at a vertex of the domain whose own angle there, between segments in
         # a row, is below the bound in the metric of the vertex and in the one that measures."
@@ -386,14 +325,9 @@ class Angles:
         said = f"triangle {t + 1} has an angle below the bound at vertex {v + 1}, seen by {p + 1}"
         need(v < self.given, said)
         first, last = 3 * t + i, before(3 * t + i)
-        for _ in range(plane.most):              # clockwise to a segment
-            if plane.is_segment(v, self.corner(after(first))):
-                break
-            first = after(plane.across[first])
-        for _ in range(plane.most):              # counter-clockwise to a segment
-            if plane.is_segment(v, self.corner(last)):
-                break
-            last = before(plane.across[last])
+        for _ in range(plane.most):     # clockwise to a segment, and counter-clockwise
+            if not plane.is_segment(v, self.corner(after(first))): first = after(plane.across[first])
+            if not plane.is_segment(v, self.corner(last)): last = before(plane.across[last])
         a, b = self.corner(after(first)), self.corner(last)
         need(plane.is_segment(v, a) and plane.is_segment(v, b), said)
         to_a, to_b = ((plane.x[u] - plane.x[v], plane.y[u] - plane.y[v]) for u in (a, b))
@@ -403,29 +337,14 @@ class Angles:
             need(area > 0 and along > 0
                  and along * along > self.high * determinant(metric) * area * area, said)
         self.exempt.add(t)
-
-    def corner(self, edge):
-        return self.plane.triangles[edge // 3][edge % 3]
-
-
-def after(edge):
-    return edge - 2 if edge % 3 == 2 else edge + 1
-
-
-def before(edge):
-    return edge - 1 if edge % 3 else edge + 2
-
-
+    def corner(self, edge): return self.plane.triangles[edge // 3][edge % 3]
+def after(edge): return edge - 2 if edge % 3 == 2 else edge + 1
+def before(edge): return edge - 1 if edge % 3 else edge + 2
 def product(m, p, q):
     return p[0] * (m[0] * q[0] + m[1] * q[1]) + p[1] * (m[1] * q[0] + m[2] * q[1])
-
-
-def determinant(m):
-    return m[0] * m[2] - m[1] * m[1]
-
+def determinant(m): return m[0] * m[2] - m[1] * m[1]
 
 # ---- Point 4: neighbours stay -----------------------------------------------------------------------
-
 def keeps(plane, v, w, x, y):
     # "In one metric v and w keep each other if y is outside the circle of v, w and x; of four sites on
     # a circle, if the greatest is x or y" (x is on the right of the way from v to w, y on the left).
@@ -435,11 +354,8 @@ def keeps(plane, v, w, x, y):
             ((px[v] - px[z], py[v] - py[z]), (px[w] - px[z], py[w] - py[z])) for z in (x, y)))
     excess = along_x * area_y - along_y * area_x
     return excess > 0 or (excess == 0 and max((v, w, x, y), key=lambda z: (px[z], py[z])) in (x, y))
-
-
 def have_one_metric(plane, *sites):
     return all(plane.metric[s] == plane.metric[sites[0]] for s in sites)
-
 
 def check_neighbours(plane, proof):
     # "An inner edge v-w with y on its left and x on its right is asked about if v or w asks: v, x, y
@@ -459,8 +375,6 @@ def check_neighbours(plane, proof):
             need(shows_kept(plane, v, w, x, y, next(witnesses, None)),
                  f"edge {v + 1}-{w + 1} is not shown to be kept")
     need(next(witnesses, None) is None, "there are witnesses of edges that are none")
-
-
 def shows_kept(plane, v, w, x, y, witness):
     # Theorem 2: "(1) f_v < f_w at the first point and f_v > f_w at the second: at a p between they are
     # equal. (2) v and w see p. (3) For z = x and z = y: f_z > f_v on the triangle of v and the points,
@@ -472,10 +386,8 @@ def shows_kept(plane, v, w, x, y, witness):
     points = [tuple(at_v[k] + (at_w[k] - at_v[k] >> GRID) * steps + (at_y[k] - at_v[k] >> GRID) * b
                     for k in (0, 1)) for steps in (a, a + WINDOW)]
     p, q = points
-
     def form(s, r, t):          # the product of r - s and t - s in the metric of s
         return product(plane.metric[s], (r[0] - px[s], r[1] - py[s]), (t[0] - px[s], t[1] - py[s]))
-
     if not (form(v, p, p) < form(w, p, p) and form(v, q, q) > form(w, q, q)):           # (1)
         return False
     if not all(form(v, r, at_w) > 0 and form(w, r, at_v) > 0 for r in points):          # (2)
@@ -485,10 +397,8 @@ def shows_kept(plane, v, w, x, y, witness):
             if not (form(z, p, at_s) > 0 and form(z, q, at_s) > 0 and form(z, p, p) > form(s, p, p)
                     and form(z, q, q) > form(s, q, q) and form(z, p, q) > form(s, p, q)):
                 return False
-
     def side(o, r, t):
         return (r[0] - o[0]) * (t[1] - o[1]) - (r[1] - o[1]) * (t[0] - o[0])
-
     return ((all(side(at_v, at_w, r) <= 0 for r in points)                              # (4)
              or all(side(at_v, r, at_y) > 0 for r in points)
              or all(side(at_w, r, at_y) < 0 for r in points))
@@ -496,9 +406,7 @@ def shows_kept(plane, v, w, x, y, witness):
                  or all(side(at_v, r, at_x) < 0 for r in points)
                  or all(side(at_w, r, at_x) > 0 for r in points)))
 
-
 # ---- Point 4: others stay out -----------------------------------------------------------------------
-
 class Gaps:
     def __init__(self, plane, proof):
         self.plane, self.proof, self.regions = plane, proof, {}
@@ -515,9 +423,9 @@ class Gaps:
                 region = self.region(v, x, y, ((on_x, 0), (a, b), (0, on_y)), 1)
                 need(region and max(region[4]) <= self.radius,
                      f"the gap at vertex {v + 1} of triangle {gap // 3 + 1} is not shown to end")
-                self.regions[gap] = *region, a + b <= ONE
+                # "In its own triangle", or at least of a shape that the triangle behind may hold the rest.
+                self.regions[gap] = *region, max(on_x, on_y, a + b) <= ONE, max(on_x, on_y) <= ONE
         need(next(witnesses, None) is None, "there are witnesses of gaps that are none")
-
     def region(self, v, x, y, points, turn):
         """Returns the region that these points span, or None if they are not sound."""
         # Lemma 2: "The first is on the ray to x, the last on the ray to y, each on the left of the
@@ -541,7 +449,6 @@ class Gaps:
         on_x, on_y = ((p[0] - z[0], p[1] - z[1]) for p, z in ((at[0], to_x), (at[-1], to_y)))
         return (v, x, y, [(p[0] + vx, p[1] + vy) for p in at], squares, products,
                 product(plane.metric[x], on_x, on_x), product(plane.metric[y], on_y, on_y))
-
     @staticmethod
     def is_behind(p, q, of_p, of_q, of_both, to_z, own, other):
         # Lemma 2: "A segment p-q is behind z if p^T M_v z > 0, q^T M_v z > 0 and f_v - f_z is nowhere
@@ -553,20 +460,17 @@ class Gaps:
         at_p, at_q = of_p - product(other, p, p), of_q - product(other, q, q)
         both = of_both - product(other, p, q)
         return at_p >= 0 and at_q >= 0 and (both >= 0 or both * both <= at_p * at_q)
-
     def walk(self, w, around):
         # Lemma 3: "From the triangles at w, across the edges that the ball around w meets, one comes
         # to all triangles that it meets."
         plane, beyond, radius, seen = self.plane, self.beyond, self.radius, {}
         x, y, wx, wy, (m11, m12, m22) = plane.x, plane.y, plane.x[w], plane.y[w], plane.metric[w]
-
         def look(u):
             if u not in seen:
                 dx, dy = x[u] - wx, y[u] - wy
                 mx, my = m11 * dx + m12 * dy, m12 * dx + m22 * dy
                 seen[u] = dx, dy, mx, my, mx * dx + my * dy
             return seen[u]
-
         met = list(around[w])
         known = set(met)
         for t in met:
@@ -586,7 +490,6 @@ class Gaps:
                 known.add(reverse // 3)
                 met.append(reverse // 3)
         return met
-
     def check(self):
         # Theorem 4: "If no w that is strictly between the rays of a gap is accepted, of those whose
         # ball meets a triangle in which a part of the gap's region may be, none at all is. The region
@@ -613,17 +516,15 @@ class Gaps:
                     v, x, y = self.regions[gap][:3]
                     if w not in (v, x, y) and turn(v, x, w) > 0 and turn(y, v, w) > 0:
                         self.ask(gap, w)
-
     def behind(self, gap, around):
         """Returns the triangles, but for its own, that hold what is of a gap's region beyond x-y."""
         plane, (v, x, y, points), q = self.plane, self.regions[gap][:4], self.regions[gap][3][1]
         t = plane.across[after(gap)] // 3
-        for a, b in zip(plane.triangles[t], plane.triangles[t][1:] + plane.triangles[t][:1]):
-            if (a, b) != (y, x) and ((plane.x[b] - plane.x[a]) * (q[1] - plane.y[a])
-                                     < (plane.y[b] - plane.y[a]) * (q[0] - plane.x[a])):
-                return [s for s in self.walk(v, around) if s != gap // 3]
-        return [t]
-
+        holds = self.regions[gap][9] and all(
+            (a, b) == (y, x) or ((plane.x[b] - plane.x[a]) * (q[1] - plane.y[a])
+                                 >= (plane.y[b] - plane.y[a]) * (q[0] - plane.x[a]))
+            for a, b in zip(plane.triangles[t], plane.triangles[t][1:] + plane.triangles[t][:1]))
+        return [t] if holds else [s for s in self.walk(v, around) if s != gap // 3]
     def ask(self, gap, w):
         """Needs that a gap refuses a site that is strictly between its rays."""
         region = self.regions.get(gap)
@@ -651,7 +552,6 @@ class Gaps:
             need(kind == 2 and len(points) == 1 and plane.is_segment(*points[0]), said)
             a, b = points[0]
             need(turn(v, w, a) * turn(v, w, b) < 0 and turn(a, b, v) * turn(a, b, w) < 0, said)
-
     def refuses(self, region, w):
         # Theorem 3: "f_w > f_v on the triangles of v and two points in a row, f_w > f_x from the first
         # point to x and f_w > f_y from the last to y, each as all its Bernstein coefficients are
@@ -674,17 +574,12 @@ class Gaps:
         return all(of_w > of_z and mx * (plane.x[z] - wx) + my * (plane.y[z] - wy) > 0
                    for (mx, my, of_w), z, of_z in ((first, x, on_x), (last, y, on_y)))
 
-
 # ---- The question -----------------------------------------------------------------------------------
-
 def check(mesh_path, proof_path, domain_path, angle_bound, metric_path):
     domain, mesh = Domain(domain_path) if domain_path else None, read_medit(mesh_path)
-    need_file(metric_path == "identity" or metric_path.endswith(".sol"),
+    need_file(metric_path.endswith(".sol"),
               f"{metric_path}: only a .sol file with a tensor at each vertex can be checked yet")
-    if metric_path == "identity":
-        tensors = [(1.0, 0.0, 1.0)] * len(mesh.get("Vertices", []))
-    else:       # m11 m12 m22
-        tensors = [tuple(map(number, row)) for row in read_medit(metric_path).get("SolAtVertices", [])]
+    tensors = [tuple(map(number, row)) for row in read_medit(metric_path).get("SolAtVertices", [])]
     proof = Proof(proof_path)
     plane = Plane(mesh, tensors, proof)
     check_faces(plane, domain, proof)
@@ -698,32 +593,27 @@ def check(mesh_path, proof_path, domain_path, angle_bound, metric_path):
         Gaps(plane, proof).check()
     return plane
 
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("mesh", metavar="MESH", help="a Medit file in text")
     parser.add_argument("proof", metavar="PROOF", help="as asterism writes it for --proof")
     parser.add_argument("--domain", help="a .poly file (default: what the mesh's boundary encloses)")
     parser.add_argument("--angle-bound", type=Fraction, required=True, help="degrees, below 90")
-    parser.add_argument("--metric", required=True, help="a .sol file, or identity")
+    parser.add_argument("--metric", required=True, help="a .sol file, of m11 m12 m22 a vertex")
     parser.add_argument("--metric-tolerance", help="cannot be checked yet")
     asked = parser.parse_args()
     try:
-        need_file(asked.metric_tolerance is None, "--metric-tolerance: a metric other than the one at the"
-                  " mesh's vertices cannot be checked yet")
+        need_file(asked.metric_tolerance is None, "--metric-tolerance cannot be checked yet")
         need_file(0 <= asked.angle_bound < 90, "--angle-bound: not from 0 to 90")
         plane = check(asked.mesh, asked.proof, asked.domain, asked.angle_bound, asked.metric)
     except NotProved as refusal:
-        print(f"NOT proved: {refusal}")
-        return 1
+        return print(f"NOT proved: {refusal}") or 1
     except (CannotSay, OSError, ValueError, IndexError, StopIteration) as failure:
-        print(f"check_mesh.py: {failure or 'a file ends early'}", file=sys.stderr)
-        return 2
+        return print(f"check_mesh.py: {failure or 'a file ends early'}", file=sys.stderr) or 2
     print(f"proved: {plane.count} sites, {len(plane.inner)} triangles, no angle below "
           f"{float(asked.angle_bound):g} degrees but the domain's own; domain "
           f"{asked.domain or 'as the boundary encloses it'}; metric {asked.metric}")
     return 0
-
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -140,8 +140,9 @@ class pair_check {
     ball_walk walk(all_, squared_);
     for (std::uint32_t gap = 0; gap < gaps_.size(); ++gap) {
       const grid_point q = as_grid_point(gaps_[gap].between);
-      if (q.a + q.b <= grid_size) continue;
-      if (is_in_triangle_behind(all_, gap, q)) {
+      const bool ends_on_edges = gaps_[gap].on_x <= grid_size && gaps_[gap].on_y <= grid_size;
+      if (ends_on_edges && q.a + q.b <= grid_size) continue;
+      if (ends_on_edges && is_in_triangle_behind(all_, gap, q)) {
         listings_.push_back({all_.across[plane::next(gap)] / 3, gap});
         continue;
       }
