@@ -16,8 +16,7 @@ import sys
 from fractions import Fraction
 
 GRID, WINDOW = 26, 64       # witnesses are in steps of 2^-26 of edges; an edge's is 64 steps wide
-ONE = 1 << GRID
-
+ONE, NOBODY, MOST_POINTS = 1 << GRID, (1 << 32) - 1, 32
 class NotProved(Exception): pass
 class CannotSay(Exception): pass
 def need(holds, what, otherwise=NotProved):
@@ -38,7 +37,7 @@ def rows_of(path):
     with open(path, encoding="utf-8", errors="replace") as file:
         return [row for row in (line.split("#", 1)[0].split() for line in file) if row]
 def read_medit(path):
-    """Returns the sections of a Medit file in text: {name: rows of words}."""
+    """Returns the sections of a Medit file in text: {name: rows of numbers}."""
     words, sections, i = [word for row in rows_of(path) for word in row], {}, 0
     while i < len(words) and words[i] != "End":
         name, count, i = words[i], int(words[i + 1]), i + 2
@@ -50,19 +49,20 @@ def read_medit(path):
             i += 2
         width = WIDTHS[name]
         need_file(i + width * count <= len(words), f"{path}: {name} ends early")
-        sections[name] = [words[k:k + width] for k in range(i, i + width * count, width)]
+        kind = number if name in ("Vertices", "SolAtVertices") else int
+        values = list(map(kind, words[i:i + width * count]))
+        sections[name] = [values[k:k + width] for k in range(0, width * count, width)]
         i += width * count
     return sections
-
 class Domain:
-    """A .poly file of Triangle: points, segments with their markers, hole and region points."""
-    def __init__(self, path):
+    def __init__(self, path):   # points, segments with their markers, hole and region points
         need_file(path.endswith(".poly"), f"{path}: only .poly files can be checked yet")
         rows = iter(rows_of(path))
         count = int(next(rows)[0])
         need_file(count > 0, f"{path}: vertices in another file cannot be checked yet")
         points = [next(rows) for _ in range(count)]
         first = int(points[0][0])
+        need_file([int(p[0]) - first for p in points] == list(range(count)), f"{path}: vertex numbers")
         # "A point that is repeated counts once"; `index` numbers each among those that count.
         known, self.segments, head = {}, [], next(rows)
         index = [known.setdefault((number(p[1]), number(p[2])), len(known)) for p in points]
@@ -70,7 +70,7 @@ class Domain:
         for row in (next(rows) for _ in range(int(head[0]))):
             ends = int(row[1]) - first, int(row[2]) - first
             need_file(0 <= min(ends) and max(ends) < count, f"{path}: segment {row[0]}")
-            marker = int(row[3]) if len(head) > 1 and head[1] != "0" else 0
+            marker = int(row[3]) if {"0": False, "1": True}[head[1]] else 0
             self.segments.append((index[ends[0]], index[ends[1]], marker))
         holes = [next(rows) for _ in range(int(next(rows, ["0"])[0]))]
         regions = [next(rows) for _ in range(int(next(rows, ["0"])[0]))]
@@ -78,10 +78,8 @@ class Domain:
         need_file(all(number(p[3]) == int(number(p[3])) for p in regions), f"{path}: regions")
         self.holes = [(number(p[1]), number(p[2])) for p in holes]
         self.regions = [(number(p[1]), number(p[2]), int(number(p[3]))) for p in regions]
-
 class Proof:
-    """The witnesses, as docs/math/proof-format.md lays them out."""
-    def __init__(self, path):
+    def __init__(self, path):   # the witnesses, as docs/math/proof-format.md lays them out
         with open(path, "rb") as file:
             self.data, self.at = file.read(), 80
         need(self.data[:8] == b"ASTPROOF" and len(self.data) >= 80, "it is no proof")
@@ -96,12 +94,11 @@ class Proof:
             (gap, site, kind, turn, count), = self.take(1, "<2I2BH")
             self.exceptions[gap, site] = kind, turn, self.take(count, "<2i")
         need(self.at == len(self.data), "the proof goes on after its end")
-        del self.data
     def take(self, count, form):
         begin, self.at = self.at, self.at + count * struct.calcsize(form)
         need(self.at <= len(self.data), "the proof ends early")
         return list(struct.iter_unpack(form, self.data[begin:self.at]))
-def power_of(values):       # the least power of two by which all of these doubles are whole, as an exponent
+def power_of(values):       # the least exponent of a power of two by which all of these doubles are whole
     return max((value.as_integer_ratio()[1].bit_length() - 1 for value in values), default=0)
 def scaled(value, power):
     top, bottom = value.as_integer_ratio()
@@ -109,10 +106,9 @@ def scaled(value, power):
 
 # ---- Points 0 to 2 ----------------------------------------------------------------------------------
 class Plane:
-    """The mesh in whole numbers, and the triangles around it: together they fill a rectangle."""
-    def __init__(self, mesh, tensors, proof):
+    def __init__(self, mesh, tensors, proof):   # all in whole numbers; with triangles around the mesh
         self.count, low_x, low_y, high_x, high_y = len(mesh.get("Vertices", [])), *proof.rectangle
-        self.doubles = [(number(w[0]), number(w[1])) for w in mesh.get("Vertices", [])]
+        self.doubles = [(x, y) for x, y, _ in mesh.get("Vertices", [])]
         self.doubles += [(low_x, low_y), (high_x, low_y), (high_x, high_y), (low_x, high_y)]
         self.power = power_of(x for place in self.doubles for x in place)
         self.metric_power = power_of(entry for tensor in tensors for entry in tensor)
@@ -120,17 +116,16 @@ class Plane:
         self.x = [scaled(p[0], self.power) << GRID for p in self.doubles]
         self.y = [scaled(p[1], self.power) << GRID for p in self.doubles]
         self.metric = [tuple(scaled(entry, self.metric_power) for entry in t) for t in tensors]
-        rows = [[int(w) for w in row] for row in mesh.get("Triangles", [])]
+        rows = mesh.get("Triangles", [])
         self.inner = [(a - 1, b - 1, c - 1) for a, b, c, _ in rows]
-        self.region = [row[3] for row in rows]
+        self.region, self.required = [row[3] for row in rows], mesh.get("RequiredVertices", [])
         self.triangles, self.markers = self.inner + proof.outside, {}
-        for a, b, marker in ([int(w) for w in row] for row in mesh.get("Edges", [])):
+        for a, b, marker in mesh.get("Edges", []):
             need(self.key(a - 1, b - 1) not in self.markers and 0 < min(a, b) and max(a, b) <= self.count,
                  f"edge {a}-{b} is listed twice, or of vertices that are none")
             self.markers[self.key(a - 1, b - 1)] = marker
         # "0. Numbers are finite, tensors positive definite; indices are those of vertices."
-        need(low_x < high_x and low_y < high_y, "the rectangle is none")
-        need(self.inner, "the mesh has no triangle")
+        need(low_x < high_x and low_y < high_y and rows, "the rectangle or the mesh is empty")
         need(len(tensors) == self.count, "the metric is of another number of vertices")
         need((proof.sites, proof.triangles) == (self.count, len(rows)), "the proof is of another mesh")
         for v, (m11, m12, m22) in enumerate(self.metric):
@@ -179,8 +174,8 @@ class Plane:
                 part[t] = count
                 for i, v in enumerate(self.triangles[t]):
                     reverse = self.across[3 * t + i]
-                    if (reverse >= 0 and part[reverse // 3] < 0
-                            and not self.is_segment(v, self.triangles[t][i - 2])):
+                    is_new = reverse >= 0 and part[reverse // 3] < 0
+                    if is_new and not self.is_segment(v, self.triangles[t][i - 2]):
                         part[reverse // 3] = count
                         ahead.append(reverse // 3)
         return part
@@ -195,7 +190,6 @@ class Plane:
             if side < 0 or (side == 0 and self.is_segment(v, u)):
                 return False
         return True
-
 def check_faces(plane, domain, proof):
     # "2. Triangles with no segment between them have the same region. Outside are the part around,
     # and those with a hole point; the mesh has all others. A region has the number of its point; 0
@@ -203,30 +197,26 @@ def check_faces(plane, domain, proof):
     part, number_of, inner = plane.parts(), {}, len(plane.inner)
     for t, region in enumerate(plane.region):
         need(number_of.setdefault(part[t], region) == region, f"triangle {t + 1} is of two regions")
-    if not domain:
-        return
+    if not domain: return
     places = domain.holes + domain.regions
     need(len(proof.places) == len(places), "the proof does not place the domain's holes and regions")
     named, outside = {}, {part[edge // 3] for edge, across in enumerate(plane.across) if across < 0}
     for k, (t, place) in enumerate(zip(proof.places, places)):
         need(t < len(part) and plane.contains(t, place[:2]), "a hole or region is not where it is said")
         need((t >= inner) == (k < len(domain.holes)), "a hole is in the mesh, or a region outside")
-        if t >= inner:
-            outside.add(part[t])
-        else:
-            need(named.setdefault(part[t], place[2]) == place[2], "a region has two numbers")
+        need(t >= inner or named.setdefault(part[t], place[2]) == place[2], "a region has two numbers")
+        outside.update(part[t:t + 1] if t >= inner else ())
     need(all(p in outside for p in part[inner:]), "a part of the domain is not in the mesh")
     need(not outside.intersection(part[:inner]), "the mesh is where the domain is not")
     for p, region in number_of.items():
         need(region == named.get(p, 1 if not domain.regions else 0), f"a region is numbered {region}")
-
 def check_domain(plane, domain):
-    # "2. The domain's vertices are the first ones. Every edge listed is in one chain from one of
+    # "2. The domain's vertices are the first ones, and required. Every edge listed is in one chain from one of
     # them to the next. Every segment is a chain, or several in a row where vertices are exactly on
     # it; every chain is of a segment, and has the first marker of its segments that is not 0."
     given, around, chains, marker_of = len(domain.points), {}, {}, {}
-    need(plane.doubles[:given] == domain.points and given <= plane.count,
-         "the first vertices are not those of the domain")
+    need(plane.doubles[:given] == domain.points and given <= plane.count and
+         plane.required == [[v + 1] for v in range(given)], "the first vertices are not the domain's")
     for a, b in plane.markers:
         around.setdefault(a, []).append(b)
         around.setdefault(b, []).append(a)
@@ -253,7 +243,6 @@ def check_domain(plane, domain):
         for u in chains[v]:
             need(plane.key(v, u) in marker_of, f"the edges from {v + 1} to {u + 1} are no segment's")
             check_chain(plane, chains[v][u], marker_of[plane.key(v, u)])
-
 def check_chain(plane, chain, marker):
     # "2. Along a chain every edge advances. A split point is no farther from the segment than two
     # units in the last place of the greatest coordinate of its ends, or than sixteen that are at most
@@ -292,12 +281,10 @@ def squared_cotangent(degrees):
     cos = cosine(pi * 2 * degrees / 180)        # cot^2 a = (1 + cos 2a) / (1 - cos 2a)
     low, high = (1 + cos - slack) / (1 - cos + slack), (1 + cos + slack) / (1 - cos - slack)
     return Fraction(int(low * 2 ** 160), 2 ** 160), Fraction(int(high * 2 ** 160) + 1, 2 ** 160)
-
 class Angles:
     def __init__(self, plane, given, degrees):
         self.plane, self.given, self.exempt = plane, given, set()
         self.low, self.high = squared_cotangent(degrees)
-    def check(self):
         # "3. At every corner, with edges a and b, in the metric M of each vertex of the triangle,
         # a^T M b <= 0 or (a^T M b)^2 <= cot^2 det M (a x b)^2, unless the angle is exempt."
         x, y, top, bottom = self.plane.x, self.plane.y, self.low.numerator, self.low.denominator
@@ -325,10 +312,11 @@ class Angles:
         said = f"triangle {t + 1} has an angle below the bound at vertex {v + 1}, seen by {p + 1}"
         need(v < self.given, said)
         first, last = 3 * t + i, before(3 * t + i)
-        for _ in range(plane.most):     # clockwise to a segment, and counter-clockwise
-            if not plane.is_segment(v, self.corner(after(first))): first = after(plane.across[first])
-            if not plane.is_segment(v, self.corner(last)): last = before(plane.across[last])
-        a, b = self.corner(after(first)), self.corner(last)
+        for _ in range(plane.most):     # first goes clockwise to a segment, last counter-clockwise
+            a, b = self.corner(after(first)), self.corner(last)
+            if plane.is_segment(v, a) and plane.is_segment(v, b): break
+            if not plane.is_segment(v, a): first = after(plane.across[first])
+            if not plane.is_segment(v, b): last = before(plane.across[last])
         need(plane.is_segment(v, a) and plane.is_segment(v, b), said)
         to_a, to_b = ((plane.x[u] - plane.x[v], plane.y[u] - plane.y[v]) for u in (a, b))
         area = to_a[0] * to_b[1] - to_a[1] * to_b[0]
@@ -356,7 +344,6 @@ def keeps(plane, v, w, x, y):
     return excess > 0 or (excess == 0 and max((v, w, x, y), key=lambda z: (px[z], py[z])) in (x, y))
 def have_one_metric(plane, *sites):
     return all(plane.metric[s] == plane.metric[sites[0]] for s in sites)
-
 def check_neighbours(plane, proof):
     # "An inner edge v-w with y on its left and x on its right is asked about if v or w asks: v, x, y
     # turn counter-clockwise and w is not strictly within, or w, y, x do and v is not."
@@ -372,15 +359,13 @@ def check_neighbours(plane, proof):
         if have_one_metric(plane, v, w, x, y):
             need(keeps(plane, v, w, x, y), f"edge {v + 1}-{w + 1} is not kept")
         else:
-            need(shows_kept(plane, v, w, x, y, next(witnesses, None)),
+            need(shows_kept(plane, v, w, x, y, next(witnesses, (0, 0))),
                  f"edge {v + 1}-{w + 1} is not shown to be kept")
     need(next(witnesses, None) is None, "there are witnesses of edges that are none")
 def shows_kept(plane, v, w, x, y, witness):
     # Theorem 2: "(1) f_v < f_w at the first point and f_v > f_w at the second: at a p between they are
     # equal. (2) v and w see p. (3) For z = x and z = y: f_z > f_v on the triangle of v and the points,
     # f_z > f_w on that of w and the points. (4) x and y are outside the closed triangle v, w, p."
-    if witness is None:
-        return False
     px, py, (a, b) = plane.x, plane.y, witness
     at_v, at_w, at_x, at_y = ((px[s], py[s]) for s in (v, w, x, y))
     points = [tuple(at_v[k] + (at_w[k] - at_v[k] >> GRID) * steps + (at_y[k] - at_v[k] >> GRID) * b
@@ -388,9 +373,8 @@ def shows_kept(plane, v, w, x, y, witness):
     p, q = points
     def form(s, r, t):          # the product of r - s and t - s in the metric of s
         return product(plane.metric[s], (r[0] - px[s], r[1] - py[s]), (t[0] - px[s], t[1] - py[s]))
-    if not (form(v, p, p) < form(w, p, p) and form(v, q, q) > form(w, q, q)):           # (1)
-        return False
-    if not all(form(v, r, at_w) > 0 and form(w, r, at_v) > 0 for r in points):          # (2)
+    if not (form(v, p, p) < form(w, p, p) and form(v, q, q) > form(w, q, q)             # (1)
+            and all(form(v, r, at_w) > 0 and form(w, r, at_v) > 0 for r in points)):    # (2)
         return False
     for z in (x, y):                                                                    # (3)
         for s, at_s in ((v, at_v), (w, at_w)):
@@ -420,21 +404,25 @@ class Gaps:
             v, x, y = (plane.inner[gap // 3][(gap + i) % 3] for i in range(3))
             if not plane.is_segment(x, y):
                 on_x, a, b, on_y = next(witnesses, (0, 0, 0, 0))
-                region = self.region(v, x, y, ((on_x, 0), (a, b), (0, on_y)), 1)
-                need(region and max(region[4]) <= self.radius,
+                points, turn_at = ((on_x, 0), (a, b), (0, on_y)), 1
+                if on_x == 0:   # a row of more points is among the exceptions
+                    _, turn_at, points = proof.exceptions.get((gap, NOBODY), (3, 0, ()))
+                region = self.region(v, x, y, points, turn_at)
+                need(region and max(*region[4], *region[6:]) <= self.radius,
                      f"the gap at vertex {v + 1} of triangle {gap // 3 + 1} is not shown to end")
-                # "In its own triangle", or at least of a shape that the triangle behind may hold the rest.
-                self.regions[gap] = *region, max(on_x, on_y, a + b) <= ONE, max(on_x, on_y) <= ONE
+                # The last two: it is in its own triangle; or may be, but for what is behind x-y.
+                ends = on_x > 0 and max(on_x, on_y) <= ONE
+                self.regions[gap] = *region, ends and a + b <= ONE, ends
         need(next(witnesses, None) is None, "there are witnesses of gaps that are none")
     def region(self, v, x, y, points, turn):
         """Returns the region that these points span, or None if they are not sound."""
         # Lemma 2: "The first is on the ray to x, the last on the ray to y, each on the left of the
-        # one before or on its ray. From each to the next the segment is behind x, up to the one
-        # numbered `turn`; from that on behind y."
+        # one before or on its ray. From each to the next, if that is on another ray, the segment is
+        # behind x, up to the point numbered `turn`; from that on behind y."
         plane = self.plane
         vx, vy, own = plane.x[v], plane.y[v], plane.metric[v]
         to_x, to_y = ((plane.x[z] - vx, plane.y[z] - vy) for z in (x, y))
-        if (len(points) < 2 or turn >= len(points) or points[0][1] or points[-1][0]
+        if (not 2 <= len(points) <= MOST_POINTS or turn >= len(points) or points[0][1] or points[-1][0]
                 or min(min(p) for p in points) < 0 or min(a + b for a, b in points) == 0):
             return None
         at = [((a * to_x[0] + b * to_y[0]) >> GRID, (a * to_x[1] + b * to_y[1]) >> GRID)
@@ -443,12 +431,13 @@ class Gaps:
         products = [product(own, p, q) for p, q in zip(at, at[1:])]
         for i, (p, q) in enumerate(zip(at, at[1:])):
             z, to_z = (x, to_x) if i < turn else (y, to_y)
-            if p[0] * q[1] < p[1] * q[0] or not self.is_behind(
-                    p, q, squares[i], squares[i + 1], products[i], to_z, own, plane.metric[z]):
+            turned = p[0] * q[1] - p[1] * q[0]
+            if turned < 0 or (turned > 0 and not self.is_behind(
+                    p, q, squares[i], squares[i + 1], products[i], to_z, own, plane.metric[z])):
                 return None
-        on_x, on_y = ((p[0] - z[0], p[1] - z[1]) for p, z in ((at[0], to_x), (at[-1], to_y)))
-        return (v, x, y, [(p[0] + vx, p[1] + vy) for p in at], squares, products,
-                product(plane.metric[x], on_x, on_x), product(plane.metric[y], on_y, on_y))
+        of_x, of_y = (product(plane.metric[z], d, d) for z, d in (
+            (x, (at[0][0] - to_x[0], at[0][1] - to_x[1])), (y, (at[-1][0] - to_y[0], at[-1][1] - to_y[1]))))
+        return v, x, y, [(p[0] + vx, p[1] + vy) for p in at], squares, products, of_x, of_y
     @staticmethod
     def is_behind(p, q, of_p, of_q, of_both, to_z, own, other):
         # Lemma 2: "A segment p-q is behind z if p^T M_v z > 0, q^T M_v z > 0 and f_v - f_z is nowhere
@@ -487,8 +476,7 @@ class Gaps:
                         or of_a * of_b - both * both > beyond * (of_a + of_b - 2 * both)):
                     continue
                 need(reverse >= 0, f"the ball around vertex {w + 1} meets the rectangle's rim")
-                known.add(reverse // 3)
-                met.append(reverse // 3)
+                known.add(reverse // 3), met.append(reverse // 3)
         return met
     def check(self):
         # Theorem 4: "If no w that is strictly between the rays of a gap is accepted, of those whose
@@ -500,10 +488,9 @@ class Gaps:
         for t, corners in enumerate(plane.triangles):
             for v in corners:
                 around[v].append(t)
-        for gap, region in self.regions.items():
-            if not region[8]:
-                for t in self.behind(gap, around):
-                    listed.setdefault(t, []).append(gap)
+        for gap in (gap for gap, region in self.regions.items() if not region[8]):
+            for t in self.behind(gap, around):
+                listed.setdefault(t, []).append(gap)
         for w in range(plane.count):
             for t in self.walk(w, around):
                 corners = plane.triangles[t]
@@ -520,32 +507,27 @@ class Gaps:
         """Returns the triangles, but for its own, that hold what is of a gap's region beyond x-y."""
         plane, (v, x, y, points), q = self.plane, self.regions[gap][:4], self.regions[gap][3][1]
         t = plane.across[after(gap)] // 3
-        holds = self.regions[gap][9] and all(
-            (a, b) == (y, x) or ((plane.x[b] - plane.x[a]) * (q[1] - plane.y[a])
-                                 >= (plane.y[b] - plane.y[a]) * (q[0] - plane.x[a]))
-            for a, b in zip(plane.triangles[t], plane.triangles[t][1:] + plane.triangles[t][:1]))
+        sides = zip(plane.triangles[t], plane.triangles[t][1:] + plane.triangles[t][:1])
+        holds = self.regions[gap][9] and all((a, b) == (y, x) or (
+            (plane.x[b] - plane.x[a]) * (q[1] - plane.y[a])
+            >= (plane.y[b] - plane.y[a]) * (q[0] - plane.x[a])) for a, b in sides)
         return [t] if holds else [s for s in self.walk(v, around) if s != gap // 3]
     def ask(self, gap, w):
         """Needs that a gap refuses a site that is strictly between its rays."""
         region = self.regions.get(gap)
-        if region is None:
-            return      # x-y is a segment: nothing is seen beyond
+        if region is None: return       # x-y is a segment: nothing is seen beyond
         plane, (v, x, y) = self.plane, region[:3]
         said = f"vertex {v + 1} is not shown to refuse vertex {w + 1} between {x + 1} and {y + 1}"
         if have_one_metric(plane, v, w, x, y):
-            need(not keeps(plane, v, w, x, y), f"vertex {v + 1} accepts vertex {w + 1}")
-            return
+            return need(not keeps(plane, v, w, x, y), f"vertex {v + 1} accepts vertex {w + 1}")
         # "v accepts w between x and y if w accepts v between y and x": its gap will do, too.
         back = self.regions.get(before(plane.across[after(gap)]))
         if self.refuses(region, w) or (back and back[0] == w and self.refuses(back, v)):
             return
         kind, turn_at, points = self.proof.exceptions.get((gap, w), (3, 0, ()))
-        if kind == 0:
-            region = self.region(v, x, y, points, turn_at)
-            need(region and self.refuses(region, w), said)
-        elif kind == 1:
-            region = self.region(w, y, x, points, turn_at)
-            need(region and self.refuses(region, v), said)
+        if kind < 2:
+            row, other = (self.region(*(w, y, x) if kind else (v, x, y), points, turn_at), v if kind else w)
+            need(row and self.refuses(row, other), said)
         else:
             # "A segment crosses the way from v to w: v does not see w."
             turn = plane.turn
@@ -579,24 +561,23 @@ def check(mesh_path, proof_path, domain_path, angle_bound, metric_path):
     domain, mesh = Domain(domain_path) if domain_path else None, read_medit(mesh_path)
     need_file(metric_path.endswith(".sol"),
               f"{metric_path}: only a .sol file with a tensor at each vertex can be checked yet")
-    tensors = [tuple(map(number, row)) for row in read_medit(metric_path).get("SolAtVertices", [])]
+    tensors = read_medit(metric_path).get("SolAtVertices", [])
     proof = Proof(proof_path)
     plane = Plane(mesh, tensors, proof)
     check_faces(plane, domain, proof)
     if domain:
         check_domain(plane, domain)
     if angle_bound > 0:
-        Angles(plane, len(domain.points) if domain else plane.count, angle_bound).check()
+        Angles(plane, len(domain.points) if domain else plane.count, angle_bound)
     check_neighbours(plane, proof)
     # Theorem 5: "If all sites have one metric, nothing else is to be asked."
     if not have_one_metric(plane, *range(plane.count)):
         Gaps(plane, proof).check()
     return plane
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("mesh", metavar="MESH", help="a Medit file in text")
-    parser.add_argument("proof", metavar="PROOF", help="as asterism writes it for --proof")
+    parser.add_argument("mesh", help="a Medit file in text")
+    parser.add_argument("proof", help="what asterism wrote for --proof")
     parser.add_argument("--domain", help="a .poly file (default: what the mesh's boundary encloses)")
     parser.add_argument("--angle-bound", type=Fraction, required=True, help="degrees, below 90")
     parser.add_argument("--metric", required=True, help="a .sol file, of m11 m12 m22 a vertex")
@@ -608,7 +589,7 @@ def main():
         plane = check(asked.mesh, asked.proof, asked.domain, asked.angle_bound, asked.metric)
     except NotProved as refusal:
         return print(f"NOT proved: {refusal}") or 1
-    except (CannotSay, OSError, ValueError, IndexError, StopIteration) as failure:
+    except (CannotSay, OSError, ValueError, LookupError, StopIteration) as failure:
         return print(f"check_mesh.py: {failure or 'a file ends early'}", file=sys.stderr) or 2
     print(f"proved: {plane.count} sites, {len(plane.inner)} triangles, no angle below "
           f"{float(asked.angle_bound):g} degrees but the domain's own; domain "

@@ -83,40 +83,69 @@ std::optional<error> add_edges(const plane& all, mesh_proof& proof) {
   return std::nullopt;
 }
 
+// Finds the rows of all gaps. Those of more than three points are among the exceptions.
+std::optional<std::uint32_t> find_rows(const plane& all, gap_rows& rows, mesh_proof& proof) {
+  std::vector<proof_gap> plain(rows.size());
+  std::mutex adding;
+  const auto find = [&](std::uint32_t gap) -> std::optional<proof_gap> {
+    const gap_sites sites = sites_of_gap(all, gap);
+    if (const auto row = find_row(sites)) return row;
+    auto wide = find_wide_row(sites);
+    if (!wide) return std::nullopt;
+    wide->why = proof_exception::reason::row;
+    wide->gap = gap;
+    wide->site = proof_exception::nobody;
+    const std::lock_guard lock(adding);
+    proof.exceptions.push_back(std::move(*wide));
+    return proof_gap{};
+  };
+  const auto missing = find_points(
+      rows.size(), [&](std::uint32_t gap) { return is_gap_asked(all, gap); }, find, plain);
+  for (std::uint32_t gap = 0; gap < plain.size(); ++gap) rows.set(gap, plain[gap]);
+  for (const proof_exception& wide : proof.exceptions) rows.set(wide.gap, wide);
+  return missing;
+}
+
 // Returns the square of the radius that all gaps do with, rounded up.
-double squared_radius_of(const plane& all, const gap_witnesses& points) {
+double squared_radius_of(const plane& all, const gap_rows& rows) {
   double greatest = 0;
-  for (std::uint32_t gap = 0; gap < points.size(); ++gap)
-    if (is_gap_asked(all, gap)) greatest = std::max(greatest, squared_reach(all, gap, points[gap]));
+  for (std::uint32_t gap = 0; gap < rows.size(); ++gap)
+    if (is_gap_asked(all, gap))
+      greatest = std::max(greatest, rows.with(gap, [&](const gap_row& row) {
+        return squared_reach(sites_of_gap(all, gap), row);
+      }));
   return greatest * (1 + 0x1p-40);
 }
 
+// Puts exceptions in order, each once: those of one gap and site are the same.
+void put_in_order(std::vector<proof_exception>& exceptions) {
+  const auto key = [](const proof_exception& e) { return std::pair(e.site, e.gap); };
+  std::sort(exceptions.begin(), exceptions.end(),
+            [&](const auto& l, const auto& r) { return key(l) < key(r); });
+  const auto last = std::unique(exceptions.begin(), exceptions.end(),
+                                [&](const auto& l, const auto& r) { return key(l) == key(r); });
+  exceptions.erase(last, exceptions.end());
+}
+
 std::optional<error> add_gaps(const plane& all, mesh_proof& proof) {
-  gap_witnesses points(3 * all.inner_count());
-  const auto missing = find_points(
-      points.size(), [&](std::uint32_t gap) { return is_gap_asked(all, gap); },
-      [&](std::uint32_t gap) { return find_gap_witness(all, gap); }, points);
-  if (missing)
+  gap_rows rows(3 * all.inner_count());
+  if (const auto missing = find_rows(all, rows, proof))
     return no_proof("how far the gap at vertex " + number_of(all.corner(*missing)) +
                     " of triangle " + number_of(*missing / 3) + " reaches");
-  proof.squared_radius = squared_radius_of(all, points);
+  proof.squared_radius = squared_radius_of(all, rows);
   std::mutex adding;
   const auto except = [&](std::uint32_t gap, vertex_index w) {
-    const auto found = find_exception(all, gap, w);
+    auto found = find_exception(all, gap, w);
+    if (!found) return false;
     const std::lock_guard lock(adding);
-    if (found) proof.exceptions.push_back(*found);
-    return found.has_value();
+    proof.exceptions.push_back(std::move(*found));
+    return true;
   };
-  if (auto failed = check_pairs(all, points, proof.squared_radius, except))
+  if (auto failed = check_pairs(all, rows, proof.squared_radius, except))
     return error{"no proof is found: " + failed->message, failed->code};
-  const auto key = [](const proof_exception& e) { return std::pair(e.site, e.gap); };
-  std::sort(proof.exceptions.begin(), proof.exceptions.end(),
-            [&](const auto& l, const auto& r) { return key(l) < key(r); });
-  const auto last = std::unique(proof.exceptions.begin(), proof.exceptions.end(),
-                                [&](const auto& l, const auto& r) { return key(l) == key(r); });
-  proof.exceptions.erase(last, proof.exceptions.end());
-  for (std::uint32_t gap = 0; gap < points.size(); ++gap)
-    if (is_gap_asked(all, gap)) proof.gaps.push_back(points[gap]);
+  put_in_order(proof.exceptions);
+  for (std::uint32_t gap = 0; gap < rows.size(); ++gap)
+    if (is_gap_asked(all, gap)) proof.gaps.push_back(rows.plain(gap));
   return std::nullopt;
 }
 

@@ -15,13 +15,16 @@ namespace asterism {
 // A point beside an edge or in a gap of a star, in steps of 2^-26 of two edges from a vertex.
 using proof_point = std::array<std::int32_t, 2>;
 
-// The reason why a gap refuses a site that its own point does not show to be refused.
+// The reason why a gap refuses a site that its own row does not show to be refused.
 struct proof_exception {
   enum class reason : std::uint8_t {
     by_gap = 0,   // a fan of points from the centre of the gap's star
     by_site = 1,  // the same from the site, in whose star the centre would be
     hidden = 2,   // a segment between the two
+    row = 3,      // no reason: the row of a gap that has none of three points; the site is `nobody`
   };
+
+  static constexpr vertex_index nobody = 0xffffffff;
 
   std::uint32_t gap = 0;  // 3 t + i: of the corner i of the triangle t
   vertex_index site = 0;

@@ -63,32 +63,20 @@ gap_region<Number, Capacity> make_region(const site& v, const site& x, const sit
   return r;
 }
 
-// True if all of the segment from the point i of a region to the next is at least as near to z as
-// to v, and within a right angle of z: then each ray from v meets their bisector up to there (lemma
-// 2).
+// True if all of the segment from the point i of a region to the next is at least as near to z, at
+// this offset, as to v, and within a right angle of z: then each ray from v meets their bisector up
+// to there (lemma 2).
 template <class Number, std::size_t Capacity>
 uncertain_bool is_behind(const gap_region<Number, Capacity>& r, std::size_t i,
-                         const vector2<Number>& z, const tensor<Number>& own,
-                         const tensor<Number>& other) {
-  const vector2<Number> dual = own * z, p = r.at[i] - z, q = r.at[i + 1] - z, seen = other * q;
+                         const vector2<Number>& to_z, const site& v, const site& z) {
+  const tensor<Number> own(v.metric), other(z.metric);
+  const vector2<Number> dual = own * to_z, p = r.at[i] - to_z, q = r.at[i + 1] - to_z,
+                        seen = other * q;
   const Number at_p = r.own[i] - other.square(p), at_q = r.own[i + 1] - dot(seen, q),
                between = r.before[i + 1] - dot(seen, p);
   return exceeds_zero(dot(dual, r.at[i])) & exceeds_zero(dot(dual, r.at[i + 1])) &
          reaches_zero(at_p) & reaches_zero(at_q) &
          (reaches_zero(between) | reaches_zero(at_p * at_q - between * between));
-}
-
-// True if the segments between the points are behind x up to the point at `turn`, behind y from it
-// on, and each point is not on the right of the ray of the one before (lemma 2).
-template <class Number, std::size_t Capacity>
-uncertain_bool is_sound(const gap_region<Number, Capacity>& r, const site& v, const site& x,
-                        const site& y, std::size_t turn) {
-  const tensor<Number> own(v.metric), of_x(x.metric), of_y(y.metric);
-  uncertain_bool sound = true;
-  for (std::size_t i = 0; i + 1 < r.count && !sound.certainly(false); ++i)
-    sound = sound & reaches_zero(cross(r.at[i], r.at[i + 1])) &
-            (i < turn ? is_behind(r, i, r.x, own, of_x) : is_behind(r, i, r.y, own, of_y));
-  return sound;
 }
 
 // True if w is farther than v from all of the region, and from what is left of both edges farther

@@ -2,7 +2,6 @@
 #include "asterism/mesh/proof/star_pairs.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -12,33 +11,12 @@
 namespace asterism::internal::proof_detail {
 namespace {
 
-constexpr std::size_t most_points = 32, most_met = 100000;
+constexpr std::size_t most_met = 100000;
 
 const site& site_at(const plane& all, vertex_index v) { return all.subject.sites[v]; }
 
 sign turn_of(const plane& all, vertex_index a, vertex_index b, vertex_index c) {
   return filtered_kernel().orientation(all.position(a), all.position(b), all.position(c));
-}
-
-// A gap from x counter-clockwise to y.
-struct gap_sites {
-  const site &v, &x, &y;
-};
-
-gap_sites sites_of_gap(const plane& all, std::uint32_t gap) {
-  return {site_at(all, all.corner(gap)), site_at(all, all.corner(gap, 1)),
-          site_at(all, all.corner(gap, 2))};
-}
-
-template <class Number>
-gap_region<Number, 3> region_of(const gap_sites& g, const proof_gap& witness) {
-  const std::array<grid_point, 3> points = points_of(witness);
-  return make_region<Number, 3>(g.v, g.x, g.y, points);
-}
-
-bool is_refused_by_gap(const gap_sites& g, const proof_gap& witness, const site& w) {
-  return decide(
-      [&](auto zero) { return is_refused(region_of<decltype(zero)>(g, witness), g.v, w); });
 }
 
 // Walks from sites over the triangles that their balls meet.
@@ -100,7 +78,6 @@ struct listing {
 // True if the point, beyond x-y, is in the triangle across from that.
 bool is_in_triangle_behind(const plane& all, std::uint32_t gap, const grid_point& q) {
   const std::uint32_t behind = all.across[plane::next(gap)];
-  if (behind == plane::none) return false;
   const gap_sites g = sites_of_gap(all, gap);
   const point& apex = all.position(all.corner(plane::previous(behind)));
   return decide([&](auto zero) {
@@ -112,9 +89,20 @@ bool is_in_triangle_behind(const plane& all, std::uint32_t gap, const grid_point
   });
 }
 
+// Where the region of a gap's row may be, other than in its own triangle.
+enum class extent { own, behind, far };
+
+extent extent_of(const plane& all, const gap_rows& gaps, std::uint32_t gap) {
+  const proof_gap& row = gaps.plain(gap);
+  if (row.on_x == 0 || row.on_x > grid_size || row.on_y > grid_size) return extent::far;
+  const grid_point q = as_grid_point(row.between);
+  if (q.a + q.b <= grid_size) return extent::own;
+  return is_in_triangle_behind(all, gap, q) ? extent::behind : extent::far;
+}
+
 class pair_check {
  public:
-  pair_check(const plane& all, const gap_witnesses& gaps, double squared_radius,
+  pair_check(const plane& all, const gap_rows& gaps, double squared_radius,
              const pair_question& ask)
       : all_(all), gaps_(gaps), squared_(squared_radius), ask_(ask) {}
 
@@ -139,13 +127,10 @@ class pair_check {
   std::optional<error> list_gaps() {
     ball_walk walk(all_, squared_);
     for (std::uint32_t gap = 0; gap < gaps_.size(); ++gap) {
-      const grid_point q = as_grid_point(gaps_[gap].between);
-      const bool ends_on_edges = gaps_[gap].on_x <= grid_size && gaps_[gap].on_y <= grid_size;
-      if (ends_on_edges && q.a + q.b <= grid_size) continue;
-      if (ends_on_edges && is_in_triangle_behind(all_, gap, q)) {
-        listings_.push_back({all_.across[plane::next(gap)] / 3, gap});
-        continue;
-      }
+      if (!is_gap_asked(all_, gap)) continue;
+      const extent reach = extent_of(all_, gaps_, gap);
+      if (reach == extent::behind) listings_.push_back({all_.across[plane::next(gap)] / 3, gap});
+      if (reach != extent::far) continue;
       if (auto failed = walk.run(all_.corner(gap))) return failed;
       for (const std::uint32_t t : walk.met())
         if (t != gap / 3) listings_.push_back({t, gap});
@@ -175,14 +160,19 @@ class pair_check {
     const gap_sites g = sites_of_gap(all_, gap);
     const site& other = site_at(all_, w);
     if (have_one_metric(g.v, g.x, g.y, other)) return !is_kept_in_one_metric(g.v, other, g.x, g.y);
-    if (is_refused_by_gap(g, gaps_[gap], other)) return true;
+    if (is_refused_by_row(gap, other)) return true;
     const std::uint32_t opposite = all_.across[plane::next(gap)];
     if (opposite != plane::none && opposite / 3 < all_.inner_count() &&
         all_.corner(plane::previous(opposite)) == w) {
       const std::uint32_t back = plane::previous(opposite);
-      if (is_refused_by_gap(sites_of_gap(all_, back), gaps_[back], g.v)) return true;
+      if (is_refused_by_row(back, g.v)) return true;
     }
     return ask_(gap, w);
+  }
+
+  bool is_refused_by_row(std::uint32_t gap, const site& w) const {
+    return gaps_.with(gap,
+                      [&](const gap_row& row) { return refuses(sites_of_gap(all_, gap), row, w); });
   }
 
   error failure(std::uint32_t gap, vertex_index w) const {
@@ -193,13 +183,18 @@ class pair_check {
   }
 
   const plane& all_;
-  const gap_witnesses& gaps_;
+  const gap_rows& gaps_;
   double squared_;
   const pair_question& ask_;
   std::vector<listing> listings_;
 };
 
 }  // namespace
+
+gap_sites sites_of_gap(const plane& all, std::uint32_t gap) {
+  return {site_at(all, all.corner(gap)), site_at(all, all.corner(gap, 1)),
+          site_at(all, all.corner(gap, 2))};
+}
 
 edge_sites sites_of_edge(const plane& all, std::uint32_t edge) {
   return {site_at(all, all.corner(edge)), site_at(all, all.corner(edge, 1)),
@@ -227,66 +222,9 @@ bool has_one_metric(const mesh& subject) {
                      [&](const site& s) { return s.metric == subject.sites.front().metric; });
 }
 
-namespace {
-
-template <class Condition>
-bool decide_of_gap(const plane& all, std::uint32_t gap, const proof_gap& witness,
-                   const Condition& condition) {
-  const gap_sites g = sites_of_gap(all, gap);
-  return decide(
-      [&](auto zero) { return condition(g, region_of<decltype(zero)>(g, witness), zero); });
-}
-
-// True if the first point is on the ray to x, the last on that to y, and none outside.
-bool is_in_gap(std::span<const grid_point> points) {
-  if (points.front().b != 0 || points.back().a != 0) return false;
-  return std::all_of(points.begin(), points.end(),
-                     [](const grid_point& p) { return p.a >= 0 && p.b >= 0 && p.a + p.b > 0; });
-}
-
-}  // namespace
-
-bool is_gap_sound(const plane& all, std::uint32_t gap, const proof_gap& witness) {
-  return is_in_gap(points_of(witness)) &&
-         decide_of_gap(all, gap, witness, [](const gap_sites& g, const auto& r, const auto&) {
-           return is_sound(r, g.v, g.x, g.y, 1);
-         });
-}
-
-bool is_gap_within(const plane& all, std::uint32_t gap, const proof_gap& witness,
-                   double squared_radius) {
-  return decide_of_gap(all, gap, witness, [&](const gap_sites&, const auto& r, const auto& zero) {
-    uncertain_bool within = true;
-    for (std::size_t i = 0; i < r.count; ++i)
-      within = within & reaches_zero(zero + squared_radius - r.own[i]);
-    return within;
-  });
-}
-
-double squared_reach(const plane& all, std::uint32_t gap, const proof_gap& witness) {
-  const auto r = region_of<bounded>(sites_of_gap(all, gap), witness);
-  double reach = 0;
-  for (std::size_t i = 0; i < r.count; ++i)
-    reach = r.own[i].upper() <= std::numeric_limits<double>::max()
-                ? std::max(reach, r.own[i].upper())
-                : std::numeric_limits<double>::infinity();
-  return reach;
-}
-
-std::optional<error> check_pairs(const plane& all, const gap_witnesses& gaps, double squared_radius,
+std::optional<error> check_pairs(const plane& all, const gap_rows& gaps, double squared_radius,
                                  const pair_question& ask) {
   return pair_check(all, gaps, squared_radius, ask).run();
-}
-
-bool is_refused_by(const site& v, const site& x, const site& y, const site& w,
-                   const std::vector<proof_point>& points, std::size_t turn) {
-  if (points.size() < 2 || points.size() > most_points || turn >= points.size()) return false;
-  std::vector<grid_point> grid;
-  for (const proof_point& p : points) grid.push_back(as_grid_point(p));
-  return is_in_gap(grid) && decide([&](auto zero) {
-           const auto r = make_region<decltype(zero), most_points>(v, x, y, grid);
-           return is_sound(r, v, x, y, turn) & is_refused(r, v, w);
-         });
 }
 
 }  // namespace asterism::internal::proof_detail

@@ -15,19 +15,10 @@
 #include <vector>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/proof/mesh_proof.hpp"
+#include "asterism/mesh/proof/gap_row.hpp"
 #include "asterism/mesh/proof/plane.hpp"
-#include "asterism/mesh/proof/star_conditions.hpp"
 
 namespace asterism::internal::proof_detail {
-
-// The witnesses of all gaps by number, zeros where none is asked for.
-using gap_witnesses = std::vector<proof_gap>;
-
-inline grid_point as_grid_point(const proof_point& p) { return {p[0], p[1]}; }
-inline std::array<grid_point, 3> points_of(const proof_gap& gap) {
-  return {grid_point{gap.on_x, 0}, as_grid_point(gap.between), grid_point{0, gap.on_y}};
-}
 
 // True if the edge is one inside the mesh about which its ends are to be asked: no segment, the
 // lesser of its two numbers, and the diagonal of a quadrilateral that is convex.
@@ -42,24 +33,14 @@ inline bool is_gap_asked(const plane& all, std::uint32_t gap) {
 // True if all sites have one metric: then no gap is asked about (theorem 5).
 bool has_one_metric(const mesh& subject);
 
-// True if the witness is a sound one.
-bool is_gap_sound(const plane& all, std::uint32_t gap, const proof_gap& witness);
-// True if all that it spans is within the radius.
-bool is_gap_within(const plane& all, std::uint32_t gap, const proof_gap& witness,
-                   double squared_radius);
-// Returns an upper bound of the square of the radius that the gap asks for.
-double squared_reach(const plane& all, std::uint32_t gap, const proof_gap& witness);
+gap_sites sites_of_gap(const plane& all, std::uint32_t gap);
 
-// Is asked about a gap and a site that the gap's own point does not settle.
+// Is asked about a gap and a site that the gap's own row does not settle.
 using pair_question = std::function<bool(std::uint32_t gap, vertex_index w)>;
 
 // Holds every site against all gaps that it comes near. Returns what is not settled; `ask` is
 // called from many threads.
-std::optional<error> check_pairs(const plane& all, const gap_witnesses& gaps, double squared_radius,
+std::optional<error> check_pairs(const plane& all, const gap_rows& gaps, double squared_radius,
                                  const pair_question& ask);
-
-// True if the fan of points shows that the gap from x to y of v refuses w.
-bool is_refused_by(const site& v, const site& x, const site& y, const site& w,
-                   const std::vector<proof_point>& points, std::size_t turn);
 
 }  // namespace asterism::internal::proof_detail

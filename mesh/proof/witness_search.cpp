@@ -118,6 +118,7 @@ struct gap_ends {
 
   gap_ends(const site& centre, const site& first, const site& last)
       : v(centre), x(first), y(last), to_x(from(v, x)), to_y(from(v, y)) {}
+  gap_sites sites() const { return {v, x, y}; }
   vector at(const vector& part) const { return part.x * to_x + part.y * to_y; }
   double meets_x(const vector& part) const { return meeting(v, to_x, x, at(part)); }
   double meets_y(const vector& part) const { return meeting(v, to_y, y, at(part)); }
@@ -129,13 +130,6 @@ vector towards_vertex(const gap_ends& g) {
   vector part = in_basis(voronoi_vertex(g.v, g.x, g.y), g.to_x, g.to_y);
   part = {std::max(0.0, part.x), std::max(0.0, part.y)};
   return part.x + part.y > 0 && part.x + part.y < infinity ? part : vector{1, 1};
-}
-
-gap_ends ends_of(const plane& all, std::uint32_t gap) {
-  const auto at = [&](std::uint32_t i) -> const site& {
-    return all.subject.sites[all.corner(gap, i)];
-  };
-  return {at(0), at(1), at(2)};
 }
 
 // Returns the point of the grid that is so far along this direction, and a little farther.
@@ -170,35 +164,75 @@ std::optional<proof_gap> witness_along(const gap_ends& g, const vector& part, do
   return proof_gap{*on_x, *q, *on_y};
 }
 
-// Returns directions between two, from the first on.
-std::vector<vector> directions_between(const vector& first, const vector& last, std::size_t each) {
-  std::vector<vector> parts;
-  for (std::size_t i = 0; i < each; ++i) {
-    const double t = static_cast<double>(i) / static_cast<double>(each);
-    parts.push_back((1 - t) * first + t * last);
-  }
-  return parts;
+// Directions that a wide row may turn in are this many between the rays, so that two points of the
+// grid can be on one of them.
+constexpr int turns = 256;
+
+vector direction_of_turn(int turn) {
+  const double t = static_cast<double>(turn) / turns;
+  return {1 - t, t};
 }
 
-// Returns a fan around the gap that shows it to refuse w: points a little beyond the bisector of x
-// up to the direction of the vertex, and of y from there on.
-std::optional<proof_exception> find_fan(const gap_ends& g, const site& w, std::size_t each,
-                                        double slack) {
-  const vector middle = towards_vertex(g);
-  std::vector<vector> parts = directions_between({1, 0}, middle, each);
-  const std::vector<vector> rest = directions_between(middle, {0, 1}, each);
-  parts.insert(parts.end(), rest.begin(), rest.end());
-  parts.push_back({0, 1});
-  proof_exception found;
-  found.turn = static_cast<std::uint8_t>(each);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const double of_x = g.meets_x(parts[i]), of_y = g.meets_y(parts[i]);
-    const double bound = i < each ? of_x : i > each ? of_y : std::min(of_x, of_y);
-    const auto p = point_along(parts[i], bound, i == each ? 0x1p-24 : slack);
-    if (!p) return std::nullopt;
-    found.points.push_back(*p);
+// Returns a direction in which both bisectors are met, as late as possible by the later one.
+std::optional<int> common_direction(const gap_ends& g) {
+  const metric own(g.v.metric);
+  std::optional<int> best;
+  double greatest = 0;
+  for (int turn = 0; turn <= turns; ++turn) {
+    const vector part = direction_of_turn(turn), u = g.at(part);
+    if (!(dot(own * g.to_x, u) > 0 && dot(own * g.to_y, u) > 0)) continue;
+    const double both = std::min(g.meets_x(part), g.meets_y(part)) * std::sqrt(own.square(u));
+    if (!(both > greatest)) continue;
+    greatest = both;
+    best = turn;
   }
-  if (is_refused_by(g.v, g.x, g.y, w, found.points, found.turn)) return found;
+  return best;
+}
+
+// Returns the first point of the grid on the ray of a turn that is at least so far along it.
+std::optional<proof_point> point_on_turn(int turn, double bound, double slack) {
+  if (!(bound > 0)) return std::nullopt;
+  const auto steps = on_grid((1 + slack) / bound / turns, 1);
+  if (!steps || *steps > std::numeric_limits<std::int32_t>::max() / turns) return std::nullopt;
+  return proof_point{*steps * (turns - turn), *steps * turn};
+}
+
+// Returns a row of 2 (each + 1) points: a little beyond the bisector of x from its ray to the
+// common direction, and of y from there to the other ray.
+std::optional<proof_exception> make_row(const gap_ends& g, int turn, std::size_t each,
+                                        double slack) {
+  const vector middle = direction_of_turn(turn);
+  proof_exception row;
+  const auto add = [&](const vector& from, const vector& to, std::size_t i, bool of_x) {
+    const double t = static_cast<double>(i) / static_cast<double>(each);
+    const bool is_middle = i == (of_x ? each : 0);
+    const vector part = is_middle ? middle : (1 - t) * from + t * to;
+    const double bound = of_x ? g.meets_x(part) : g.meets_y(part);
+    const auto p = is_middle ? point_on_turn(turn, bound, slack) : point_along(part, bound, slack);
+    if (p) row.points.push_back(*p);
+    return p.has_value();
+  };
+  for (std::size_t i = 0; i <= each; ++i)
+    if (!add({1, 0}, middle, i, true)) return std::nullopt;
+  row.turn = static_cast<std::uint8_t>(row.points.size());
+  for (std::size_t i = 0; i <= each; ++i)
+    if (!add(middle, {0, 1}, i, false)) return std::nullopt;
+  return row;
+}
+
+// Calls accept(row) for rows of more and more points, and returns the first that it takes.
+template <class Accept>
+std::optional<proof_exception> first_row(const gap_ends& g, const Accept& accept) {
+  const auto turn = common_direction(g);
+  if (!turn) return std::nullopt;
+  for (const std::size_t each : {1, 2, 4, 8, 15})
+    for (const double slack : {0x1p-22, 0x1p-14, 0x1p-11, 0x1p-9, 0x1p-7, 0x1p-5, 0x1p-3}) {
+      auto row = make_row(g, *turn, each, slack);
+      if (!row) continue;
+      const std::vector<grid_point> points = points_of(*row);
+      const gap_row asked{points, row->turn};
+      if (is_sound(g.sites(), asked) && accept(asked)) return row;
+    }
   return std::nullopt;
 }
 
@@ -232,29 +266,35 @@ std::optional<proof_exception> find_hiding(const plane& all, std::uint32_t gap, 
 
 }  // namespace
 
-std::optional<proof_gap> find_gap_witness(const plane& all, std::uint32_t gap) {
-  const gap_ends g = ends_of(all, gap);
+std::optional<proof_gap> find_row(const gap_sites& sites) {
+  const gap_ends g(sites.v, sites.x, sites.y);
   const vector to_vertex = towards_vertex(g);
   for (const vector& part : {to_vertex, vector{1, 1}, vector{1, 0}, vector{0, 1}})
     for (const double slack : {0x1p-24, 0x1p-20, 0x1p-16, 0x1p-12, 0x1p-8, 0x1p-4, 0.5}) {
-      const auto witness = witness_along(g, part, slack);
-      if (witness && is_gap_sound(all, gap, *witness)) return witness;
+      const auto row = witness_along(g, part, slack);
+      if (!row) continue;
+      const std::array<grid_point, 3> points = {
+          grid_point{row->on_x, 0}, as_grid_point(row->between), grid_point{0, row->on_y}};
+      if (is_sound(sites, {points, 1})) return row;
     }
   return std::nullopt;
 }
 
+std::optional<proof_exception> find_wide_row(const gap_sites& sites) {
+  return first_row(gap_ends(sites.v, sites.x, sites.y), [](const gap_row&) { return true; });
+}
+
 std::optional<proof_exception> find_exception(const plane& all, std::uint32_t gap, vertex_index w) {
-  const gap_ends g = ends_of(all, gap);
+  const gap_sites sites = sites_of_gap(all, gap);
   const site& other = all.subject.sites[w];
   std::optional<proof_exception> found = find_hiding(all, gap, w);
-  for (const std::size_t each : {2, 4, 8})
-    for (const double slack : {0x1p-20, 0x1p-12, 0x1p-9, 0x1p-7, 0x1p-5, 0x1p-3}) {
-      if (found) break;
-      found = find_fan(g, other, each, slack);
-      if (found) break;
-      found = find_fan(gap_ends(other, g.y, g.x), g.v, each, slack);
-      if (found) found->why = proof_exception::reason::by_site;
-    }
+  const auto try_row = [&](const gap_ends& g, const site& z, proof_exception::reason why) {
+    if (found) return;
+    found = first_row(g, [&](const gap_row& row) { return refuses(g.sites(), row, z); });
+    if (found) found->why = why;
+  };
+  try_row(gap_ends(sites.v, sites.x, sites.y), other, proof_exception::reason::by_gap);
+  try_row(gap_ends(other, sites.y, sites.x), sites.v, proof_exception::reason::by_site);
   if (!found) return std::nullopt;
   found->gap = gap;
   found->site = w;

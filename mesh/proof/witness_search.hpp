@@ -13,8 +13,10 @@ namespace asterism::internal::proof_detail {
 // Returns a point at which both ends of an inner edge keep the other.
 std::optional<proof_point> find_edge_point(const plane& all, std::uint32_t edge);
 
-// Returns what spans the region of the gap, as near to its Voronoi vertex as possible.
-std::optional<proof_gap> find_gap_witness(const plane& all, std::uint32_t gap);
+// Returns a sound row of three points for the gap, as near to its Voronoi vertex as possible.
+std::optional<proof_gap> find_row(const gap_sites& g);
+// Returns one of more points, where there is none of three.
+std::optional<proof_exception> find_wide_row(const gap_sites& g);
 
 // Returns a reason why the gap refuses w that its own point does not show.
 std::optional<proof_exception> find_exception(const plane& all, std::uint32_t gap, vertex_index w);
