@@ -20,7 +20,7 @@ void add_proof_option(CLI::App& app, std::filesystem::path& proof);
 
 // A proof that was asked for, and why there is none.
 struct proof_output {
-  std::optional<mesh_proof> proof;
+  std::optional<internal::mesh_proof> proof;
   std::optional<error> missing;
 
   // Returns the status of the run, which was `status` without this: a proof that is missing is
@@ -34,6 +34,6 @@ proof_output find_proof(const std::filesystem::path& path, const mesh& subject, 
 
 // Returns the file, which refers to both.
 internal::output_file proof_file(const std::filesystem::path& path, const mesh& subject,
-                                 const mesh_proof& proof);
+                                 const internal::mesh_proof& proof);
 
 }  // namespace asterism::apps

@@ -13,11 +13,10 @@
 #include "asterism/mesh/proof/witness_search.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 namespace {
 
-using namespace internal;
-using namespace internal::proof_detail;
+using namespace proof_detail;
 
 constexpr std::size_t chunk = 1024;
 
@@ -195,4 +194,4 @@ result<mesh_proof> make_proof(const mesh& subject, const domain* shape) {
   return proof;
 }
 
-}  // namespace asterism
+}  // namespace asterism::internal

@@ -10,7 +10,7 @@
 
 #include "asterism/mesh/data/mesh.hpp"
 
-namespace asterism {
+namespace asterism::internal {
 
 // A point beside an edge or in a gap of a star, in steps of 2^-26 of two edges from a vertex.
 using proof_point = std::array<std::int32_t, 2>;
@@ -57,4 +57,4 @@ struct mesh_proof {
   std::vector<proof_exception> exceptions;  // sorted by site, then gap
 };
 
-}  // namespace asterism
+}  // namespace asterism::internal
