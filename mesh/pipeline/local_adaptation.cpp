@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
@@ -42,6 +43,8 @@ constexpr std::array<strictness, 4> ladder = {
     {{4, 2.5, 2}, {3, 1.7, 1.7}, {1.8, 1.4, 1.4}, {1.25, 1.15, 1.15}}};
 // Most audits of one mesh, each after what the one before had found was mended.
 constexpr int most_repairs = 12;
+// Number of vertices of a mesh whose edges have length 1, for each unit of its area.
+constexpr double vertices_of_unit = 2 / std::numbers::sqrt3;
 constexpr std::size_t every_finding = std::numeric_limits<std::size_t>::max();
 class adaptation {
  public:
@@ -70,12 +73,14 @@ class adaptation {
     // A step costs what its nodes do: the stricter ones are tried while all together have no more
     // than one mesh may have.
     std::size_t made = 0;
+    if (wants_too_few()) make_room_for_segments(part_that_does);
     for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
       bool is_made = attempt(start_, ladder[step]);
       if (std::exchange(wants_room_, false)) {
-        make_room_for_segments();
+        make_room_for_segments(0);
         is_made = attempt(start_, ladder[step]);
       }
+      if (is_made && !is_certified() && take_all_room()) is_made = attempt(start_, ladder[step]);
       if (!is_made) {
         if (is_overworked()) break;
         return std::nullopt;
@@ -137,11 +142,38 @@ class adaptation {
     return part * domain_.vertices.size() > count_;
   }
 
-  // Makes the metric that the mesh is fitted to finer, alike in all directions, where vertices of
-  // the domain are nearer to each other than it calls one, and beside them. Angles need nodes
-  // there, which the metric wanted does not have; without, none of the ways to a mesh led to one
-  // with so many nodes (docs/design/adaptation.md).
-  void make_room_for_segments() {
+  // Parts of the vertices of a mesh with all room for short segments: with fewer than the first no
+  // way led to a mesh, after all the work there may be; the second did on the coasts tried.
+  static constexpr double too_small_a_part = 0.57, part_that_does = 0.75;
+
+  // True if so few vertices are wanted that angles at the domain's own cannot be met with them.
+  bool wants_too_few() const {
+    constexpr std::size_t many = 100;  // a few vertices are no coast
+    if (!domain_has_many_vertices() || domain_.vertices.size() < many) return false;
+    const std::vector<metric_tensor> tensors = with_room();
+    nodal_field finer = fitted_;
+    finer.set_tensors(tensors);
+    return static_cast<double>(count_) < too_small_a_part * vertices_of_unit * finer.complexity();
+  }
+
+  // Has as many vertices made as short segments have room for, once; false where there are.
+  bool take_all_room() {
+    if (!has_room_ || stop_reason() || is_overworked()) return false;
+    return raise_count(1);
+  }
+
+  // Has no fewer vertices made than that part of those that the metric with room takes.
+  bool raise_count(double part) {
+    const auto all = static_cast<std::size_t>(part * vertices_of_unit * fitted_.complexity());
+    if (!(count_ < all && all < options_.max_sites)) return false;
+    count_ = all;
+    options_.stop.expect(count_);
+    return true;
+  }
+
+  // Returns the metric that the mesh is fitted to, finer, alike in all directions, where vertices
+  // of the domain are nearer to each other than it calls one, and beside them.
+  std::vector<metric_tensor> with_room() const {
     const std::vector<point>& places = fitted_.places();
     const std::vector<graph_edge> edges = fitted_.edges();
     const std::vector<char> is_given = at_vertices_of_domain(places);
@@ -159,8 +191,16 @@ class adaptation {
     gradation_limit limit;
     limit.distortion = 1.5;  // 1.3 to 2 do as well; with 2 and more some angles are low again
     grade(places, edges, limit, tensors, options_.stop);
-    fitted_.set_tensors(std::move(tensors));
+    return tensors;
+  }
+
+  // Makes that metric the one that the mesh is fitted to. Angles need nodes there, which the metric
+  // wanted does not have; without, none of the ways to a mesh led to one with so many nodes
+  // (docs/design/adaptation.md).
+  void make_room_for_segments(double part) {
+    fitted_.set_tensors(with_room());
     is_fitted_to_other_ = has_room_ = true;
+    raise_count(part);
   }
 
   // Returns which of the places are vertices of the domain, to the last bit: those of a mesh that
