@@ -44,7 +44,7 @@ constexpr std::array<strictness, 4> ladder = {
 // Most audits of one mesh, each after what the one before had found was mended.
 constexpr int most_repairs = 12;
 // Number of vertices of a mesh whose edges have length 1, for each unit of its area.
-constexpr double vertices_of_unit = 2 / std::numbers::sqrt3;
+constexpr double vertices_for_area = 2 / std::numbers::sqrt3;
 constexpr std::size_t every_finding = std::numeric_limits<std::size_t>::max();
 class adaptation {
  public:
@@ -153,7 +153,7 @@ class adaptation {
     const std::vector<metric_tensor> tensors = with_room();
     nodal_field finer = fitted_;
     finer.set_tensors(tensors);
-    return static_cast<double>(count_) < too_small_a_part * vertices_of_unit * finer.complexity();
+    return static_cast<double>(count_) < too_small_a_part * vertices_for_area * finer.complexity();
   }
 
   // Has as many vertices made as short segments have room for, once; false where there are.
@@ -164,7 +164,7 @@ class adaptation {
 
   // Has no fewer vertices made than that part of those that the metric with room takes.
   bool raise_count(double part) {
-    const auto all = static_cast<std::size_t>(part * vertices_of_unit * fitted_.complexity());
+    const auto all = static_cast<std::size_t>(part * vertices_for_area * fitted_.complexity());
     if (!(count_ < all && all < options_.max_sites)) return false;
     count_ = all;
     options_.stop.expect(count_);
