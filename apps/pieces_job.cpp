@@ -106,11 +106,6 @@ class pieces_run {
 
  private:
   std::optional<error> cut() {
-    if (!input_.shape.curves.empty())
-      return error{
-          "--pieces: the domain has curves, which are not cut: its polygon can be meshed "
-          "in pieces, or the domain in one",
-          error_code::bad_option};
     cut_wishes wishes;
     wishes.pieces = job_.pieces;
     wishes.angle_bound = job_.refinement.angle_bound;
@@ -196,7 +191,7 @@ class pieces_run {
   }
 
   piece_report make(piece_index p) {
-    const piece_shape shape = shape_of_piece(index_.cut, index_.points, p);
+    const piece_shape shape = shape_of_piece(index_.original, index_.cut, index_.points, p);
     const std::string question = question_of_piece(p, shape);
     if (job_.resume)
       if (const auto kept = files_.read_piece(p, question))

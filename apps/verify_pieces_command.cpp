@@ -49,6 +49,17 @@ std::string read_bytes(const fs::path& path) {
   return std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
 }
 
+// Returns the domain with its segments and curves in an order that depends on what they are alone:
+// divided curves may come in another.
+domain in_order(domain d) {
+  std::sort(d.segments.begin(), d.segments.end(), [](const segment& s, const segment& t) {
+    return std::pair(s.a, s.b) < std::pair(t.a, t.b);
+  });
+  std::sort(d.curves.begin(), d.curves.end(),
+            [](const domain_curve& c, const domain_curve& e) { return c.vertices < e.vertices; });
+  return d;
+}
+
 // Holds the domain of the index against the one that is named, if one is.
 std::optional<error> compare_domain(const verify_options& options, const pieces_index& index,
                                     sentences& faults) {
@@ -56,9 +67,13 @@ std::optional<error> compare_domain(const verify_options& options, const pieces_
   mesh given;  // its first sites, random points among them, are the domain's vertices
   for (const point& q : index.original.vertices) given.sites.push_back({q, {1, 0, 1}});
   given.given = static_cast<vertex_index>(given.sites.size());
-  const auto asked = find_domain(options, given, std::nullopt);
+  certificate claim;  // says how curves were divided, and what was repaired
+  claim.original = index.original;
+  claim.options = index.options;
+  const auto asked = find_domain(options, given, claim);
   if (!asked) return asked.failure();
-  if (!is_same_domain(*asked.value().shape, index.original))
+  for (const std::string& said : asked.value().contradictions) faults.push_back(said);
+  if (!is_same_domain(in_order(*asked.value().shape), in_order(index.original)))
     faults.push_back("the index is of another domain than " + options.domain);
   return std::nullopt;
 }

@@ -147,7 +147,9 @@ domain_cut cut_along(const domain& d, const mesh& coarse, const std::vector<piec
 
 result<domain_cut> cut_domain(const domain& d, const metric_field& field,
                               const cut_wishes& wishes) {
-  const auto coarse = make_coarse_mesh(d, field, wishes);
+  domain straight = d;
+  straight.curves.clear();
+  const auto coarse = make_coarse_mesh(straight, field, wishes);
   if (!coarse) return coarse.failure();
   const auto labels = label_triangles(coarse.value(), field, wishes.pieces);
   if (!labels) return labels.failure();

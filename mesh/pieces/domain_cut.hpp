@@ -59,9 +59,9 @@ struct cut_wishes {
   cancellation stop = {};
 };
 
-// Cuts a domain, accepted by check_domain and without curves, into so many pieces. Fails where the
-// field does, where there would be less than about six triangles a piece, and where the coarse mesh
-// is no triangulation of the domain or was stopped. The same for any number of threads.
+// Cuts a domain, accepted by check_domain, into so many pieces. Of curves the chords are cut. Fails
+// where the field does, where there would be less than about six triangles a piece, and where the
+// coarse mesh is no triangulation of the domain or was stopped. The same for any number of threads.
 result<domain_cut> cut_domain(const domain& d, const metric_field& field, const cut_wishes& wishes);
 
 // Returns the cut along the edges of a mesh of the domain, between triangles of different pieces.

@@ -2,8 +2,11 @@
 #include "asterism/mesh/pieces/piece_shape.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
+
+#include "asterism/mesh/pieces/piece_curves.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -23,7 +26,8 @@ segment segment_of(const cut_edge& e, piece_index piece) {
 
 }  // namespace
 
-piece_shape shape_of_piece(const domain_cut& cut, const seam_points& points, piece_index piece) {
+piece_shape shape_of_piece(const domain& d, const domain_cut& cut, const seam_points& points,
+                           piece_index piece) {
   piece_shape made;
   std::vector<char> is_used(cut.vertices.size(), 0);
   for (std::size_t e = 0; e < cut.edges.size(); ++e) {
@@ -51,6 +55,9 @@ piece_shape shape_of_piece(const domain_cut& cut, const seam_points& points, pie
     s.a = number[s.a];
     s.b = number[s.b];
   }
+  made.shape.curves = curves_of_piece(d, cut, piece);
+  for (domain_curve& c : made.shape.curves)
+    for (std::uint32_t& v : c.vertices) v = number[v];
   return made;
 }
 

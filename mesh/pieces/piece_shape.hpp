@@ -23,7 +23,8 @@ struct piece_shape {
   prescribed_divisions divisions;    // by segment; of seams alone
 };
 
-// Returns the piece. Vertices and edges keep their order.
-piece_shape shape_of_piece(const domain_cut& cut, const seam_points& points, piece_index piece);
+// Returns the piece of the domain. Vertices and edges keep their order.
+piece_shape shape_of_piece(const domain& d, const domain_cut& cut, const seam_points& points,
+                           piece_index piece);
 
 }  // namespace asterism::internal

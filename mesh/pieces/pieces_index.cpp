@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "asterism/mesh/io/certificate_json.hpp"
 #include "asterism/mesh/io/json_places.hpp"
 
 namespace asterism::internal {
@@ -31,12 +32,33 @@ std::size_t from_one(std::uint32_t number, std::uint32_t none) {
   return number == none ? 0 : std::size_t{number} + 1;
 }
 
+json curves_json(const domain& d) {
+  json all = json::array();
+  for (const domain_curve& c : d.curves) {
+    json one = {{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}};
+    if (c.kind == curve_kind::arc) {
+      one["centre"] = {c.centre.x, c.centre.y};
+      one["clockwise"] = c.clockwise;
+    } else {
+      one["control"] = points_json({c.control[0], c.control[1]});
+    }
+    json numbers = json::array();
+    for (const std::uint32_t v : c.vertices) numbers.push_back(std::size_t{v} + 1);
+    one["vertices"] = std::move(numbers);
+    one["parameters"] = c.parameters;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
 json domain_json(const domain& d) {
   json segments = json::array();
   for (const segment& s : d.segments)
     segments.push_back({std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker, s.internal ? 1 : 0,
                         s.left_region, s.right_region});
-  return {{"vertices", points_json(d.vertices)}, {"segments", std::move(segments)}};
+  json written = {{"vertices", points_json(d.vertices)}, {"segments", std::move(segments)}};
+  if (!d.curves.empty()) written["curves"] = curves_json(d);
+  return written;
 }
 
 json cut_json(const domain_cut& cut) {
@@ -122,6 +144,28 @@ std::vector<point> points_of(const json& list) {
   return points;
 }
 
+domain_curve curve_of(const json& object, std::size_t vertices) {
+  domain_curve c;
+  const auto kind = object.at("kind").get<std::string>();
+  if (kind != curve_kind_names[0] && kind != curve_kind_names[1])
+    throw malformed("\"kind\" is no kind of curve");
+  c.kind = kind == curve_kind_names[0] ? curve_kind::arc : curve_kind::cubic;
+  if (c.kind == curve_kind::arc) {
+    c.centre = {object.at("centre").at(0).get<double>(), object.at("centre").at(1).get<double>()};
+    c.clockwise = object.at("clockwise").get<bool>();
+  } else {
+    const std::vector<point> control = points_of(object.at("control"));
+    if (control.size() != 2) throw malformed("\"control\" is not two points");
+    c.control = {control[0], control[1]};
+  }
+  for (const json& v : object.at("vertices"))
+    c.vertices.push_back(index_of(v, vertices, "vertices", false));
+  c.parameters = object.at("parameters").get<std::vector<double>>();
+  if (c.vertices.size() < 2 || c.vertices.size() != c.parameters.size())
+    throw malformed("a curve has not as many parameters as vertices");
+  return c;
+}
+
 domain domain_of(const json& object) {
   domain d;
   d.vertices = points_of(object.at("vertices"));
@@ -134,6 +178,8 @@ domain domain_of(const json& object) {
     made.right_region = s[5].get<int>();
     d.segments.push_back(made);
   }
+  if (object.contains("curves"))
+    for (const json& c : object.at("curves")) d.curves.push_back(curve_of(c, d.vertices.size()));
   return d;
 }
 

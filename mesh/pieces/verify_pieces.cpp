@@ -12,6 +12,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/divided_domain.hpp"
+#include "asterism/mesh/pieces/piece_curves.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -151,6 +152,26 @@ void compare_domain(const pieces_index& index, piece_index piece, const domain& 
     if (!one.found) all.push_back("its domain is without " + edge_text(index, one.edge));
 }
 
+bool is_same_curve(const domain_curve& c, const domain& of_c, const domain_curve& d,
+                   const std::vector<point>& of_d) {
+  const auto same = [](const point& p, const point& q) { return bits_of(p) == bits_of(q); };
+  if (c.kind != d.kind || c.vertices.size() != d.vertices.size() || c.parameters != d.parameters)
+    return false;
+  for (std::size_t i = 0; i < c.vertices.size(); ++i)
+    if (!same(of_c.vertices[c.vertices[i]], of_d[d.vertices[i]])) return false;
+  if (c.kind == curve_kind::arc) return same(c.centre, d.centre) && c.clockwise == d.clockwise;
+  return same(c.control[0], d.control[0]) && same(c.control[1], d.control[1]);
+}
+
+// Compares the curves of a piece's domain with those of the whole, as far as they are the piece's.
+void compare_curves(const pieces_index& index, piece_index piece, const domain& d, faults& all) {
+  const std::vector<domain_curve> wanted = curves_of_piece(index.original, index.cut, piece);
+  bool same = wanted.size() == d.curves.size();
+  for (std::size_t i = 0; same && i < wanted.size(); ++i)
+    same = is_same_curve(d.curves[i], d, wanted[i], index.cut.vertices);
+  if (!same) all.emplace_back("the curves of its domain are not those of the index");
+}
+
 // Checks that the vertices given inside a piece are those that the index places there.
 void compare_loose(const pieces_index& index, piece_index piece, const domain& d, faults& all) {
   std::vector<char> is_on_segment(d.vertices.size(), 0);
@@ -287,6 +308,7 @@ std::vector<std::string> faults_of_piece(const pieces_index& index, piece_index 
   }
   compare_domain(index, piece, *claim.original, all);
   compare_loose(index, piece, *claim.original, all);
+  compare_curves(index, piece, *claim.original, all);
   compare_seams(index, piece, subject, all);
   return all;
 }

@@ -9,7 +9,7 @@
 //    regions and markers go along, and a cut has one region on both sides;
 //  - of each piece: its own domain has the edges that the index gives to it, directed so, and no
 //    others; and its mesh divides each seam at the points of the index, with the same tensors.
-// Shares no code with what cuts domains and divides seams.
+// Shares no code with what cuts domains and divides seams, but for the parts of curves.
 #pragma once
 
 #include <string>

@@ -57,10 +57,30 @@ PLATE = """16 2 0 0
 2 3.9 0.1 20 0
 """
 
+# A disk with a hole, bounded by circles, and a spline inside.
+DISK = """5 2 0 0
+1 1 0
+2 -0.4 0
+3 0.1 -0.5
+4 0.5 0
+5 0.1 0.6
+2 1
+1 3 4 6
+2 4 5 6
+1
+1 -0.55 0
+0
+curves 3
+1 circle 1 0 0 3
+2 circle 2 -0.55 0 4
+3 spline 1 2
+"""
+
 JOBS = {
     "square": (["square", "--metric", "swirl:12", "--size", "0.08"], 5),
     "plate": (["plate.poly", "--size", "0.06"], 6),
     "points": (["square", "--random-points", "40", "--size", "0.1"], 4),
+    "disk": (["disk.poly", "--size", "0.07"], 5),
     "layer": (["square", "--metric", "layer:0.02,0.3", "--size", "1"], 3),
 }
 
@@ -73,6 +93,7 @@ class Pieces(command.CommandTest):
     def setUp(self):
         super().setUp()
         self.write("plate.poly", PLATE)
+        self.write("disk.poly", DISK)
 
     def mesh(self, name, folder, *more, **how):
         words, pieces = JOBS[name]
@@ -95,7 +116,7 @@ class Pieces(command.CommandTest):
                 vertices, edges, triangles = self.whole(name)
                 self.assertEqual(index["outcome"]["vertices"], len(vertices))
                 self.assertEqual(index["outcome"]["triangles"], triangles)
-                holes = 2 if name == "plate" else 0
+                holes = {"plate": 2, "disk": 1}.get(name, 0)
                 self.assertEqual(len(vertices) - len(edges) + triangles, 1 - holes)
                 one = self.run_command("verify", f"{name}/piece_2.mesh")
                 self.assertEqual(one.returncode, 0, one.stdout + one.stderr)
@@ -174,7 +195,6 @@ class Pieces(command.CommandTest):
 
     def test_what_cannot_be_asked_is_refused(self):
         self.write("file", "no folder")
-        self.write("disk.poly", "1 2 0 0\n1 1 0\n0 1\n0\n0\n1\n1 circle 0 0 1\n")
         base = ["mesh", "square", "--pieces", "4"]
         for words, said in [
                 ([*base, "-o", "x/"], "a size is wanted"),
