@@ -55,6 +55,8 @@ std::optional<error> check_job(const mesh_job& job) {
     return refuse(
         "--pieces: sizes at segments and in regions want the whole domain, which no piece has; "
         "--size-at and --size-box can be asked for");
+  if (!job.proof.empty())
+    return refuse("--proof: it is of a whole mesh, which --pieces does not make");
   if (!asked.limit_size)
     return refuse("--pieces: a size is wanted: --size, --vertices or --complexity");
   if (asked.strategy != refinement_strategy::fill)

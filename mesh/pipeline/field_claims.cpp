@@ -101,9 +101,11 @@ result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) 
 // True if the metric came as numbers: from a file that `certify` read, or from a program.
 bool is_of_numbers(const certificate& claim) { return claim.metric.starts_with("of "); }
 
-// True if the metric was graded over a domain of which the certificate holds a piece alone.
-bool is_graded_piece(const certificate& claim) {
-  return claim.options.count("metric-box") != 0 && option_of(claim, "gradation") != "none";
+// True if the metric was graded over a domain of which the certificate holds a piece alone, or has
+// sizes at places of it.
+bool is_shaped_piece(const certificate& claim) {
+  return claim.options.count("metric-box") != 0 &&
+         (option_of(claim, "gradation") != "none" || option_of(claim, "sizes") != "none");
 }
 
 // Holds the mesh against the metric it is delivered in another one than.
@@ -174,8 +176,8 @@ field_check check_field(const mesh& subject, const certificate& claim) {
     check.why_not = claim.metric.empty() ? "the certificate names none" : "it came as numbers";
     return check;
   }
-  if (is_graded_piece(claim)) {
-    check.why_not = "it was graded over the domain of which this is a piece";
+  if (is_shaped_piece(claim)) {
+    check.why_not = "it was made of the domain of which this is a piece";
     return check;
   }
   const bool is_adapted = is_of_adaptation(claim);

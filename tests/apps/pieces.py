@@ -204,6 +204,7 @@ class Pieces(command.CommandTest):
                 ([*base, "--size", "0.2", "-o", "x/", "--improve", "2"], "--improve"),
                 ([*base, "--size", "0.2", "-o", "x/", "--certify", "voronoi"], "voronoi"),
                 ([*base, "--size", "0.2", "-o", "x/", "--refine", "darts"], "--refine"),
+                ([*base, "--size", "0.2", "-o", "x/", "--proof", "x.proof"], "--proof"),
                 ([*base, "--size", "0.2", "-o", "x/", "--metric-tolerance", "1"], "tolerance"),
                 ([*base, "--size", "0.2", "-o", "x/", "--piece-format", "html"], "html"),
                 ([*base, "--size", "0.2", "-o", "x/", "--piece-format", "doc"], "doc"),
