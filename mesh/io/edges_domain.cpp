@@ -3,61 +3,55 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/face_map.hpp"
+#include "asterism/mesh/domain/planar_graph.hpp"
 #include "asterism/mesh/domain/point_beside.hpp"
 
 namespace asterism::internal {
 namespace {
 
-// Returns how many parts of the plane segments enclose that meet in their ends alone: by Euler's
-// formula, edges less vertices plus components.
-std::size_t enclosed_parts(const domain& d) {
-  std::vector<vertex_index> above(d.vertices.size());
-  std::iota(above.begin(), above.end(), vertex_index{0});
-  const auto root = [&above](vertex_index v) {
-    while (above[v] != v) v = above[v] = above[above[v]];
-    return v;
-  };
-  // Each segment that joins two components leaves one less; the others close a part each.
-  std::size_t parts = 0;
-  for (const segment& s : d.segments) {
-    const vertex_index a = root(s.a), b = root(s.b);
-    if (a == b)
-      ++parts;
-    else
-      above[std::max(a, b)] = std::min(a, b);
-  }
-  return parts;
+error no_point(const domain& d, std::size_t edge) {
+  return {fmt::format("{}: no point was found beside edge {}, which a sub-domain is given by",
+                      d.name, edge + 1),
+          error_code::invalid_domain};
 }
 
+// Puts a region point into each part that is named, and a hole point into each that is not.
 std::optional<error> number_parts(domain& d, const std::vector<side_of_edge>& parts) {
-  const std::size_t enclosed = enclosed_parts(d);
-  if (parts.size() != enclosed)
-    return error{fmt::format("{}: sub-domains are given for {} of the {} parts that the edges "
-                             "enclose: the others would be holes; give the domain as a .poly file "
-                             "with hole points",
-                             d.name, parts.size(), enclosed),
-                 error_code::invalid_domain};
+  std::vector<graph_edge> edges;
+  for (const segment& s : d.segments) edges.push_back({s.a, s.b, edges.size(), s.marker});
+  const face_map faces(d.vertices, edges);
+  std::set<std::size_t> known = {face_map::outside};
   constexpr double most_work = 1e9;
-  if (static_cast<double>(parts.size()) * static_cast<double>(d.segments.size()) > most_work)
-    return error{d.name +
-                     ": so many sub-domains on so many edges cannot be found; give the domain "
-                     "as a .poly file with region points",
-                 error_code::invalid_domain};
+  const auto put = [&](const side_of_edge& part) -> std::optional<point> {
+    known.insert(faces.left_of(2 * part.edge + (part.left ? 0 : 1)));
+    if (static_cast<double>(known.size()) * static_cast<double>(edges.size()) > most_work)
+      return std::nullopt;
+    return point_beside(d, part.edge, part.left);
+  };
   for (const side_of_edge& part : parts) {
-    const auto inside = point_beside(d, part.edge, part.left);
-    if (!inside)
-      return error{fmt::format("{}: no point was found beside edge {}, which a sub-domain is "
-                               "given by",
-                               d.name, part.edge + 1),
-                   error_code::invalid_domain};
+    if (faces.left_of(2 * part.edge + (part.left ? 0 : 1)) == face_map::outside)
+      return error{
+          fmt::format("{}: the side of edge {} that a sub-domain is given by is outside of "
+                      "all edges",
+                      d.name, part.edge + 1),
+          error_code::invalid_domain};
+    const auto inside = put(part);
+    if (!inside) return no_point(d, part.edge);
     d.regions.push_back({*inside, part.region});
+  }
+  for (std::size_t half = 0; half < 2 * edges.size(); ++half) {
+    if (known.count(faces.left_of(half)) != 0) continue;
+    const auto inside = put({half / 2, half % 2 == 0, 0});
+    if (!inside) return no_point(d, half / 2);
+    d.holes.push_back(*inside);
   }
   return std::nullopt;
 }
@@ -76,7 +70,13 @@ result<domain> domain_of_edges(mesh_file file, const std::string& name) {
   d.origin.notes = std::move(file.content.notes);
   d.vertices = positions_of(file.content.sites);
   for (const boundary_edge& e : file.content.boundary) d.segments.push_back({e.a, e.b, e.marker});
-  if (file.parts.empty()) return d;
+  // What is no domain is refused by check_domain, with its places.
+  domain_repairs repairs;
+  if (file.parts.empty() || !check_domain(d, &repairs)) return d;
+  if (!repairs.messages.empty())
+    return error{d.name + ": sub-domains are given by edges that are no domain's as they stand: " +
+                     repairs.messages.front(),
+                 error_code::invalid_domain};
   if (auto failed = number_parts(d, file.parts)) return *failed;
   return d;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -225,6 +226,42 @@ void drop_edges(listed_mesh& from, const std::vector<char>& dropped) {
 
 using ends = std::array<vertex_index, 2>;
 
+// Numbers of edges that are in several strings of a solver's.
+class shared_markers {
+ public:
+  // Gives the edge the number of its own marker and another's together, and that both names.
+  void join(listed_mesh& m, boundary_edge& e, const boundary_edge& other) {
+    ++edges_;
+    const auto [at, is_new] = together_.emplace(std::pair(e.marker, other.marker), 0);
+    if (is_new) {
+      at->second = next_number(m);
+      auto& names = m.names.markers;
+      const std::string first = name_of(names, e.marker), second = name_of(names, other.marker);
+      names[at->second] = first + "+" + second;
+    }
+    e.marker = at->second;
+  }
+  std::size_t edges() const { return edges_; }
+
+ private:
+  int next_number(const listed_mesh& m) {
+    if (greatest_ == 0) {
+      for (const boundary_edge& e : m.content.boundary) greatest_ = std::max(greatest_, e.marker);
+      if (!m.names.markers.empty())
+        greatest_ = std::max(greatest_, m.names.markers.rbegin()->first);
+    }
+    return ++greatest_;
+  }
+  static std::string name_of(const std::map<int, std::string>& names, int marker) {
+    const auto named = names.find(marker);
+    return named == names.end() ? std::to_string(marker) : named->second;
+  }
+
+  std::map<std::pair<int, int>, int> together_;
+  std::size_t edges_ = 0;
+  int greatest_ = 0;
+};
+
 // Leaves out edges that are listed again.
 failure drop_repeated_edges(listed_mesh& from) {
   mesh& m = from.content;
@@ -236,13 +273,17 @@ failure drop_repeated_edges(listed_mesh& from) {
   }
   std::sort(order.begin(), order.end());
   std::vector<char> again(m.boundary.size(), 0);
+  shared_markers shared;
   std::vector<std::size_t> first(m.boundary.size());
   std::iota(first.begin(), first.end(), std::size_t{0});
   std::size_t count = 0;
   for (std::size_t k = 1; k < order.size(); ++k) {
     if (order[k].first != order[k - 1].first) continue;
     const std::size_t s = order[k - 1].second, t = order[k].second;
-    if (m.boundary[s].marker != m.boundary[t].marker)
+    const bool differ = m.boundary[s].marker != m.boundary[t].marker;
+    if (differ && from.edges_are_strings)
+      shared.join(from, m.boundary[first[s]], m.boundary[t]);
+    else if (differ)
       return error{fmt::format("{}: the edge from {} to {} is listed with the markers {} and {}: "
                                "take one of them out",
                                from.file, place(m, m.boundary[s].a), place(m, m.boundary[s].b),
@@ -257,6 +298,9 @@ failure drop_repeated_edges(listed_mesh& from) {
   for (std::size_t& e : from.required_edges) e = first[e];
   drop_edges(from, again);
   m.notes.push_back(counted(count, "edge is", "edges are") + " listed again and left out");
+  if (shared.edges() > 0)
+    m.notes.push_back("edges that are in several strings have a number for these together: " +
+                      std::to_string(shared.edges()));
   return {};
 }
 

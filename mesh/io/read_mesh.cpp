@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <system_error>
 #include <utility>
 
 #include "asterism/mesh/io/file_ending.hpp"
@@ -33,6 +35,17 @@ constexpr std::array<whole_file_format, 9> formats = {{{".msh", "node data", nul
                                                        {".2dm", "", read_sms},
                                                        {".stl", "", read_stl}}};
 
+// BAMG's meshes are named .msh, too.
+bool begins_as_medit(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string first;
+  constexpr std::streamsize longest = 64;
+  first.resize(longest);
+  in.read(first.data(), longest);
+  first.resize(static_cast<std::size_t>(in.gcount()));
+  return text_scanner("", first).next().text == "MeshVersionFormatted";
+}
+
 const whole_file_format* format_of(std::string_view name) {
   const auto at = std::find_if(formats.begin(), formats.end(), [name](const whole_file_format& f) {
     return has_ending(name, f.ending);
@@ -62,6 +75,15 @@ std::optional<error> check_metric(const whole_file_format& format, const listed_
   return no_metric(format, m.file);
 }
 
+const whole_file_format* format_of_file(const std::filesystem::path& path) {
+  const whole_file_format* const format = format_of(path.string());
+  const bool may_be_medit = format != nullptr && format->read == nullptr;
+  std::error_code ignored;
+  if (may_be_medit && std::filesystem::is_regular_file(path, ignored) && begins_as_medit(path))
+    return nullptr;
+  return format;
+}
+
 }  // namespace
 
 bool is_mesh_file(std::string_view name) {
@@ -70,7 +92,7 @@ bool is_mesh_file(std::string_view name) {
 
 result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                                  const medit_read_options& options) {
-  const whole_file_format* const format = format_of(path.string());
+  const whole_file_format* const format = format_of_file(path);
   if (format != nullptr && !options.solution.empty())
     return error{
         options.solution.string() + ": the metric of " + path.string() +
@@ -95,7 +117,7 @@ result<mesh> read_mesh(const std::filesystem::path& path, const medit_read_optio
 }
 
 result<mesh_marks> read_mesh_marks(const std::filesystem::path& path) {
-  if (format_of(path.string()) != nullptr) return mesh_marks{};
+  if (format_of_file(path) != nullptr) return mesh_marks{};
   auto read = read_mesh_file(path, {.without_solution = true});
   if (!read) return read.failure();
   return std::move(read.value().marks);

@@ -108,7 +108,7 @@ failure stl_reader::read_text() {
     } else if (w.text == "facet") {
       if (solid_ == 0) return source_.failure(w.line, "a facet before the first solid");
       if (auto failed = read_facet()) return failed;
-    } else if (w.text == "endsolid") {
+    } else if (w.text == "endsolid" || w.text == "end") {
       source_.rest_of_line();
     } else {
       return source_.failure(w.line, "solid or facet wanted, not " + quoted_token(w.text));

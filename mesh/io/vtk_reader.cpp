@@ -56,6 +56,13 @@ double number_of(std::string_view bytes, const number_type& type) {
   return static_cast<double>(static_cast<std::int64_t>(word << unused) >> unused);
 }
 
+std::string in_capitals(std::string_view text) {
+  std::string upper(text);
+  for (char& c : upper)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return upper;
+}
+
 class vtk_reader {
  public:
   vtk_reader(std::string_view text, const std::string& file)
@@ -113,8 +120,12 @@ class vtk_reader {
 
 failure vtk_reader::read() {
   if (auto failed = read_header()) return failed;
-  for (word head = source_.next(); !head.empty(); head = source_.next())
-    if (auto failed = read_entry(head)) return failed;
+  std::string upper;
+  for (word head = source_.next(); !head.empty(); head = source_.next()) {
+    // Keywords are in any case: FreeFEM has Scalars.
+    upper = in_capitals(head.text);
+    if (auto failed = read_entry({upper, head.line})) return failed;
+  }
   if (!points_seen_) return source_.failure(source_.line(), "there are no POINTS");
   if (auto failed = add_cells()) return failed;
   if (made_.content.triangles.empty() && made_.quadrilaterals.empty() &&
@@ -244,7 +255,7 @@ result<vtk_reader::cell_lists> vtk_reader::read_lists(const word& head) {
   const auto first = count("number of cells"), second = count("size of the list of cells");
   if (!first) return first.failure();
   if (!second) return second.failure();
-  if (text_scanner(source_).next().text == "OFFSETS")
+  if (in_capitals(text_scanner(source_).next().text) == "OFFSETS")
     return read_new_lists(head, first.value(), second.value());
   const auto all = values(second.value(), whole_type, true);
   if (!all) return all.failure();
@@ -272,7 +283,7 @@ result<vtk_reader::cell_lists> vtk_reader::read_new_lists(const word& head, std:
   auto read = values(ends, of_ends.value(), true);
   if (!read) return read.failure();
   made.ends = std::move(read).value();
-  if (source_.next().text != "CONNECTIVITY")
+  if (in_capitals(source_.next().text) != "CONNECTIVITY")
     return source_.failure(source_.line(), "CONNECTIVITY wanted after OFFSETS");
   const auto of_points = type();
   if (!of_points) return of_points.failure();
@@ -350,13 +361,13 @@ failure vtk_reader::read_attribute(const word& head) {
     // The width and the table of colours may be left out.
     components = 1;
     word next = text_scanner(source_).next();
-    if (next.line == head.line && next.text != "LOOKUP_TABLE" && !next.empty()) {
+    if (next.line == head.line && in_capitals(next.text) != "LOOKUP_TABLE" && !next.empty()) {
       const auto wide = count("width of scalars");
       if (!wide) return wide.failure();
       components = wide.value();
       next = text_scanner(source_).next();
     }
-    if (next.text == "LOOKUP_TABLE") {
+    if (in_capitals(next.text) == "LOOKUP_TABLE") {
       source_.next();
       source_.next();
     }
@@ -370,7 +381,7 @@ failure vtk_reader::read_field() {
   if (!arrays) return arrays.failure();
   for (std::size_t i = 0; i < arrays.value(); ++i) {
     word name = source_.next();
-    while (name.text == "METADATA") {
+    while (in_capitals(name.text) == "METADATA") {
       if (auto failed = skip_metadata()) return failed;
       name = source_.next();
     }

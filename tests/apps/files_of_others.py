@@ -314,7 +314,9 @@ class MeditTest(ReaderTest):
         made, _ = self.mesh("n.mesh", text.replace("End\n", outer))
         self.assertEqual({r["number"]: r["area"] for r in made["regions"]}, {9: 8, 7: 1})
         one = "SubDomainFromGeom\n1\n2 1 1 7\nEnd\n"
-        self.expect_refusal("o.mesh", text.replace("End\n", one), "for 1 of the 2 parts", "hole points")
+        self.mesh("o.mesh", text.replace("End\n", one))
+        self.assertAlmostEqual(self.area(), 8)
+        self.expect_refusal("p.mesh", text.replace("End\n", one.replace("2 1 1 7", "2 1 -1 7")), "outside of all edges")
 
     def test_elements_of_second_order_by_their_corners(self):
         points = [(0, 0), (1, 0), (0, 1), (0.5, 0), (0.5, 0.5), (0, 0.5)]
@@ -396,6 +398,11 @@ class GmshTest(ReaderTest):
         self.assertIn("higher order", notes[0])
         self.expect_refusal("o.msh", gmsh("2.2", ["1 4 2 5 5 1 2 3 4"]), "element of type")
 
+    def test_medit_under_the_same_name(self):
+        """BAMG's meshes are named so."""
+        made, notes = self.mesh("m.msh", medit())
+        self.assertEqual({r["number"]: r["area"] for r in made["regions"]}, {3: 1, 4: 1})
+
     def test_lines_alone_are_a_domain(self):
         self.mesh("m.msh", gmsh("2.2", gmsh_elements(())))
         self.assertAlmostEqual(self.area(), 2)
@@ -440,6 +447,12 @@ class NewFormatsTest(ReaderTest):
         self.expect_refusal("n.14", fort14().replace("1 3 10 20 50", "1 3 10 20 55"), "n.14:9:", "55")
         self.expect_refusal("o.14", fort14()[:60], "o.14:")
 
+    def test_strings_that_share_a_side(self):
+        shared = fort14().replace("6 = nodes\n6 20 = nodes, type", "7 = nodes\n7 20 = nodes, type") + "10\n"
+        _, notes = self.mesh("m.14", shared)
+        self.assertTrue(any("in several strings" in n for n in notes), notes)
+        self.assertIn('"open 1+land 1 of type 20"', (self.folder / "out.msh").read_text())
+
     def test_2dm(self):
         made, notes = self.mesh("m.2dm", sms())
         self.assertEqual(self.regions(made), {3: 1, 4: 1})
@@ -460,6 +473,7 @@ class NewFormatsTest(ReaderTest):
         polygons = ("# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n" +
                     "".join(f"{x} {y} 0\n" for x, y in POINTS) + "POLYGONS 2 10\n4 0 1 4 5\n4 1 2 3 4\n")
         self.expect_note("o.vtk", polygons, "2 quadrilaterals")
+        self.mesh("lower.vtk", vtk().replace(b"SCALARS", b"Scalars").replace(b"CELL_DATA", b"Cell_Data"))
         self.expect_refusal("p.vtk", vtk().replace(b"ASCII", b"PLAIN"), "p.vtk:3:", "ASCII")
         self.expect_refusal("q.vtk", vtk()[:300], "q.vtk:")
         self.expect_refusal("r.vtk", vtk(binary=True)[:300], "r.vtk:")
