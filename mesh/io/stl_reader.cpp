@@ -55,7 +55,7 @@ class stl_reader {
   failure read_facet();
   failure read_corner();
   failure expect(std::string_view wanted);
-  void join_corners();
+  failure join_corners();
 
   std::string_view text_;
   text_scanner source_;
@@ -70,7 +70,7 @@ failure stl_reader::read() {
   if (corners_.empty()) return source_.failure(source_.line(), "there is no facet");
   if (corners_.size() > std::numeric_limits<vertex_index>::max() / 4)
     return source_.failure(source_.line(), "more facets than 32-bit numbers can name");
-  join_corners();
+  if (auto failed = join_corners()) return failed;
   if (solid_ > 1) made_.content.regions = std::move(solids_);
   return put_in_order(made_, listed_order::put_right);
 }
@@ -145,7 +145,7 @@ failure stl_reader::read_corner() {
 }
 
 // Makes corners at one place one vertex, numbered in the order in which they first occur.
-void stl_reader::join_corners() {
+failure stl_reader::join_corners() {
   mesh& m = made_.content;
   std::vector<std::size_t> order(corners_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -159,6 +159,8 @@ void stl_reader::join_corners() {
     first[order[k]] = k > 0 && corners_[order[k]].at == corners_[order[k - 1]].at
                           ? first[order[k - 1]]
                           : order[k];
+  constexpr double rounding = 1e-9;
+  const double extent = corners_[order.back()].at.x - corners_[order.front()].at.x;
   std::vector<vertex_index> number(corners_.size());
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const corner& c = corners_[i];
@@ -167,11 +169,16 @@ void stl_reader::join_corners() {
       m.sites.push_back({c.at, {1, 0, 1}});
     }
     number[i] = number[first[i]];
-    if (c.z != 0 && (first[i] == i || c.z != corners_[first[i]].z))
-      made_.heights.push_back({number[i], c.line, c.z});
+    if (first[i] == i && c.z != 0) made_.heights.push_back({number[i], c.line, c.z});
+    // Rounding is for put_in_order to judge, where it is of one vertex.
+    if (!(std::abs(c.z - corners_[first[i]].z) <= rounding * extent))
+      return source_.failure(c.line,
+                             "two corners are above each other: only plane meshes can be "
+                             "read, parallel to x and y");
   }
   for (std::size_t i = 0; i + 2 < corners_.size(); i += 3)
     m.triangles.push_back({number[i], number[i + 1], number[i + 2]});
+  return {};
 }
 
 }  // namespace

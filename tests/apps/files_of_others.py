@@ -484,7 +484,12 @@ class NewFormatsTest(ReaderTest):
         self.assertIn('"right"', (self.folder / "out.msh").read_text())
         self.mesh("n.stl", stl(binary=True))
         self.assertAlmostEqual(self.area(), 2)
-        self.expect_refusal("o.stl", stl().replace(b"vertex 1 1 0", b"vertex 1 1 3", 1), "o.stl:", "is not 0")
+        # A cube has corners above each other, whichever comes first.
+        text = stl().decode()
+        above = text + text.replace(" 0\n", " 1\n").replace("facet normal 0 0 1", "facet normal 0 0 -1")
+        self.expect_refusal("p.stl", above, "above each other")
+        self.expect_refusal("q.stl", text.replace(" 0\n", " 1\n") + text, "above each other")
+        self.expect_refusal("o.stl", stl().replace(b"vertex 1 1 0", b"vertex 1 1 3"), "o.stl:", "is not 0")
 
     def test_every_format_is_certified_and_told(self):
         """In the plane metric where there is none, said aloud."""
