@@ -198,7 +198,7 @@ def _text(d: _Drawing, join: Optional[float], holes: Sequence[Point], notes: Lis
         raise InputError(f"{d.name}: there is no line, polyline, arc, circle, ellipse or spline")
     extent = max(max(p[k] for p in everything) - min(p[k] for p in everything) for k in (0, 1))
     heights = {z for _, z in d.heights}
-    if len(heights) > 1 or (heights and len(d.heights) < len(d.ends) and max(map(abs, heights)) > ROUNDING * extent):
+    if len(heights) > 1 or (heights and len(d.heights) < len(d.ends) and max(abs(z) for z in heights) > ROUNDING * extent):
         what, z = max(d.heights, key=lambda h: abs(h[1]))
         raise InputError(f"{d.name}: {what}: z is {z}, and others have another: only plane drawings can be read")
     if heights:
@@ -236,12 +236,14 @@ def poly_of_dxf(path: "str | os.PathLike[str]", layers: Optional[Iterable[str]] 
     wider gaps of straight drawings are for --repair-domain. What is joined, passed over or approximated is a
     UserWarning. Needs ezdxf.
     """
-    import ezdxf  # pylint: disable=import-outside-toplevel
+    # pylint: disable=import-outside-toplevel
+    from ezdxf.filemanagement import readfile
+    from ezdxf.lldxf.const import DXFError
 
     name = os.fspath(path)
     try:
-        document = ezdxf.readfile(name)
-    except (OSError, ezdxf.DXFError) as odd:
+        document = readfile(name)
+    except (OSError, DXFError) as odd:
         raise InputError(f"{name}: {odd}") from odd
     drawing = _Drawing(name)
     wanted = None if layers is None else set(layers)
