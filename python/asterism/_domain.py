@@ -10,14 +10,12 @@ import numpy as np
 import numpy.typing as npt
 
 from ._asterism import InputError, _Domain
-from ._forms import path_of
+from ._forms import is_mesh_file, path_of
 
 if TYPE_CHECKING:
     from ._mesh import Mesh
 
 _BUILT_IN = ("square", "airfoil", "naca0012")
-_MESH_FILES = (".mesh", ".meshb", ".msh", ".msh2", ".vtu", ".vtk", ".su2", ".14", ".grd", ".2dm", ".stl",
-               ".xdmf", ".xmf")
 
 
 class Repair(NamedTuple):
@@ -39,6 +37,8 @@ class Domain:
     True or a distance, crossings become points, near points one, and gaps are closed; `repairs` says
     where.
     """
+
+    _is_meshed = False
 
     def __init__(self, points: npt.ArrayLike, segments: Optional[npt.ArrayLike] = None,
                  markers: Optional[npt.ArrayLike] = None, holes: npt.ArrayLike = (),
@@ -107,7 +107,7 @@ class Domain:
             from ._drawing import read_dxf
 
             return read_dxf(name, repair=repair)
-        if not name.lower().endswith(_MESH_FILES):
+        if not is_mesh_file(name):
             return cls._of(_Domain.load(name, repair))
         from ._mesh import read
 
@@ -116,7 +116,14 @@ class Domain:
             return cls._of(_Domain.load(name, repair))
         if repair is not False:
             raise InputError(f"repair: {name} is a mesh, whose edges are kept as they are")
-        return cls.from_mesh(of)
+        return cls._covering(of)
+
+    @classmethod
+    def _covering(cls, mesh: Mesh) -> Domain:
+        """What a mesh covers, which may stay as it is where it meets what is asked already."""
+        domain = cls.from_mesh(mesh)
+        domain._is_meshed = True
+        return domain
 
     @classmethod
     def from_mesh(cls, mesh: Mesh, corner_angle: Optional[float] = None) -> Domain:
@@ -166,7 +173,7 @@ def as_domain(what: Any, repair: "bool | float" = False) -> Domain:
     if hasattr(getattr(what, "_made", None), "domain"):
         if repair is not False:
             raise InputError("repair: the edges of a mesh are kept as they are")
-        return Domain.from_mesh(what)
+        return Domain._covering(what)
     if isinstance(what, (str, os.PathLike)):
         name = path_of(what)
         if name in _BUILT_IN:

@@ -16,6 +16,9 @@ Fields = Union[npt.ArrayLike, Mapping[str, npt.ArrayLike]]
 NamedFields = List[Tuple[str, Any]]
 Doubles = npt.NDArray[np.float64]
 
+# Meshes that are read through meshio.
+MESHIO_FILES = (".xdmf", ".xmf")
+
 # Roundings of a product of matrices leave two off-diagonal entries no farther apart, in parts of the
 # geometric mean of the others.
 _LARGEST_ASYMMETRY = 1e-12
@@ -139,6 +142,11 @@ class CalledMetric:
 def constant_text(tensor: Doubles) -> str:
     """The formula of a constant metric, as the command takes it."""
     return "expr:" + ";".join(repr(float(entry)) for entry in tensor.reshape(3))
+
+
+def is_mesh_file(name: str) -> bool:
+    """True if a file of this name is a mesh, as the library tells them, or one that meshio reads for us."""
+    return _asterism._is_mesh_file(name) or name.lower().endswith(MESHIO_FILES)
 
 
 def path_of(path: "str | os.PathLike[str]") -> str:

@@ -13,7 +13,7 @@ from . import _asterism
 from ._asterism import InputError, _Mesh
 from ._certificate import Certificate
 from ._domain import Domain
-from ._forms import Fields, doubles, named_fields, path_of, tensor_rows
+from ._forms import MESHIO_FILES, Fields, doubles, named_fields, path_of, tensor_rows
 from ._page import Page
 
 Doubles = npt.NDArray[np.float64]
@@ -270,7 +270,7 @@ def read(path: "str | os.PathLike[str]") -> Mesh:
     with the metric of its .sol or in it (without one: the plane's) and the certificate beside it. What its
     reader changed is a UserWarning."""
     name = path_of(path)
-    if not name.lower().endswith((".xdmf", ".xmf")):
+    if not name.lower().endswith(MESHIO_FILES):
         return Mesh._of(_Mesh.read(name))
     import meshio
 

@@ -86,20 +86,13 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
         "size": size, "angle_bound": angle_bound, "max_sites": max_sites,
         "gradation": gradation_of(gradation, False), "prove_voronoi": prove_voronoi, "improve": improve,
         "vertices": vertices, "complexity": complexity, "metric_tolerance": metric_tolerance,
-        "chord_tolerance": chord_tolerance, "keep_if_complete": _is_mesh(domain), "max_seconds": max_seconds,
+        "chord_tolerance": chord_tolerance, "keep_if_complete": covered._is_meshed, "max_seconds": max_seconds,
         "sizes": words_of(size_at, size_box, size_in, size_near, layers,
                           {"hmin": hmin, "hmax": hmax, "aspect": aspect}),
         "threads": threads, "progress": progress}))
     if not made.complete:
         warnings.warn(made.reason, NotReachedWarning, stacklevel=2)
     return made
-
-
-def _is_mesh(domain: Any) -> bool:
-    """True of a mesh, which may stay as it is."""
-    if isinstance(domain, (str, os.PathLike)):
-        return os.fspath(domain).lower().endswith((".mesh", ".meshb", ".msh", ".msh2", ".vtu"))
-    return isinstance(domain, Mesh)
 
 
 def _metric_and_size(metric: Any, on: Optional[Mesh], domain: Domain, size: Optional[float],

@@ -132,8 +132,9 @@ result<adapt_answer> answer(const py_mesh& on, const adapt_request& asked, const
   return made;
 }
 
-py_mesh packaged(certified_mesh made) {
+py_mesh packaged(certified_mesh made, const physical_names& names) {
   py_mesh m;
+  m.names = names;
   m.complete = made.outcome.complete;
   m.certified = made.certified();
   m.reason = made.claim.reason;
@@ -181,8 +182,8 @@ py::tuple adapt(const py_mesh& on, const named_fields& fields, const py::object&
   warn(made.next.made.outcome.result.notes);
   py::list values;
   if (made.values) values = arrays_of(made.values->values);
-  return py::make_tuple(packaged(std::move(made.next.made)), array_of(made.metric.tensors), values,
-                        facts);
+  return py::make_tuple(packaged(std::move(made.next.made), on.names),
+                        array_of(made.metric.tensors), values, facts);
 }
 
 }  // namespace

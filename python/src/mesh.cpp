@@ -92,6 +92,7 @@ std::vector<std::string> save(const py_mesh& m, const std::string& name) {
   write_options options;
   options.picture.angle_bound = m.angle_bound;
   options.report = facts_of(m, path.filename().string());
+  options.names = m.names;
   if (m.claim && m.claim->original) options.smooth = internal::smooth_vertices(*m.claim->original);
   if (m.claim && !m.certified) options.note = "Incomplete, not certified: " + m.reason;
   std::vector<std::string> names;
@@ -237,8 +238,10 @@ py_mesh read_unlocked(const std::string& name) {
   medit_read_options options;
   options.identity_without_solution = true;
   py_mesh made;
-  made.content = value_or_raise(read_mesh(path, options));
-  made.marks = value_or_raise(read_mesh_marks(path));
+  mesh_file file = value_or_raise(read_mesh_file(path, options));
+  made.content = std::move(file.content);
+  made.marks = std::move(file.marks);
+  made.names = std::move(file.names);
   made.reason = "it was read from " + path.string();
   auto beside = path;
   beside.replace_extension(".certificate.json");
@@ -270,6 +273,8 @@ py::dict statistics(const py_mesh& m) {
 }  // namespace
 
 void define_mesh(py::module_& m) {
+  m.def(
+      "_is_mesh_file", [](const std::string& name) { return is_mesh_file(name); }, py::arg("name"));
   py::class_<py_mesh>(m, "_Mesh")
       .def_static("from_arrays", &from_arrays, py::arg("points"), py::arg("triangles"),
                   py::arg("metric"), py::arg("more"))

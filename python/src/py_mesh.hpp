@@ -9,6 +9,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/mesh_marks.hpp"
+#include "asterism/mesh/io/physical_names.hpp"
 
 namespace asterism::python {
 
@@ -19,6 +20,7 @@ struct py_mesh {
   double angle_bound = 0;            // degrees, for pictures
   std::optional<certificate> claim;  // of a mesh that was made, or that came with one
   mesh_marks marks = {};             // what is to stay when the mesh is adapted
+  physical_names names = {};         // of markers and regions, for files
 };
 
 }  // namespace asterism::python

@@ -156,11 +156,12 @@ py::tuple state_of(const py_mesh& held) {
                         rows_of<std::uint32_t>(m.triangles), m.regions, boundary_state(m),
                         rows_of<std::uint32_t>(m.disagreeing), m.references, held.complete,
                         held.certified, held.reason, held.angle_bound, claim, held.marks.corners,
-                        held.marks.required_vertices, held.marks.required_edges);
+                        held.marks.required_vertices, held.marks.required_edges, held.names.markers,
+                        held.names.regions);
 }
 
 py_mesh mesh_of_state(const py::tuple& state) {
-  check_version(state, 16);
+  check_version(state, 18);
   py_mesh held;
   mesh& m = held.content;
   m.sites = rows_from<double, site>(state[1]);
@@ -184,6 +185,8 @@ py_mesh mesh_of_state(const py::tuple& state) {
   held.marks.corners = state[13].cast<std::vector<vertex_index>>();
   held.marks.required_vertices = state[14].cast<std::vector<vertex_index>>();
   held.marks.required_edges = state[15].cast<std::vector<std::array<vertex_index, 2>>>();
+  held.names.markers = state[16].cast<std::map<int, std::string>>();
+  held.names.regions = state[17].cast<std::map<int, std::string>>();
   return held;
 }
 

@@ -188,6 +188,43 @@ def work(mesh):
     return asterism.mesh(mesh.domain, size=0.4).triangles.shape
 
 
+NAMED = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 4 "inlet pipe"
+2 7 "steel"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+6
+1 1 2 4 1 1 2
+2 1 2 5 1 2 3
+3 1 2 5 1 3 4
+4 1 2 5 1 4 1
+5 2 2 7 1 1 2 3
+6 2 2 7 1 1 3 4
+$EndElements
+"""
+
+
+def test_names_of_a_file_go_with_its_mesh(tmp_path):
+    (tmp_path / "named.msh").write_text(NAMED)
+    mesh = asterism.read(tmp_path / "named.msh")
+    adapted = asterism.adapt(mesh, metric=0.2).mesh
+    assert adapted.certified and set(adapted.edge_markers) == {4, 5} and set(adapted.regions) == {7}
+    for k, of in enumerate((mesh, adapted, pickle.loads(pickle.dumps(adapted)), copy.deepcopy(mesh))):
+        of.save(tmp_path / f"{k}.msh")
+        assert '"inlet pipe"' in (tmp_path / f"{k}.msh").read_text() and '"steel"' in (tmp_path / f"{k}.msh").read_text()
+
+
 def test_other_processes_get_meshes(made):
     context = multiprocessing.get_context("spawn")
     with concurrent.futures.ProcessPoolExecutor(1, context) as pool:
