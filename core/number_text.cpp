@@ -17,7 +17,10 @@ std::string quoted_token(std::string_view token) {
   return text + (token.size() > longest ? "...'" : "'");
 }
 
+// Has words for what is no number: it comes of numbers that are too large.
 std::string format_number(double value) {
+  if (std::isnan(value)) return "unknown";
+  if (std::isinf(value)) return value > 0 ? "too large" : "too far below 0";
   constexpr int digits = 6;
   std::array<char, 32> text{};
   const auto written = std::to_chars(text.data(), text.data() + text.size(), value,

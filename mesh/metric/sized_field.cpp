@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 
 namespace asterism::internal {
@@ -19,15 +20,25 @@ double half_of_longer_side(const bounding_box& box) {
   return std::max(box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2);
 }
 
+// Returns the number with all its digits, or the words for one that is too large.
+std::string in_full(double x) {
+  return std::isfinite(x) ? fmt::format("{:.17g}", x) : format_number(x);
+}
+
 }  // namespace
 
 result<metric_tensor> checked_tensor(const point& q, const metric_tensor& m) {
   const bool finite = std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
   if (finite && filtered_kernel().is_positive_definite(m)) return m;
+  if (!std::isfinite(q.x) || !std::isfinite(q.y))
+    return error{
+        "the metric is asked for at a point beyond the range of doubles: the domain's "
+        "coordinates are too large for it, and smaller ones, in another unit, are not",
+        error_code::invalid_metric};
   return error{
-      fmt::format(
-          "the metric at ({:.17g}, {:.17g}) is not {}: m11 = {:.17g}, m12 = {:.17g}, m22 = {:.17g}",
-          q.x, q.y, finite ? "positive definite" : "finite", m.m11, m.m12, m.m22),
+      fmt::format("the metric at ({:.17g}, {:.17g}) is not {}: m11 = {}, m12 = {}, m22 = {}", q.x,
+                  q.y, finite ? "positive definite" : "finite", in_full(m.m11), in_full(m.m12),
+                  in_full(m.m22)),
       error_code::invalid_metric};
 }
 

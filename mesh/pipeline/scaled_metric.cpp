@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/metric/local_sizes.hpp"
 #include "asterism/mesh/pipeline/metric_complexity.hpp"
@@ -61,7 +62,8 @@ result<scaled_metric> make_scaled_metric(const domain& d, const field_of_size& m
     found = complexity.value();
     const double ratio = found / *wanted.complexity;
     if (!(ratio > 0 && std::isfinite(ratio)))
-      return error{fmt::format("complexity: the metric has {}, which cannot be scaled", found)};
+      return error{fmt::format("complexity: that of the metric is {}, which cannot be scaled",
+                               internal::format_number(found))};
     if (std::abs(ratio - 1) <= near) {
       made.value().complexity = found;
       return made;

@@ -81,7 +81,7 @@ TEST_CASE("a tensor that is no metric is refused with point and numbers") {
   const auto semidefinite = make_metric_field("expr:1;3;9", unit_box).value()->at({0, 0});
   REQUIRE_THAT(semidefinite.failure().message, Catch::Contains("not positive definite"));
   const auto infinite = make_metric_field("expr:1/x;0;1", unit_box).value()->at({0, 1});
-  REQUIRE_THAT(infinite.failure().message, Catch::Contains("not finite: m11 = inf"));
+  REQUIRE_THAT(infinite.failure().message, Catch::Contains("not finite: m11 = too large"));
   CHECK(infinite.failure().code == error_code::invalid_metric);
   const auto undefined = make_metric_field("expr:sqrt(x);0;1", unit_box).value()->at({-1, 1});
   REQUIRE_THAT(undefined.failure().message, Catch::Contains("not finite"));
