@@ -89,3 +89,21 @@ def test_refusals_name_the_row_and_the_argument():
         asterism.orientation((0, 0), (np.nan, 0), (1, 1))
     with pytest.raises(asterism.InputError, match="p: an array of numbers"):
         asterism.orientation("abc", (0, 0), (1, 1))
+
+
+def test_an_interrupt_is_heard_between_batches(monkeypatch):
+    import os
+    import signal
+
+    module, asked = asterism._predicates._asterism, []
+    real = module._orientation
+
+    def ask(*tables, counts):
+        asked.append(len(tables[0]))
+        os.kill(os.getpid(), signal.SIGINT)
+        return real(*tables, counts=counts)
+
+    monkeypatch.setattr(module, "_orientation", ask)
+    with pytest.raises(KeyboardInterrupt):
+        asterism.orientation(np.zeros((200000, 2)), (1, 0), (0, 1))
+    assert len(asked) == 1 and asked[0] < 100000
