@@ -161,8 +161,8 @@ std::string intolerable_text(const mesh_outcome& outcome) {
   if (distance.of == measure::density)
     return fmt::format(
         "{}, in a metric that is another one than the one wanted: on the whole it is {:.4g} times "
-        "as {}; a metric tolerance of {} is kept, and a smaller size or a gradation brings the two "
-        "nearer",
+        "as {}; a metric tolerance of {} is kept by this mesh, and a smaller size or a gradation "
+        "brings the two nearer",
         ending_text(outcome.ended), distance.found,
         outcome.delivered &&
                 outcome.delivered->complexity_delivered < outcome.delivered->complexity_wanted
@@ -172,14 +172,15 @@ std::string intolerable_text(const mesh_outcome& outcome) {
   if (distance.of == measure::median)
     return fmt::format(
         "{}, in a metric that is another one than the one wanted: half of the sites find some "
-        "length more than {:.4g} times as long or as short; a metric tolerance of {} is kept, and "
-        "a smaller size or a gradation brings the two nearer",
+        "length more than {:.4g} times as long or as short; a metric tolerance of {} is kept by "
+        "this mesh, and a smaller size or a gradation brings the two nearer",
         ending_text(outcome.ended), internal::elementary::exp(distance.found),
         number_text(distance.greatest));
   const std::string found = format_number(distance.found);
-  const std::string beyond = " from the one wanted, where " + format_number(distance.allowed) +
-                             " is tolerated; a metric tolerance of " + number_text(distance.found) +
-                             " is kept, and a smaller size or a gradation brings the two nearer";
+  const std::string beyond =
+      " from the one wanted, where " + format_number(distance.allowed) +
+      " is tolerated; a metric tolerance of " + number_text(distance.found) +
+      " is kept by this mesh, and a smaller size or a gradation brings the two nearer";
   const std::string ended = ending_text(outcome.ended);
   if (outcome.delivered) return ended + ", in a metric delivered that is " + found + beyond;
   return "stars agree in a metric " + found + beyond + "; in the one wanted: " + ended;
