@@ -407,7 +407,7 @@ void settle(listed_mesh& from) {
   for (std::size_t i = 0; i < markers.size(); ++i) m.boundary[i].marker = markers[i];
   for (std::size_t i = 0; i < of_quadrilaterals.size(); ++i)
     from.quadrilaterals[i].region = of_quadrilaterals[i];
-  m.notes.push_back(std::move(note));
+  if (!note.empty()) m.notes.push_back(std::move(note));
 }
 
 failure put_right(listed_mesh& m) {

@@ -200,8 +200,8 @@ failure vtu_mesh_reader::read_boundary() {
     if (!from) return from.failure();
     if (!to) return to.failure();
     if (e[3] < 0) return refuse(*a, fmt::format("the segment {:.0f} does not exist", e[3]));
-    m.boundary.push_back(
-        {from.value(), to.value(), static_cast<vertex_index>(e[3]), static_cast<int>(e[2]), false});
+    m.boundary.push_back({from.value(), to.value(), static_cast<vertex_index>(e[3]),
+                          made_.wide.number(static_cast<long long>(e[2])), false});
   }
   return {};
 }

@@ -11,7 +11,8 @@
 namespace asterism::internal {
 namespace {
 
-// References below it are wide ones too, so that no reference is taken for a place holder.
+// References below it have place holders too, so that none is taken for one, and stay what they
+// are.
 constexpr int first_reference = std::numeric_limits<int>::min() / 2;
 
 void replace_keys(std::map<int, std::string>& names, const std::map<int, int>& by) {
@@ -49,21 +50,27 @@ std::string wide_references::settle(const std::vector<std::vector<int>*>& lists,
   std::string told;
   constexpr std::size_t most_told = 3;
   int next = 1;
+  std::size_t wide = 0;
   for (const auto& [reference, holder] : holder_) {
+    if (reference >= std::numeric_limits<int>::min() &&
+        reference <= std::numeric_limits<int>::max()) {
+      by[holder] = static_cast<int>(reference);
+      continue;
+    }
     while (used.count(next) != 0) ++next;
     by[holder] = next;
-    if (by.size() <= most_told)
+    if (++wide <= most_told)
       told += fmt::format("{}{} is {}", told.empty() ? "" : ", ", reference, next);
     ++next;
   }
   for (auto* list : lists)
     for (int& number : *list)
-      if (number < first_reference) number = by.at(number);
+      if (const auto at = by.find(number); at != by.end()) number = at->second;
   replace_keys(names.markers, by);
   replace_keys(names.regions, by);
-  return fmt::format(
-      "references that 32 bits do not hold have other numbers here: {}{}", told,
-      by.size() > most_told ? fmt::format(", and {} more", by.size() - most_told) : "");
+  if (wide == 0) return {};
+  return fmt::format("references that 32 bits do not hold have other numbers here: {}{}", told,
+                     wide > most_told ? fmt::format(", and {} more", wide - most_told) : "");
 }
 
 }  // namespace asterism::internal

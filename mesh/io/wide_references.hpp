@@ -24,7 +24,8 @@ class wide_references {
   int number(long long reference);
   bool empty() const { return holder_.empty(); }
 
-  // Replaces the place holders in all lists and names. Returns a note. Requires !empty().
+  // Replaces the place holders in all lists and names. Returns a note, empty where all fit
+  // into 32 bits. Requires !empty().
   std::string settle(const std::vector<std::vector<int>*>& lists, physical_names& names);
 
  private:

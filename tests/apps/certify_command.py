@@ -149,12 +149,18 @@ class Certify(command.CommandTest):
         self.write("ring.sol", solution([(4, 0, 4 + 30 * max(0, x)) for x, _, _ in places]))
         self.run_certify(0, "ring.mesh", "--repair", "-o", "out.mesh")
 
-    def test_an_inverted_triangle_is_counted(self):
-        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    def test_a_flat_triangle_is_counted(self):
+        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0.5, 0.5, 0)]
         self.write("t.mesh", medit(corners, [(1, 2, 3, 0), (1, 4, 3, 0)]))
         self.write("t.sol", solution([(1, 0, 1)] * 4))
         done = self.run_certify(1, "t.mesh", "--repair", "-o", "out.mesh")
         self.assertRegex(done.stdout, "\ninverted or flat: 1\n")
+        self.assertRegex(done.stderr, "no triangulation")
+        self.assertNotIn("out.mesh", self.files())
+        # Beyond the side that it shares with the other triangle it can be turned over, and is folded.
+        corners[3] = (0.75, 0.25, 0)
+        self.write("t.mesh", medit(corners, [(1, 2, 3, 0), (1, 4, 3, 0)]))
+        done = self.run_certify(1, "t.mesh", "--repair", "-o", "out.mesh")
         self.assertRegex(done.stderr, "no triangulation")
         self.assertNotIn("out.mesh", self.files())
 

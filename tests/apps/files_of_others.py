@@ -331,6 +331,11 @@ class MeditTest(ReaderTest):
         made = self.expect_note("m.mesh", medit(triangles=wide), "4294967299 is 1, 4294967300 is 2")
         self.assertEqual({r["number"]: r["area"] for r in made["regions"]}, {1: 1, 2: 1})
 
+    def test_the_least_reference_of_32_bits_stays(self):
+        least = [(c, -2**31 if r == 3 else 2**31 - 1) for c, r in TRIANGLES]
+        made, notes = self.mesh("m.mesh", medit(triangles=least))
+        self.assertEqual(({r["number"] for r in made["regions"]}, notes), ({-2**31, 2**31 - 1}, []))
+
     def test_exponents_of_fortran(self):
         text = medit().replace("(2, 1)", "").replace("\n2 0 0\n", "\n2.0D+00 0.0d0 0\n").replace("\n1 1 0\n", "\n.1D1 1.00-000 0\n")
         made, notes = self.mesh("m.mesh", text)
