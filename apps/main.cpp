@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   add_mesh_command(program, chosen);
   add_verify_command(program, chosen);
   add_certify_command(program, chosen);
+  add_check_command(program, chosen);
   add_adapt_command(program, chosen);
   add_metric_command(program, chosen);
   add_transfer_command(program, chosen);

@@ -299,12 +299,14 @@ class Angles:
                     if along > 0 and bottom * along * along > limit:
                         self.excuse(t, i, p)
         # "3. Not more than half of the triangles have an exempt angle and segments for all sides, one
-        # of them inside the domain."
+        # of them inside the domain." Where the mesh is its own domain, not all inner edges are segments.
         enclosed = [t for t in self.exempt if all(
             self.plane.is_segment(v, self.plane.inner[t][i - 1])
             for i, v in enumerate(self.plane.inner[t])) and min(
                 self.plane.across[3 * t:3 * t + 3]) < self.plane.most]
-        need(2 * len(enclosed) <= len(self.plane.inner), "next to nothing of the mesh is judged")
+        free = given <= plane.count or not self.exempt or any(edge < reverse < plane.most and not plane.is_segment(
+            self.corner(edge), self.corner(after(edge))) for edge, reverse in enumerate(plane.across[:plane.most]))
+        need(free and 2 * len(enclosed) <= len(plane.inner), "next to nothing of the mesh is judged")
     def excuse(self, t, i, p):
         # "3. Exempt is an angle at a vertex of the domain whose own angle there, between segments in
         # a row, is below the bound in the metric of the vertex and in the one that measures."
@@ -328,8 +330,7 @@ class Angles:
     def corner(self, edge): return self.plane.triangles[edge // 3][edge % 3]
 def after(edge): return edge - 2 if edge % 3 == 2 else edge + 1
 def before(edge): return edge - 1 if edge % 3 else edge + 2
-def product(m, p, q):
-    return p[0] * (m[0] * q[0] + m[1] * q[1]) + p[1] * (m[1] * q[0] + m[2] * q[1])
+def product(m, p, q): return p[0] * (m[0] * q[0] + m[1] * q[1]) + p[1] * (m[1] * q[0] + m[2] * q[1])
 def determinant(m): return m[0] * m[2] - m[1] * m[1]
 
 # ---- Point 4: neighbours stay -----------------------------------------------------------------------
@@ -342,8 +343,7 @@ def keeps(plane, v, w, x, y):
             ((px[v] - px[z], py[v] - py[z]), (px[w] - px[z], py[w] - py[z])) for z in (x, y)))
     excess = along_x * area_y - along_y * area_x
     return excess > 0 or (excess == 0 and max((v, w, x, y), key=lambda z: (px[z], py[z])) in (x, y))
-def have_one_metric(plane, *sites):
-    return all(plane.metric[s] == plane.metric[sites[0]] for s in sites)
+def have_one_metric(plane, *sites): return all(plane.metric[s] == plane.metric[sites[0]] for s in sites)
 def check_neighbours(plane, proof):
     # "An inner edge v-w with y on its left and x on its right is asked about if v or w asks: v, x, y
     # turn counter-clockwise and w is not strictly within, or w, y, x do and v is not."
@@ -568,7 +568,7 @@ def check(mesh_path, proof_path, domain_path, angle_bound, metric_path):
     if domain:
         check_domain(plane, domain)
     if angle_bound > 0:
-        Angles(plane, len(domain.points) if domain else plane.count, angle_bound)
+        Angles(plane, len(domain.points) if domain else plane.count + 1, angle_bound)
     check_neighbours(plane, proof)
     # Theorem 5: "If all sites have one metric, nothing else is to be asked."
     if not have_one_metric(plane, *range(plane.count)):

@@ -12,7 +12,7 @@ import unittest
 
 import command
 
-COMMANDS = ["mesh", "verify", "certify", "adapt", "metric", "transfer", "eval", "challenge", "deviation", "draw", "info",
+COMMANDS = ["mesh", "verify", "certify", "check", "adapt", "metric", "transfer", "eval", "challenge", "deviation", "draw", "info",
             "completion", "help", "man"]
 
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads proofs in the format of docs/math/proof-format.md.
+#pragma once
+
+#include <string_view>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/proof/mesh_proof.hpp"
+
+namespace asterism::internal {
+
+// Returns the proof that these bytes hold, its exceptions in order. Fails where they hold none, or
+// one of a mesh with other numbers of vertices and triangles.
+result<mesh_proof> read_proof(std::string_view bytes, const mesh& subject);
+
+}  // namespace asterism::internal
