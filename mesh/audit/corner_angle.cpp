@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/audit/corner_angle.hpp"
 
-#include <mpfr.h>
-
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/audit/rounded_rational.hpp"
 #include "asterism/mesh/support/wide_range.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
-
-// Returns cot^2, off by less than 2^-190 of it: 256 bits, four roundings.
-rational squared_cotangent_rounded(double degrees, mpfr_rnd_t away, mpfr_rnd_t towards) {
-  mpfr_t angle, pi;
-  mpfr_init2(angle, 256);
-  mpfr_init2(pi, 256);
-  mpfr_const_pi(pi, away);
-  mpfr_mul_d(angle, pi, degrees, away);
-  mpfr_div_ui(angle, angle, 180, away);
-  mpfr_tan(angle, angle, away);
-  mpfr_sqr(angle, angle, away);
-  mpfr_ui_div(angle, 1, angle, towards);
-  rational result;
-  mpfr_get_q(result.backend().data(), angle);
-  mpfr_clear(pi);
-  mpfr_clear(angle);
-  return result;
-}
 
 template <class Number>
 struct corner_terms {
@@ -56,10 +37,11 @@ squared_cotangent make_squared_cotangent(double degrees) {
   else if (degrees == 60)
     c.low = c.high = rational(1) / 3;
   else {
-    c.low = squared_cotangent_rounded(degrees, MPFR_RNDU, MPFR_RNDD);
-    c.high = squared_cotangent_rounded(degrees, MPFR_RNDD, MPFR_RNDU);
+    const cotangent_bounds bounds = squared_cotangent_of(degrees);
+    c.low = bounds.low;
+    c.high = bounds.high;
   }
-  const double value = c.low.convert_to<double>();
+  const double value = as_double(rounded(c.low, 53, direction::down), direction::down);
   c.filter = bounded::within(value, value * 0x1p-50);
   c.root_below = root(c.filter).lower();
   return c;

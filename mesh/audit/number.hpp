@@ -4,17 +4,16 @@
 // (kernels/bounded.hpp), and rationals.
 #pragma once
 
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <limits>
 
 #include "asterism/core/site.hpp"
 #include "asterism/kernels/bounded.hpp"
+#include "asterism/mesh/support/rational.hpp"
 
 namespace asterism::internal::audit_detail {
 
-using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
-                                               boost::multiprecision::et_off>;
+using internal::rational;
 
 // Returns the greater of two upper bounds and a lower bound kept only if positive: what is not a
 // number, because something overflowed, bounds nothing.

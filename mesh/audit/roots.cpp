@@ -1,49 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/audit/roots.hpp"
 
-#include <mpfr.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "asterism/mesh/audit/rounded_rational.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
 
-constexpr mpfr_prec_t bits_of_roots = 200;
-
-rational root_towards(const rational& square, mpfr_rnd_t direction) {
-  mpfr_t value;
-  mpfr_init2(value, bits_of_roots);
-  mpfr_set_q(value, square.backend().data(), direction);
-  mpfr_sqrt(value, value, direction);
-  rational root;
-  mpfr_get_q(root.backend().data(), value);
-  mpfr_clear(value);
-  return root;
+rational root_towards(const rational& square, direction to) {
+  constexpr unsigned bits_of_roots = 200;
+  return as_rational(rounded_root(rounded(square, bits_of_roots, to), bits_of_roots, to));
 }
+
+constexpr unsigned double_bits = 53;
 
 }  // namespace
 
-rational root_above(const rational& square) { return root_towards(square, MPFR_RNDU); }
-rational root_below(const rational& square) { return root_towards(square, MPFR_RNDD); }
+rational root_above(const rational& square) { return root_towards(square, direction::up); }
+rational root_below(const rational& square) { return root_towards(square, direction::down); }
 
 double double_above(const rational& number) {
-  mpfr_t value;
-  mpfr_init2(value, 53);
-  mpfr_set_q(value, number.backend().data(), MPFR_RNDU);
-  const double result = mpfr_get_d(value, MPFR_RNDU);
-  mpfr_clear(value);
-  return result;
+  return number < 0 ? -as_double(rounded(-number, double_bits, direction::down), direction::down)
+                    : as_double(rounded(number, double_bits, direction::up), direction::up);
 }
 
 double root_rounded_up(const rational& square) {
-  mpfr_t value;
-  mpfr_init2(value, 53);
-  mpfr_set_q(value, square.backend().data(), MPFR_RNDU);
-  mpfr_sqrt(value, value, MPFR_RNDU);
-  const double result = mpfr_get_d(value, MPFR_RNDU);
-  mpfr_clear(value);
-  return result;
+  const binary_number rounded_square = rounded(square, double_bits, direction::up);
+  return as_double(rounded_root(rounded_square, double_bits, direction::up), direction::up);
 }
 
 double unit_in_last_place(double size) {

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/domain/exact_lengths.hpp"
 
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <limits>
 
 #include "asterism/core/dyadic.hpp"
+#include "asterism/mesh/support/rational.hpp"
 
 namespace asterism::internal {
 namespace {
-
-using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
-                                               boost::multiprecision::et_off>;
 
 struct exact_vector {
   dyadic x, y;
@@ -27,7 +24,7 @@ dyadic squared_distance(const point& p, const point& q) {
   return dot(u, u);
 }
 
-// The conversion of GMP cuts off.
+// The conversion may cut off.
 double nearest_double(const rational& x) {
   const double cut = static_cast<double>(x);
   const double next = std::nextafter(cut, x < cut ? -std::numeric_limits<double>::infinity()

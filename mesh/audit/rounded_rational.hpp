@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Rounds rationals, their square roots, and cotangents to some number of bits, in a direction.
+// Everything is done in whole numbers; inside the auditor alone.
+#pragma once
+
+#include "asterism/mesh/support/rational.hpp"
+
+namespace asterism::internal::audit_detail {
+
+enum class direction { down, up };
+
+// The number mantissa * 2^exponent.
+struct binary_number {
+  whole_number mantissa;
+  long exponent = 0;
+};
+
+// Returns a number that is not negative, rounded to `bits` bits.
+binary_number rounded(const rational& number, unsigned bits, direction to);
+// Returns its square root, rounded to `bits` bits.
+binary_number rounded_root(const binary_number& square, unsigned bits, direction to);
+
+rational as_rational(const binary_number& number);
+// Returns the next double in the direction, or the number itself. Upward, infinity where that
+// overflows.
+double as_double(const binary_number& number, direction to);
+
+// Bounds of cot^2 of an angle: off by less than 2^-190 of it.
+struct cotangent_bounds {
+  rational low, high;
+};
+// Requires an angle above 0 and below 90 degrees.
+cotangent_bounds squared_cotangent_of(double degrees);
+
+}  // namespace asterism::internal::audit_detail
