@@ -44,7 +44,9 @@ enum class look_end { all, refused, unfinished };
 // the most work that is done for so many sites, or when it is cancelled.
 look_end check_in_turn(audit_context& context, const star_surroundings& around,
                        const check_order& in_order, bool neighbours_alone, std::size_t most) {
-  const auto& [order, groups, together] = in_order;
+  const std::vector<vertex_index>& order = in_order.vertices;
+  const std::vector<std::size_t>& groups = in_order.groups;
+  const std::size_t together = in_order.together;
   const std::size_t before = context.report.total_found();
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     star_check part(context, tally, around);

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <limits>
-#include <system_error>
 
 #include "asterism/core/number_text.hpp"
 
@@ -34,32 +32,6 @@ std::string with_plain_exponent(std::string_view number) {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 
 }  // namespace
-
-result<std::string> read_text_file(const std::filesystem::path& path) {
-  std::error_code status;
-  if (!std::filesystem::exists(path, status))
-    return error{path.string() + ": no such file", error_code::unreadable_file};
-  // A directory opens like a file and only fails later, a pipe may never end.
-  if (!std::filesystem::is_regular_file(path, status))
-    return error{path.string() + ": not a regular file", error_code::unreadable_file};
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    return error{path.string() + ": cannot be opened for reading", error_code::unreadable_file};
-  std::string text;
-  constexpr std::size_t part = 1 << 16;
-  // Sizes that systems tell of files are not asked for: some have more in them than they say.
-  while (in) {
-    const std::size_t before = text.size();
-    text.resize(before + part);
-    in.read(text.data() + before, part);
-    text.resize(before + static_cast<std::size_t>(in.gcount()));
-  }
-  if (in.bad())
-    return error{path.string() + ": cannot be read to its end", error_code::unreadable_file};
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
-  return text;
-}
 
 std::string without_controls(std::string text) {
   std::replace_if(

@@ -97,7 +97,8 @@ std::span<const domain_corner> split_boundary::corners_at(vertex_index v) const 
   const auto [first, last] = std::equal_range(
       corners_.begin(), corners_.end(), domain_corner{v, 0, 0},
       [](const domain_corner& a, const domain_corner& b) { return a.vertex < b.vertex; });
-  return {first, last};
+  // Pointers: libc++ 13 makes no span of its vector's iterators.
+  return {corners_.data() + (first - corners_.begin()), static_cast<std::size_t>(last - first)};
 }
 
 // Finds the subsegment in the index; there must be one.
