@@ -35,6 +35,9 @@ note_options notes_of(const mesh_job& job) { return {job.quiet, job.strict}; }
 
 // Returns what makes the metric of any size; a mesh is read once.
 result<field_of_size> metric_of(const mesh_job& job, const domain& shape) {
+  if (job.field)
+    return field_of_size(
+        [make = job.field, box = shape.box()](double size) { return make(size, box); });
   if (!is_mesh_file(job.metric))
     return field_of_size([spec = job.metric, box = shape.box()](double size) {
       return make_metric_field(spec, box, size);

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +47,10 @@ struct mesh_job {
   bool quiet = false;
   bool strict = false;  // what readers change is refused
   bool json = false;    // the summary for programs
+
+  // The metric, in place of the one that `metric` names, divided by the square of a size; empty but
+  // where a program brings one along.
+  std::function<result<std::unique_ptr<metric_field>>(double size, const bounding_box&)> field;
 
   // True if lines for people go to standard output.
   bool tells() const { return !quiet && !json; }

@@ -7,6 +7,10 @@ function(asterism_configure target)
   if(EMSCRIPTEN)  # whose standard library may lack something
     target_compile_options(${target} PRIVATE
       -include ${PROJECT_SOURCE_DIR}/packages/npm/standard_library.hpp)
+    if(ASTERISM_BUILD_MESHER)  # whose readers catch what other libraries throw
+      target_compile_options(${target} PRIVATE -fwasm-exceptions)
+      target_link_options(${target} PRIVATE -fwasm-exceptions)
+    endif()
   endif()
   if(ASTERISM_WARNINGS_ARE_ERRORS)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion

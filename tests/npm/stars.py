@@ -2,6 +2,7 @@
 """docs/stars.html in headless Chromium, as a reader has it: one file, without a network. What it says of stars is
 held against the program. Skipped where Chromium, its driver or Selenium are missing.
     stars.py PROJECT ASTERISM"""
+import json
 import pathlib
 import shutil
 import subprocess
@@ -74,7 +75,7 @@ class StarsTest(unittest.TestCase):
         self.driver.get(f"{PAGE.as_uri()}#{scene}")
         self.settle()
 
-    def settle(self, seconds=60):
+    def settle(self, seconds=240):
         end = time.monotonic() + seconds
         while self.ask("document.documentElement.dataset.state") != "settled" or not self.ask("window.asterismStars?.isTold()"):
             self.assertLess(time.monotonic(), end, self.driver.get_log("browser"))
@@ -272,6 +273,52 @@ class StarsTest(unittest.TestCase):
             self.click("use-corners")
             self.assertIn(words, self.text("event"))
             self.assertEqual(self.ask("asterismStars.state.scene.id"), "stars")
+
+    # --- The program's mesher.
+
+    def at_work(self, script):
+        """Runs what gives a promise; returns the verdict."""
+        self.driver.execute_async_script(f"const done = arguments[0]; {script}.then(() => done())")
+        return self.text("mesh-verdict")
+
+    def test_meshes_are_the_command_s(self):
+        self.open("figure-5-1")
+        self.assertRegex(self.at_work("asterismStars.meshPanel.mesh()"), r"^certified \d+ sites, \d+ triangles")
+        files = self.ask("asterismStars.meshPanel.files")
+        corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+        points = [*corners, *self.ask("asterismStars.state.set.sites.slice(4).map((s) => s.slice(0, 2))")]
+        lines = [f"{len(points)} 2 0 0", *(f"{i} {x!r} {y!r}" for i, (x, y) in enumerate(points, 1)),
+                 "4 1", *(f"{i} {i} {i % 4 + 1} 1" for i in range(1, 5)), "0"]
+        (self.folder / "domain.poly").write_text("\n".join(lines) + "\n")
+        subprocess.run([ASTERISM, "mesh", "domain.poly", "--metric", "swirl:12", "--size", "0.2", "--angle-bound", "20", "-o", "stars.mesh", "--quiet"],
+                       cwd=self.folder, check=True)
+        # The module in the page is as old as the page: what certificates hold besides may have changed.
+        for name in ("stars.mesh", "stars.sol"):
+            self.assertEqual((self.folder / name).read_text(), files[name], name)
+        (self.folder / "stars.certificate.json").write_text(files["stars.certificate.json"])
+        done = subprocess.run([ASTERISM, "verify", "stars.mesh"], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_what_was_refined_here_is_judged_here(self):
+        self.open("figure-5-4")
+        self.refine()
+        self.assertIn("not judged yet", self.text("mesh-verdict"))
+        self.assertRegex(self.at_work("asterismStars.meshPanel.judgeRefined()"), "^certified The auditor")
+        self.assertIn("Save stars.certificate.json", self.text("saves"))
+
+    def test_dropped_files_are_verified(self):
+        self.open()
+        drop = """asterismStars.meshPanel.verifyFiles(Object.entries(%s).map(([name, text]) => new File([text], name)))"""
+        subprocess.run([ASTERISM, "mesh", "square", "--metric", "sink:3", "--size", "0.5", "-o", "a.mesh", "--quiet"], cwd=self.folder, check=True)
+        files = {name: (self.folder / name).read_text() for name in ("a.mesh", "a.sol", "a.certificate.json")}
+        self.assertRegex(self.at_work(drop % json.dumps(files)), "^certified a.mesh, by its certificate")
+        lines = files["a.mesh"].split("\n")
+        at = lines.index("Vertices") + 8
+        lines[at] = " ".join(["0.03125", *lines[at].split()[1:]])
+        self.assertRegex(self.at_work(drop % json.dumps({**files, "a.mesh": "\n".join(lines)})), "^refused")
+        self.assertNotEqual(self.text("mesh-witnesses"), "")
+        self.assertRegex(self.at_work(drop % json.dumps({"a.mesh": files["a.mesh"]})), "NAME.sol together")
+        self.assertRegex(self.at_work(drop % json.dumps({**files, "a.certificate.json": "{}"})), "^refused")
 
     # --- How it looks.
 

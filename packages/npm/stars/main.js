@@ -30,7 +30,11 @@ let predicates, view, panels, meshPanel, isAsked = false, isInRow = false, lastF
 const isBordered = () => state.set.boundary !== null;
 const isFixed = (v) => state.set.next.has(v);
 const nameOf = (v) => state.names?.[v] ?? String(v + 1);
-const fieldAt = () => FIELDS[state.fieldName].at(state.strength);
+function fieldAt() {
+  if (state.scene.id !== 'yours') return FIELDS[state.fieldName].at(state.strength);
+  const xs = state.polygon.map(([x]) => x), ys = state.polygon.map(([, y]) => y), sides = [xs, ys].map((all) => [Math.min(...all), Math.max(...all)]);
+  return FIELDS[state.fieldName].at(state.strength, [...sides.map(([low, high]) => (low + high) / 2), Math.max(...sides.map(([low, high]) => (high - low) / 2))]);
+}
 
 function boxOfSites() {
   const { sites } = state.set, xs = sites.map((s) => s[0]), ys = sites.map((s) => s[1]);
@@ -609,10 +613,12 @@ function showBox({ sites }) {
     for (const k of [0, 1]) box[k] = Math.min(box[k], sites[i + k]), box[k + 2] = Math.max(box[k + 2], sites[i + k]);
   view.show(box);
 }
-// The polygon as it was before refinement divided its sides.
+// The polygon as it was before refinement divided its sides, and the points that the scene has in it.
 function domainOf() {
-  if (state.scene.id === 'yours') return state.polygon;
-  return SCENES[state.sceneAt].make().polygon ?? null;
+  const made = state.scene.id === 'yours' ? { polygon: state.polygon } : SCENES[state.sceneAt].make();
+  if (!made.polygon) return null;
+  const count = made.polygon.length;
+  return { points: [...made.polygon, ...(made.points ?? [])], segments: made.polygon.map((_, i) => [i, (i + 1) % count]) };
 }
 function metricSpecification() {
   if (!state.fieldName) return null;

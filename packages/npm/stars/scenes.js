@@ -4,9 +4,11 @@
 // fields are pictures there; these polynomials are the mesher's (docs/manual/metrics.md).
 import { randomFrom, ofEigenvalues, metricOfAxes } from './plane.js';
 
+// `at` takes the strength, and the middle and half the longer side of the domain's box.
+const stretched = (tensor) => (k, [cx, cy, half] = [0, 0, 1]) => (x, y) => tensor(k, (x - cx) / half, (y - cy) / half);
 export const FIELDS = {
-  swirl: { title: 'swirl', words: 'stretched along circles', hasStrength: true, at: (k) => (x, y) => [1 + k * x * x, k * x * y, 1 + k * y * y] },
-  sink: { title: 'sink', words: 'stretched along rays', hasStrength: true, at: (k) => (x, y) => [1 + k * y * y, -k * x * y, 1 + k * x * x] },
+  swirl: { title: 'swirl', words: 'stretched along circles', hasStrength: true, at: stretched((k, x, y) => [1 + k * x * x, k * x * y, 1 + k * y * y]) },
+  sink: { title: 'sink', words: 'stretched along rays', hasStrength: true, at: stretched((k, x, y) => [1 + k * y * y, -k * x * y, 1 + k * x * x]) },
   identity: { title: 'everywhere round', words: 'the metric of the ruler', hasStrength: false, at: () => () => [1, 0, 1] },
 };
 

@@ -62,8 +62,10 @@ export class StarSet {
     if (this.isConvex || this.isSubsegment(v, w)) return true;
     for (const [a, b] of this.next) {
       if (a === v || a === w || b === v || b === w) continue;
-      if (this.turn(a, b, v) * this.turn(a, b, w) > 0) continue;
-      if (this.turn(v, w, a) * this.turn(v, w, b) <= 0) return false;
+      const ofA = this.turn(v, w, a), ofB = this.turn(v, w, b);
+      if (ofA === 0 && ofB === 0) {
+        if (this.isBetween(v, a, w) || this.isBetween(v, b, w)) return false;
+      } else if (ofA * ofB <= 0 && this.turn(a, b, v) * this.turn(a, b, w) <= 0) return false;
     }
     // A border vertex beside v or w on the open segment between them.
     return [v, w].every((at) => [this.next.get(at), this.previous.get(at)].every((u) =>

@@ -1,0 +1,18 @@
+# The mesher for WebAssembly (packages/npm): one thread, no files, no pictures, no formulas. Libraries that are
+# headers are found where scripts/build-npm has put them.
+target_compile_definitions(asterism PRIVATE FMT_HEADER_ONLY)
+target_include_directories(asterism SYSTEM PRIVATE ${Boost_INCLUDE_DIR} ${PROJECT_SOURCE_DIR}/packages/npm/serial)
+foreach(folder IN ITEMS support data search numerics domain metric stars fill refine adapt solution audit io pipeline c_interface)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/mesh/${folder}/*.cpp)
+  target_sources(asterism PRIVATE ${sources})
+endforeach()
+get_target_property(sources asterism SOURCES)
+# Files are texts that JavaScript hands over. What reads formulas says that it cannot.
+list(FILTER sources EXCLUDE REGEX "/io/text_file|/metric/plane_expression")
+# Left out: what draws, and files of VTK's XML, which zlib unpacks.
+list(FILTER sources EXCLUDE REGEX "/io/(write_mesh|vtu|vtu_[a-z]+)\\.cpp")
+list(APPEND sources ${PROJECT_SOURCE_DIR}/packages/npm/asterism-mesh/no_formulas.cpp
+                    ${PROJECT_SOURCE_DIR}/packages/npm/asterism-mesh/no_vtu.cpp
+                    ${PROJECT_SOURCE_DIR}/packages/npm/asterism-mesh/given_files.cpp
+                    ${PROJECT_SOURCE_DIR}/packages/npm/standard_library.cpp)
+set_target_properties(asterism PROPERTIES SOURCES "${sources}")
