@@ -115,7 +115,7 @@ class pieces_run {
     auto made = cut_domain(input_.shape, *input_.field, wishes);
     if (!made) return made.failure();
     index_.cut = std::move(made).value();
-    auto points = divide_seams(index_.cut, *input_.field);
+    auto points = divide_seams(input_.shape, index_.cut, *input_.field);
     if (!points) return points.failure();
     index_.points = std::move(points).value();
     index_.version = ASTERISM_VERSION_TEXT;

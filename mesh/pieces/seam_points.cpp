@@ -10,6 +10,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
+#include "asterism/mesh/metric/feature_size_field.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -19,6 +20,8 @@ namespace {
 // pieces of 6,000 triangles had 0.5 to 0.8 % more triangles, with this none
 // (docs/results/pieces.md). Above 1.2 a piece splits it.
 constexpr double longest_subsegment_of_seam = 1.05;
+// Number of vertices from which a fill spreads sites by features (refine/site_budget.cpp).
+constexpr std::size_t many_vertices = 120;
 
 // Returns the chain of points between the ends of a segment in a mesh.
 std::vector<point> points_along(const mesh& m, const segment& whole,
@@ -62,9 +65,7 @@ std::vector<point> united(const std::vector<point>& before, const std::vector<po
   return all;
 }
 
-}  // namespace
-
-result<seam_points> divide_seams(const domain_cut& cut, const metric_field& field) {
+result<seam_points> divided_in(const domain_cut& cut, const metric_field& field) {
   domain all;
   all.vertices = cut.vertices;
   for (const cut_edge& e : cut.edges) all.segments.push_back({e.a, e.b, e.marker});
@@ -79,6 +80,16 @@ result<seam_points> divide_seams(const domain_cut& cut, const metric_field& fiel
     if (cut.edges[e].is_seam() && one.size() > 2) points[e] = {one.begin() + 1, one.end() - 1};
   }
   return points;
+}
+
+}  // namespace
+
+result<seam_points> divide_seams(const domain& d, const domain_cut& cut,
+                                 const metric_field& field) {
+  if (d.vertices.size() < many_vertices) return divided_in(cut, field);
+  const auto featured = featured_field::make(d, field, 1);
+  if (!featured) return featured.failure();
+  return divided_in(cut, featured.value());
 }
 
 result<std::vector<seam_in_mesh>> seams_asked_for(const domain_cut& cut, const piece_shape& piece,

@@ -6,7 +6,9 @@ import pathlib
 import random
 import re
 import shutil
+import signal
 import subprocess
+import time
 import unittest
 
 import command
@@ -342,6 +344,51 @@ class Pieces(command.CommandTest):
         done = self.run_ranks(2, "mesh", "square", "--size", "0.2", "-o", "x.mesh")
         self.assertEqual(done.returncode, 2)
         self.assertEqual(done.stderr.count("--pieces is wanted"), 1)
+
+
+    def ranks_of(self, parent):
+        """Processes of the command below this one."""
+        below, found = [parent], []
+        while below:
+            one = below.pop()
+            for tasks in pathlib.Path(f"/proc/{one}/task").glob("*/children"):
+                children = [int(c) for c in tasks.read_text().split()]
+                below += children
+                found += [c for c in children
+                          if pathlib.Path(f"/proc/{c}/comm").read_text().startswith("asterism-mpi")]
+        return found
+
+    def test_a_rank_that_dies_ends_the_run_and_leaves_whole_files(self):
+        if not MPI or not pathlib.Path(MPI).exists() or not shutil.which("mpirun"):
+            self.skipTest("there is no MPI")
+        words = ["mesh", "square", "--metric", "swirl:12", "--size", "0.015", "--pieces", "12"]
+        self.assertEqual(self.run_command(*words, "-o", "one/").returncode, 0)
+        wanted = contents(self.folder / "one")
+        (self.folder / "dead").mkdir()
+        with subprocess.Popen(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2", MPI,
+                               *words, "-o", "dead/"], cwd=self.folder, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as run:
+            while run.poll() is None and not list((self.folder / "dead").glob("*.json")):
+                time.sleep(0.01)
+            try:
+                ranks = self.ranks_of(run.pid) if run.poll() is None else []
+                if ranks:
+                    os.kill(ranks[-1], signal.SIGKILL)
+            except OSError:
+                ranks = []
+            told = run.communicate(timeout=200)[1]
+        left = {name: data for name, data in contents(self.folder / "dead").items()
+                if not re.search(r"\.part\d*$", name)}
+        for name, data in left.items():
+            self.assertEqual(data, wanted[name], name)
+        if ranks:
+            self.assertNotEqual(run.returncode, 0)
+            self.assertIn("signal 9", told)
+            self.assertNotIn("index.json", left)
+        done = self.run_command(*words, "-o", "dead/", "--resume")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name, data in wanted.items():
+            self.assertEqual((self.folder / "dead" / name).read_bytes(), data, name)
 
 
 if __name__ == "__main__":

@@ -53,7 +53,7 @@ inline cut_job cut_into(std::size_t pieces, const char* metric = "swirl:6", doub
   auto cut = cut_domain(job.shape, *job.field, wishes);
   REQUIRE(cut);
   job.cut = std::move(cut).value();
-  auto points = divide_seams(job.cut, *job.field);
+  auto points = divide_seams(job.shape, job.cut, *job.field);
   REQUIRE(points);
   job.points = std::move(points).value();
   return job;
