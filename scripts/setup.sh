@@ -14,7 +14,7 @@ command_packages=(
 
 # For the tests and the Python package besides.
 test_packages=(
-  libcgal-dev catch2 libfast-float-dev doxygen python3 python3-meshio python3-ezdxf python3-numpy freefem++
+  libcgal-dev catch2 libfast-float-dev doxygen python3 python3-meshio python3-ezdxf python3-h5py python3-numpy freefem++
   pybind11-dev python3-dev python3-pytest python3-skbuild python3-setuptools mypy
   python3-matplotlib python3-shapely python3-scipy python3-nbclient python3-ipykernel
 )
