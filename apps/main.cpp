@@ -9,6 +9,7 @@
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/freed_memory.hpp"
 #include "asterism/apps/help_text.hpp"
+#include "asterism/apps/surface_commands.hpp"
 #include "asterism/apps/usage_message.hpp"
 #include "asterism/core/version.h"
 
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
   add_transfer_command(program, chosen);
   add_eval_command(program, chosen);
   add_challenge_command(program, chosen);
+  add_surface_command(program, chosen);
   add_deviation_command(program, chosen);
   add_draw_command(program, chosen);
   add_info_command(program, chosen);
@@ -50,8 +52,8 @@ int run(int argc, char** argv) {
     program.parse(argc, argv);
     if (!chosen)
       throw CLI::RequiredError(
-          "a command (mesh, adapt, metric, transfer, verify, certify, eval, challenge, deviation, "
-          "draw, info, completion or man)");
+          "a command (mesh, adapt, metric, transfer, verify, certify, eval, challenge, surface, "
+          "deviation, draw, info, completion or man)");
   } catch (const CLI::CallForHelp&) {
     std::cout << wrapped(program.help(), help_columns());
     return done;

@@ -23,6 +23,7 @@
 #include "asterism/apps/verify_metric.hpp"
 #include "asterism/apps/verify_pieces_command.hpp"
 #include "asterism/apps/verify_question.hpp"
+#include "asterism/apps/verify_surface.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/pipeline/field_claims.hpp"
@@ -204,6 +205,7 @@ int tell(const verify_options& options, const std::optional<certificate>& claim,
 }
 
 int run_verify(const verify_options& options) {
+  if (const auto status = verify_surface(options)) return *status;
   run_limits limits(options.max_seconds, std::nullopt);
   medit_read_options how;
   how.all_edges = options.all_edges;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/surface/teapot.hpp"
 
 namespace asterism::internal {
@@ -19,11 +20,12 @@ struct plane_control {
 // Arcs of the unit circle in a row, of equal angle below 180 degrees, as rational quadratics: the
 // middle point is where the tangents meet, and its weight the cosine of half the angle.
 std::vector<plane_control> circle_arcs(double from, double to, int count) {
-  const double half = (to - from) / (2 * count), weight = std::cos(half);
+  const double half = (to - from) / (2 * count), weight = elementary::cos(half);
   std::vector<plane_control> arcs;
   for (int k = 0; k <= 2 * count; ++k) {
     const double angle = from + k * half, radius = k % 2 == 0 ? 1 : 1 / weight;
-    arcs.push_back({radius * std::cos(angle), radius * std::sin(angle), k % 2 == 0 ? 1 : weight});
+    arcs.push_back({radius * elementary::cos(angle), radius * elementary::sin(angle),
+                    k % 2 == 0 ? 1 : weight});
   }
   return arcs;
 }
@@ -65,7 +67,7 @@ surface_patch turned(const std::vector<plane_control>& around,
 surface torus() {
   constexpr double tube = 0.3, share = 0.98;
   constexpr int arcs = 4;
-  const double pi = std::acos(-1.0);
+  constexpr double pi = 3.14159265358979323846;
   std::vector<plane_control> profile = circle_arcs(-share * pi, share * pi, arcs);
   for (plane_control& c : profile) c = {1 + tube * c.x, tube * c.y, c.weight};
   return of_one("torus", turned(quarter(), profile, arcs));

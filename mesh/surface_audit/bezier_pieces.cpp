@@ -150,6 +150,27 @@ std::vector<weighted_point> bezier_points(const std::vector<weighted_point>& c,
   return out;
 }
 
+// Marks the sides of the patch that the piece is at and that are one point.
+void mark_points(const surface_patch& p, const span_of_knots& u, const span_of_knots& v,
+                 bezier_piece& piece) {
+  const std::size_t last_u = p.count_u - 1, last_v = p.count_v - 1;
+  const auto is_one = [](const control_point& a, const control_point& b) { return a.at == b.at; };
+  const std::array<bool, 4> here = {
+      u.first == 0, u.first + static_cast<std::size_t>(p.degree_u) == last_u, v.first == 0,
+      v.first + static_cast<std::size_t>(p.degree_v) == last_v};
+  for (std::size_t side = 0; side < 4; ++side) {
+    if (!here[side]) continue;
+    const bool along_v = side < 2, at_end = side % 2 == 1;
+    const auto at = [&](std::size_t k) {
+      return along_v ? p.at(at_end ? last_u : 0, k) : p.at(k, at_end ? last_v : 0);
+    };
+    piece.is_point[side] = true;
+    piece.point[side] = at(0).at;
+    for (std::size_t k = 1; k <= (along_v ? last_v : last_u); ++k)
+      piece.is_point[side] = piece.is_point[side] && is_one(at(0), at(k));
+  }
+}
+
 bezier_piece make_piece(const surface_patch& p, const span_of_knots& u, const span_of_knots& v) {
   bezier_piece piece;
   piece.degree_u = p.degree_u, piece.degree_v = p.degree_v;
@@ -166,6 +187,7 @@ bezier_piece make_piece(const surface_patch& p, const span_of_knots& u, const sp
     for (std::size_t j = 0; j < row; ++j) across.push_back(columns[j][i]);
     for (const weighted_point& c : bezier_points(across, v, p.degree_v)) piece.net.push_back(c);
   }
+  mark_points(p, u, v, piece);
   piece.is_rational = std::any_of(p.control.begin(), p.control.end(),
                                   [](const control_point& c) { return c.weight != 1; });
   // A partition of one in exact arithmetic, which the intervals no longer know.

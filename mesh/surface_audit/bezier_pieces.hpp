@@ -27,6 +27,10 @@ struct bezier_piece {
   int degree_u = 0, degree_v = 0;
   bool is_rational = false;  // else every weight is 1
   double u_low = 0, u_high = 1, v_low = 0, v_high = 1;
+  // Sides of the patch at this piece that are one point, all control points being equal: s = 0,
+  // s = 1, t = 0, t = 1, and which.
+  std::array<bool, 4> is_point{};
+  std::array<space_point, 4> point{};
   std::vector<weighted_point> net;               // rows of constant i, (degree_u + 1)(degree_v + 1)
   std::vector<std::array<double, 4>> plain_net;  // middles of them, for proposals
 

@@ -31,7 +31,17 @@ std::optional<error> fault_of(const space_mesh& mesh) {
   return {};
 }
 
-std::vector<space_box> boxes_of(const space_mesh& mesh) {
+double size_of(const std::vector<space_box>& boxes, const surface& s) {
+  space_box all = boxes[0];
+  for (const space_box& box : boxes) all.include(box);
+  for (const surface_patch& p : s.patches)
+    for (const control_point& c : p.control) all.include(c.at);
+  return all.diagonal();
+}
+
+}  // namespace
+
+std::vector<space_box> boxes_of_triangles(const space_mesh& mesh) {
   std::vector<space_box> boxes;
   boxes.reserve(mesh.triangles.size());
   for (const space_triangle& t : mesh.triangles) {
@@ -43,22 +53,12 @@ std::vector<space_box> boxes_of(const space_mesh& mesh) {
   return boxes;
 }
 
-double size_of(const std::vector<space_box>& boxes, const surface& s) {
-  space_box all = boxes[0];
-  for (const space_box& box : boxes) all.include(box);
-  for (const surface_patch& p : s.patches)
-    for (const control_point& c : p.control) all.include(c.at);
-  return all.diagonal();
-}
-
-}  // namespace
-
 result<deviation_report> deviation(const space_mesh& mesh, const surface& s,
                                    const deviation_options& options) {
   if (auto wrong = fault_of(mesh)) return *wrong;
   const auto pieces = bezier_pieces(s);
   if (!pieces) return pieces.failure();
-  const std::vector<space_box> boxes = boxes_of(mesh);
+  const std::vector<space_box> boxes = boxes_of_triangles(mesh);
   const box_tree triangles(boxes);
   const surface_locator locator(pieces.value());
   const deviation_scene scene{mesh, s, pieces.value(), triangles, locator};

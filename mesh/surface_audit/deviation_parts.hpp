@@ -3,10 +3,12 @@
 // Declares the two directions of a deviation, and the proofs of their witnesses.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "asterism/mesh/surface_audit/box_tree.hpp"
 #include "asterism/mesh/surface_audit/deviation.hpp"
+#include "asterism/mesh/surface_audit/hull_bounds.hpp"
 #include "asterism/mesh/surface_audit/narrowing.hpp"
 #include "asterism/mesh/surface_audit/surface_locator.hpp"
 #include "asterism/mesh/surface_audit/triangle_distance.hpp"
@@ -27,6 +29,8 @@ struct deviation_scene {
   }
 };
 
+std::vector<space_box> boxes_of_triangles(const space_mesh& mesh);
+
 // About the nearest triangle to a point, in doubles; `hint` is a triangle to begin with.
 struct nearest_triangle {
   std::uint32_t triangle = 0;
@@ -34,6 +38,10 @@ struct nearest_triangle {
 };
 nearest_triangle nearest_triangle_to(const deviation_scene& scene, const plain_vector& p,
                                      std::uint32_t hint);
+
+// Returns two triangles of the mesh as a pair if two of their corners are at the same points.
+std::optional<two_triangles> joined_triangles(const deviation_scene& scene, std::uint32_t a,
+                                              std::uint32_t b);
 
 one_sided_distance from_mesh(const deviation_scene& scene, const narrowing_limits& limits);
 one_sided_distance from_surface(const deviation_scene& scene, const narrowing_limits& limits);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,16 +33,19 @@ struct narrowed {
   std::size_t cells = 0;
 };
 
-// A Cell has squared distances `above` and `below`. divide(cell) returns its parts, looked at.
-template <class Cell, class Divide>
-narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits,
-                      const Divide& divide) {
+// A Cell has squared distances `above` and `below`. divide(cell) returns its parts, looked at, or
+// none where it gives up; give_up(cell) is told then, in order.
+template <class Cell, class Divide, class GiveUp>
+narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, const Divide& divide,
+                      const GiveUp& give_up) {
   narrowed<Cell> found;
   const double ratio = (1 + limits.relative_width) * (1 + limits.relative_width);
   while (true) {
     found.cells += cells.size();
+    // A proposal above a proved bound is a projection that went astray.
     for (const Cell& c : cells)
-      if (!found.best || c.below > found.below) found.best = c, found.below = c.below;
+      if (!found.best || std::min(c.below, c.above) > found.below)
+        found.best = c, found.below = std::min(c.below, c.above);
     double enough = std::max(found.below * ratio, limits.negligible * limits.negligible);
     if (limits.at_most) {
       const double limit = *limits.at_most * *limits.at_most;
@@ -63,9 +67,20 @@ narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits,
     std::vector<std::vector<Cell>> parts(kept.size());
     parallel_for(kept.size(), [&](std::size_t i) { parts[i] = divide(kept[i]); });
     cells.clear();
-    for (std::vector<Cell>& some : parts)
-      std::move(some.begin(), some.end(), std::back_inserter(cells));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i].empty()) {
+        found.above = std::max(found.above, kept[i].above);
+        give_up(kept[i]);
+      }
+      std::move(parts[i].begin(), parts[i].end(), std::back_inserter(cells));
+    }
   }
+}
+
+template <class Cell, class Divide>
+narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits,
+                      const Divide& divide) {
+  return narrow(std::move(cells), limits, divide, [](const Cell&) {});
 }
 
 }  // namespace asterism::internal

@@ -28,24 +28,6 @@ struct surface_cell {
   double t() const { return (t_low + t_high) / 2; }
 };
 
-// Returns the two triangles if they have two corners in common.
-std::optional<two_triangles> joined(const deviation_scene& scene, std::uint32_t a,
-                                    std::uint32_t b) {
-  const space_triangle& first = scene.mesh.triangles[a];
-  const space_triangle& second = scene.mesh.triangles[b];
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const auto at = [&](const space_triangle& t, std::size_t k) {
-        return scene.mesh.points[t[k % 3]];
-      };
-      const space_point p = at(first, i), q = at(first, i + 1), u = at(second, j),
-                        v = at(second, j + 1);
-      if ((p == v && q == u) || (p == u && q == v))
-        return two_triangles{{p, q}, at(first, i + 2), at(second, j + 2)};
-    }
-  return std::nullopt;
-}
-
 [[gnu::noinline]] void look_at(const deviation_scene& scene, surface_cell& cell) {
   const bezier_piece& piece = scene.pieces[cell.piece];
   const plain_vector middle = evaluate(piece, cell.s(), cell.t()).at;
@@ -58,7 +40,7 @@ std::optional<two_triangles> joined(const deviation_scene& scene, std::uint32_t 
   const plain_vector far = middle_of(points[own.farthest]);
   const nearest_triangle other = nearest_triangle_to(scene, far, near.triangle);
   if (other.triangle == near.triangle) return;
-  if (const auto two = joined(scene, near.triangle, other.triangle))
+  if (const auto two = joined_triangles(scene, near.triangle, other.triangle))
     cell.above = std::min(cell.above, hull_distance_above(points, *two));
 }
 
@@ -109,6 +91,23 @@ nearest_triangle nearest_triangle_to(const deviation_scene& scene, const plain_v
         if (far < best.squared_distance) best = {t, far};
       });
   return best;
+}
+
+std::optional<two_triangles> joined_triangles(const deviation_scene& scene, std::uint32_t a,
+                                              std::uint32_t b) {
+  const space_triangle& first = scene.mesh.triangles[a];
+  const space_triangle& second = scene.mesh.triangles[b];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto at = [&](const space_triangle& t, std::size_t k) {
+        return scene.mesh.points[t[k % 3]];
+      };
+      const space_point p = at(first, i), q = at(first, i + 1), u = at(second, j),
+                        v = at(second, j + 1);
+      if ((p == v && q == u) || (p == u && q == v))
+        return two_triangles{{p, q}, at(first, i + 2), at(second, j + 2)};
+    }
+  return std::nullopt;
 }
 
 one_sided_distance from_surface(const deviation_scene& scene, const narrowing_limits& limits) {

@@ -12,8 +12,8 @@ import unittest
 
 import command
 
-COMMANDS = ["mesh", "verify", "certify", "check", "adapt", "metric", "transfer", "eval", "challenge", "deviation", "draw", "info",
-            "completion", "help", "man"]
+COMMANDS = ["mesh", "verify", "certify", "check", "adapt", "metric", "transfer", "eval", "challenge", "surface",
+            "deviation", "draw", "info", "completion", "help", "man"]
 
 
 class Help(command.CommandTest):

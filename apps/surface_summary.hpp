@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// Words of what was proved of a mesh of a surface.
+#pragma once
+
+#include <string>
+
+#include "asterism/mesh/surface_audit/shell_audit.hpp"
+
+namespace asterism::apps {
+
+// "142 vertices, 250 triangles; every point ... ". One line, without its end.
+std::string text_of(const internal::shell_report& report, const internal::shell_question& asked);
+
+// The same as a JSON object.
+std::string json_of(const internal::shell_report& report, const internal::shell_question& asked,
+                    bool complete, const std::string& reason, int status);
+
+}  // namespace asterism::apps

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/surface/face_meshing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/pipeline/make_mesh.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
+
+namespace asterism::internal {
+namespace {
+
+metric_tensor scaled(const metric_tensor& m, double factor) {
+  return {m.m11 * factor, m.m12 * factor, m.m22 * factor};
+}
+
+}  // namespace
+
+face_meshing::face_meshing(const surface_chart& chart, const surface_sizes& sizes, int cells)
+    : chart_(&chart), sizes_(sizes), cells_(cells) {
+  const auto nodes = static_cast<std::size_t>((cells + 1) * (cells + 1));
+  for (int k = 0; k <= cells; ++k)
+    for (int i = 0; i <= cells; ++i) base_.push_back(chart.metric_at(node(i, k), sizes));
+  log_factor_.assign(nodes, 0);
+  wanted_.assign(nodes, 0);
+  is_wanted_.assign(nodes, 0);
+}
+
+point face_meshing::node(int i, int k) const {
+  const point low = chart_->low(), high = chart_->high();
+  return {i == cells_ ? high.x : low.x + (high.x - low.x) * i / cells_,
+          k == cells_ ? high.y : low.y + (high.y - low.y) * k / cells_};
+}
+
+double face_meshing::factor_at(const point& p) const {
+  const point low = chart_->low(), high = chart_->high();
+  const double x = (p.x - low.x) / (high.x - low.x) * cells_,
+               y = (p.y - low.y) / (high.y - low.y) * cells_;
+  const int i = std::clamp(static_cast<int>(x), 0, cells_ - 1),
+            k = std::clamp(static_cast<int>(y), 0, cells_ - 1);
+  const auto at = [&](int a, int b) {
+    return log_factor_[static_cast<std::size_t>(b * (cells_ + 1) + a)];
+  };
+  const double s = x - i, t = y - k;
+  return (1 - t) * ((1 - s) * at(i, k) + s * at(i + 1, k)) +
+         t * ((1 - s) * at(i, k + 1) + s * at(i + 1, k + 1));
+}
+
+metric_tensor face_meshing::metric_at(const point& p) const {
+  return scaled(chart_->metric_at(p, sizes_), elementary::exp(factor_at(p)));
+}
+
+void face_meshing::add_everywhere(double log_factor) {
+  for (double& f : log_factor_) f += log_factor;
+}
+
+void face_meshing::want(const std::array<point, 3>& triangle, double log_factor) {
+  const point low = chart_->low(), high = chart_->high();
+  const auto range = [&](double a, double b, double c, double from, double to) {
+    const double width = (to - from) / cells_;
+    const double first = (std::min({a, b, c}) - from) / width,
+                 last = (std::max({a, b, c}) - from) / width;
+    return std::pair{std::clamp(static_cast<int>(std::floor(first)), 0, cells_),
+                     std::clamp(static_cast<int>(std::ceil(last)), 0, cells_)};
+  };
+  const auto [i0, i1] = range(triangle[0].x, triangle[1].x, triangle[2].x, low.x, high.x);
+  const auto [k0, k1] = range(triangle[0].y, triangle[1].y, triangle[2].y, low.y, high.y);
+  for (int k = k0; k <= k1; ++k)
+    for (int i = i0; i <= i1; ++i) {
+      const auto n = static_cast<std::size_t>(k * (cells_ + 1) + i);
+      if (is_wanted_[n] == 0 || log_factor > wanted_[n]) wanted_[n] = log_factor;
+      is_wanted_[n] = 1;
+    }
+}
+
+void face_meshing::apply() {
+  for (std::size_t n = 0; n < wanted_.size(); ++n) {
+    if (is_wanted_[n] != 0) log_factor_[n] += wanted_[n];
+    wanted_[n] = 0, is_wanted_[n] = 0;
+  }
+}
+
+mesh face_meshing::background() const {
+  mesh m;
+  for (int k = 0; k <= cells_; ++k)
+    for (int i = 0; i <= cells_; ++i) {
+      const auto n = static_cast<std::size_t>(k * (cells_ + 1) + i);
+      m.sites.push_back({node(i, k), scaled(base_[n], elementary::exp(log_factor_[n]))});
+    }
+  const auto row = static_cast<vertex_index>(cells_ + 1);
+  for (vertex_index k = 0; k + 1 < row; ++k)
+    for (vertex_index i = 0; i + 1 < row; ++i) {
+      const vertex_index a = k * row + i;
+      m.triangles.push_back({a, a + 1, a + row + 1});
+      m.triangles.push_back({a, a + row + 1, a + row});
+    }
+  return m;
+}
+
+double face_meshing::expected_vertices() const {
+  const point low = chart_->low(), high = chart_->high();
+  double sum = 0;
+  for (std::size_t n = 0; n < base_.size(); ++n) {
+    const metric_tensor& m = base_[n];
+    sum +=
+        std::sqrt(std::max(0.0, m.m11 * m.m22 - m.m12 * m.m12)) * elementary::exp(log_factor_[n]);
+  }
+  return 2 / std::numbers::sqrt3 * sum / static_cast<double>(base_.size()) * (high.x - low.x) *
+         (high.y - low.y);
+}
+
+result<std::string> face_meshing::make(const side_places& places,
+                                       const surface_mesh_options& options) {
+  places_ = places;
+  const point low = chart_->low(), high = chart_->high();
+  domain d;
+  d.vertices = {low, {high.x, low.y}, high, {low.x, high.y}};
+  for (std::size_t side = 0; side < 4; ++side) {
+    std::vector<vertex_index> along;
+    for (const double place : places[side]) {
+      along.push_back(static_cast<vertex_index>(d.vertices.size()));
+      const double x = low.x + place * (high.x - low.x), y = low.y + place * (high.y - low.y);
+      d.vertices.push_back(side == 0   ? point{x, low.y}
+                           : side == 1 ? point{high.x, y}
+                           : side == 2 ? point{x, high.y}
+                                       : point{low.x, y});
+    }
+    if (side >= 2) std::reverse(along.begin(), along.end());
+    auto from = static_cast<vertex_index>(side);
+    for (const vertex_index v : along) {
+      d.segments.push_back({from, v, static_cast<int>(side) + 1});
+      from = v;
+    }
+    d.segments.push_back(
+        {from, static_cast<vertex_index>((side + 1) % 4), static_cast<int>(side) + 1});
+  }
+  auto shape = check_domain(d);
+  if (!shape) return shape.failure();
+  const mesh given = background();
+  const auto field = make_sampled_field(given);
+  mesh_options how;
+  how.angle_bound = options.angle_bound;
+  how.limit_size = true;
+  how.max_sites = options.most_sites;
+  how.stop = options.stop;
+  auto made = make_mesh(shape.value(), *field, how);
+  if (!made) return made.failure();
+  plane_ = std::move(made.value().result);
+  if (made.value().complete) return std::string();
+  return ending_text(made.value());
+}
+
+std::optional<face_meshing::on_side> face_meshing::side_of(vertex_index site) const {
+  if (site < 4) return std::nullopt;
+  vertex_index first = 4;
+  for (int side = 0; side < 4; ++side) {
+    const auto& on = places_[static_cast<std::size_t>(side)];
+    if (site < first + on.size()) return on_side{side, on[site - first]};
+    first += static_cast<vertex_index>(on.size());
+  }
+  const point low = chart_->low(), high = chart_->high(), p = plane_.sites[site].position;
+  const double x = (p.x - low.x) / (high.x - low.x), y = (p.y - low.y) / (high.y - low.y);
+  if (p.y == low.y) return on_side{0, x};
+  if (p.x == high.x) return on_side{1, y};
+  if (p.y == high.y) return on_side{2, x};
+  if (p.x == low.x) return on_side{3, y};
+  return std::nullopt;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// The plane mesh of one patch: its background with the metric wanted, and its meshes by rounds.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/surface/surface_chart.hpp"
+#include "asterism/mesh/surface/surface_mesher.hpp"
+
+namespace asterism::internal {
+
+// Places on the sides of a patch, from 0 to 1 along each side's parameter, ascending.
+using side_places = std::array<std::vector<double>, 4>;
+
+class face_meshing {
+ public:
+  // `cells` of the background in each direction.
+  face_meshing(const surface_chart& chart, const surface_sizes& sizes, int cells);
+
+  const surface_chart& chart() const { return *chart_; }
+  // The metric wanted at a point, with the factor found so far.
+  metric_tensor metric_at(const point& p) const;
+  // Multiplies densities everywhere, by the exponential of this.
+  void add_everywhere(double log_factor);
+  // Adds to the logarithm of the factor at the background's nodes in and around a triangle; of
+  // several the greatest, or the least where all are negative. Takes effect with `apply`.
+  void want(const std::array<point, 3>& triangle, double log_factor);
+  void apply();
+  // Number of vertices of a mesh of unit edges.
+  double expected_vertices() const;
+
+  // Makes the mesh with these places on its sides. Empty: done; else why it is not complete.
+  result<std::string> make(const side_places& places, const surface_mesh_options& options);
+  const mesh& plane() const { return plane_; }
+  // The side that a site is on, and where; none inside and at corners.
+  struct on_side {
+    int side = 0;
+    double place = 0;
+  };
+  std::optional<on_side> side_of(vertex_index site) const;
+
+ private:
+  point node(int i, int k) const;
+  mesh background() const;
+  double factor_at(const point& p) const;
+
+  const surface_chart* chart_;
+  surface_sizes sizes_;
+  int cells_;
+  std::vector<metric_tensor> base_;  // at the nodes
+  std::vector<double> log_factor_, wanted_;
+  std::vector<unsigned char> is_wanted_;
+  side_places places_;
+  mesh plane_;
+};
+
+}  // namespace asterism::internal

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/surface/surface_chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asterism::internal {
+namespace {
+
+constexpr int samples = 16;  // of the lengths of a chart, in each direction
+
+double length(const plain_vector& a) { return std::sqrt(dot(a, a)); }
+
+// In units of the patch's parameters.
+plain_second_jet by_parameters(plain_second_jet j, double width, double height) {
+  j.first.by_s = (1 / width) * j.first.by_s;
+  j.first.by_t = (1 / height) * j.first.by_t;
+  j.by_ss = (1 / width / width) * j.by_ss;
+  j.by_st = (1 / width / height) * j.by_st;
+  j.by_tt = (1 / height / height) * j.by_tt;
+  return j;
+}
+
+struct principal {
+  double first = 0, second = 0;  // moduli of the curvatures
+  // Rows of the covectors that measure displacements of the chart along the two directions.
+  std::array<std::array<double, 2>, 2> covector{};
+};
+
+// Of the first form g and the second b: with g = L L^T the curvatures are the eigenvalues of
+// L^-1 b L^-T, and the covectors L times its eigenvectors.
+std::optional<principal> principal_of(const plain_second_jet& j) {
+  const plain_jet& f = j.first;
+  const double g11 = dot(f.by_s, f.by_s), g12 = dot(f.by_s, f.by_t), g22 = dot(f.by_t, f.by_t);
+  plain_vector n = cross(f.by_s, f.by_t);
+  const double area = length(n);
+  if (!(area > 1e-14 * (g11 + g22)) || !std::isfinite(area)) return std::nullopt;
+  n = (1 / area) * n;
+  const double b11 = dot(j.by_ss, n), b12 = dot(j.by_st, n), b22 = dot(j.by_tt, n);
+  const double l11 = std::sqrt(g11), l21 = g12 / l11, l22 = area / l11;
+  const double m11 = b11 / g11, m12 = (b12 - b11 * l21 / l11) / (l11 * l22),
+               m22 = (b22 - 2 * b12 * l21 / l11 + b11 * (l21 / l11) * (l21 / l11)) / (l22 * l22);
+  const double mean = (m11 + m22) / 2, half = (m11 - m22) / 2, radius = std::hypot(half, m12);
+  double c = 1, s = 0;  // the eigenvector of mean + radius
+  if (radius > 0) {
+    c = half >= 0 ? radius + half : m12;
+    s = half >= 0 ? m12 : radius - half;
+    const double size = std::hypot(c, s);
+    c = size > 0 ? c / size : 1, s = size > 0 ? s / size : 0;
+  }
+  principal p;
+  p.first = std::abs(mean + radius), p.second = std::abs(mean - radius);
+  p.covector = {{{l11 * c, l21 * c + l22 * s}, {-l11 * s, -l21 * s + l22 * c}}};
+  if (!std::isfinite(p.first) || !std::isfinite(p.second)) return std::nullopt;
+  return p;
+}
+
+// What a curvature asks of the square of a unit length. The greatest distance of a chord from a
+// curve is k h^2 / 8; in a triangle of three sides of that metric it is k h^2 / 6.
+double density(double curvature, const surface_sizes& sizes) {
+  constexpr double chord_share = 6;
+  double d = curvature / (chord_share * sizes.chord);
+  if (sizes.turn) d = std::max(d, (curvature / *sizes.turn) * (curvature / *sizes.turn));
+  if (sizes.longest) d = std::max(d, 1 / (*sizes.longest * *sizes.longest));
+  return d;
+}
+
+void add_square(metric_tensor& m, const std::array<double, 2>& covector, double factor) {
+  m.m11 += factor * covector[0] * covector[0];
+  m.m12 += factor * covector[0] * covector[1];
+  m.m22 += factor * covector[1] * covector[1];
+}
+
+}  // namespace
+
+surface_chart::surface_chart(const std::vector<bezier_piece>& pieces, const patch_spans& spans)
+    : pieces_(&pieces), spans_(&spans) {
+  double by_u = 0, by_v = 0;
+  const double u0 = spans.u.front(), v0 = spans.v.front(), width = spans.u.back() - u0,
+               height = spans.v.back() - v0;
+  low_ = {u0, v0}, high_ = {spans.u.back(), spans.v.back()};
+  for (int i = 0; i < samples; ++i)
+    for (int k = 0; k < samples; ++k) {
+      const plain_second_jet j =
+          jet_at({u0 + (i + 0.5) / samples * width, v0 + (k + 0.5) / samples * height});
+      by_u += length(j.first.by_s);
+      by_v += length(j.first.by_t);
+    }
+  scale_u_ = by_u > 0 ? std::ilogb(by_u / (samples * samples)) : 0;
+  scale_v_ = by_v > 0 ? std::ilogb(by_v / (samples * samples)) : 0;
+  low_ = {std::ldexp(low_.x, scale_u_), std::ldexp(low_.y, scale_v_)};
+  high_ = {std::ldexp(high_.x, scale_u_), std::ldexp(high_.y, scale_v_)};
+}
+
+surface_chart::local_place surface_chart::place_of(const point& p) const {
+  const double u = std::ldexp(p.x, -scale_u_), v = std::ldexp(p.y, -scale_v_);
+  const auto span = [](const std::vector<double>& ends, double x) {
+    const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, x);
+    return static_cast<std::size_t>(after - ends.begin()) - 1;
+  };
+  const std::size_t i = span(spans_->u, u), k = span(spans_->v, v);
+  const bezier_piece& piece = (*pieces_)[spans_->first + i * (spans_->v.size() - 1) + k];
+  const auto local = [](double x, double low, double high) {
+    return x >= high ? 1.0 : std::clamp((x - low) / (high - low), 0.0, 1.0);
+  };
+  return {&piece, local(u, piece.u_low, piece.u_high), local(v, piece.v_low, piece.v_high)};
+}
+
+plain_second_jet surface_chart::jet_at(const point& p) const {
+  const local_place at = place_of(p);
+  const plain_second_jet j =
+      by_parameters(evaluate_twice(*at.piece, at.s, at.t), at.piece->u_high - at.piece->u_low,
+                    at.piece->v_high - at.piece->v_low);
+  return by_parameters(j, std::ldexp(1, scale_u_), std::ldexp(1, scale_v_));
+}
+
+space_point surface_chart::lift(const point& p) const {
+  const local_place at = place_of(p);
+  const plain_vector q = evaluate(*at.piece, at.s, at.t).at;
+  return {q.x, q.y, q.z};
+}
+
+metric_tensor surface_chart::metric_at(const point& p, const surface_sizes& sizes) const {
+  // Far enough inside for a normal, near enough for what a side wants.
+  constexpr double inside = 1.0 / 256;
+  const point wide{high_.x - low_.x, high_.y - low_.y};
+  point q = p;
+  std::optional<principal> k = principal_of(jet_at(q));
+  if (!k) {
+    q.x = std::clamp(p.x, low_.x + inside * wide.x, high_.x - inside * wide.x);
+    q.y = std::clamp(p.y, low_.y + inside * wide.y, high_.y - inside * wide.y);
+    k = principal_of(jet_at(q));
+  }
+  // No triangle is longer than the patch.
+  metric_tensor m{1 / (wide.x * wide.x), 0, 1 / (wide.y * wide.y)};
+  if (!k) return m;
+  double first = density(k->first, sizes), second = density(k->second, sizes);
+  const double least = std::max(first, second) / (sizes.aspect * sizes.aspect);
+  first = std::max(first, least), second = std::max(second, least);
+  add_square(m, k->covector[0], first);
+  add_square(m, k->covector[1], second);
+  return m;
+}
+
+}  // namespace asterism::internal

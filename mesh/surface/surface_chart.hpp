@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// The plane of a patch's parameters, and the metric in it in which edges of length 1 are as long as
+// a chord height allows. Doubles that propose.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/surface_audit/shell_triangles.hpp"
+
+namespace asterism::internal {
+
+// What edges are limited by. Lengths in units of space.
+struct surface_sizes {
+  double chord = 0;               // D
+  std::optional<double> turn;     // of the normal along an edge, radians
+  std::optional<double> longest;  // edge
+  double aspect = 0;              // the greatest ratio of the two lengths at a point
+};
+
+// A patch with its pieces, in units (u 2^scale_u, v 2^scale_v) that make it about as wide and high
+// in the chart as in space: powers of two, so that parameters in other units of powers of two have
+// the same chart, bit for bit.
+class surface_chart {
+ public:
+  surface_chart(const std::vector<bezier_piece>& pieces, const patch_spans& spans);
+
+  int scale_u() const { return scale_u_; }
+  int scale_v() const { return scale_v_; }
+  point low() const { return low_; }
+  point high() const { return high_; }
+
+  // The point of the surface at a point of the chart, on the side itself at its sides.
+  space_point lift(const point& p) const;
+  // The metric wanted there. At a side that is one point it is the one a little beside it.
+  metric_tensor metric_at(const point& p, const surface_sizes& sizes) const;
+
+ private:
+  struct local_place {
+    const bezier_piece* piece;
+    double s, t;
+  };
+  local_place place_of(const point& p) const;
+  plain_second_jet jet_at(const point& p) const;
+
+  const std::vector<bezier_piece>* pieces_;
+  const patch_spans* spans_;
+  int scale_u_ = 0, scale_v_ = 0;
+  point low_, high_;
+};
+
+}  // namespace asterism::internal

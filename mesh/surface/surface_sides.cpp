@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/surface/surface_sides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace asterism::internal {
+namespace {
+
+using curve_key = std::vector<double>;
+
+// Control points and knots from one end, knots from the first on.
+curve_key key_of(const surface_patch& p, int side) {
+  const bool along_u = side % 2 == 0;
+  const std::size_t count = along_u ? p.count_u : p.count_v;
+  curve_key key;
+  for (std::size_t k = 0; k < count; ++k) {
+    const control_point& c =
+        along_u ? p.at(k, side == 0 ? 0 : p.count_v - 1) : p.at(side == 3 ? 0 : p.count_u - 1, k);
+    // 0 and -0 are the same.
+    for (const double x : {c.at.x + 0.0, c.at.y + 0.0, c.at.z + 0.0, c.weight}) key.push_back(x);
+  }
+  const std::vector<double>& knots = along_u ? p.knots_u : p.knots_v;
+  if (knots.size() == 2 * count)  // a Bezier curve is one whatever its knots
+    return key;
+  for (const double k : knots) key.push_back(k - knots.front());
+  return key;
+}
+
+curve_key reversed_key(const surface_patch& p, int side) {
+  surface_patch back = p;
+  std::reverse(back.control.begin(), back.control.end());
+  const auto turn = [](std::vector<double>& knots) {
+    if (knots.empty()) return;
+    const double last = knots.back();
+    std::reverse(knots.begin(), knots.end());
+    for (double& k : knots) k = last - k;
+  };
+  turn(back.knots_u), turn(back.knots_v);
+  return key_of(back, (side + 2) % 4);
+}
+
+bool is_point(const surface_patch& p, int side) {
+  const bool along_u = side % 2 == 0;
+  const std::size_t count = along_u ? p.count_u : p.count_v;
+  const auto at = [&](std::size_t k) {
+    return along_u ? p.at(k, side == 0 ? 0 : p.count_v - 1).at
+                   : p.at(side == 3 ? 0 : p.count_u - 1, k).at;
+  };
+  for (std::size_t k = 1; k < count; ++k)
+    if (!(at(k) == at(0))) return false;
+  return true;
+}
+
+class united {
+ public:
+  explicit united(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t of(std::size_t x) {
+    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
+  void unite(std::size_t a, std::size_t b) {
+    a = of(a), b = of(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+// The corners where a side starts and ends, as its parameter runs.
+std::array<std::size_t, 2> ends_of(int side) {
+  constexpr std::array<std::array<std::size_t, 2>, 4> ends = {{{0, 1}, {1, 2}, {3, 2}, {0, 3}}};
+  return ends[static_cast<std::size_t>(side)];
+}
+
+result<side_graph> match_sides(const surface& s) {
+  side_graph g;
+  g.curve_of.resize(s.patches.size());
+  std::map<curve_key, std::size_t> known;
+  for (std::size_t p = 0; p < s.patches.size(); ++p)
+    for (int side = 0; side < 4; ++side) {
+      auto& number = g.curve_of[p][static_cast<std::size_t>(side)];
+      number = g.curves.size();
+      if (is_point(s.patches[p], side)) {
+        g.curves.push_back({{{p, side, false}}, true});
+        continue;
+      }
+      const curve_key key = key_of(s.patches[p], side), back = reversed_key(s.patches[p], side);
+      auto found = known.find(key);
+      const bool backward = found == known.end() && known.contains(back);
+      if (backward) found = known.find(back);
+      if (found == known.end()) {
+        known.emplace(key, number);
+        g.curves.push_back({{{p, side, false}}, false});
+        continue;
+      }
+      number = found->second;
+      side_curve& curve = g.curves[number];
+      if (curve.sides.size() == 2)
+        return error{fmt::format("patches {}, {} and {} have one side in common: only two may",
+                                 curve.sides[0].patch + 1, curve.sides[1].patch + 1, p + 1),
+                     error_code::invalid_input};
+      curve.sides.push_back({p, side, backward});
+    }
+  return g;
+}
+
+void number_corners(side_graph& g) {
+  const std::size_t patches = g.curve_of.size();
+  united corners(4 * patches);
+  for (const side_curve& c : g.curves) {
+    const auto end = [&](const patch_side& s, std::size_t which) {
+      return 4 * s.patch + ends_of(s.side)[s.backward ? 1 - which : which];
+    };
+    if (c.is_point) corners.unite(end(c.sides[0], 0), end(c.sides[0], 1));
+    if (c.sides.size() < 2) continue;
+    corners.unite(end(c.sides[0], 0), end(c.sides[1], 0));
+    corners.unite(end(c.sides[0], 1), end(c.sides[1], 1));
+  }
+  std::map<std::size_t, std::size_t> numbers;
+  g.corner_of.resize(patches);
+  for (std::size_t p = 0; p < patches; ++p)
+    for (std::size_t k = 0; k < 4; ++k)
+      g.corner_of[p][k] = numbers.emplace(corners.of(4 * p + k), numbers.size()).first->second;
+  g.corners = numbers.size();
+}
+
+// +1 where going around the patch counter-clockwise follows the curve.
+int direction_of(const patch_side& s) {
+  const int around = s.side < 2 ? 1 : -1;
+  return s.backward ? -around : around;
+}
+
+// Neighbours go along their common curve in opposite directions.
+result<side_graph> turn_patches(side_graph g) {
+  const std::size_t patches = g.curve_of.size();
+  std::vector<int> sign(patches, 0);
+  for (std::size_t first = 0; first < patches; ++first) {
+    if (sign[first] != 0) continue;
+    sign[first] = 1;
+    std::vector<std::size_t> waiting = {first};
+    while (!waiting.empty()) {
+      const std::size_t p = waiting.back();
+      waiting.pop_back();
+      for (const std::size_t c : g.curve_of[p]) {
+        const auto& sides = g.curves[c].sides;
+        if (sides.size() < 2) continue;
+        const patch_side &mine = sides[0].patch == p ? sides[0] : sides[1],
+                         &other = sides[0].patch == p ? sides[1] : sides[0];
+        const int wanted = -sign[p] * direction_of(mine) * direction_of(other);
+        if (sign[other.patch] == 0) {
+          sign[other.patch] = wanted;
+          waiting.push_back(other.patch);
+        } else if (sign[other.patch] != wanted) {
+          return error{fmt::format("patches {} and {}: the surface has one side alone, or they "
+                                   "lie on each other",
+                                   p + 1, other.patch + 1),
+                       error_code::invalid_input};
+        }
+      }
+    }
+  }
+  for (const int s : sign) g.reversed.push_back(s < 0);
+  return g;
+}
+
+}  // namespace
+
+result<side_graph> graph_of_sides(const surface& s) {
+  auto matched = match_sides(s);
+  if (!matched) return matched;
+  number_corners(matched.value());
+  return turn_patches(std::move(matched).value());
+}
+
+}  // namespace asterism::internal

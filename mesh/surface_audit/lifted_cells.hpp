@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Parts of the triangles of a shell with the part of the surface that each was lifted from: a
+// triangle of parameters in one Bezier piece, cut at knots exactly.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "asterism/mesh/surface_audit/deviation_parts.hpp"
+#include "asterism/mesh/surface_audit/hull_bounds.hpp"
+#include "asterism/mesh/surface_audit/shell_triangles.hpp"
+
+namespace asterism::internal {
+
+struct lifted_scene {
+  const deviation_scene& space;           // with the triangles kept
+  const std::vector<patch_spans>& spans;  // of each face's patch
+  const std::vector<shell_triangle>& triangles;
+};
+
+// `weights` are those of the second and the third corner of the triangle.
+struct lifted_corner {
+  std::array<rounded_interval, 2> weights;
+  parameter_corner at;  // in the piece
+};
+
+struct lifted_cell {
+  std::uint32_t triangle = 0, piece = 0;
+  int depth = 0;
+  std::array<lifted_corner, 3> corners;
+  std::uint32_t hint = 0;       // a triangle in space nearby
+  double above = 0, below = 0;  // squared distances, or tangents
+
+  parameter_triangle parameters() const { return {corners[0].at, corners[1].at, corners[2].at}; }
+};
+
+// All of these stand in a floating_point_scope(rounding::upward).
+
+// Returns the parts of a triangle in the pieces that it reaches into; none where a corner of a part
+// is so near to a crossing of knots that its side is not certain.
+std::vector<lifted_cell> cells_of(const lifted_scene& scene, std::uint32_t triangle);
+// Returns the four parts between the middles of its sides.
+std::array<lifted_cell, 4> quarters(const lifted_cell& cell);
+interval_triangle corners_in_space(const lifted_scene& scene, const lifted_cell& cell);
+
+}  // namespace asterism::internal

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <optional>
+
+#include "asterism/mesh/surface_audit/lifted_bounds.hpp"
+
+namespace asterism::internal {
+namespace {
+
+plain_vector middle_in_space(const lifted_scene& scene, const lifted_cell& cell) {
+  const interval_triangle c = corners_in_space(scene, cell);
+  return (1.0 / 3) * (middle_of(c[0]) + middle_of(c[1]) + middle_of(c[2]));
+}
+
+surface_place place_of(const lifted_cell& cell, const parameter_corner& at) {
+  return {cell.piece, std::clamp(middle_of(at.s), 0.0, 1.0), std::clamp(middle_of(at.t), 0.0, 1.0)};
+}
+
+// From the surface to the mesh. A collapsed triangle is none of the mesh: others are near.
+double hull_above(const lifted_scene& scene, lifted_cell& cell, const triangle_net& net,
+                  const plain_vector& middle) {
+  const bezier_piece& piece = scene.space.pieces[cell.piece];
+  const auto points = euclidean(net.points.data(), net.points.size(), piece.is_rational);
+  const bool collapsed = scene.triangles[cell.triangle].collapsed;
+  if (collapsed) cell.hint = nearest_triangle_to(scene.space, middle, cell.hint).triangle;
+  const hull_distance own = hull_distance_above(points, scene.space.triangle(cell.hint));
+  if (cell.depth == 0 && !collapsed) return own.squared;
+  const nearest_triangle other =
+      nearest_triangle_to(scene.space, middle_of(points[own.farthest]), cell.hint);
+  if (other.triangle == cell.hint) return own.squared;
+  const auto two = joined_triangles(scene.space, cell.hint, other.triangle);
+  return two ? std::min(own.squared, hull_distance_above(points, *two)) : own.squared;
+}
+
+// From the mesh to the surface. At first the corners are vertices, whose places are known; on a cut
+// or later they are projected.
+double gap_above(const lifted_scene& scene, const lifted_cell& cell, const triangle_net& net) {
+  const bezier_piece& piece = scene.space.pieces[cell.piece];
+  const interval_triangle corners = corners_in_space(scene, cell);
+  const double as_lifted = squared_gap_above(net, piece.is_rational, corners);
+  if (cell.depth == 0) return as_lifted;
+  parameter_triangle near;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const surface_place at =
+        project(scene.space.pieces, place_of(cell, cell.corners[k].at), middle_of(corners[k])).at;
+    near[k] = {at.s, at.t};
+  }
+  const triangle_net there = net_over(tensor_of(piece), near, piece.is_rational);
+  return std::min(as_lifted, squared_gap_above(there, piece.is_rational, corners));
+}
+
+}  // namespace
+
+[[gnu::noinline]] void look_at_distance(const lifted_scene& scene, lifted_cell& cell) {
+  const bezier_piece& piece = scene.space.pieces[cell.piece];
+  const triangle_net net = net_over(tensor_of(piece), cell.parameters(), piece.is_rational);
+  const surface_place at =
+      place_of(cell, {(rounded_interval(1.0 / 3)) *
+                          (cell.corners[0].at.s + cell.corners[1].at.s + cell.corners[2].at.s),
+                      (rounded_interval(1.0 / 3)) *
+                          (cell.corners[0].at.t + cell.corners[1].at.t + cell.corners[2].at.t)});
+  const plain_vector on_surface = evaluate(piece, at.s, at.t).at;
+  cell.above = hull_above(scene, cell, net, on_surface);
+  cell.below = nearest_in(scene.space.triangle(cell.hint), on_surface).squared_distance;
+  if (scene.triangles[cell.triangle].collapsed) return;
+  cell.above = std::max(cell.above, gap_above(scene, cell, net));
+  const plain_vector on_mesh = middle_in_space(scene, cell);
+  cell.below = std::max(cell.below, project(scene.space.pieces, at, on_mesh).squared_distance);
+}
+
+double squared_vertex_distance(const lifted_scene& scene, std::uint32_t face, double u, double v,
+                               const space_point& vertex) {
+  const patch_spans& spans = scene.spans[face];
+  const auto span = [](const std::vector<double>& ends, double x) {
+    const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, x);
+    return static_cast<std::size_t>(after - ends.begin()) - 1;
+  };
+  const bezier_piece& piece =
+      scene.space.pieces[spans.first + span(spans.u, u) * (spans.v.size() - 1) + span(spans.v, v)];
+  const auto local = [](double x, double low, double high) {
+    const rounded_interval from = low;
+    return quotient(rounded_interval(x) - from, rounded_interval(high) - from);
+  };
+  const parameter_corner at{local(u, piece.u_low, piece.u_high),
+                            local(v, piece.v_low, piece.v_high)};
+  const triangle_net net = net_over(tensor_of(piece), {at, at, at}, piece.is_rational);
+  const weighted_point& p = net.points[0];
+  const rounded_interval far =
+      squared_length(p.at - p.weight * vector_of<rounded_interval>(vertex));
+  return quotient(far, squared(p.weight)).sup();
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/surface_audit/shell_audit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "asterism/core/floating_point_environment.hpp"
+#include "asterism/mesh/surface_audit/lifted_bounds.hpp"
+#include "asterism/mesh/surface_audit/shell_findings.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr double greatest_modulus = 0x1p300;
+constexpr double negligible_share = 1e-12;  // of the size, as for deviations
+constexpr int deepest = 14;                 // quarterings of a triangle
+
+std::optional<error> fault_of_face(const surface& s, const surface_shell& shell, std::size_t f) {
+  const shell_face& face = shell.faces[f];
+  const auto fault = [&](const std::string& what) {
+    return error{fmt::format("face {}: {}", f + 1, what), error_code::invalid_mesh};
+  };
+  if (face.patch >= s.patches.size()) return fault("its patch does not exist");
+  if (std::abs(face.scale_u) > 1000 || std::abs(face.scale_v) > 1000)
+    return fault("the scale of its chart is out of range");
+  if (face.vertex.size() != face.plane.sites.size())
+    return fault("sites and vertices differ in number");
+  for (const std::uint32_t v : face.vertex)
+    if (v >= shell.points.size()) return fault("a vertex does not exist");
+  for (const site& p : face.plane.sites)
+    if (!std::isfinite(p.position.x) || !std::isfinite(p.position.y))
+      return fault("a site is not finite");
+  for (const triangle& t : face.plane.triangles)
+    for (const vertex_index v : t)
+      if (v >= face.plane.sites.size()) return fault("a site does not exist");
+  return {};
+}
+
+std::optional<error> fault_of(const surface& s, const surface_shell& shell) {
+  for (std::size_t v = 0; v < shell.points.size(); ++v)
+    for (const double x : {shell.points[v].x, shell.points[v].y, shell.points[v].z})
+      if (!std::isfinite(x) || std::abs(x) > greatest_modulus)
+        return error{fmt::format("vertex {}: coordinate {:g} is out of range", v + 1, x),
+                     error_code::invalid_mesh};
+  std::vector<std::size_t> faces(s.patches.size(), 0);
+  for (std::size_t f = 0; f < shell.faces.size(); ++f) {
+    if (auto wrong = fault_of_face(s, shell, f)) return wrong;
+    ++faces[shell.faces[f].patch];
+  }
+  for (std::size_t p = 0; p < faces.size(); ++p)
+    if (faces[p] != 1)
+      return error{fmt::format("patch {} has {} faces, not 1", p + 1, faces[p]),
+                   error_code::invalid_mesh};
+  return {};
+}
+
+// All that the looks at cells need, and what it is made of.
+class shell_view {
+ public:
+  shell_view(const surface& s, const surface_shell& shell, std::vector<bezier_piece> pieces)
+      : pieces_(std::move(pieces)),
+        triangles_(triangles_of(shell)),
+        mesh_(mesh_of(shell, triangles_)),
+        boxes_(boxes_of_triangles(mesh_)),
+        tree_(boxes_),
+        locator_(pieces_),
+        space_{mesh_, s, pieces_, tree_, locator_} {
+    const auto by_patch = spans_of(pieces_, s.patches.size());
+    for (const shell_face& face : shell.faces) spans_.push_back(by_patch[face.patch]);
+  }
+  shell_view(const shell_view&) = delete;
+  shell_view& operator=(const shell_view&) = delete;
+
+  lifted_scene scene() const { return {space_, spans_, triangles_}; }
+  const std::vector<shell_triangle>& triangles() const { return triangles_; }
+  const space_mesh& in_space() const { return mesh_; }
+  double size() const {
+    space_box all = boxes_[0];
+    for (const space_box& box : boxes_) all.include(box);
+    return all.diagonal();
+  }
+
+ private:
+  std::vector<bezier_piece> pieces_;
+  std::vector<shell_triangle> triangles_;
+  space_mesh mesh_;
+  std::vector<space_box> boxes_;
+  box_tree tree_;
+  surface_locator locator_;
+  deviation_scene space_;
+  std::vector<patch_spans> spans_;
+};
+
+using look = void (*)(const lifted_scene&, lifted_cell&);
+
+// The first cells of a triangle, looked at; none where a cut is not certain.
+std::vector<lifted_cell> first_cells(const lifted_scene& scene, std::uint32_t t, look at) {
+  const floating_point_scope scope(rounding::upward);
+  std::vector<lifted_cell> cells = cells_of(scene, t);
+  for (lifted_cell& cell : cells) at(scene, cell);
+  return cells;
+}
+
+std::vector<lifted_cell> parts_of(const lifted_scene& scene, const lifted_cell& cell, look at) {
+  const floating_point_scope scope(rounding::upward);
+  const auto four = quarters(cell);
+  std::vector<lifted_cell> parts(four.begin(), four.end());
+  for (lifted_cell& part : parts) {
+    at(scene, part);
+    part.above = std::min(part.above, cell.above);
+  }
+  return parts;
+}
+
+double root_above(double squared) {
+  const floating_point_scope scope(rounding::upward);
+  return rounded_root(squared);
+}
+
+void audit_distances(const shell_view& view, const shell_question& asked, shell_report& report) {
+  const lifted_scene scene = view.scene();
+  std::vector<std::vector<lifted_cell>> first(scene.triangles.size());
+  parallel_for(first.size(), [&](std::size_t t) {
+    first[t] = first_cells(scene, static_cast<std::uint32_t>(t), look_at_distance);
+  });
+  std::vector<lifted_cell> cells;
+  for (std::size_t t = 0; t < first.size(); ++t) {
+    if (first[t].empty())
+      note_finding(report, asked,
+                   fmt::format("triangle {}: knots cross at a corner of it but for rounding, so "
+                               "that nothing is proved of it",
+                               t + 1));
+    cells.insert(cells.end(), first[t].begin(), first[t].end());
+  }
+  narrowing_limits limits;
+  limits.negligible = negligible_share * view.size();
+  limits.at_most = asked.chord;
+  limits.most_cells = 100 * scene.triangles.size() + 1'000'000;
+  const auto found = narrow(std::move(cells), limits, [&](const lifted_cell& cell) {
+    return parts_of(scene, cell, look_at_distance);
+  });
+  report.distance = root_above(found.above);
+  if (report.distance > asked.chord)
+    note_finding(
+        report, asked,
+        fmt::format("the mesh is proved within {:.9g} of the surface, and {:.9g} is asked: "
+                    "see triangle {}",
+                    report.distance, asked.chord, found.best ? found.best->triangle + 1 : 0));
+}
+
+void audit_normals(const shell_view& view, const shell_question& asked, shell_report& report) {
+  const lifted_scene scene = view.scene();
+  std::vector<std::vector<lifted_cell>> first(scene.triangles.size());
+  parallel_for(first.size(), [&](std::size_t t) {
+    if (!scene.triangles[t].collapsed)
+      first[t] = first_cells(scene, static_cast<std::uint32_t>(t), look_at_normals);
+  });
+  std::vector<lifted_cell> cells;
+  for (const auto& some : first) cells.insert(cells.end(), some.begin(), some.end());
+  // Each part is written by one turn of a loop alone.
+  std::vector<unsigned char> failed(scene.triangles.size(), 0);
+  narrowing_limits limits;
+  limits.relative_width = 0.05;
+  limits.negligible = 1e-9;
+  limits.most_cells = 400 * scene.triangles.size() + 1'000'000;
+  const auto found = narrow(
+      std::move(cells), limits,
+      [&](const lifted_cell& cell) {
+        if (cell.depth >= deepest) return std::vector<lifted_cell>{};
+        auto parts = parts_of(scene, cell, look_at_normals);
+        return parts;
+      },
+      [&](const lifted_cell& cell) {
+        if (cell.depth >= deepest) failed[cell.triangle] = 1;
+      });
+  report.normal_tangent = root_above(found.above);
+  for (std::size_t t = 0; t < failed.size(); ++t) {
+    if (failed[t] == 0) continue;
+    ++report.folded;
+    note_finding(
+        report, asked,
+        fmt::format("triangle {}: it is not proved that the surface is not folded over it, "
+                    "or how far its normals turn",
+                    t + 1));
+  }
+  if (!found.done && report.folded == 0)
+    note_finding(report, asked, "the normals could not be bounded with the work allowed");
+}
+
+void audit_vertices(const surface_shell& shell, const shell_view& view, shell_report& report) {
+  const lifted_scene scene = view.scene();
+  double most = 0;
+  for (std::uint32_t f = 0; f < shell.faces.size(); ++f) {
+    const shell_face& face = shell.faces[f];
+    std::vector<double> far(face.plane.sites.size());
+    parallel_for(far.size(), [&](std::size_t k) {
+      const floating_point_scope scope(rounding::upward);
+      const point& p = face.plane.sites[k].position;
+      far[k] =
+          squared_vertex_distance(scene, f, std::ldexp(p.x, -face.scale_u),
+                                  std::ldexp(p.y, -face.scale_v), shell.points[face.vertex[k]]);
+    });
+    for (const double x : far) most = std::max(most, x);
+  }
+  report.vertex_distance = root_above(most);
+}
+
+void measure_angles(const shell_view& view, shell_report& report) {
+  const space_mesh& m = view.in_space();
+  for (const space_triangle& t : m.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const plain_vector at = plain(m.points[t[k]]), p = plain(m.points[t[(k + 1) % 3]]) - at,
+                         q = plain(m.points[t[(k + 2) % 3]]) - at;
+      const plain_vector area = cross(p, q);
+      const double angle =
+          std::atan2(std::sqrt(dot(area, area)), dot(p, q)) * 180 / std::acos(-1.0);
+      report.least_angle_in_space = std::min(report.least_angle_in_space, angle);
+    }
+}
+
+}  // namespace
+
+result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
+                                 const shell_question& asked) {
+  auto pieces = bezier_pieces(s);
+  if (!pieces) return pieces.failure();
+  if (auto wrong = fault_of(s, shell)) return *wrong;
+  shell_report report;
+  audit_planes(s, shell, asked, report);
+  // Nothing further is meant by meshes that are no triangulations.
+  if (report.found > 0) return report;
+  const shell_view view(s, shell, std::move(pieces).value());
+  if (view.in_space().triangles.empty()) return error{"no triangle", error_code::invalid_mesh};
+  audit_edges(s, shell, view.triangles(), asked, report);
+  audit_vertices(shell, view, report);
+  audit_distances(view, asked, report);
+  audit_normals(view, asked, report);
+  measure_angles(view, report);
+  report.certified = report.found == 0;
+  return report;
+}
+
+result<std::vector<double>> shell_distances(const surface& s, const surface_shell& shell,
+                                            double enough) {
+  auto pieces = bezier_pieces(s);
+  if (!pieces) return pieces.failure();
+  if (auto wrong = fault_of(s, shell)) return *wrong;
+  const shell_view view(s, shell, std::move(pieces).value());
+  if (view.in_space().triangles.empty()) return error{"no triangle", error_code::invalid_mesh};
+  const lifted_scene scene = view.scene();
+  std::vector<double> distances(scene.triangles.size());
+  parallel_for(distances.size(), [&](std::size_t t) {
+    narrowing_limits limits;
+    limits.relative_width = 0.05;
+    limits.negligible = enough;
+    limits.most_cells = 2000;
+    const auto found =
+        narrow(first_cells(scene, static_cast<std::uint32_t>(t), look_at_distance), limits,
+               [&](const lifted_cell& cell) { return parts_of(scene, cell, look_at_distance); });
+    distances[t] = root_above(found.above);
+  });
+  return distances;
+}
+
+}  // namespace asterism::internal

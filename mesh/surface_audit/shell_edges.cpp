@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "asterism/mesh/surface_audit/shell_findings.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using shell_edge = std::pair<std::uint32_t, std::uint32_t>;
+
+// A side of a patch as its control points and knots say it, from its start or from its end. Equal
+// curves are one curve, bit for bit.
+using side_key = std::vector<double>;
+
+side_key key_of(const surface_patch& p, int side, bool backward) {
+  const bool along_u = side % 2 == 0;
+  const std::size_t count = along_u ? p.count_u : p.count_v;
+  side_key key;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = backward ? count - 1 - i : i;
+    const control_point& c =
+        along_u ? p.at(k, side == 0 ? 0 : p.count_v - 1) : p.at(side == 3 ? 0 : p.count_u - 1, k);
+    for (const double x : {c.at.x + 0.0, c.at.y + 0.0, c.at.z + 0.0, c.weight}) key.push_back(x);
+  }
+  const std::vector<double>& knots = along_u ? p.knots_u : p.knots_v;
+  if (knots.size() == 2 * count) return key;  // a Bezier curve, whatever its knots
+  for (std::size_t i = 0; i < knots.size(); ++i)
+    key.push_back(backward ? knots.back() - knots[knots.size() - 1 - i] : knots[i] - knots.front());
+  return key;
+}
+
+// The sides that are the same curve as another, by face and side, and those that are one point.
+struct side_facts {
+  std::set<std::pair<std::size_t, int>> shared, points;
+};
+
+side_facts facts_of(const surface& s, const surface_shell& shell) {
+  std::map<side_key, std::vector<std::pair<std::size_t, int>>> by_curve;
+  side_facts facts;
+  for (std::size_t f = 0; f < shell.faces.size(); ++f)
+    for (int side = 0; side < 4; ++side) {
+      const surface_patch& p = s.patches[shell.faces[f].patch];
+      const side_key forward = key_of(p, side, false), backward = key_of(p, side, true);
+      bool is_point = true;
+      const std::size_t count = side % 2 == 0 ? p.count_u : p.count_v;
+      for (std::size_t k = 1; k < count; ++k)
+        for (std::size_t c = 0; c < 3; ++c) is_point = is_point && forward[4 * k + c] == forward[c];
+      if (is_point)
+        facts.points.emplace(f, side);
+      else
+        by_curve[std::min(forward, backward)].emplace_back(f, side);
+    }
+  for (const auto& [curve, sides] : by_curve)
+    if (sides.size() > 1) facts.shared.insert(sides.begin(), sides.end());
+  return facts;
+}
+
+// The side of its patch that an edge of the plane mesh is on, if any.
+std::optional<int> side_of(const shell_face& face, const point& a, const point& b) {
+  const point low = face.plane.sites[0].position, high = face.plane.sites[2].position;
+  if (a.y == low.y && b.y == low.y) return 0;
+  if (a.x == high.x && b.x == high.x) return 1;
+  if (a.y == high.y && b.y == high.y) return 2;
+  if (a.x == low.x && b.x == low.x) return 3;
+  return std::nullopt;
+}
+
+}  // namespace
+
+void audit_edges(const surface& s, const surface_shell& shell,
+                 const std::vector<shell_triangle>& triangles, const shell_question& asked,
+                 shell_report& report) {
+  const space_mesh m = mesh_of(shell, triangles);
+  std::map<shell_edge, std::size_t> directed;
+  std::set<std::uint32_t> used;
+  for (std::size_t t = 0; t < m.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const shell_edge e{m.triangles[t][k], m.triangles[t][(k + 1) % 3]};
+      used.insert(e.first);
+      if (!directed.emplace(e, t).second)
+        note_finding(report, asked,
+                     fmt::format("the edge from vertex {} to {} is in two triangles the same way",
+                                 e.first + 1, e.second + 1));
+    }
+  const side_facts facts = facts_of(s, shell);
+  // An open edge is on a side that no other patch has.
+  std::size_t at = 0;
+  for (std::size_t f = 0; f < shell.faces.size(); ++f)
+    for (const triangle& corners : shell.faces[f].plane.triangles) {
+      const shell_triangle& t = triangles[at++];
+      if (t.collapsed) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        shell_edge e{t.vertex[k], t.vertex[next]};
+        if (shell.faces[f].reversed) std::swap(e.first, e.second);
+        if (directed.contains({e.second, e.first})) continue;
+        ++report.open_edges;
+        const auto& sites = shell.faces[f].plane.sites;
+        const auto side =
+            side_of(shell.faces[f], sites[corners[k]].position, sites[corners[next]].position);
+        if (!side || facts.shared.contains({f, *side}))
+          note_finding(
+              report, asked,
+              fmt::format("the edge from vertex {} to {} has no triangle on its other side",
+                          e.first + 1, e.second + 1));
+      }
+    }
+  report.edges = (directed.size() + report.open_edges) / 2;
+  report.vertices = shell.points.size();
+  report.triangles = m.triangles.size();
+  report.collapsed = triangles.size() - m.triangles.size();
+  report.euler = static_cast<long>(report.vertices) - static_cast<long>(report.edges) +
+                 static_cast<long>(report.triangles);
+  if (used.size() != shell.points.size())
+    note_finding(report, asked,
+                 fmt::format("{} vertices are in no triangle", shell.points.size() - used.size()));
+  // Two vertices at one place would be a crack that no edge shows.
+  std::map<std::tuple<double, double, double>, std::uint32_t> places;
+  for (std::uint32_t v = 0; v < shell.points.size(); ++v) {
+    const space_point& p = shell.points[v];
+    const auto [found, is_new] = places.emplace(std::tuple{p.x, p.y, p.z}, v);
+    if (!is_new)
+      note_finding(
+          report, asked,
+          fmt::format("vertices {} and {} are at the same place", found->second + 1, v + 1));
+  }
+  // A triangle that is none in space must be at a side that is one point.
+  at = 0;
+  for (std::size_t f = 0; f < shell.faces.size(); ++f)
+    for (const triangle& corners : shell.faces[f].plane.triangles) {
+      const shell_triangle& t = triangles[at++];
+      for (std::size_t k = 0; t.collapsed && k < 3; ++k) {
+        if (t.vertex[k] != t.vertex[(k + 1) % 3]) continue;
+        const auto& sites = shell.faces[f].plane.sites;
+        const auto side = side_of(shell.faces[f], sites[corners[k]].position,
+                                  sites[corners[(k + 1) % 3]].position);
+        if (!side || !facts.points.contains({f, *side}))
+          note_finding(report, asked,
+                       fmt::format("face {}: a triangle has vertex {} twice, which is at no side "
+                                   "that is one point",
+                                   f + 1, t.vertex[k] + 1));
+      }
+    }
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Declares the parts of a shell's audit that need no distances.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "asterism/mesh/surface_audit/shell_audit.hpp"
+#include "asterism/mesh/surface_audit/shell_triangles.hpp"
+
+namespace asterism::internal {
+
+// Counts a finding, and keeps its sentence if there is room.
+void note_finding(shell_report& report, const shell_question& asked, std::string sentence);
+
+// Returns the domain that the plane mesh of a face is to be of: the patch's rectangle, with the
+// given sites on its sides. Fails where a given site is on no side, or corners are not the patch's.
+result<domain> rectangle_of(const surface_patch& patch, const shell_face& face);
+
+// Audits the plane mesh of each face against that.
+void audit_planes(const surface& s, const surface_shell& shell, const shell_question& asked,
+                  shell_report& report);
+
+// Holds edges and vertices of the shell against each other and against the sides of the patches.
+void audit_edges(const surface& s, const surface_shell& shell,
+                 const std::vector<shell_triangle>& triangles, const shell_question& asked,
+                 shell_report& report);
+
+}  // namespace asterism::internal

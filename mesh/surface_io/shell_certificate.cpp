@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+//
+// nlohmann's library reports by exceptions; none leaves this file.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "asterism/core/version.h"
+#include "asterism/mesh/io/json_places.hpp"
+#include "asterism/mesh/io/text_lines.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
+#include "asterism/mesh/surface_io/shell_files.hpp"
+#include "asterism/mesh/surface_io/surface_json.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view beginning = "{\"kind\": \"surface\",";
+
+void append_member(std::string& text, const char* name, double x) {
+  append_number(text += fmt::format(",\n \"{}\": ", name), x);
+}
+
+void append_member(std::string& text, const char* name, std::size_t x) {
+  append_integer(text += fmt::format(",\n \"{}\": ", name), x);
+}
+
+std::string quoted(const std::string& s) {
+  return json(s).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+// Rows of a list, one a line.
+template <class Line>
+void append_rows(std::string& text, const char* name, std::size_t count, const Line& line) {
+  text += fmt::format(",\n   \"{}\": [", name);
+  append_lines(text, count, [&](std::size_t k, std::string& to) {
+    to += k == 0 ? "\n    [" : ",\n    [";
+    line(k, to);
+    to += ']';
+  });
+  text += ']';
+}
+
+template <class First, class... Rest>
+void append_list(std::string& text, First first, Rest... rest) {
+  append_integer(text, first);
+  ((text += ", ", append_integer(text, rest)), ...);
+}
+
+void append_face(std::string& text, const shell_face& face) {
+  const mesh& m = face.plane;
+  text += fmt::format("  {{\"patch\": {}, \"scale\": [{}, {}], \"reversed\": {}, \"given\": {}",
+                      face.patch + 1, face.scale_u, face.scale_v, face.reversed, m.given);
+  append_rows(text, "sites", m.sites.size(), [&](std::size_t k, std::string& to) {
+    const auto& [p, t] = m.sites[k];
+    for (const double x : {p.x, p.y, t.m11, t.m12, t.m22}) {
+      append_number(to, x);
+      to += ", ";
+    }
+    append_integer(to, face.vertex[k] + 1);
+  });
+  append_rows(text, "triangles", m.triangles.size(), [&](std::size_t k, std::string& to) {
+    const triangle& t = m.triangles[k];
+    append_list(to, t[0] + 1, t[1] + 1, t[2] + 1);
+  });
+  append_rows(text, "boundary", m.boundary.size(), [&](std::size_t k, std::string& to) {
+    const boundary_edge& e = m.boundary[k];
+    append_list(to, e.a + 1, e.b + 1, e.segment + 1, e.marker);
+  });
+  text += '}';
+}
+
+error malformed(const std::string& what) { return {what, error_code::malformed_file}; }
+
+// Reads an index that counts from 1; one that is out of range becomes one that the audit refuses.
+std::uint32_t index_of(const json& from) {
+  const auto number = from.get<std::int64_t>();
+  return number < 1 || number > 0xFFFFFFFFLL ? ~0U : static_cast<std::uint32_t>(number - 1);
+}
+
+void read_face(const json& from, shell_face& face) {
+  face.patch = index_of(from.at("patch"));
+  face.scale_u = from.at("scale").at(0).get<int>();
+  face.scale_v = from.at("scale").at(1).get<int>();
+  face.reversed = from.at("reversed").get<bool>();
+  mesh& m = face.plane;
+  m.given = from.at("given").get<vertex_index>();
+  for (const json& row : from.at("sites")) {
+    const auto x = [&](std::size_t k) { return row.at(k).get<double>(); };
+    m.sites.push_back({{x(0), x(1)}, {x(2), x(3), x(4)}});
+    face.vertex.push_back(index_of(row.at(5)));
+  }
+  for (const json& row : from.at("triangles"))
+    m.triangles.push_back({index_of(row.at(0)), index_of(row.at(1)), index_of(row.at(2))});
+  for (const json& row : from.at("boundary"))
+    m.boundary.push_back({index_of(row.at(0)), index_of(row.at(1)), index_of(row.at(2)),
+                          row.at(3).get<int>(), false});
+}
+
+void read_report(const json& from, shell_certificate& c) {
+  shell_report& r = c.report;
+  c.complete = from.at("complete").get<bool>();
+  c.reason = from.at("reason").get<std::string>();
+  c.asked.chord = from.at("chord").get<double>();
+  c.asked.angle_bound = from.at("angle_bound").get<double>();
+  r.certified = from.at("certified").get<bool>();
+  r.vertices = from.at("vertices").get<std::size_t>();
+  r.triangles = from.at("triangles").get<std::size_t>();
+  r.edges = from.at("edges").get<std::size_t>();
+  r.open_edges = from.at("open_edges").get<std::size_t>();
+  r.collapsed = from.at("collapsed").get<std::size_t>();
+  r.euler = from.at("euler").get<long>();
+  r.distance = from.at("distance").get<double>();
+  r.vertex_distance = from.at("vertex_distance").get<double>();
+  const json& tangent = from.at("normal_tangent");
+  r.normal_tangent = tangent.is_null() ? INFINITY : tangent.get<double>();
+  r.least_angle = from.at("least_angle").get<double>();
+}
+
+}  // namespace
+
+bool is_shell_certificate(std::string_view text) { return text.starts_with(beginning); }
+
+std::string shell_certificate_text(const shell_certificate& c) {
+  const shell_report& r = c.report;
+  std::string text(beginning);
+  text += "\n \"version\": \"" ASTERISM_VERSION_TEXT "\"";
+  text += fmt::format(",\n \"certified\": {},\n \"complete\": {},\n \"reason\": {}", r.certified,
+                      c.complete, quoted(c.reason));
+  append_member(text, "chord", c.asked.chord);
+  append_member(text, "angle_bound", c.asked.angle_bound);
+  append_member(text, "vertices", r.vertices);
+  append_member(text, "triangles", r.triangles);
+  append_member(text, "edges", r.edges);
+  append_member(text, "open_edges", r.open_edges);
+  append_member(text, "collapsed", r.collapsed);
+  text += fmt::format(",\n \"euler\": {}", r.euler);
+  append_member(text, "distance", r.distance);
+  append_member(text, "vertex_distance", r.vertex_distance);
+  if (std::isfinite(r.normal_tangent))
+    append_member(text, "normal_tangent", r.normal_tangent);
+  else
+    text += ",\n \"normal_tangent\": null";
+  append_member(text, "least_angle", r.least_angle);
+  text += ",\n \"surface\": " + surface_text(c.of);
+  text += ",\n \"faces\": [\n";
+  for (std::size_t f = 0; f < c.shell.faces.size(); ++f) {
+    if (f > 0) text += ",\n";
+    append_face(text, c.shell.faces[f]);
+  }
+  return text + "]}\n";
+}
+
+result<shell_certificate> parse_shell_certificate(const std::string& text,
+                                                  const std::string& file) {
+  constexpr std::size_t most_nested = 24;
+  if (const auto line = line_nested_beyond(text, most_nested))
+    return malformed(fmt::format("{}:{}: nested too deeply", file, *line));
+  try {
+    const json whole = json::parse(text);
+    shell_certificate c;
+    read_report(whole, c);
+    auto of = parse_surface(whole.at("surface").dump(), file);
+    if (!of) return of.failure();
+    c.of = std::move(of).value();
+    for (const json& from : whole.at("faces")) read_face(from, c.shell.faces.emplace_back());
+    return c;
+  } catch (const json::parse_error& wrong) {
+    return malformed(fmt::format("{}:{}: this is not JSON", file, line_of_byte(text, wrong.byte)));
+  } catch (const json::exception& wrong) {
+    return malformed(file + ": " + without_controls(wrong.what()));
+  }
+}
+
+}  // namespace asterism::internal

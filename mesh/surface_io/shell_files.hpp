@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes meshes in space, and the certificates of shells, and reads those.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/space_mesh.hpp"
+#include "asterism/mesh/data/surface_shell.hpp"
+#include "asterism/mesh/surface_audit/shell_audit.hpp"
+
+namespace asterism::internal {
+
+// Returns the content of a file in the format that the name's ending says: .obj, .stl and .ply as
+// text, Medit's .mesh, gmsh's .msh 2.2, .vtu. Doubles have seventeen digits. Faces are references
+// and physical groups.
+result<std::string> space_mesh_text(const space_mesh& m, const std::string& file);
+
+// All that is claimed of a shell, with the surface and the plane meshes, so that it can be proved
+// again from this and the mesh in space.
+struct shell_certificate {
+  surface of;
+  surface_shell shell;  // without points
+  shell_question asked;
+  shell_report report;
+  bool complete = false;
+  std::string reason;
+};
+
+std::string shell_certificate_text(const shell_certificate& c);
+// True if the text begins as one of these does.
+bool is_shell_certificate(std::string_view text);
+result<shell_certificate> parse_shell_certificate(const std::string& text, const std::string& file);
+
+}  // namespace asterism::internal
