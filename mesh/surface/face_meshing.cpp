@@ -22,12 +22,91 @@ metric_tensor scaled(const metric_tensor& m, double factor) {
 
 face_meshing::face_meshing(const surface_chart& chart, const surface_sizes& sizes, int cells)
     : chart_(&chart), sizes_(sizes), cells_(cells) {
-  const auto nodes = static_cast<std::size_t>((cells + 1) * (cells + 1));
-  for (int k = 0; k <= cells; ++k)
-    for (int i = 0; i <= cells; ++i) base_.push_back(chart.metric_at(node(i, k), sizes));
-  log_factor_.assign(nodes, 0);
-  wanted_.assign(nodes, 0);
-  is_wanted_.assign(nodes, 0);
+  find_base();
+  log_factor_.assign(base_.size(), 0);
+  wanted_.assign(base_.size(), 0);
+  is_wanted_.assign(base_.size(), 0);
+}
+
+// Where a point is in the background: a cell, and the shares of its other side.
+struct face_meshing::cell_place {
+  int i, k;
+  double s, t;
+};
+
+face_meshing::cell_place face_meshing::place_of(const point& p) const {
+  const point low = chart_->low(), high = chart_->high();
+  const double x = std::clamp((p.x - low.x) / (high.x - low.x), 0.0, 1.0) * cells_,
+               y = std::clamp((p.y - low.y) / (high.y - low.y), 0.0, 1.0) * cells_;
+  const int i = std::min(static_cast<int>(x), cells_ - 1),
+            k = std::min(static_cast<int>(y), cells_ - 1);
+  return {i, k, x - i, y - k};
+}
+
+// Finds the density in a direction with which an edge of length 1 through p meets, in the mean, no
+// more than that density: what the curvature at p alone asks for can be much too little where it is
+// zero on a curve.
+double face_meshing::consistent_density(const point& p, const point& direction,
+                                        double density) const {
+  constexpr int samples = 4, most_halvings = 24;
+  const point low = chart_->low(), high = chart_->high();
+  double length = 1 / std::sqrt(density);
+  for (int n = 0; n < most_halvings; ++n) {
+    double mean = 0;
+    for (int k = -samples; k <= samples; ++k) {
+      const double step = length * k / (2.0 * samples);
+      const point q{std::clamp(p.x + step * direction.x, low.x, high.x),
+                    std::clamp(p.y + step * direction.y, low.y, high.y)};
+      const cell_place at = place_of(q);
+      const auto of = [&](int a, int b) {
+        const metric_tensor& m = local_[node_number(a, b)];
+        return m.m11 * direction.x * direction.x + 2 * m.m12 * direction.x * direction.y +
+               m.m22 * direction.y * direction.y;
+      };
+      mean += ((1 - at.t) * ((1 - at.s) * of(at.i, at.k) + at.s * of(at.i + 1, at.k)) +
+               at.t * ((1 - at.s) * of(at.i, at.k + 1) + at.s * of(at.i + 1, at.k + 1))) /
+              (2 * samples + 1);
+    }
+    if (mean * length * length <= 1) break;
+    length *= 0.8;
+  }
+  return 1 / (length * length);
+}
+
+void face_meshing::find_base() {
+  const point low = chart_->low(), high = chart_->high();
+  const double wide = high.x - low.x, tall = high.y - low.y;
+  std::vector<surface_chart::local_metric> asked;
+  for (int k = 0; k <= cells_; ++k)
+    for (int i = 0; i <= cells_; ++i) {
+      asked.push_back(chart_->metric_at(node(i, k), sizes_));
+      local_.push_back(asked.back().metric);
+    }
+  for (int k = 0; k <= cells_; ++k)
+    for (int i = 0; i <= cells_; ++i) {
+      // No triangle is longer than the patch.
+      metric_tensor m{1 / (wide * wide), 0, 1 / (tall * tall)};
+      surface_chart::local_metric& at = asked[node_number(i, k)];
+      if (at.known) {
+        const double least =
+            std::max(at.densities[0], at.densities[1]) / (sizes_.aspect * sizes_.aspect);
+        const auto& [e, f] = at.directions;
+        const double area = e.x * f.y - e.y * f.x;
+        const std::array<point, 2> covector = {point{f.y / area, -f.x / area},
+                                               point{-e.y / area, e.x / area}};
+        for (std::size_t n = 0; n < 2; ++n) {
+          const point& d = at.directions[n];
+          // An edge across the patch is as long as the patch is.
+          const double longest = 1 / std::max(std::abs(d.x) / wide, std::abs(d.y) / tall);
+          const double start = std::max({at.densities[n], least, 1 / (longest * longest)});
+          const double density = consistent_density(node(i, k), d, start);
+          m.m11 += density * covector[n].x * covector[n].x;
+          m.m12 += density * covector[n].x * covector[n].y;
+          m.m22 += density * covector[n].y * covector[n].y;
+        }
+      }
+      base_.push_back(m);
+    }
 }
 
 point face_meshing::node(int i, int k) const {
@@ -36,22 +115,20 @@ point face_meshing::node(int i, int k) const {
           k == cells_ ? high.y : low.y + (high.y - low.y) * k / cells_};
 }
 
-double face_meshing::factor_at(const point& p) const {
-  const point low = chart_->low(), high = chart_->high();
-  const double x = (p.x - low.x) / (high.x - low.x) * cells_,
-               y = (p.y - low.y) / (high.y - low.y) * cells_;
-  const int i = std::clamp(static_cast<int>(x), 0, cells_ - 1),
-            k = std::clamp(static_cast<int>(y), 0, cells_ - 1);
-  const auto at = [&](int a, int b) {
-    return log_factor_[static_cast<std::size_t>(b * (cells_ + 1) + a)];
-  };
-  const double s = x - i, t = y - k;
-  return (1 - t) * ((1 - s) * at(i, k) + s * at(i + 1, k)) +
-         t * ((1 - s) * at(i, k + 1) + s * at(i + 1, k + 1));
-}
-
 metric_tensor face_meshing::metric_at(const point& p) const {
-  return scaled(chart_->metric_at(p, sizes_), elementary::exp(factor_at(p)));
+  const cell_place at = place_of(p);
+  metric_tensor m{0, 0, 0};
+  double log_factor = 0;
+  for (const int b : {0, 1})
+    for (const int a : {0, 1}) {
+      const std::size_t n = node_number(at.i + a, at.k + b);
+      const double share = (a == 0 ? 1 - at.s : at.s) * (b == 0 ? 1 - at.t : at.t);
+      m.m11 += share * base_[n].m11;
+      m.m12 += share * base_[n].m12;
+      m.m22 += share * base_[n].m22;
+      log_factor += share * log_factor_[n];
+    }
+  return scaled(m, elementary::exp(log_factor));
 }
 
 void face_meshing::add_everywhere(double log_factor) {

@@ -47,13 +47,20 @@ class face_meshing {
 
  private:
   point node(int i, int k) const;
+  std::size_t node_number(int i, int k) const {
+    return static_cast<std::size_t>(k * (cells_ + 1) + i);
+  }
+  struct cell_place;
+  cell_place place_of(const point& p) const;
+  void find_base();
+  double consistent_density(const point& p, const point& direction, double density) const;
   mesh background() const;
-  double factor_at(const point& p) const;
 
   const surface_chart* chart_;
   surface_sizes sizes_;
   int cells_;
-  std::vector<metric_tensor> base_;  // at the nodes
+  std::vector<metric_tensor> local_;  // what the curvature at each node asks for
+  std::vector<metric_tensor> base_;   // and what edges can be of that length
   std::vector<double> log_factor_, wanted_;
   std::vector<unsigned char> is_wanted_;
   side_places places_;

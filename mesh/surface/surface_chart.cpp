@@ -120,25 +120,25 @@ space_point surface_chart::lift(const point& p) const {
   return {q.x, q.y, q.z};
 }
 
-metric_tensor surface_chart::metric_at(const point& p, const surface_sizes& sizes) const {
+surface_chart::local_metric surface_chart::metric_at(const point& p,
+                                                     const surface_sizes& sizes) const {
   // Far enough inside for a normal, near enough for what a side wants.
   constexpr double inside = 1.0 / 256;
   const point wide{high_.x - low_.x, high_.y - low_.y};
-  point q = p;
-  std::optional<principal> k = principal_of(jet_at(q));
+  std::optional<principal> k = principal_of(jet_at(p));
   if (!k) {
-    q.x = std::clamp(p.x, low_.x + inside * wide.x, high_.x - inside * wide.x);
-    q.y = std::clamp(p.y, low_.y + inside * wide.y, high_.y - inside * wide.y);
+    const point q{std::clamp(p.x, low_.x + inside * wide.x, high_.x - inside * wide.x),
+                  std::clamp(p.y, low_.y + inside * wide.y, high_.y - inside * wide.y)};
     k = principal_of(jet_at(q));
   }
-  // No triangle is longer than the patch.
-  metric_tensor m{1 / (wide.x * wide.x), 0, 1 / (wide.y * wide.y)};
+  local_metric m;
   if (!k) return m;
-  double first = density(k->first, sizes), second = density(k->second, sizes);
-  const double least = std::max(first, second) / (sizes.aspect * sizes.aspect);
-  first = std::max(first, least), second = std::max(second, least);
-  add_square(m, k->covector[0], first);
-  add_square(m, k->covector[1], second);
+  m.known = true;
+  m.densities = {density(k->first, sizes), density(k->second, sizes)};
+  const auto& [a, b] = k->covector;
+  const double area = a[0] * b[1] - a[1] * b[0];
+  m.directions = {point{b[1] / area, -b[0] / area}, point{-a[1] / area, a[0] / area}};
+  for (std::size_t i = 0; i < 2; ++i) add_square(m.metric, k->covector[i], m.densities[i]);
   return m;
 }
 

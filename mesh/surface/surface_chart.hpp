@@ -36,8 +36,16 @@ class surface_chart {
 
   // The point of the surface at a point of the chart, on the side itself at its sides.
   space_point lift(const point& p) const;
-  // The metric wanted there. At a side that is one point it is the one a little beside it.
-  metric_tensor metric_at(const point& p, const surface_sizes& sizes) const;
+  // The metric that the curvature at the point alone asks for. At a side that is one point it is
+  // the one a little beside it. `first` and `second` are the directions of the curvatures, as
+  // displacements in the chart that are 1 long in space; none where there is no normal.
+  struct local_metric {
+    metric_tensor metric{0, 0, 0};
+    std::array<point, 2> directions;
+    std::array<double, 2> densities{};
+    bool known = false;
+  };
+  local_metric metric_at(const point& p, const surface_sizes& sizes) const;
 
  private:
   struct local_place {

@@ -82,7 +82,7 @@ void surface_meshing::prepare() {
   sizes.longest = options_.longest;
   sizes.aspect = options_.aspect;
   const std::size_t patches = surface_.patches.size();
-  const int cells = patches == 1 ? 96 : patches <= 8 ? 48 : 24;
+  const int cells = patches == 1 ? 80 : patches <= 8 ? 48 : 24;
   charts_.reserve(patches);
   faces_.reserve(patches);
   for (std::size_t p = 0; p < patches; ++p) {
@@ -259,9 +259,13 @@ surface_shell surface_meshing::shell() const {
 std::optional<error> surface_meshing::measure() {
   const surface_shell now = shell();
   constexpr double enough = 0.5;  // of the chord: what is nearer need not be known better
-  auto distances = shell_distances(surface_, now, enough * options_.chord);
-  if (!distances) return distances.failure();
-  distances_ = std::move(distances).value();
+  // A triangle over which the surface may be folded is much too large, whatever its distance.
+  constexpr double much = 2;
+  const auto measures = shell_measures(surface_, now, enough * options_.chord);
+  if (!measures) return measures.failure();
+  distances_.clear();
+  for (const shell_measure& m : measures.value())
+    distances_.push_back(m.is_unfolded ? m.distance : std::max(m.distance, much * options_.chord));
   return {};
 }
 

@@ -44,6 +44,9 @@ std::optional<two_triangles> joined_triangles(const deviation_scene& scene, std:
                                               std::uint32_t b);
 
 one_sided_distance from_mesh(const deviation_scene& scene, const narrowing_limits& limits);
+// An upper bound of the distance of the points of one triangle from the surface.
+double distance_of_triangle(const deviation_scene& scene, std::uint32_t triangle,
+                            const narrowing_limits& limits);
 one_sided_distance from_surface(const deviation_scene& scene, const narrowing_limits& limits);
 
 // Returns a distance, `proposed` or little less, that the point of the mesh provably has from all

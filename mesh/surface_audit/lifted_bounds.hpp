@@ -9,11 +9,12 @@
 namespace asterism::internal {
 
 // Sets the squared distances: `above` bounds that of every point of the part of the surface from
-// the mesh, and of the part of the triangle from the surface.
+// the mesh.
 void look_at_distance(const lifted_scene& scene, lifted_cell& cell);
 
 // Sets squares of tangents of the angle between the triangle's normal and the surface's. `above` is
-// infinite where (r_u x r_v).n_T is not certainly positive on all of the part.
+// infinite where (r_u x r_v).n_T is not certainly positive on all of the part. `below` is -1 where
+// it is not positive in the middle, in doubles.
 void look_at_normals(const lifted_scene& scene, lifted_cell& cell);
 
 // Returns an upper bound of the squared distance of a vertex from the surface at (u, v) of a face.

@@ -118,6 +118,7 @@ std::vector<lifted_cell> cells_of(const lifted_scene& scene, std::uint32_t trian
     whole[k].at = {rounded_interval(t.at[k][0]), rounded_interval(t.at[k][1])};
   }
   const patch_spans& spans = scene.spans[t.face];
+  const auto last = static_cast<std::uint32_t>(scene.space.mesh.triangles.size() - 1);
   std::vector<lifted_cell> cells;
   bool certain = true;
   const bool across = cut(whole, 0, spans.u, [&](const cut_polygon& strip, std::size_t i) {
@@ -125,7 +126,7 @@ std::vector<lifted_cell> cells_of(const lifted_scene& scene, std::uint32_t trian
       const auto piece = static_cast<std::uint32_t>(spans.first + i * (spans.v.size() - 1) + j);
       for (std::size_t k = 2; k < part.size(); ++k) {
         lifted_cell cell;
-        cell.triangle = triangle, cell.piece = piece, cell.hint = t.kept;
+        cell.triangle = triangle, cell.piece = piece, cell.hint = std::min(t.kept, last);
         const std::array<std::size_t, 3> fan = {0, k - 1, k};
         for (std::size_t c = 0; c < 3; ++c)
           cell.corners[c] = corner_in(part[fan[c]], scene.space.pieces[piece]);

@@ -7,22 +7,18 @@
 namespace asterism::internal {
 namespace {
 
-plain_vector middle_in_space(const lifted_scene& scene, const lifted_cell& cell) {
-  const interval_triangle c = corners_in_space(scene, cell);
-  return (1.0 / 3) * (middle_of(c[0]) + middle_of(c[1]) + middle_of(c[2]));
-}
-
 surface_place place_of(const lifted_cell& cell, const parameter_corner& at) {
   return {cell.piece, std::clamp(middle_of(at.s), 0.0, 1.0), std::clamp(middle_of(at.t), 0.0, 1.0)};
 }
 
-// From the surface to the mesh. A collapsed triangle is none of the mesh: others are near.
+// A part of a triangle may lie beside it, and a collapsed one is none of the mesh: others are near.
 double hull_above(const lifted_scene& scene, lifted_cell& cell, const triangle_net& net,
                   const plain_vector& middle) {
   const bezier_piece& piece = scene.space.pieces[cell.piece];
   const auto points = euclidean(net.points.data(), net.points.size(), piece.is_rational);
   const bool collapsed = scene.triangles[cell.triangle].collapsed;
-  if (collapsed) cell.hint = nearest_triangle_to(scene.space, middle, cell.hint).triangle;
+  if (collapsed || cell.depth > 0)
+    cell.hint = nearest_triangle_to(scene.space, middle, cell.hint).triangle;
   const hull_distance own = hull_distance_above(points, scene.space.triangle(cell.hint));
   if (cell.depth == 0 && !collapsed) return own.squared;
   const nearest_triangle other =
@@ -30,23 +26,6 @@ double hull_above(const lifted_scene& scene, lifted_cell& cell, const triangle_n
   if (other.triangle == cell.hint) return own.squared;
   const auto two = joined_triangles(scene.space, cell.hint, other.triangle);
   return two ? std::min(own.squared, hull_distance_above(points, *two)) : own.squared;
-}
-
-// From the mesh to the surface. At first the corners are vertices, whose places are known; on a cut
-// or later they are projected.
-double gap_above(const lifted_scene& scene, const lifted_cell& cell, const triangle_net& net) {
-  const bezier_piece& piece = scene.space.pieces[cell.piece];
-  const interval_triangle corners = corners_in_space(scene, cell);
-  const double as_lifted = squared_gap_above(net, piece.is_rational, corners);
-  if (cell.depth == 0) return as_lifted;
-  parameter_triangle near;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const surface_place at =
-        project(scene.space.pieces, place_of(cell, cell.corners[k].at), middle_of(corners[k])).at;
-    near[k] = {at.s, at.t};
-  }
-  const triangle_net there = net_over(tensor_of(piece), near, piece.is_rational);
-  return std::min(as_lifted, squared_gap_above(there, piece.is_rational, corners));
 }
 
 }  // namespace
@@ -61,11 +40,7 @@ double gap_above(const lifted_scene& scene, const lifted_cell& cell, const trian
                           (cell.corners[0].at.t + cell.corners[1].at.t + cell.corners[2].at.t)});
   const plain_vector on_surface = evaluate(piece, at.s, at.t).at;
   cell.above = hull_above(scene, cell, net, on_surface);
-  cell.below = nearest_in(scene.space.triangle(cell.hint), on_surface).squared_distance;
-  if (scene.triangles[cell.triangle].collapsed) return;
-  cell.above = std::max(cell.above, gap_above(scene, cell, net));
-  const plain_vector on_mesh = middle_in_space(scene, cell);
-  cell.below = std::max(cell.below, project(scene.space.pieces, at, on_mesh).squared_distance);
+  cell.below = nearest_triangle_to(scene.space, on_surface, cell.hint).squared_distance;
 }
 
 double squared_vertex_distance(const lifted_scene& scene, std::uint32_t face, double u, double v,

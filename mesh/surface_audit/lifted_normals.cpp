@@ -2,11 +2,11 @@
 //
 // The directions of the surface over a part of a triangle, in the triangle's own frame.
 //
-// With E1, E2 the triangle's edges, n = E1 x E2, g1 = E2 x n, g2 = n x E1, a vector q is
-// (a E1 + b E2 + c n) / |n|^2 with a = g1.q, b = g2.q, c = n.q, and for two of them
-//   q1 x q2 |n|^4 = (a1 b2 - a2 b1) n + x E1 x n + y E2 x n,
-//   x = a1 c2 - c1 a2, y = b1 c2 - c1 b2,
-// so that the tangent of the angle between q1 x q2 and n is |x E1 + y E2| / (a1 b2 - a2 b1).
+// With e its longest edge, n = E1 x E2 its normal, m = n x e, and p = e.q, r = m.q, c = n.q of a
+// vector q, E = |e|^2 and N = |n|^2, two vectors have
+//   q1 x q2 = ((p1 r2 - r1 p2) n - (p1 c2 - c1 p2) m + (r1 c2 - c1 r2) e) / (E N),
+// so that the squared tangent of the angle between q1 x q2 and n is
+//   E ((p1 c2 - c1 p2)^2 + (r1 c2 - c1 r2)^2 / N) / (p1 r2 - r1 p2)^2.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,44 +20,50 @@ namespace asterism::internal {
 namespace {
 
 struct triangle_frame {
-  interval_vector corner, first, second, normal, g1, g2;
+  interval_vector corner, edge, across, normal;
+  rounded_interval squared_edge, squared_normal;
 };
 
 triangle_frame frame_of(const lifted_scene& scene, const shell_triangle& t) {
   const auto at = [&](std::size_t k) {
-    return vector_of<rounded_interval>(scene.space.mesh.points[t.vertex[k]]);
+    return vector_of<rounded_interval>(scene.space.mesh.points[t.vertex[k % 3]]);
   };
   triangle_frame f;
   f.corner = at(0);
-  f.first = at(1) - f.corner;
-  f.second = at(2) - f.corner;
-  f.normal = cross(f.first, f.second);
-  f.g1 = cross(f.second, f.normal);
-  f.g2 = cross(f.normal, f.first);
+  f.normal = cross(at(1) - f.corner, at(2) - f.corner);
+  double longest = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const interval_vector e = at(k + 1) - at(k);
+    const double length = squared_length(e).sup();
+    if (length > longest) longest = length, f.edge = e;
+  }
+  f.across = cross(f.normal, f.edge);
+  f.squared_edge = squared_length(f.edge);
+  f.squared_normal = squared_length(f.normal);
   return f;
 }
 
-// Ranges of a, b and c over a part.
+// Ranges of p, r and c over a part.
 struct direction_range {
-  rounded_interval a, b, c;
+  rounded_interval p, r, c;
 
-  friend direction_range operator-(const direction_range& p, const direction_range& q) {
-    return {p.a - q.a, p.b - q.b, p.c - q.c};
+  friend direction_range operator-(const direction_range& x, const direction_range& y) {
+    return {x.p - y.p, x.r - y.r, x.c - y.c};
   }
-  friend direction_range operator*(const rounded_interval& s, const direction_range& p) {
-    return {s * p.a, s * p.b, s * p.c};
+  friend direction_range operator*(const rounded_interval& s, const direction_range& x) {
+    return {s * x.p, s * x.r, s * x.c};
   }
 };
 
 direction_range in_frame(const triangle_frame& f, const interval_vector& q) {
-  return {dot(f.g1, q), dot(f.g2, q), dot(f.normal, q)};
+  return {dot(f.edge, q), dot(f.across, q), dot(f.normal, q)};
 }
 
 void include(std::optional<direction_range>& range, const direction_range& q) {
   if (!range)
     range = q;
   else
-    range = {hull(range->a, q.a), hull(range->b, q.b), hull(range->c, q.c)};
+    range = {hull(range->p, q.p), hull(range->r, q.r), hull(range->c, q.c)};
 }
 
 // Two vector fields over a part, whose cross product is a positive multiple of r_u x r_v, or a
@@ -68,13 +74,14 @@ struct two_directions {
 };
 
 double squared_tangent_above(const triangle_frame& f, const two_directions& q) {
-  const direction_range &p = q.first, &r = q.second;
-  rounded_interval along = p.a * r.b - r.a * p.b;
+  const direction_range &x = q.first, &y = q.second;
+  rounded_interval along = x.p * y.r - x.r * y.p;
   if (q.negative) along = -along;
-  if (!(along.inf() > 0)) return std::numeric_limits<double>::infinity();
-  const rounded_interval x = p.a * r.c - p.c * r.a, y = p.b * r.c - p.c * r.b;
-  // n enters `along` once and x, y once more by c: the units agree.
-  const rounded_interval across = squared_length(x * f.first + y * f.second);
+  if (!(along.inf() > 0) || !(f.squared_normal.inf() > 0))
+    return std::numeric_limits<double>::infinity();
+  const rounded_interval across =
+      f.squared_edge *
+      (squared(x.p * y.c - x.c * y.p) + quotient(squared(x.r * y.c - x.c * y.r), f.squared_normal));
   return quotient(across, squared(rounded_interval(along.inf()))).sup();
 }
 
@@ -234,7 +241,7 @@ bool is_at(const parameter_corner& c, piece_side side) {
   const plain_vector normal = cross(jet.by_s, jet.by_t), own = middle_of(f.normal);
   const plain_vector across = cross(normal, own);
   const double along = dot(normal, own);
-  cell.below = along > 0 ? dot(across, across) / (along * along) : 0;
+  cell.below = along > 0 ? dot(across, across) / (along * along) : -1;  // folded
 }
 
 }  // namespace asterism::internal

@@ -116,20 +116,33 @@ std::vector<mesh_cell> divided(const deviation_scene& scene, const mesh_cell& ce
   return parts_of(scene, cell);
 }
 
+mesh_cell whole_triangle(const deviation_scene& scene, std::uint32_t t) {
+  const floating_point_scope scope(rounding::upward);
+  const plain_triangle corners = scene.triangle(t);
+  mesh_cell cell;
+  cell.triangle = t;
+  for (std::size_t k = 0; k < 3; ++k) cell.corners[k] = vector_of<rounded_interval>(corners[k]);
+  look_at(scene, nullptr, cell);
+  return cell;
+}
+
 std::vector<mesh_cell> whole_triangles(const deviation_scene& scene) {
   std::vector<mesh_cell> cells(scene.mesh.triangles.size());
   parallel_for(cells.size(), [&](std::size_t t) {
-    const floating_point_scope scope(rounding::upward);
-    const plain_triangle corners = scene.triangle(t);
-    cells[t].triangle = static_cast<std::uint32_t>(t);
-    for (std::size_t k = 0; k < 3; ++k)
-      cells[t].corners[k] = vector_of<rounded_interval>(corners[k]);
-    look_at(scene, nullptr, cells[t]);
+    cells[t] = whole_triangle(scene, static_cast<std::uint32_t>(t));
   });
   return cells;
 }
 
 }  // namespace
+
+double distance_of_triangle(const deviation_scene& scene, std::uint32_t triangle,
+                            const narrowing_limits& limits) {
+  const auto found = narrow(std::vector<mesh_cell>{whole_triangle(scene, triangle)}, limits,
+                            [&](const mesh_cell& cell) { return divided(scene, cell); });
+  const floating_point_scope scope(rounding::upward);
+  return rounded_root(found.above);
+}
 
 one_sided_distance from_mesh(const deviation_scene& scene, const narrowing_limits& limits) {
   const auto found = narrow(whole_triangles(scene), limits,

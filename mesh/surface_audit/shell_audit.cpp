@@ -16,7 +16,7 @@ namespace {
 
 constexpr double greatest_modulus = 0x1p300;
 constexpr double negligible_share = 1e-12;  // of the size, as for deviations
-constexpr int deepest = 14;                 // quarterings of a triangle
+constexpr int deepest = 9;                  // quarterings of a triangle
 
 std::optional<error> fault_of_face(const surface& s, const surface_shell& shell, std::size_t f) {
   const shell_face& face = shell.faces[f];
@@ -115,6 +115,24 @@ std::vector<lifted_cell> parts_of(const lifted_scene& scene, const lifted_cell& 
   return parts;
 }
 
+// True if there is no use in dividing it: the surface is folded there, in doubles, or it is small.
+bool gives_up(const lifted_cell& cell) {
+  return cell.depth >= deepest || (std::isinf(cell.above) && cell.below < 0);
+}
+
+// False if the surface is folded over the triangle as far as doubles can tell, in a few places.
+bool is_unfolded(const lifted_scene& scene, std::uint32_t t) {
+  constexpr std::size_t most_cells = 40;
+  std::vector<lifted_cell> waiting = first_cells(scene, t, look_at_normals);
+  for (std::size_t k = 0; k < waiting.size() && k < most_cells; ++k) {
+    const lifted_cell cell = waiting[k];
+    if (!std::isinf(cell.above)) continue;
+    if (cell.below < 0) return false;
+    for (const lifted_cell& part : parts_of(scene, cell, look_at_normals)) waiting.push_back(part);
+  }
+  return true;
+}
+
 double root_above(double squared) {
   const floating_point_scope scope(rounding::upward);
   return rounded_root(squared);
@@ -142,7 +160,7 @@ void audit_distances(const shell_view& view, const shell_question& asked, shell_
   const auto found = narrow(std::move(cells), limits, [&](const lifted_cell& cell) {
     return parts_of(scene, cell, look_at_distance);
   });
-  report.distance = root_above(found.above);
+  report.distance = std::max(root_above(found.above), from_mesh(scene.space, limits).high);
   if (report.distance > asked.chord)
     note_finding(
         report, asked,
@@ -163,19 +181,17 @@ void audit_normals(const shell_view& view, const shell_question& asked, shell_re
   // Each part is written by one turn of a loop alone.
   std::vector<unsigned char> failed(scene.triangles.size(), 0);
   narrowing_limits limits;
-  limits.relative_width = 0.05;
+  limits.relative_width = 0.1;
   limits.negligible = 1e-9;
-  limits.most_cells = 400 * scene.triangles.size() + 1'000'000;
+  limits.most_cells = 200 * scene.triangles.size() + 50'000;
   const auto found = narrow(
       std::move(cells), limits,
       [&](const lifted_cell& cell) {
-        if (cell.depth >= deepest) return std::vector<lifted_cell>{};
+        if (gives_up(cell)) return std::vector<lifted_cell>{};
         auto parts = parts_of(scene, cell, look_at_normals);
         return parts;
       },
-      [&](const lifted_cell& cell) {
-        if (cell.depth >= deepest) failed[cell.triangle] = 1;
-      });
+      [&](const lifted_cell& cell) { failed[cell.triangle] = 1; });
   report.normal_tangent = root_above(found.above);
   for (std::size_t t = 0; t < failed.size(); ++t) {
     if (failed[t] == 0) continue;
@@ -243,16 +259,16 @@ result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
   return report;
 }
 
-result<std::vector<double>> shell_distances(const surface& s, const surface_shell& shell,
-                                            double enough) {
+result<std::vector<shell_measure>> shell_measures(const surface& s, const surface_shell& shell,
+                                                  double enough) {
   auto pieces = bezier_pieces(s);
   if (!pieces) return pieces.failure();
   if (auto wrong = fault_of(s, shell)) return *wrong;
   const shell_view view(s, shell, std::move(pieces).value());
   if (view.in_space().triangles.empty()) return error{"no triangle", error_code::invalid_mesh};
   const lifted_scene scene = view.scene();
-  std::vector<double> distances(scene.triangles.size());
-  parallel_for(distances.size(), [&](std::size_t t) {
+  std::vector<shell_measure> measures(scene.triangles.size());
+  parallel_for(measures.size(), [&](std::size_t t) {
     narrowing_limits limits;
     limits.relative_width = 0.05;
     limits.negligible = enough;
@@ -260,9 +276,14 @@ result<std::vector<double>> shell_distances(const surface& s, const surface_shel
     const auto found =
         narrow(first_cells(scene, static_cast<std::uint32_t>(t), look_at_distance), limits,
                [&](const lifted_cell& cell) { return parts_of(scene, cell, look_at_distance); });
-    distances[t] = root_above(found.above);
+    measures[t].distance = root_above(found.above);
+    if (!scene.triangles[t].collapsed)
+      measures[t].distance = std::max(
+          measures[t].distance, distance_of_triangle(scene.space, scene.triangles[t].kept, limits));
+    measures[t].is_unfolded =
+        scene.triangles[t].collapsed || is_unfolded(scene, static_cast<std::uint32_t>(t));
   });
-  return distances;
+  return measures;
 }
 
 }  // namespace asterism::internal

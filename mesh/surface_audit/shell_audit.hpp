@@ -52,9 +52,14 @@ struct shell_report {
 result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
                                  const shell_question& asked);
 
-// For who makes a shell: an upper bound of the distances between each plane triangle, in order, and
-// its piece of the surface, either no more than 5 % above a point's distance or below `enough`.
-result<std::vector<double>> shell_distances(const surface& s, const surface_shell& shell,
-                                            double enough);
+// For who makes a shell: an upper bound of the distances between a plane triangle and its piece of
+// the surface, either no more than 5 % above a point's distance or below `enough`; and whether the
+// surface is not folded over it, as far as doubles tell in a few places.
+struct shell_measure {
+  double distance = 0;
+  bool is_unfolded = false;
+};
+result<std::vector<shell_measure>> shell_measures(const surface& s, const surface_shell& shell,
+                                                  double enough);
 
 }  // namespace asterism::internal

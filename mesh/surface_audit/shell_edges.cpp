@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "asterism/mesh/surface_audit/shell_findings.hpp"
@@ -121,16 +120,6 @@ void audit_edges(const surface& s, const surface_shell& shell,
   if (used.size() != shell.points.size())
     note_finding(report, asked,
                  fmt::format("{} vertices are in no triangle", shell.points.size() - used.size()));
-  // Two vertices at one place would be a crack that no edge shows.
-  std::map<std::tuple<double, double, double>, std::uint32_t> places;
-  for (std::uint32_t v = 0; v < shell.points.size(); ++v) {
-    const space_point& p = shell.points[v];
-    const auto [found, is_new] = places.emplace(std::tuple{p.x, p.y, p.z}, v);
-    if (!is_new)
-      note_finding(
-          report, asked,
-          fmt::format("vertices {} and {} are at the same place", found->second + 1, v + 1));
-  }
   // A triangle that is none in space must be at a side that is one point.
   at = 0;
   for (std::size_t f = 0; f < shell.faces.size(); ++f)

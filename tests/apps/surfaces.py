@@ -2,6 +2,7 @@
 """Surfaces in space through the command. The witness of a deviation is confirmed here in rationals, from
 the files alone and with no code of the program's."""
 import json
+import os
 import random
 import struct
 import unittest
@@ -234,6 +235,114 @@ class Deviation(CommandTest):
             self.assertIn(said, done.stderr)
             self.assertIn(name, done.stderr)
         self.assertEqual(self.run_command("deviation", "m.obj", "cone").returncode, 2)
+
+
+class Surface(CommandTest):
+    def make(self, *arguments, status=0):
+        done = self.run_command("surface", *arguments)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        return done.stdout
+
+    def test_a_mesh_is_certified_and_two_ways_agree(self):
+        said = self.make("saddle", "--chord", "0.05", "-o", "s.mesh", "-o", "s.obj")
+        self.assertIn("certified: ", said)
+        self.assertEqual(self.files(), ["s.certificate.json", "s.mesh", "s.obj"])
+        claim = json.loads((self.folder / "s.certificate.json").read_text())
+        self.assertLessEqual(claim["distance"], 0.05)
+        # The other program for distances knows nothing of the plane meshes.
+        done = self.run_command("deviation", "s.obj", "saddle", "--at-most", "0.05", "--json")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        found = json.loads(done.stdout)
+        low = max(found["mesh_to_surface"]["low"], found["surface_to_mesh"]["low"])
+        self.assertLessEqual(low, claim["distance"])
+        self.assertLessEqual(claim["distance"], 1.04 * low)
+        self.assertEqual(self.run_command("verify", "s.mesh", "--domain", "saddle").returncode, 0)
+        self.assertEqual(self.run_command("verify", "s.mesh", "--domain", "octant").returncode, 1)
+        self.assertEqual(self.run_command("verify", "s.mesh", "--metric", "swirl:3").returncode, 2)
+
+    def test_two_patches_share_their_edge(self):
+        left = {"degree": [2, 2], "control": [[[i, j, (i - 1) ** 2 * .3 + j % 2 * .4] for j in range(3)]
+                                              for i in range(3)]}
+        # From its greatest u to its least: its edge runs the other way, and it is seen from below.
+        right = {"degree": [2, 2], "control": [[[i, j, (i - 3) ** 2 * .3 + j % 2 * .4] for j in range(3)]
+                                               for i in (4, 3, 2)]}
+        self.write("s.json", json.dumps({"patches": [left, right]}))
+        self.make("s.json", "--chord", "0.02", "-o", "s.mesh")
+        claim = json.loads((self.folder / "s.certificate.json").read_text())
+        self.assertEqual(claim["euler"], 1)
+        self.assertEqual([f["reversed"] for f in claim["faces"]], [False, True])
+        self.assertEqual(self.run_command("verify", "s.mesh").returncode, 0)
+
+    def test_units_of_a_parameter_do_not_matter(self):
+        wave = wavy()
+        bytes_of = set()
+        for scale in (1, 2 ** 20):
+            patch = {**wave, "knots_u": [0] * 4 + [scale] * 4, "knots_v": [0] * 4 + [1] * 4}
+            self.write("s.json", json.dumps({"patches": [patch]}))
+            self.make("s.json", "--chord", "0.02", "-o", "s.obj")
+            bytes_of.add((self.folder / "s.obj").read_bytes())
+        self.assertEqual(len(bytes_of), 1)
+
+    def test_bytes_do_not_depend_on_threads(self):
+        bytes_of = set()
+        for threads in (1, 2, 7):
+            self.make("octant", "--chord", "0.03", "--threads", threads, "-o", "s.mesh")
+            bytes_of.add((self.folder / "s.mesh").read_bytes() + (self.folder / "s.certificate.json").read_bytes())
+        self.assertEqual(len(bytes_of), 1)
+
+    def test_spoiled_meshes_and_certificates_are_refused(self):
+        self.make("saddle", "--chord", "0.2", "-o", "s.mesh")
+        mesh = (self.folder / "s.mesh").read_text().split("\n")
+        claim = (self.folder / "s.certificate.json").read_text()
+        points, triangles = mesh.index("Vertices") + 2, mesh.index("Triangles") + 2
+        count, last = int(mesh[points - 1]), int(mesh[triangles - 1])
+        draw = random.Random(44)
+        for k in range(int(os.environ.get("ASTERISM_SPOILED", "40"))):
+            lines, text = list(mesh), claim
+            at = triangles + draw.randrange(last)
+            how = k % 5
+            if how == 0:  # a vertex moved by twice the distance
+                v = points + draw.randrange(count)
+                x = list(map(float, lines[v].split()))
+                x[draw.randrange(3)] += draw.choice((-.4, .4))
+                lines[v] = "%r %r %r 0" % tuple(x[:3])
+            elif how == 1:  # a triangle turned
+                a, b, c, f = lines[at].split()
+                lines[at] = f"{b} {a} {c} {f}"
+            elif how == 2:  # a triangle dropped
+                del lines[at]
+                lines[triangles - 1] = str(last - 1)
+            elif how == 3:  # a number of the certificate forged
+                name = draw.choice(("chord", "distance", "vertices", "triangles", "euler", "open_edges",
+                                    "vertex_distance", "normal_tangent", "least_angle"))
+                start = text.index(f'"{name}": ') + len(name) + 4
+                end = text.index(",", start)
+                number = float(text[start:end])
+                number = number / 3 if name in ("chord", "distance") else number + draw.choice((1, 2, .5))
+                text = text[:start] + (str(int(number)) if name in ("vertices", "triangles", "euler", "open_edges")
+                                       and number == int(number) else repr(number)) + text[end:]
+            else:  # an edge cracked: a vertex of a triangle doubled, both files changed alike
+                corners = lines[at].split()
+                v = int(corners[0])
+                lines.insert(points + count, lines[points + v - 1])
+                lines[points - 1] = str(count + 1)
+                lines[at + 1] = " ".join([str(count + 1)] + corners[1:])
+            self.write("s.mesh", "\n".join(lines))
+            self.write("s.certificate.json", text)
+            done = self.run_command("verify", "s.mesh")
+            self.assertNotEqual(done.returncode, 0, f"{k}: {done.stdout}")
+
+    def test_bad_input_is_refused_by_name(self):
+        self.write("fan.json", json.dumps({"patches": [
+            {"degree": [1, 1], "control": [[[0, 0, 0], [1, 0, 0]], [p, [x + y for x, y in zip(p, (1, 0, 0))]]]}
+            for p in ([0, 1, 0], [0, 0, 1], [0, -1, 1])]}))
+        done = self.run_command("surface", "fan.json", "--chord", "0.1", "-o", "no.obj")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("patches 1, 2 and 3 have one side in common", done.stderr)
+        for arguments in (["torus", "-o", "no.obj"], ["torus", "--chord", "0", "-o", "no.obj"],
+                          ["torus", "--chord", "0.1", "-o", "no.xyz"], ["cone", "--chord", "0.1", "-o", "no.obj"]):
+            self.assertEqual(self.run_command("surface", *arguments).returncode, 2, arguments)
+        self.assertEqual(self.files(), ["fan.json"])
 
 
 if __name__ == "__main__":
