@@ -445,7 +445,7 @@ class VtuTest(RegionTest):
     def test_what_is_no_plane_mesh(self):
         text = grid(1, lambda i, j, h: 1).vtu()
         self.refused(text.replace("5 5</DataArray>", "5 9</DataArray>"), "cell 2 is of type 9")
-        self.refused(text.replace("0.0 0.0 0.0", "0.0 0.0 0.5"), "point 1: z is 0.5")
+        self.refused(text.replace("0.0 0.0 0.0", "0.0 0.0 0.5"), "z of a vertex: vertex 1 has 0.5")
         self.refused(text.replace("3 6</DataArray>", "6 3</DataArray>"), "do not ascend")
         self.refused(text.replace(">0 1 3", ">0 1 4"), "point 4, from 0, does not exist")
         self.refused(text.replace("1 1</DataArray>", "1 1.5</DataArray>"), "number 2 is 1.5")
