@@ -23,5 +23,5 @@ asterism_pkg_config(asterism-predicates asterism_predicates
                     "Exact predicates of anisotropic triangulation" ${of_predicates})
 if(TARGET asterism)
   asterism_pkg_config(asterism asterism "Certified anisotropic triangle meshes"
-                      -lasterism_predicates -lfmt -ltbb -lmuparser -lz ${of_predicates})
+                      -lasterism_predicates -lfmt -ltbb -lmuparser -lz -lmpfr ${of_predicates})
 endif()
