@@ -118,7 +118,7 @@ std::optional<error> make(const json& asked) {
   auto input = apps::prepare(job);
   if (!input) return input.failure();
   mesh_options options = job.refinement;
-  options.keep_if_complete = apps::is_mesh(job);
+  options.keep_if_complete = input.value().of_mesh;
   auto run = make_certified_mesh(input.value().shape, *input.value().field, options);
   if (!run) return run.failure();
   certified_mesh& made = run.value();
