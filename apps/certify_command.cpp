@@ -32,6 +32,7 @@
 #include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
@@ -41,6 +42,7 @@
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/outcome_claims.hpp"
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -276,11 +278,20 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
 
 using made_field = result<std::unique_ptr<metric_field>>;
 
+// Makes the field of --metric: a formula's, or one on another mesh.
+made_field field_named(const certify_options& options, const mesh& m) {
+  if (!is_metric_on_mesh(*options.metric))
+    return make_metric_field(*options.metric, box_of_sites(m.sites), options.size);
+  const auto background = read_metric_on_mesh(*options.metric, options.mesh.string());
+  if (!background) return background.failure();
+  return make_sampled_field(background.value().subject, options.size);
+}
+
 // Returns the field of --metric, placed in the box of the vertices, and their tensors from it.
 made_field measure_by_formula(const certify_options& options, mesh& m) {
   if (m.sites.empty())
     return error{options.mesh.string() + ": there are no vertices", error_code::invalid_mesh};
-  auto field = make_metric_field(*options.metric, box_of_sites(m.sites), options.size);
+  auto field = field_named(options, m);
   if (!field) return field;
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     const auto metric = field.value()->at(m.sites[v].position);
@@ -327,9 +338,8 @@ result<measured_mesh> read_measured(certify_options& options) {
 
 int run_certify(certify_options options) {
   const bool is_medit = has_ending(options.mesh.string(), ".mesh");
-  std::error_code ignored;
   if (const fs::path beside = solution_path(options.mesh);
-      options.solution.empty() && is_medit && fs::exists(beside, ignored))
+      options.solution.empty() && is_medit && internal::holds_tensors(beside))
     options.solution = beside;
   if (const auto failure = check_files(options)) return complain(*failure, refused);
   run_limits limits(options.max_seconds, std::nullopt);
@@ -376,7 +386,8 @@ void add_certify_command(CLI::App& program, command& chosen) {
   app->add_option("MESH", options->mesh, "What to certify")->required();
   auto* const solution =
       app->add_option("SOL", options->solution, "Its metric (default: NAME.sol beside NAME.mesh)");
-  auto* const metric = app->add_option("--metric", options->metric, "Its metric, by a formula");
+  auto* const metric =
+      app->add_option("--metric", options->metric, "Its metric, as `mesh` takes it");
   metric->type_name("SPEC")->excludes(solution);
   add_real(
       *app, "--size", sizes, [options](double x) { options->size = x; },

@@ -20,6 +20,7 @@ void add_mesh_command(CLI::App& program, command& chosen, piece_team* team = nul
 void add_verify_command(CLI::App& program, command& chosen, piece_team* team = nullptr);
 void add_certify_command(CLI::App& program, command& chosen);
 void add_check_command(CLI::App& program, command& chosen);
+void add_convert_command(CLI::App& program, command& chosen);
 void add_draw_command(CLI::App& program, command& chosen);
 void add_adapt_command(CLI::App& program, command& chosen);
 void add_metric_command(CLI::App& program, command& chosen);

@@ -38,11 +38,11 @@ result<field_of_size> metric_of(const mesh_job& job, const domain& shape) {
   if (job.field)
     return field_of_size(
         [make = job.field, box = shape.box()](double size) { return make(size, box); });
-  if (!is_mesh_file(job.metric))
+  if (!is_metric_on_mesh(job.metric))
     return field_of_size([spec = job.metric, box = shape.box()](double size) {
       return make_metric_field(spec, box, size);
     });
-  auto background = read_triangulation(job.metric, true);
+  auto background = read_metric_on_mesh(job.metric, job.domain);
   if (!background) return background.failure();
   return field_of_size([given = std::move(background.value().subject)](
                            double size) -> result<std::unique_ptr<metric_field>> {

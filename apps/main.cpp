@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   add_challenge_command(program, chosen);
   add_surface_command(program, chosen);
   add_deviation_command(program, chosen);
+  add_convert_command(program, chosen);
   add_draw_command(program, chosen);
   add_info_command(program, chosen);
   add_completion_command(program, chosen);
@@ -53,7 +54,7 @@ int run(int argc, char** argv) {
     if (!chosen)
       throw CLI::RequiredError(
           "a command (mesh, adapt, metric, transfer, verify, certify, eval, challenge, surface, "
-          "deviation, draw, info, completion or man)");
+          "deviation, convert, draw, info, completion or man)");
   } catch (const CLI::CallForHelp&) {
     std::cout << wrapped(program.help(), help_columns());
     return done;

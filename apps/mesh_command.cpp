@@ -24,7 +24,9 @@ SPEC    identity; swirl:K or sink:K (K = 12 when left out), round in the middle 
         layer:H0,H1 (0.001,0.1), flat along the lower side, H1 long, H0 high there and H1 high a
         longer side above; shock:A (50), A times as long as high along a curve, 1 high elsewhere;
         the benchmarks linear, polar-1, polar-2, circle-1; expr:M11;M12;M22 in x and y; or a
-        mesh with its metric, .mesh, .meshb or .msh: the tensors at its vertices, interpolated.
+        mesh with its metric, .mesh, .meshb, .msh or .vtu: the tensors at its vertices,
+        interpolated; or a .sol, a size or a tensor for each vertex of DOMAIN if that is a mesh,
+        else of the mesh of the same name beside it.
 OUT     by extension: .mesh (Medit, with the metric in .sol), .msh (gmsh 4.1), .msh2 (2.2), .su2,
         .node (Triangle, with .ele and .edge), .vtu (ParaView), .svg .png .pdf,
         .html (one page to look at and to judge by, which needs no network).

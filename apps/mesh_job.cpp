@@ -35,6 +35,7 @@
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -46,7 +47,7 @@ std::optional<error> check_files(const mesh_job& job, const fs::path& certificat
   std::vector<fs::path> used = {certificate_path};
   std::error_code ignored;
   std::vector<fs::path> read = {job.domain};
-  if (is_mesh_file(job.metric) && job.metric != job.domain) read.emplace_back(job.metric);
+  if (is_metric_on_mesh(job.metric) && job.metric != job.domain) read.emplace_back(job.metric);
   for (const fs::path& file : read) {
     if (!fs::is_regular_file(file, ignored)) continue;
     for (fs::path& opened : files_read_with(file)) used.push_back(std::move(opened));

@@ -7,6 +7,7 @@
 
 #include "asterism/apps/option_values.hpp"
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -23,10 +24,14 @@ constexpr real_range factors = {1, 1e100, false, true, "above 1, at most 1e100"}
 constexpr real_range targets = {0, 1e9, false, true, "positive, at most 1e9"};
 
 void add_source_options(CLI::App& app, metric_request& request) {
-  app.add_option("MESH", request.mesh, "The mesh that the solution is on, a Medit .mesh")
+  app.add_option(
+         "MESH", request.mesh,
+         "The mesh that the solution is on: .mesh, .meshb, .msh, .vtu or another that is read")
       ->required();
-  app.add_option("--solution", request.solution,
-                 "Values at its vertices: Medit's .sol, BAMG's .bb or point data of a .vtu")
+  app.add_option(
+         "--solution", request.solution,
+         "Values at its vertices: Medit's .sol, BAMG's .bb, node data of a .msh or point data "
+         "of a .vtu (default: those in MESH, if it is one of these)")
       ->type_name("FILE");
   app.add_option(
          "--field", request.fields,
@@ -35,13 +40,16 @@ void add_source_options(CLI::App& app, metric_request& request) {
       ->type_name("NAME")
       ->allow_extra_args(false);
   app.add_option("--intersect", request.intersected,
-                 "A metric at the same vertices, .sol or .mtr, to intersect with; several times")
+                 "A metric at the same vertices, .sol or .mtr, or on another mesh, to intersect "
+                 "with; several "
+                 "times")
       ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_flag("--implied", request.implied,
                "The metric that the mesh implies by its edges, in place of a solution's");
   app.add_option("--metric", request.metric,
-                 "A metric at the vertices, .sol or .mtr, in place of a solution's")
+                 "A metric at the vertices, .sol (a size or a tensor each) or .mtr, or that of "
+                 "another mesh, in place of a solution's")
       ->type_name("FILE");
 }
 
@@ -128,7 +136,11 @@ void add_solution_options(CLI::App& app, metric_request& request) {
   add_bound_options(app, request);
 }
 
+// A mesh in a file that holds fields, too, is adapted to these where nothing else is named.
 void set_defaults(metric_request& request) {
+  const bool has_source = !request.solution.empty() || !request.metric.empty() || request.implied;
+  for (const char* const ending : {".msh", ".msh2", ".vtu"})
+    if (!has_source && has_ending(request.mesh, ending)) request.solution = request.mesh;
   if (!request.names_gradation && !request.solution.empty())
     request.wishes.gradation = loop_gradation;
 }
@@ -159,7 +171,7 @@ std::optional<error> check_request(const metric_request& request) {
 std::vector<std::filesystem::path> files_of(const metric_request& request) {
   std::vector<std::filesystem::path> files = {request.mesh};
   for (const std::string& file : {request.solution, request.metric, request.carried})
-    if (!file.empty()) files.emplace_back(file);
+    if (!file.empty() && file != request.mesh) files.emplace_back(file);
   for (const std::string& file : request.intersected) files.emplace_back(file);
   return files;
 }

@@ -36,12 +36,14 @@ result<metric_wording> wording_asked(const verify_options& options,
                                      metric_answer& answer) {
   metric_wording asked;
   asked.name = options.metric;
+  asked.domain = options.domain;
   if (claim) {
     const auto claimed = wording_in(*claim);
     if (!claimed) return error{"certificate: " + claimed.failure().message};
     asked.size = claimed.value().size;
     asked.gradation = claimed.value().gradation;
     asked.sizes = claimed.value().sizes;
+    asked.domain = claimed.value().domain;
   }
   if (!options.size && asked.size != 1) answer.filled_in = "size " + format_number(asked.size);
   if (!options.gradation && asked.gradation)

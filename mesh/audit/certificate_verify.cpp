@@ -191,10 +191,12 @@ void compare_adapted_names(contradictions& all, const certificate& claim) {
     all.add("\"asked.options.transfer-how\" is missing");
 }
 
-// True if the name of the metric is that of a mesh file, in upper or lower case, as is_mesh_file
-// (mesh/io/read_mesh.hpp) tells them.
+// True if the name of the metric is that of a file with it at the vertices of a mesh, in upper or
+// lower case, as is_mesh_file and is_metric_file (mesh/io/read_mesh.hpp) tell them.
 bool is_of_mesh(const std::string& metric) {
-  constexpr std::array<std::string_view, 5> endings = {".mesh", ".meshb", ".msh", ".msh2", ".vtu"};
+  constexpr std::array<std::string_view, 14> endings = {".mesh", ".meshb", ".msh",  ".msh2", ".vtu",
+                                                        ".vtk",  ".su2",   ".14",   ".grd",  ".2dm",
+                                                        ".stl",  ".sol",   ".solb", ".mtr"};
   std::string lower = metric;
   for (char& c : lower)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

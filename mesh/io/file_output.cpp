@@ -115,6 +115,18 @@ class replacement {
 
 }  // namespace
 
+fs::path place_of(const fs::path& path) {
+  constexpr int most_links = 40;  // as many as the system follows
+  fs::path place = path;
+  for (int i = 0; i < most_links; ++i) {
+    std::error_code none;
+    const fs::path next = fs::read_symlink(place, none);
+    if (none) return place;
+    place = next.is_absolute() ? next : place.parent_path() / next;
+  }
+  return place;
+}
+
 std::string bytes_of(const std::function<void(const byte_sink&)>& write) {
   std::string bytes;
   write([&bytes](std::string_view piece) { bytes += piece; });
@@ -127,9 +139,9 @@ pending_files::~pending_files() {
 }
 
 std::optional<error> pending_files::add(const output_file& file) {
-  if (auto failed = write_bytes(temporary_path(file.path, ".part"), file, temporary_))
-    return failed;
-  places_.push_back(file.path);
+  const fs::path place = place_of(file.path);
+  if (auto failed = write_bytes(temporary_path(place, ".part"), file, temporary_)) return failed;
+  places_.push_back(place);
   return std::nullopt;
 }
 
@@ -145,7 +157,8 @@ result<std::vector<fs::path>> write_files(const std::vector<output_file>& files)
   return pending.put_in_place();
 }
 
-result<fs::path> check_writable(const fs::path& path) {
+result<fs::path> check_writable(const fs::path& named) {
+  const fs::path path = place_of(named);
   std::error_code status;
   if (path.filename().empty())
     return error{path.string() + ": is not the name of a file", error_code::unwritable_file};
@@ -158,7 +171,7 @@ result<fs::path> check_writable(const fs::path& path) {
     return system_failure(path, "the directory " + directory.string() + " cannot be written to");
   if (fs::exists(path, status) && !fs::is_regular_file(path, status))
     return error{path.string() + ": exists and is not a regular file", error_code::unwritable_file};
-  return path;
+  return named;
 }
 
 }  // namespace asterism::internal

@@ -17,6 +17,10 @@ namespace asterism::internal {
 // Takes the bytes of a file, piece by piece.
 using byte_sink = std::function<void(std::string_view)>;
 
+// Returns where a file of this name is: symbolic links are followed to their end, which need not be
+// there.
+std::filesystem::path place_of(const std::filesystem::path& path);
+
 // Returns all that `write` gives to a sink.
 std::string bytes_of(const std::function<void(const byte_sink&)>& write);
 
@@ -55,8 +59,8 @@ class pending_files {
 // Writes all of the files, or none. Returns the paths.
 result<std::vector<std::filesystem::path>> write_files(const std::vector<output_file>& files);
 
-// Checks that the directory of `path` exists and can be written to, and that `path` itself is free
-// or a regular file. Returns `path`.
+// Checks that the directory of `path`, links followed, exists and can be written to, and that
+// `path` itself is free or a regular file. Returns `path`.
 result<std::filesystem::path> check_writable(const std::filesystem::path& path);
 
 }  // namespace asterism::internal

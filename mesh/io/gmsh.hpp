@@ -24,6 +24,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/solution.hpp"
 #include "asterism/mesh/io/listed_mesh.hpp"
 #include "asterism/mesh/io/physical_names.hpp"
 
@@ -36,7 +37,14 @@ result<listed_mesh> read_gmsh(const std::filesystem::path& path);
 
 enum class gmsh_version { two, four };
 
+// Contents of a file besides its mesh.
+struct gmsh_contents {
+  physical_names names = {};
+  bool with_metric = true;
+  const solution* fields = nullptr;  // node data; none, or not owned
+};
+
 // Returns the contents of the file.
-std::string gmsh_text(const mesh& m, const physical_names& names, gmsh_version version);
+std::string gmsh_text(const mesh& m, const gmsh_contents& more, gmsh_version version);
 
 }  // namespace asterism::internal

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <map>
 #include <set>
 #include <string_view>
@@ -43,7 +45,8 @@ int region_of(const mesh& m, std::size_t t) { return m.regions.empty() ? 1 : m.r
 
 class gmsh_writer {
  public:
-  gmsh_writer(const mesh& m, const physical_names& names) : m_(m) {
+  gmsh_writer(const mesh& m, const gmsh_contents& more) : m_(m), more_(more) {
+    const physical_names& names = more.names;
     std::set<int> markers, regions;
     for (const boundary_edge& e : m.boundary) markers.insert(e.marker);
     for (std::size_t t = 0; t < m.triangles.size(); ++t) regions.insert(region_of(m, t));
@@ -63,7 +66,7 @@ class gmsh_writer {
     });
     text_ += "$EndNodes\n";
     write_elements_of_two();
-    write_metric();
+    write_values();
     return std::move(text_);
   }
 
@@ -73,7 +76,7 @@ class gmsh_writer {
     write_entities();
     write_nodes_of_four();
     write_elements_of_four();
-    write_metric();
+    write_values();
     return std::move(text_);
   }
 
@@ -211,6 +214,12 @@ class gmsh_writer {
     }
   }
 
+  void write_values() {
+    if (more_.with_metric) write_metric();
+    if (more_.fields == nullptr) return;
+    for (const solution_field& field : more_.fields->fields) write_field(field);
+  }
+
   void write_metric() {
     text_ += "$NodeData\n1\n\"metric\"\n1\n0\n3\n0\n9\n";
     line(m_.sites.size());
@@ -226,15 +235,43 @@ class gmsh_writer {
     text_ += "$EndNodeData\n";
   }
 
+  // A name must not hold what ends it.
+  static std::string quoted(std::string name) {
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; }, '_');
+    return '"' + name + '"';
+  }
+
+  void write_field(const solution_field& field) {
+    constexpr std::array<std::size_t, 4> widths = {0, 1, 3, 9};  // in space
+    const std::size_t c = components_of(field.kind);
+    text_ += "$NodeData\n1\n" + quoted(field.name) + "\n1\n0\n3\n0\n";
+    line(widths[c]);
+    line(m_.sites.size());
+    append_lines(text_, m_.sites.size(), [&](std::size_t v, std::string& text) {
+      const double* const x = &field.values[v * c];
+      append_integer(text, v + 1);
+      const auto append = [&text](std::initializer_list<double> numbers) {
+        for (const double number : numbers) append_number(text += ' ', number);
+      };
+      if (c == 1) append({x[0]});
+      if (c == 2) append({x[0], x[1], 0});
+      if (c == 3) append({x[0], x[1], 0, x[1], x[2], 0, 0, 0, 0});
+      text += '\n';
+    });
+    text_ += "$EndNodeData\n";
+  }
+
   const mesh& m_;
+  const gmsh_contents& more_;
   groups curves_, surfaces_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string gmsh_text(const mesh& m, const physical_names& names, gmsh_version version) {
-  gmsh_writer writer(m, names);
+std::string gmsh_text(const mesh& m, const gmsh_contents& more, gmsh_version version) {
+  gmsh_writer writer(m, more);
   return version == gmsh_version::two ? writer.two() : writer.four();
 }
 

@@ -407,9 +407,10 @@ failure read_metric_beside(const std::filesystem::path& path, listed_mesh& m,
   if (is_medit_binary(path) && !std::filesystem::exists(beside, ignored))
     beside.replace_extension(".sol");
   const auto& file = options.solution.empty() ? beside : options.solution;
-  m.has_metric = !options.without_solution &&
-                 (!options.identity_without_solution || std::filesystem::exists(file, ignored));
-  return read_medit_solution(file, m.content, options);
+  const auto read = read_medit_solution(file, m.content, options);
+  if (!read) return read.failure();
+  m.has_metric = read.value();
+  return {};
 }
 
 bool lists_edges_alone(const listed_mesh& m) {

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
@@ -27,7 +29,27 @@ failure take_tensor(const text_scanner& source, std::size_t line, const metric_t
                                           metric.m11, metric.m12, metric.m22, v + 1));
 }
 
-failure read_tensors(text_scanner& source, int dimension, mesh& m) {
+// Reads a length h in the place of a tensor I/h^2.
+failure read_size(text_scanner& source, std::size_t v, mesh& m) {
+  const word w = source.next();
+  const auto size = to_number(source, w, "size at a vertex");
+  if (!size.ok()) return size.failure();
+  const double round = 1 / (size.value() * size.value());
+  if (!(size.value() > 0) || !std::isfinite(round) || !(round > 0))
+    return source.failure(w.line, fmt::format("vertex {}: a size is a positive length, not {}",
+                                              v + 1, quoted_token(w.text)));
+  m.sites[v].metric = {round, 0, round};
+  return {};
+}
+
+failure read_sizes(text_scanner& source, mesh& m) {
+  for (std::size_t v = 0; v < m.sites.size(); ++v)
+    if (auto failed = read_size(source, v, m)) return failed;
+  return {};
+}
+
+// Sets `is_metric` to false for what is none where none need be there.
+failure read_tensors(text_scanner& source, int dimension, mesh& m, bool& is_metric) {
   const word w = source.next();
   const auto count = to_count(source, w, "SolAtVertices");
   if (!count.ok()) return count.failure();
@@ -36,9 +58,17 @@ failure read_tensors(text_scanner& source, int dimension, mesh& m) {
                                       " tensors for " + std::to_string(m.sites.size()) +
                                       " vertices");
   const word fields = source.next(), type = source.next();
-  if (fields.text != "1" || type.text != "3")
-    return source.failure(type.line, "SolAtVertices: '1 3' wanted, one symmetric tensor, not " +
-                                         quoted_token(fields.text) + " " + quoted_token(type.text));
+  const bool is_one = fields.text == "1";
+  if (!is_one || type.text != "3") {
+    if (!std::exchange(is_metric, false)) return {};
+    if (!is_one || type.text != "1")
+      return source.failure(
+          type.line, "SolAtVertices: '1 3' wanted, one symmetric tensor, or '1 1', one size, not " +
+                         quoted_token(fields.text) + " " + quoted_token(type.text));
+    is_metric = true;
+    return read_sizes(source, m);
+  }
+  is_metric = true;
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     std::array<double, 6> entries{1, 0, 1, 0, 0, 0};
     std::size_t line = 0;
@@ -55,7 +85,9 @@ failure read_tensors(text_scanner& source, int dimension, mesh& m) {
   return {};
 }
 
-failure read_sections(text_scanner& source, mesh& m) {
+// Reads the section; `is_metric` says whether it has to be one, and in the end whether it is.
+failure read_sections(text_scanner& source, mesh& m, bool& is_metric) {
+  const bool is_wanted = is_metric;
   const auto dimension = read_medit_header(source);
   if (!dimension.ok()) return dimension.failure();
   bool seen = false;
@@ -66,7 +98,8 @@ failure read_sections(text_scanner& source, mesh& m) {
       return source.failure(
           keyword.line, quoted_token(keyword.text) + " where one section SolAtVertices should be");
     seen = true;
-    if (auto failed = read_tensors(source, dimension.value(), m)) return failed;
+    if (auto failed = read_tensors(source, dimension.value(), m, is_metric)) return failed;
+    if (!is_metric && !is_wanted) return {};
   }
   if (!seen) return source.failure(source.line(), "there is no section SolAtVertices");
   return {};
@@ -137,18 +170,36 @@ result<int> read_medit_header(text_scanner& source) {
   return static_cast<int>(dimension.value());
 }
 
-std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh& m,
-                                         const medit_read_options& options) {
+result<bool> read_medit_solution(const std::filesystem::path& path, mesh& m,
+                                 const medit_read_options& options) {
   std::error_code status;
   if (options.without_solution ||
       (options.identity_without_solution && !std::filesystem::exists(path, status))) {
     for (site& s : m.sites) s.metric = {1, 0, 1};
-    return {};
+    return false;
   }
   const auto text = read_medit_text(path);
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value());
-  return has_ending(path.string(), ".mtr") ? read_bamg_metric(source, m) : read_sections(source, m);
+  bool is_metric = !options.identity_without_solution || !options.solution.empty();
+  if (has_ending(path.string(), ".mtr")) {
+    if (auto failed = read_bamg_metric(source, m)) return *failed;
+    return true;
+  }
+  if (auto failed = read_sections(source, m, is_metric)) return *failed;
+  if (!is_metric)
+    for (site& s : m.sites) s.metric = {1, 0, 1};
+  return is_metric;
+}
+
+bool holds_tensors(const std::filesystem::path& path) {
+  const auto text = read_medit_text(path);
+  if (!text) return false;
+  text_scanner source(path.string(), text.value());
+  if (!read_medit_header(source) || source.next().text != "SolAtVertices") return false;
+  source.next();
+  const word fields = source.next(), type = source.next();
+  return fields.text == "1" && type.text == "3";
 }
 
 }  // namespace asterism::internal

@@ -17,9 +17,14 @@ namespace asterism::internal {
 result<int> read_medit_header(text_scanner& source);
 
 // Reads one tensor a site of `m` from a .sol file, or from one of BAMG's, NAME.mtr: the number of
-// vertices, 1 or 3, and for each a length h, meaning the tensor I/h^2, or m11 m12 m22. Nothing is
-// returned when all went well.
-std::optional<error> read_medit_solution(const std::filesystem::path& path, mesh& m,
-                                         const medit_read_options& options);
+// vertices, 1 or 3, and for each a length h, meaning the tensor I/h^2, or m11 m12 m22. One number a
+// vertex in a .sol is such a length, too, where a metric is wanted. Where none need be there, what
+// holds anything else than tensors is passed over. Returns whether there was a metric; else every
+// site has the identity.
+result<bool> read_medit_solution(const std::filesystem::path& path, mesh& m,
+                                 const medit_read_options& options);
+
+// True if the file is there and holds one symmetric tensor a vertex: a metric by itself.
+bool holds_tensors(const std::filesystem::path& path);
 
 }  // namespace asterism::internal

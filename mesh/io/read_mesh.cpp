@@ -10,6 +10,7 @@
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
 #include "asterism/mesh/io/listed_readers.hpp"
+#include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/poly.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 #include "asterism/mesh/io/vtu_mesh.hpp"
@@ -84,7 +85,31 @@ const whole_file_format* format_of_file(const std::filesystem::path& path) {
   return format;
 }
 
+// Takes the metric of a file with numbers for all vertices of the mesh's, those left out, too.
+std::optional<error> take_metric(const std::filesystem::path& file, listed_mesh& m) {
+  mesh whole;
+  whole.sites.resize(m.content.sites.size() + m.left_out.size());
+  medit_read_options named;
+  named.solution = file;
+  const auto read = read_medit_solution(file, whole, named);
+  if (!read) return read.failure();
+  auto next = m.left_out.begin();
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < whole.sites.size(); ++v) {
+    if (next != m.left_out.end() && *next == v)
+      ++next;
+    else
+      m.content.sites[kept++].metric = whole.sites[v].metric;
+  }
+  m.has_metric = true;
+  return std::nullopt;
+}
+
 }  // namespace
+
+bool is_metric_file(std::string_view name) {
+  return has_ending(name, ".sol") || has_ending(name, ".solb") || has_ending(name, ".mtr");
+}
 
 bool is_mesh_file(std::string_view name) {
   return has_ending(name, ".mesh") || has_ending(name, ".meshb") || format_of(name) != nullptr;
@@ -93,17 +118,12 @@ bool is_mesh_file(std::string_view name) {
 result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                                  const medit_read_options& options) {
   const whole_file_format* const format = format_of_file(path);
-  if (format != nullptr && !options.solution.empty())
-    return error{
-        options.solution.string() + ": the metric of " + path.string() +
-            (format->place_of_metric.empty()
-                 ? " has no place beside it"
-                 : " is in it, as " + std::string(format->place_of_metric) + " \"metric\""),
-        error_code::bad_option};
   auto read = format == nullptr ? read_listed_medit(path, options) : read_whole(*format, path);
   if (!read) return read.failure();
   listed_mesh& m = read.value();
   const bool is_mesh = !m.content.triangles.empty();
+  if (format != nullptr && is_mesh && !options.solution.empty())
+    if (auto failed = take_metric(options.solution, m)) return *failed;
   if (format != nullptr && is_mesh)
     if (auto failed = check_metric(*format, m, options)) return *failed;
   return mesh_file{std::move(m.content),  std::move(m.marks), std::move(m.names),

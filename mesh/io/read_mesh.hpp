@@ -42,9 +42,13 @@ struct mesh_file {
 // .2dm or .stl. It may be one of edges alone, which are a domain.
 ASTERISM_EXPORT bool is_mesh_file(std::string_view name);
 
+// True if a file of this name has numbers for the vertices of a mesh that can be its metric: .sol,
+// .solb or .mtr.
+ASTERISM_EXPORT bool is_metric_file(std::string_view name);
+
 // Reads a mesh with its metric. A .msh or .vtu file has its own, as data at its nodes; the options
-// about a .sol mean that for it, and options.solution is an error. Other formats have none. A file
-// of edges alone has no triangles and needs no metric.
+// about a .sol mean that for it, and options.solution names another. Other formats have none. A
+// file of edges alone has no triangles and needs no metric.
 ASTERISM_EXPORT result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                                                  const medit_read_options& options = {});
 

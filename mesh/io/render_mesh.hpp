@@ -12,6 +12,10 @@
 
 namespace asterism::internal {
 
+// Returns NAME.fields.sol for NAME.mesh, NAME.fields.solb for NAME.meshb: the fields on a mesh
+// whose metric is beside it.
+std::filesystem::path fields_path(const std::filesystem::path& mesh_path);
+
 // Returns the files that write_mesh would write, for write_files. The mesh must outlive them: long
 // ones are made from it while they are written. Fails as write_mesh does.
 result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, const mesh& m,

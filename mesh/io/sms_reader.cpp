@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -53,6 +54,7 @@ class sms_reader {
   failure read_string(const words& line);
   failure skip_parameters();
   failure add_elements();
+  void name_string(const std::string& name);
   void end_string();
 
   text_scanner source_;
@@ -158,11 +160,21 @@ failure sms_reader::read_string(const words& line) {
       std::string_view name(begin, line.back().text.data() + line.back().text.size() - begin);
       if (name.size() > 1 && name.front() == '"' && name.back() == '"')
         name = name.substr(1, name.size() - 2);
-      made_.names.markers[strings_.back().marker] = without_controls("string " + std::string(name));
+      name_string(without_controls(std::string(name)));
     }
     break;
   }
   return {};
+}
+
+// A whole number is the marker; other names are of strings that are numbered in their order.
+void sms_reader::name_string(const std::string& name) {
+  int number = 0;
+  const auto [end, failed] = std::from_chars(name.data(), name.data() + name.size(), number);
+  if (failed == std::errc() && end == name.data() + name.size())
+    strings_.back().marker = number;
+  else
+    made_.names.markers[strings_.back().marker] = "string " + name;
 }
 
 void sms_reader::end_string() {

@@ -11,6 +11,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/gmsh_solution.hpp"
 #include "asterism/mesh/io/medit_binary.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/solution_output.hpp"
@@ -216,10 +217,19 @@ result<solution> read_solution(const std::filesystem::path& path, const mesh& m)
 
 result<solution> read_solution(const std::filesystem::path& path, const mesh& m,
                                const std::vector<vertex_index>& left_out) {
+  auto made = read_fields(path, m, left_out);
+  if (!made) return made;
+  if (auto failed = check_fields(made.value(), path.string())) return *failed;
+  return made;
+}
+
+result<solution> internal::read_fields(const std::filesystem::path& path, const mesh& m,
+                                       const std::vector<vertex_index>& left_out) {
   const std::string file = path.string();
   const bool is_vtu = has_ending(file, ".vtu"), is_bamg = has_ending(file, ".bb");
-  if (!is_vtu && !is_bamg && !has_ending(file, ".sol") && !has_ending(file, ".solb"))
-    return error{file + ": a solution is a file whose name ends in .sol, .solb, .bb or .vtu",
+  const bool is_gmsh = has_ending(file, ".msh") || has_ending(file, ".msh2");
+  if (!is_vtu && !is_bamg && !is_gmsh && !has_ending(file, ".sol") && !has_ending(file, ".solb"))
+    return error{file + ": a solution is a file whose name ends in .sol, .solb, .bb, .msh or .vtu",
                  error_code::bad_option};
   const auto text = read_medit_text(path);
   if (!text) return text.failure();
@@ -228,13 +238,22 @@ result<solution> read_solution(const std::filesystem::path& path, const mesh& m,
     auto read = read_vtu_solution(text.value(), file, m, left_out);
     if (!read) return read;
     made = std::move(read).value();
+  } else if (is_gmsh) {
+    auto read = read_gmsh_solution(text.value(), file);
+    if (!read) return read;
+    made = std::move(read).value();
+    // Without a field it may be another program's file of this name.
+    if (made.fields.empty()) made.vertices = m.sites.size() + left_out.size();
+    if (made.vertices != m.sites.size() + left_out.size())
+      return error{fmt::format("{}: values at {} nodes, and the mesh has {}", file, made.vertices,
+                               m.sites.size() + left_out.size()),
+                   error_code::malformed_file};
   } else {
     text_scanner source(file, text.value());
     values_reader reader(source, m.sites.size() + left_out.size(), made);
     if (auto failed = is_bamg ? reader.read_bamg(has_types(path)) : reader.read_medit())
       return *failed;
   }
-  if (auto failed = check_fields(made, file)) return *failed;
   leave_out(made, left_out);
   return made;
 }

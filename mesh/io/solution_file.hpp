@@ -8,6 +8,7 @@
 //   .solb  the same in binary (mesh/io/medit_binary.hpp)
 //   .bb    BAMG: `2 N V 2`, then N scalars for each of V vertices; .BB: `2 N T1 ... TN V 2`, with
 //          types 1 to 3
+//   .msh   gmsh: the node data of 1, 3 or 9 numbers a node, by their names; the metric is none
 //   .vtu   VTK: the point data of one piece, as text, base64 or raw bytes, not compressed, by their
 //   names
 //

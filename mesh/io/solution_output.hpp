@@ -11,6 +11,10 @@
 
 namespace asterism::internal {
 
+// Returns what read_solution does, also where the file has no field, or nothing but one tensor.
+result<solution> read_fields(const std::filesystem::path& path, const mesh& m,
+                             const std::vector<vertex_index>& left_out);
+
 // Checks that a solution could be written there: the extension, the folder, the place.
 result<std::filesystem::path> check_solution_output(const std::filesystem::path& path);
 

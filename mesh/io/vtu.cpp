@@ -118,8 +118,32 @@ void add_points(vtu_writer& out, const mesh& m) {
   out.add("</Points>\n");
 }
 
-void add_point_data(vtu_writer& out, const mesh& m, const std::vector<std::int32_t>& stars) {
-  out.add("<PointData Tensors=\"metric_tensor\">\n");
+// Text as an attribute may hold it.
+std::string attribute(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '<')
+      safe += "&lt;";
+    else if (c == '&')
+      safe += "&amp;";
+    else if (c == '"')
+      safe += "&quot;";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+// Vectors get a third component of 0; tensors have their three numbers, as the metric.
+void add_field(vtu_writer& out, const solution_field& field, std::size_t vertices) {
+  const std::size_t c = components_of(field.kind), width = c == 1 ? 1 : 3;
+  out.add_array<double>(attribute(field.name), static_cast<int>(width), width * vertices,
+                        [&field, c, width](std::size_t i) {
+                          return i % width < c ? field.values[i / width * c + i % width] : 0.0;
+                        });
+}
+
+void add_metric(vtu_writer& out, const mesh& m) {
   out.add_array<double>("metric", 3, 3 * m.sites.size(), [&m](std::size_t i) {
     const auto& [m11, m12, m22] = m.sites[i / 3].metric;
     return std::array{m11, m12, m22}[i % 3];
@@ -128,6 +152,14 @@ void add_point_data(vtu_writer& out, const mesh& m, const std::vector<std::int32
     const auto& [m11, m12, m22] = m.sites[i / 9].metric;
     return std::array{m11, m12, 0.0, m12, m22, 0.0, 0.0, 0.0, 1.0}[i % 9];
   });
+}
+
+void add_point_data(vtu_writer& out, const mesh& m, const std::vector<std::int32_t>& stars,
+                    const vtu_contents& values) {
+  out.add(values.with_metric ? "<PointData Tensors=\"metric_tensor\">\n" : "<PointData>\n");
+  if (values.with_metric) add_metric(out, m);
+  if (values.fields != nullptr)
+    for (const solution_field& field : values.fields->fields) add_field(out, field, m.sites.size());
   out.add_array<std::int32_t>("star_size", 1, m.sites.size(),
                               [&stars](std::size_t v) { return stars[v]; });
   out.add_array<std::int32_t>("given", 1, m.sites.size(),
@@ -135,10 +167,11 @@ void add_point_data(vtu_writer& out, const mesh& m, const std::vector<std::int32
   out.add("</PointData>\n");
 }
 
-void add_cell_data(vtu_writer& out, const mesh_cells& cells) {
-  out.add("<CellData Scalars=\"smallest_angle\">\n");
-  out.add_array<double>("smallest_angle", 1, cells.size(),
-                        [cells](std::size_t i) { return smallest_angle(cells.m, cells[i]); });
+void add_cell_data(vtu_writer& out, const mesh_cells& cells, bool with_metric) {
+  out.add(with_metric ? "<CellData Scalars=\"smallest_angle\">\n" : "<CellData>\n");
+  if (with_metric)
+    out.add_array<double>("smallest_angle", 1, cells.size(),
+                          [cells](std::size_t i) { return smallest_angle(cells.m, cells[i]); });
   out.add_array<std::int32_t>("disagreeing", 1, cells.size(),
                               [cells](std::size_t i) { return cells.is_disagreeing(i) ? 1 : 0; });
   out.add_array<std::int32_t>("region", 1, cells.size(), [cells](std::size_t i) {
@@ -161,7 +194,7 @@ void add_cells(vtu_writer& out, const mesh_cells& cells) {
 
 }  // namespace
 
-void write_vtu(const mesh& m, const byte_sink& put) {
+void write_vtu(const mesh& m, const vtu_contents& values, const byte_sink& put) {
   const mesh_cells cells{m};
   const std::vector<std::int32_t> stars = star_sizes(m);
   vtu_writer out;
@@ -175,8 +208,8 @@ void write_vtu(const mesh& m, const byte_sink& put) {
                       cells.size()));
   add_points(out, m);
   add_cells(out, cells);
-  add_point_data(out, m, stars);
-  add_cell_data(out, cells);
+  add_point_data(out, m, stars, values);
+  add_cell_data(out, cells, values.with_metric);
   out.add("</Piece>\n</UnstructuredGrid>\n");
   out.write(put);
 }

@@ -12,11 +12,18 @@
 #pragma once
 
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/solution.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 
 namespace asterism::internal {
 
+// Values at the vertices. Without the metric the least angles are left out, too.
+struct vtu_contents {
+  bool with_metric = true;
+  const solution* fields = nullptr;  // point data; none, or not owned
+};
+
 // Gives the contents of the file to the sink; the first line is in the first piece.
-void write_vtu(const mesh& m, const byte_sink& put);
+void write_vtu(const mesh& m, const vtu_contents& values, const byte_sink& put);
 
 }  // namespace asterism::internal

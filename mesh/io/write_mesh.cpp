@@ -12,12 +12,14 @@
 
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/flow_meshes.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_binary.hpp"
 #include "asterism/mesh/io/medit_writer.hpp"
 #include "asterism/mesh/io/plain_meshes.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
+#include "asterism/mesh/io/solution_output.hpp"
 #include "asterism/mesh/io/vtu.hpp"
 
 namespace asterism {
@@ -26,7 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, mesh_format>, 11> formats = {
+constexpr std::array<std::pair<std::string_view, mesh_format>, 14> formats = {
     {{".mesh", mesh_format::medit},
      {".meshb", mesh_format::medit_binary},
      {".vtu", mesh_format::vtu},
@@ -37,7 +39,10 @@ constexpr std::array<std::pair<std::string_view, mesh_format>, 11> formats = {
      {".msh", mesh_format::gmsh},
      {".msh2", mesh_format::gmsh2},
      {".su2", mesh_format::su2},
-     {".node", mesh_format::node}}};
+     {".node", mesh_format::node},
+     {".2dm", mesh_format::sms},
+     {".14", mesh_format::adcirc},
+     {".grd", mesh_format::adcirc}}};
 
 std::string lower(std::string text) {
   for (char& c : text) c = lower_case(c);
@@ -125,7 +130,7 @@ std::string comment(const std::string& mark, std::string note) {
 
 // The note follows the first section, before which nothing may stand.
 std::string render_gmsh(const mesh& m, const write_options& options, gmsh_version version) {
-  std::string text = gmsh_text(m, options.names, version);
+  std::string text = gmsh_text(m, {options.names, options.with_metric, options.fields}, version);
   if (options.note.empty()) return text;
   const std::string_view first = "$EndMeshFormat\n";
   return text.insert(text.find(first) + first.size(),
@@ -140,20 +145,35 @@ std::vector<std::size_t> inner_edges(const mesh& m) {
   return inner;
 }
 
+// Returns the files of a Medit mesh: its own, and one each for the metric and the fields.
+output_files with_solutions(output_file first, const mesh& m, const write_options& options) {
+  const fs::path path = first.path, beside = solution_path(path);
+  output_files files = {std::move(first)};
+  if (options.with_metric && is_medit_binary(path))
+    files.push_back({beside, medit_binary_of_text(medit_solution_text(m))});
+  else if (options.with_metric)
+    files.push_back(
+        {.path = beside, .rest = [&m](const byte_sink& put) { write_medit_solution(m, put); }});
+  if (options.fields != nullptr && !options.fields->fields.empty())
+    files.push_back(
+        {options.with_metric ? fields_path(path) : beside, solution_text(beside, *options.fields)});
+  return files;
+}
+
 result<output_files> render(const fs::path& path, mesh_format format, const mesh& m,
                             const write_options& options) {
   const bool keeps_comments = format == mesh_format::medit;
   const auto medit = [&m, smooth = medit_smooth{options.smooth, keeps_comments}](
                          const byte_sink& put) { write_medit_mesh(m, smooth, put); };
-  const auto vtu = [&m](const byte_sink& put) { write_vtu(m, put); };
+  const vtu_contents values{options.with_metric, options.fields};
+  const auto vtu = [&m, values](const byte_sink& put) { write_vtu(m, values, put); };
   switch (format) {
     case mesh_format::medit:
-      return output_files{{.path = path, .rest = with_note(medit, format, options.note)},
-                          {.path = solution_path(path),
-                           .rest = [&m](const byte_sink& put) { write_medit_solution(m, put); }}};
+      return with_solutions({.path = path, .rest = with_note(medit, format, options.note)}, m,
+                            options);
     case mesh_format::medit_binary:
-      return output_files{{path, medit_binary_of_text(bytes_of(medit), inner_edges(m))},
-                          {solution_path(path), medit_binary_of_text(medit_solution_text(m))}};
+      return with_solutions({path, medit_binary_of_text(bytes_of(medit), inner_edges(m))}, m,
+                            options);
     case mesh_format::vtu:
       return output_files{{.path = path, .rest = with_note(vtu, format, options.note)}};
     case mesh_format::gmsh:
@@ -162,6 +182,10 @@ result<output_files> render(const fs::path& path, mesh_format format, const mesh
       return output_files{{path, render_gmsh(m, options, gmsh_version::two)}};
     case mesh_format::su2:
       return output_files{{path, comment("% ", options.note) + su2_text(m, options.names)}};
+    case mesh_format::sms:
+      return output_files{{path, sms_text(m)}};
+    case mesh_format::adcirc:
+      return output_files{{path, adcirc_text(m, options.names, comment("", options.note))}};
     case mesh_format::node:
       return output_files{{path, comment("# ", options.note) + node_text(m)},
                           {beside(path, ".ele"), ele_text(m)},
@@ -179,11 +203,11 @@ result<mesh_format> mesh_format_of(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());
   for (const auto& [name, format] : formats)
     if (extension == name) return format;
-  return error{
-      path.string() + ": unknown kind of file '" + extension +
-          "'; there are .mesh, .meshb, .msh, .msh2, .vtu, .su2, .node, .svg, .png, .pdf and "
-          ".html",
-      error_code::bad_option};
+  return error{path.string() + ": unknown kind of file '" + extension +
+                   "'; there are .mesh, .meshb, .msh, .msh2, .vtu, .su2, .node, .2dm, .14, .grd, "
+                   ".svg, .png, .pdf and "
+                   ".html",
+               error_code::bad_option};
 }
 
 std::vector<fs::path> files_of_output(const fs::path& path) {
@@ -207,6 +231,11 @@ result<mesh_format> check_output(const std::filesystem::path& path) {
 }
 
 namespace internal {
+
+fs::path fields_path(const fs::path& mesh_path) {
+  return fs::path(mesh_path).replace_extension(is_medit_binary(mesh_path) ? ".fields.solb"
+                                                                          : ".fields.sol");
+}
 
 result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, const mesh& m,
                                              const write_options& options) {

@@ -17,8 +17,8 @@
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/adaptation_claims.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
-#include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/metric_complexity.hpp"
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -55,17 +55,15 @@ std::optional<std::string> difference_from(const metric_field& field, const mesh
 
 // Returns the metric of a mesh, where its file is still there.
 result<std::unique_ptr<metric_field>> background_of(const metric_wording& asked) {
-  auto background = read_mesh(asked.name);
+  const auto background = read_metric_on_mesh(asked.name, asked.domain);
   if (!background) return background.failure();
-  const auto adopted = adopt_mesh(std::move(background).value());
-  if (!adopted) return adopted.failure();
-  return make_sampled_field(adopted.value().subject, asked.size);
+  return make_sampled_field(background.value().subject, asked.size);
 }
 
 // Makes the metric of the size asked for, before anything is done to it.
 result<std::unique_ptr<metric_field>> bare_field(const metric_wording& asked, const domain& shape) {
-  return is_mesh_file(asked.name) ? background_of(asked)
-                                  : make_metric_field(asked.name, shape.box(), asked.size);
+  return is_metric_on_mesh(asked.name) ? background_of(asked)
+                                       : make_metric_field(asked.name, shape.box(), asked.size);
 }
 
 // Returns the metric with sizes at places and gradation.
@@ -92,8 +90,9 @@ result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) 
   auto bare = bare_field(asked.value(), *placed);
   if (!bare) return bare;
   const mesh* const background = bare.value()->background();
-  if (background != nullptr &&
-      option_of(claim, "metric-fingerprint") != std::to_string(mesh_fingerprint(*background)))
+  const std::string known = option_of(claim, "metric-fingerprint");
+  if (background != nullptr && known != "none" &&
+      known != std::to_string(mesh_fingerprint(*background)))
     return error{"its file holds another mesh now"};
   return dressed(std::move(bare).value(), asked.value(), *placed);
 }
@@ -132,6 +131,7 @@ result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, cons
 result<metric_wording> wording_in(const certificate& claim) {
   metric_wording asked;
   asked.name = claim.metric;
+  asked.domain = option_of(claim, claim.options.count("mesh") != 0 ? "mesh" : "domain");
   if (const std::string size = option_of(claim, "size"); size != "none") {
     const auto number = parse_number(size);
     if (!number) return error{"the size is no number"};
@@ -185,7 +185,7 @@ field_check check_field(const mesh& subject, const certificate& claim) {
   if (!field) {
     check.why_not = field.failure().message;
     // A file may be gone, or another by now.
-    if (is_adapted || is_mesh_file(claim.metric)) return check;
+    if (is_adapted || is_metric_on_mesh(claim.metric)) return check;
     check.contradictions.push_back("\"asked.metric\" cannot be made again: " + check.why_not);
     return check;
   }

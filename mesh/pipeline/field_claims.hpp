@@ -23,6 +23,7 @@ struct metric_wording {
   std::string name;  // as --metric takes it
   double size = 1;
   std::optional<double> gradation;
+  std::string domain = {};     // the name of what is meshed: numbers at vertices may be of it
   std::string sizes = "none";  // at places, as text_of(size_wishes) has them
 
   friend bool operator==(const metric_wording&, const metric_wording&) = default;

@@ -15,21 +15,10 @@ namespace {
 
 using tensors = std::vector<metric_tensor>;
 
-// Reads the tensors of a metric file for the vertices of a mesh file.
-result<tensors> read_tensors(const std::string& mesh_file, const std::string& file) {
-  medit_read_options how;
-  how.solution = file;
-  const auto read = read_mesh(mesh_file, how);
-  if (!read) return read.failure();
-  tensors found;
-  for (const site& s : read.value().sites) found.push_back(s.metric);
-  return found;
-}
-
 result<std::vector<tensors>> read_intersected(const metric_request& request) {
   std::vector<tensors> all;
   for (const std::string& file : request.intersected) {
-    auto read = read_tensors(request.mesh, file);
+    auto read = read_metric_at_vertices(request.mesh, file);
     if (!read) return read.failure();
     all.push_back(std::move(read).value());
   }
@@ -55,7 +44,7 @@ result<solution_metric> metric_given(const metric_request& request,
                                      const std::vector<tensors>& intersected,
                                      const requested_metric& made) {
   const auto given = request.implied ? implied_metric(made.background)
-                                     : read_tensors(request.mesh, request.metric);
+                                     : read_metric_at_vertices(request.mesh, request.metric);
   if (!given) return given.failure();
   return shape_metric(made.background, given.value(), request.wishes, intersected);
 }

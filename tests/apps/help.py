@@ -13,7 +13,7 @@ import unittest
 import command
 
 COMMANDS = ["mesh", "verify", "certify", "check", "adapt", "metric", "transfer", "eval", "challenge", "surface",
-            "deviation", "draw", "info", "completion", "help", "man"]
+            "deviation", "convert", "draw", "info", "completion", "help", "man"]
 
 
 class Help(command.CommandTest):

@@ -54,7 +54,7 @@ TEST_CASE("physical names survive") {
   names.regions = {{2, "steel"}};
   for (const auto version : {gmsh_version::two, gmsh_version::four}) {
     const auto read =
-        read_gmsh(here.write("m.msh", gmsh_text(mesh_with_markers(), names, version)));
+        read_gmsh(here.write("m.msh", gmsh_text(mesh_with_markers(), {names}, version)));
     REQUIRE(read.ok());
     CHECK(read.value().names.markers.at(2) == "inlet of air");
     CHECK(read.value().names.markers.at(3) == "wall");

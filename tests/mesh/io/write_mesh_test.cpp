@@ -124,7 +124,7 @@ TEST_CASE("a mesh whose numbers are wrong is not written") {
 namespace {
 
 std::string vtu_bytes(const mesh& m) {
-  return internal::bytes_of([&m](const byte_sink& put) { write_vtu(m, put); });
+  return internal::bytes_of([&m](const byte_sink& put) { write_vtu(m, {}, put); });
 }
 
 // The numbers of an array of integers, found by the offset in its tag.

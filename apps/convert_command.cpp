@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "asterism/apps/commands.hpp"
+#include "asterism/apps/complain.hpp"
+#include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/notes.hpp"
+#include "asterism/mesh/io/fields_of_mesh.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
+#include "asterism/mesh/io/render_mesh.hpp"
+#include "asterism/mesh/io/write_mesh.hpp"
+
+namespace asterism::apps {
+using namespace internal;
+namespace fs = std::filesystem;
+namespace {
+
+struct convert_job {
+  std::string in, out;
+  std::vector<std::string> formats;  // of what is '-', in order
+  bool quiet = false, strict = false;
+};
+
+constexpr const char* convert_examples =
+    R"(IN is any mesh that is read: .mesh, .meshb (with .sol or .solb beside it), .msh, .vtu, .vtk, .su2,
+.14, .grd, .2dm, .stl. OUT is any that is written: .mesh, .meshb, .msh, .msh2, .vtu, .su2, .2dm, .14,
+.grd, .node, or a picture. Vertices, triangles, regions, markers, names, the metric and fields at the
+vertices go over, bit for bit; what OUT has no place for is told. '-' is standard input or output, and
+--format says what is there.
+
+Exit status: 0 converted; 1 OUT could not be written; 2 bad usage or input, nothing is written.
+
+Examples:
+  asterism convert part.msh part.su2
+  asterism convert flow.vtu flow.mesh
+  cat part.msh | asterism convert - - --format msh --format vtu > part.vtu)";
+
+// A folder for what comes from standard input or goes to standard output, removed in the end.
+class passing_folder {
+ public:
+  passing_folder() = default;
+  passing_folder(const passing_folder&) = delete;
+  passing_folder& operator=(const passing_folder&) = delete;
+  ~passing_folder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+
+  // Makes it; fails where the system does.
+  std::optional<error> make() {
+    std::error_code failed;
+    std::string name = (fs::temp_directory_path(failed) / "asterism-XXXXXX").string();
+    if (failed || ::mkdtemp(name.data()) == nullptr)
+      return error{"there is no place for a temporary file", error_code::unwritable_file};
+    path_ = name;
+    return std::nullopt;
+  }
+  const fs::path& path() const { return path_; }
+  // Returns the text without the folder's name, which means nothing to anybody.
+  std::string without_it(std::string text) const {
+    const std::string prefix = path_.string() + "/";
+    for (std::size_t at = text.find(prefix); !path_.empty() && at != std::string::npos;
+         at = text.find(prefix))
+      text.erase(at, prefix.size());
+    return text;
+  }
+
+ private:
+  fs::path path_;
+};
+
+// The files of a job, with those in the folder in the place of '-'.
+struct places {
+  fs::path in, out;
+  bool from_standard_input = false, to_standard_output = false;
+};
+
+result<places> places_of(const convert_job& job, passing_folder& folder) {
+  places made{job.in, job.out, job.in == "-", job.out == "-"};
+  const std::size_t wanted =
+      (made.from_standard_input ? 1U : 0U) + (made.to_standard_output ? 1U : 0U);
+  if (job.formats.size() != wanted)
+    return error{wanted == 0 ? std::string("--format: neither IN nor OUT is '-'")
+                             : "--format: one is wanted for each '-', and there are " +
+                                   std::to_string(job.formats.size()),
+                 error_code::bad_option};
+  if (wanted == 0) return made;
+  if (auto failed = folder.make()) return *failed;
+  const auto named = [&](const char* name, std::string format) {
+    if (!format.empty() && format.front() == '.') format.erase(0, 1);
+    return folder.path() / (std::string(name) + "." + format);
+  };
+  if (made.from_standard_input) made.in = named("standard-input", job.formats.front());
+  if (made.to_standard_output) made.out = named("standard-output", job.formats.back());
+  return made;
+}
+
+std::optional<error> take_standard_input(const fs::path& file) {
+  std::ofstream to(file, std::ios::binary);
+  to << std::cin.rdbuf();
+  to.flush();
+  if (!to) return error{"standard input: nothing could be read"};
+  return std::nullopt;
+}
+
+// Returns what a format has no place for, a sentence each.
+std::vector<std::string> losses(const mesh_file& read, const solution& fields, mesh_format format,
+                                const std::string& out) {
+  const mesh& m = read.content;
+  const auto is = [format](std::initializer_list<mesh_format> those) {
+    return std::find(those.begin(), those.end(), format) != those.end();
+  };
+  const bool is_medit = is({mesh_format::medit, mesh_format::medit_binary});
+  const bool is_gmsh = is({mesh_format::gmsh, mesh_format::gmsh2});
+  const bool is_vtu = format == mesh_format::vtu, is_node = format == mesh_format::node;
+  const bool has_regions =
+      std::any_of(m.regions.begin(), m.regions.end(), [](int r) { return r != 1; });
+  const bool has_internal = std::any_of(m.boundary.begin(), m.boundary.end(),
+                                        [](const boundary_edge& e) { return e.internal; });
+  std::vector<std::string> all;
+  const auto lose = [&](bool there, bool kept, const char* what) {
+    if (there && !kept) all.push_back(out + ": " + what + " have no place in it and are left out");
+  };
+  const bool without_regions = is({mesh_format::su2, mesh_format::adcirc});
+  lose(has_regions, !without_regions, "regions");
+  lose(has_internal, !without_regions, "segments inside");
+  lose(!read.names.markers.empty(), is_gmsh || without_regions, "names of markers");
+  lose(!read.names.regions.empty(), is_gmsh, "names of regions");
+  lose(read.has_metric, is_medit || is_gmsh || is_vtu || is_node, "tensors of the metric");
+  lose(!fields.fields.empty(), is_medit || is_gmsh || is_vtu, "fields");
+  if (is_medit && !fields.fields.empty())
+    all.push_back(out + ": fields have numbers there, from 1, in place of names");
+  return all;
+}
+
+bool is_drawing(mesh_format format) {
+  return format == mesh_format::svg || format == mesh_format::png || format == mesh_format::pdf ||
+         format == mesh_format::html;
+}
+
+// Writes the first of the files, which has the mesh.
+std::optional<error> put_to_standard_output(const output_file& file) {
+  const byte_sink put = [](std::string_view bytes) {
+    std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  };
+  put(file.bytes);
+  if (file.rest) file.rest(put);
+  if (!std::cout.flush()) return error{"standard output: writing failed"};
+  return std::nullopt;
+}
+
+// Checks names and places before anything is read.
+std::optional<error> check_places(const places& where) {
+  if (!is_mesh_file(where.in.string()))
+    return error{where.in.string() + ": unknown kind of file '" + where.in.extension().string() +
+                     "'; meshes are read of .mesh, .meshb, .msh, .msh2, .vtu, .vtk, .su2, .14, "
+                     ".grd, .2dm and .stl",
+                 error_code::bad_option};
+  const auto format = check_output(where.out);
+  if (!format) return format.failure();
+  std::error_code ignored;
+  if (fs::equivalent(where.in, where.out, ignored))
+    return error{where.out.string() + ": is what is read", error_code::bad_option};
+  return std::nullopt;
+}
+
+struct conversion {
+  mesh_file read;
+  solution fields;
+  std::vector<output_file> files;
+};
+
+// Fills in `made`, of whose mesh and fields the files are made while they are written.
+std::optional<error> convert(const convert_job& job, const places& where,
+                             const passing_folder& folder, conversion& made) {
+  auto read = read_mesh_file(where.in, {.identity_without_solution = true});
+  if (!read) return read.failure();
+  made.read = std::move(read).value();
+  if (made.read.content.triangles.empty())
+    return error{where.in.string() +
+                 ": there are no triangles: it is a domain, which `asterism "
+                 "mesh` takes"};
+  auto fields = fields_of_mesh(where.in, made.read);
+  if (!fields) return fields.failure();
+  made.fields = std::move(fields).value();
+  const mesh_format format = mesh_format_of(where.out).value();
+  std::vector<std::string> notes = made.read.content.notes;
+  if (!is_drawing(format))
+    for (std::string& lost : losses(made.read, made.fields, format, where.out.string()))
+      notes.push_back(std::move(lost));
+  std::error_code ignored;
+  const fs::path beside = solution_path(where.out);
+  if ((format == mesh_format::medit || format == mesh_format::medit_binary) &&
+      !made.read.has_metric && made.fields.fields.empty() && fs::exists(beside, ignored))
+    notes.push_back(beside.string() +
+                    ": is there already, of another mesh, and would be taken for " +
+                    where.out.string() + "'s");
+  for (std::string& note : notes) note = folder.without_it(note);
+  if (auto refused = say_notes(notes, {job.quiet, job.strict})) return *refused;
+  write_options how;
+  how.names = made.read.names;
+  how.with_metric = made.read.has_metric;
+  how.fields = &made.fields;
+  how.report.title = where.in.string();
+  how.report.repeat = "asterism certify " + where.in.string();
+  auto files = render_mesh(where.out, made.read.content, how);
+  if (!files) return files.failure();
+  made.files = std::move(files).value();
+  return std::nullopt;
+}
+
+int run_convert(const convert_job& job) {
+  passing_folder folder;
+  const auto fail = [&folder](const error& what, exit_status status) {
+    return complain({folder.without_it(what.message), what.code}, status);
+  };
+  const auto where = places_of(job, folder);
+  if (!where) return fail(where.failure(), refused);
+  if (where.value().from_standard_input)
+    if (const auto failed = take_standard_input(where.value().in)) return fail(*failed, refused);
+  if (const auto failed = check_places(where.value())) return fail(*failed, refused);
+  conversion made;
+  if (const auto failed = convert(job, where.value(), folder, made)) return fail(*failed, refused);
+  const held_signals held;
+  if (where.value().to_standard_output) {
+    const auto failed = put_to_standard_output(made.files.front());
+    return failed ? fail(*failed, not_reached) : done;
+  }
+  const auto written = write_files(made.files);
+  return written ? done : fail(written.failure(), not_reached);
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& program, command& chosen) {
+  auto* const app = program.add_subcommand("convert", "Write a mesh in another format");
+  const auto job = std::make_shared<convert_job>();
+  app->add_option("IN", job->in, "The mesh to read")->required();
+  app->add_option("OUT", job->out, "The file to write")->required();
+  app->add_option("--format", job->formats,
+                  "The format of IN or OUT that is '-': the ending of its files, as msh; twice "
+                  "where both are")
+      ->type_name("ENDING")
+      ->allow_extra_args(false);
+  app->add_flag("--strict", job->strict, "Refuse what would be changed or left out, with a note");
+  app->add_flag("--quiet", job->quiet, "No notes");
+  app->footer(convert_examples);
+  app->callback([job, &chosen] { chosen = [job] { return run_convert(*job); }; });
+}
+
+}  // namespace asterism::apps

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/fields_of_mesh.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/medit_binary.hpp"
+#include "asterism/mesh/io/medit_solution.hpp"
+#include "asterism/mesh/io/render_mesh.hpp"
+#include "asterism/mesh/io/solution_output.hpp"
+
+namespace asterism::internal {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Returns the file with the fields of a Medit mesh; empty where there is none.
+fs::path fields_beside(const fs::path& path) {
+  std::error_code ignored;
+  const auto text_or_binary = [&ignored](fs::path file) {
+    if (fs::exists(file, ignored)) return file;
+    file.replace_extension(file.extension() == ".solb" ? ".sol" : ".solb");
+    return fs::exists(file, ignored) ? file : fs::path();
+  };
+  fs::path beside = text_or_binary(solution_path(path));
+  if (!beside.empty() && !holds_tensors(beside)) return beside;
+  return text_or_binary(fields_path(path));
+}
+
+}  // namespace
+
+result<solution> fields_of_mesh(const fs::path& path, const mesh_file& read) {
+  const std::string name = path.string();
+  const bool is_medit = has_ending(name, ".mesh") || has_ending(name, ".meshb");
+  fs::path file;
+  if (is_medit) file = fields_beside(path);
+  if (has_ending(name, ".msh") || has_ending(name, ".msh2") || has_ending(name, ".vtu"))
+    file = path;
+  solution none;
+  none.vertices = read.content.sites.size();
+  return file.empty() ? none : read_fields(file, read.content, read.left_out);
+}
+
+}  // namespace asterism::internal

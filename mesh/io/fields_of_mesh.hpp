@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds the fields that a mesh comes with.
+#pragma once
+
+#include <filesystem>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/solution.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
+
+namespace asterism::internal {
+
+// Returns the fields at the vertices of a mesh that was read from this file: node data of a .msh,
+// point data of a .vtu, of a .mesh what NAME.sol beside it holds, if that is no metric, and
+// NAME.fields.sol. None is no failure.
+result<solution> fields_of_mesh(const std::filesystem::path& path, const mesh_file& read);
+
+}  // namespace asterism::internal

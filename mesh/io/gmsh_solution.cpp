@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/gmsh_solution.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using failure = std::optional<error>;
+
+class node_data_reader {
+ public:
+  node_data_reader(std::string_view text, const std::string& file) : source_(file, text) {}
+
+  failure read();
+  solution take() { return std::move(made_); }
+
+ private:
+  failure read_nodes();
+  failure read_block();
+  failure read_data(std::size_t line);
+  failure read_values(const std::string& name, std::size_t width);
+  failure skip_to(const std::string& end, std::size_t line);
+  failure add_node();
+  result<std::size_t> count(std::string_view what) {
+    return to_count(source_, source_.next(), what);
+  }
+  // Passes over so many words.
+  failure pass(std::size_t words) {
+    for (std::size_t i = 0; i < words; ++i)
+      if (source_.next().empty()) return source_.failure(source_.line(), "the file ends here");
+    return {};
+  }
+
+  text_scanner source_;
+  solution made_;
+  bool is_of_four_ = false;
+  std::unordered_map<long long, std::size_t> vertex_of_;
+};
+
+failure node_data_reader::read() {
+  for (word head = source_.next(); !head.empty(); head = source_.next()) {
+    const std::string name(head.text);
+    failure failed;
+    if (name == "$MeshFormat") {
+      is_of_four_ = source_.next().text.starts_with("4");
+      failed = skip_to("$EndMeshFormat", head.line);
+    } else if (name == "$Nodes") {
+      failed = read_nodes();
+    } else if (name == "$NodeData") {
+      failed = read_data(head.line);
+    } else if (name.starts_with("$")) {
+      failed = skip_to("$End" + name.substr(1), head.line);
+    }
+    if (failed) return failed;
+  }
+  made_.vertices = vertex_of_.size();
+  return {};
+}
+
+failure node_data_reader::skip_to(const std::string& end, std::size_t line) {
+  for (word w = source_.next(); !w.empty(); w = source_.next())
+    if (w.text == end) return {};
+  return source_.failure(line, end + " is missing");
+}
+
+failure node_data_reader::add_node() {
+  const word w = source_.next();
+  const auto tag = to_integer(source_, w, "tag of a node");
+  if (!tag) return tag.failure();
+  vertex_of_.emplace(tag.value(), vertex_of_.size());
+  return {};
+}
+
+// The tags alone are wanted here. Version 4 has them in blocks, before the places of each.
+failure node_data_reader::read_nodes() {
+  const std::size_t line = source_.line();
+  const auto first = count(is_of_four_ ? "number of blocks" : "number of nodes");
+  if (!first) return first.failure();
+  if (!is_of_four_) {
+    for (std::size_t i = 0; i < first.value(); ++i) {
+      if (auto failed = add_node()) return failed;
+      if (auto failed = pass(3)) return failed;
+    }
+    return skip_to("$EndNodes", line);
+  }
+  if (auto failed = pass(3)) return failed;
+  for (std::size_t i = 0; i < first.value(); ++i)
+    if (auto failed = read_block()) return failed;
+  return skip_to("$EndNodes", line);
+}
+
+failure node_data_reader::read_block() {
+  if (auto failed = pass(3)) return failed;
+  const auto nodes = count("number of nodes of a block");
+  if (!nodes) return nodes.failure();
+  for (std::size_t i = 0; i < nodes.value(); ++i)
+    if (auto failed = add_node()) return failed;
+  return pass(3 * nodes.value());
+}
+
+failure node_data_reader::read_data(std::size_t line) {
+  const auto strings = count("number of string tags");
+  if (!strings) return strings.failure();
+  std::string name;
+  for (std::size_t i = 0; i < strings.value(); ++i) {
+    const std::vector<word> tag = source_.next_line();
+    if (tag.empty()) return source_.failure(source_.line(), "a name in \" wanted");
+    if (i > 0) continue;
+    const char* const begin = tag[0].text.data();
+    name.assign(begin, tag.back().text.data() + tag.back().text.size());
+    if (name.size() > 1 && name.front() == '"' && name.back() == '"')
+      name = name.substr(1, name.size() - 2);
+  }
+  const auto reals = count("number of real tags");
+  if (!reals) return reals.failure();
+  if (auto failed = pass(reals.value())) return failed;
+  const auto integers = count("number of integer tags");
+  if (!integers) return integers.failure();
+  std::vector<std::size_t> tags;
+  for (std::size_t i = 0; i < integers.value(); ++i) {
+    const auto tag = count("integer tag");
+    if (!tag) return tag.failure();
+    tags.push_back(tag.value());
+  }
+  if (tags.size() < 3) return source_.failure(line, "node data have three integer tags");
+  const std::size_t width = tags[1];
+  const bool is_field = width == 1 || width == 3 || width == 9;
+  if (name == "metric" || !is_field) return skip_to("$EndNodeData", line);
+  if (tags[2] != vertex_of_.size())
+    return source_.failure(line, "node data " + quoted_token(name) + " of " +
+                                     std::to_string(tags[2]) + " nodes, and there are " +
+                                     std::to_string(vertex_of_.size()));
+  if (auto failed = read_values(name, width)) return failed;
+  return skip_to("$EndNodeData", line);
+}
+
+// Returns the numbers of a field of the plane; none where there is more of it.
+std::optional<std::vector<double>> in_plane(const std::array<double, 9>& x, std::size_t width) {
+  if (width == 1) return std::vector{x[0]};
+  if (width == 3) return x[2] == 0 ? std::optional(std::vector{x[0], x[1]}) : std::nullopt;
+  const bool is_plane = x[1] == x[3] && x[2] == 0 && x[5] == 0 && x[6] == 0 && x[7] == 0;
+  return is_plane ? std::optional(std::vector{x[0], x[1], x[4]}) : std::nullopt;
+}
+
+failure node_data_reader::read_values(const std::string& name, std::size_t width) {
+  const std::size_t kept = width == 1 ? 1 : width == 3 ? 2 : 3;
+  solution_field field{name, static_cast<field_kind>(kept),
+                       std::vector<double>(kept * vertex_of_.size())};
+  std::vector<char> seen(vertex_of_.size(), 0);
+  for (std::size_t i = 0; i < vertex_of_.size(); ++i) {
+    const word w = source_.next();
+    const auto tag = to_integer(source_, w, "node of node data");
+    if (!tag) return tag.failure();
+    const auto at = vertex_of_.find(tag.value());
+    if (at == vertex_of_.end() || std::exchange(seen[at->second], 1) != 0)
+      return source_.failure(w.line, "node " + quoted_token(w.text) +
+                                         " does not exist, or has a value of " +
+                                         quoted_token(name) + " already");
+    std::array<double, 9> numbers{};
+    for (std::size_t k = 0; k < width; ++k) {
+      const auto x = to_number(source_, source_.next(), "value of node data");
+      if (!x) return x.failure();
+      numbers[k] = x.value();
+    }
+    const auto values = in_plane(numbers, width);
+    if (!values) return {};
+    for (std::size_t k = 0; k < kept; ++k) field.values[kept * at->second + k] = (*values)[k];
+  }
+  for (solution_field& known : made_.fields)
+    if (known.name == name) {
+      known = std::move(field);
+      return {};
+    }
+  made_.fields.push_back(std::move(field));
+  return {};
+}
+
+}  // namespace
+
+result<solution> read_gmsh_solution(std::string_view text, const std::string& file) {
+  node_data_reader reader(text, file);
+  if (auto failed = reader.read()) return *failed;
+  return reader.take();
+}
+
+}  // namespace asterism::internal
