@@ -58,22 +58,22 @@ class Domain:
     def __init__(self, path):   # points, segments with their markers, hole and region points
         need_file(path.endswith(".poly"), f"{path}: only .poly files can be checked yet")
         rows = iter(rows_of(path))
-        count = int(next(rows)[0])
+        count, known, self.segments = int(next(rows)[0]), {}, []
         need_file(count > 0, f"{path}: vertices in another file cannot be checked yet")
-        points = [next(rows) for _ in range(count)]
-        first = int(points[0][0])
-        need_file([int(p[0]) - first for p in points] == list(range(count)), f"{path}: vertex numbers")
+        def take(count):        # rows whose numbers go up by one
+            taken = [next(rows) for _ in range(count)]
+            need_file(count >= 0 and all(int(row[0]) == int(taken[0][0]) + i for i, row in enumerate(taken)), path)
+            return taken
+        points, head = take(count), next(rows)
         # "A point that is repeated counts once"; `index` numbers each among those that count.
-        known, self.segments, head = {}, [], next(rows)
         index = [known.setdefault((number(p[1]), number(p[2])), len(known)) for p in points]
-        self.points = list(known)
-        for row in (next(rows) for _ in range(int(head[0]))):
+        self.points, first = list(known), int(points[0][0])
+        for row in take(int(head[0])):
             ends = int(row[1]) - first, int(row[2]) - first
             need_file(0 <= min(ends) and max(ends) < count, f"{path}: segment {row[0]}")
             marker = int(row[3]) if {"0": False, "1": True}[head[1]] else 0
             self.segments.append((index[ends[0]], index[ends[1]], marker))
-        holes = [next(rows) for _ in range(int(next(rows, ["0"])[0]))]
-        regions = [next(rows) for _ in range(int(next(rows, ["0"])[0]))]
+        holes, regions = [take(int(next(rows, ["0"])[0])) for _ in range(2)]
         need_file(next(rows, None) is None, f"{path}: curves cannot be checked yet")
         need_file(all(number(p[3]) == int(number(p[3])) for p in regions), f"{path}: regions")
         self.holes = [(number(p[1]), number(p[2])) for p in holes]
