@@ -138,11 +138,13 @@ class StarsTest(unittest.TestCase):
         for scene in ("stars", "figure-5-1", "ties"):
             self.open(scene)
             before, after = self.driver.execute_script("""
-                const { state, moveTo } = asterismStars, { set } = state;
-                for (let k = 0; k < 40; ++k) {
-                  const v = (7 * k + 5) % set.sites.length, [x, y] = set.sites[v];
-                  moveTo(v, x + 0.11 * Math.sin(k), y + 0.09 * Math.cos(3 * k));
-                  set.settle();
+                {
+                  const { state, moveTo } = asterismStars, { set } = state;
+                  for (let k = 0; k < 40; ++k) {
+                    const v = (7 * k + 5) % set.sites.length, [x, y] = set.sites[v];
+                    moveTo(v, x + 0.11 * Math.sin(k), y + 0.09 * Math.cos(3 * k));
+                    set.settle();
+                  }
                 }""" + RINGS)
             self.assertEqual(before, after, scene)
 
