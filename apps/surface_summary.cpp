@@ -5,12 +5,15 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "asterism/core/elementary.hpp"
 
 namespace asterism::apps {
 using namespace internal;
 namespace {
 
-double degrees_of(double tangent) { return std::atan(tangent) * 180 / std::acos(-1.0); }
+double degrees_of(double tangent) { return elementary::atan2(tangent, 1) * 180 / std::numbers::pi; }
 
 }  // namespace
 

@@ -16,8 +16,8 @@ bool has_edges_alone(const mesh_file& file);
 
 // Returns the domain that they bound, with their markers, as segments of a .poly file would:
 // vertices on no edge are vertices of it where they are inside. `name` is the file's. Notes are
-// those of its reader. Where the file names parts that the edges enclose, those have its numbers, and
-// the others are holes.
+// those of its reader. Where the file names parts that the edges enclose, those have its numbers,
+// and the others are holes.
 result<domain> domain_of_edges(mesh_file file, const std::string& name);
 
 }  // namespace asterism::internal

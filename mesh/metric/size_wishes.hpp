@@ -32,11 +32,13 @@ struct size_at {
   double radius = 0, size = 0, growth = usual_growth;
 };
 
+// In a box.
 struct size_in_box {
   bounding_box box;
   double size = 0, growth = usual_growth;
 };
 
+// In the region with this number.
 struct size_in_region {
   int region = 1;
   double size = 0, growth = usual_growth;

@@ -184,8 +184,9 @@ field_check check_field(const mesh& subject, const certificate& claim) {
   const auto field = is_adapted ? check_adaptation(subject, claim, check) : field_asked_for(claim);
   if (!field) {
     check.why_not = field.failure().message;
-    // A file may be gone, or another by now.
-    if (is_adapted || is_metric_on_mesh(claim.metric)) return check;
+    // A file may be gone, or another by now; what the certificate itself says stays readable.
+    const bool is_readable = wording_in(claim).ok();
+    if (is_readable && (is_adapted || is_metric_on_mesh(claim.metric))) return check;
     check.contradictions.push_back("\"asked.metric\" cannot be made again: " + check.why_not);
     return check;
   }

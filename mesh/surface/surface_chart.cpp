@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal {
 namespace {
 
@@ -40,12 +42,13 @@ std::optional<principal> principal_of(const plain_second_jet& j) {
   const double l11 = std::sqrt(g11), l21 = g12 / l11, l22 = area / l11;
   const double m11 = b11 / g11, m12 = (b12 - b11 * l21 / l11) / (l11 * l22),
                m22 = (b22 - 2 * b12 * l21 / l11 + b11 * (l21 / l11) * (l21 / l11)) / (l22 * l22);
-  const double mean = (m11 + m22) / 2, half = (m11 - m22) / 2, radius = std::hypot(half, m12);
+  const double mean = (m11 + m22) / 2, half = (m11 - m22) / 2,
+               radius = elementary::hypot(half, m12);
   double c = 1, s = 0;  // the eigenvector of mean + radius
   if (radius > 0) {
     c = half >= 0 ? radius + half : m12;
     s = half >= 0 ? m12 : radius - half;
-    const double size = std::hypot(c, s);
+    const double size = elementary::hypot(c, s);
     c = size > 0 ? c / size : 1, s = size > 0 ? s / size : 0;
   }
   principal p;

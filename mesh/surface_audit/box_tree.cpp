@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "asterism/core/elementary.hpp"
+
 namespace asterism::internal {
 
 void space_box::include(const space_box& other) {
@@ -17,7 +19,7 @@ void space_box::include(const space_box& other) {
 void space_box::include(const space_point& p) { include(of(p)); }
 
 double space_box::diagonal() const {
-  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  return elementary::hypot(elementary::hypot(high[0] - low[0], high[1] - low[1]), high[2] - low[2]);
 }
 
 double squared_distance(const space_box& box, const plain_vector& p) {

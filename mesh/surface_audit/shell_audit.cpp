@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/mesh/surface_audit/lifted_bounds.hpp"
 #include "asterism/mesh/surface_audit/shell_findings.hpp"
@@ -232,7 +234,7 @@ void measure_angles(const shell_view& view, shell_report& report) {
                          q = plain(m.points[t[(k + 2) % 3]]) - at;
       const plain_vector area = cross(p, q);
       const double angle =
-          std::atan2(std::sqrt(dot(area, area)), dot(p, q)) * 180 / std::acos(-1.0);
+          elementary::atan2(std::sqrt(dot(area, area)), dot(p, q)) * 180 / std::numbers::pi;
       report.least_angle_in_space = std::min(report.least_angle_in_space, angle);
     }
 }

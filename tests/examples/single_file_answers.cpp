@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Answers records of the batch protocol with the predicates of the single file: reads standard input.
+// Answers records of the batch protocol with the predicates of the single file: reads standard
+// input.
 #include <iostream>
 
 #include "asterism_predicates.h"
