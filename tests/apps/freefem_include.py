@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+"""Runs small FreeFEM scripts with asterism.idp in place of adaptmesh.
+freefem_include.py FREEFEM ASTERISM FOLDER   (FREEFEM empty: skipped; FOLDER has asterism.idp)"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+FREEFEM, ASTERISM = sys.argv[1:3]
+FOLDER = os.path.abspath(sys.argv[3])
+
+TWO_MATERIALS = """
+mesh Th = square(12, 12);
+Th = change(Th, fregion = 1 + (x > 0.5));
+fespace P2h(Th, P2);
+fespace P0h(Th, P0);
+P2h a = exp(-100 * (x - 0.3)^2);
+P0h b = y * y;
+asterismadapt(Th, [a, b], vertices = 700; ratio = 1.5; more = "--norm inf")
+cout << "GOT " << Th.nv << " " << int2d(Th, 1)(1.) << " " << int2d(Th, 2)(1.) << " " << int1d(Th, 3)(1.)
+     << endl;
+"""
+
+METRICS = """
+mesh Th = square(20, 20);
+fespace Vh(Th, P1);
+Vh h = 0.05;
+asterismadapt(Th, h, IsMetric = 1)
+cout << "GOT " << Th.nv << endl;
+Vh m11 = 400, m12 = 0, m22 = 100;
+asterismadapt(Th, [m11, m12, m22], IsMetric = true; thetamax = 20)
+cout << "GOT " << Th.nv << endl;
+"""
+
+LOOP = """
+mesh Th = square(16, 16), Tb = Th;
+fespace Vh(Th, P1);
+fespace Wh(Tb, P1);
+func wanted = 3 + tanh(10 * (x - y^2));
+Vh u = wanted;
+Wh w = wanted;
+for (int i = 0; i < 3; ++i) {
+  asterismadapt(Th, u, err = 0.004; abserror = 1; ratio = 0)
+  Tb = adaptmesh(Tb, w, err = 0.004, abserror = 1, ratio = 0);
+  u = wanted;
+  w = 0;
+  w = wanted;
+}
+cout << "GOT " << Th.nv << " " << Tb.nv << endl;
+"""
+
+
+def run(body):
+    with tempfile.TemporaryDirectory(prefix="asterism-idp-") as folder:
+        with open(os.path.join(folder, "script.edp"), "w", encoding="ascii") as file:
+            file.write('include "asterism.idp"\n' + body)
+        done = subprocess.run([FREEFEM, "-v", "0", "-nw", "script.edp"], cwd=folder, text=True,
+                              capture_output=True, timeout=200, check=False,
+                              env={**os.environ, "ASTERISM": ASTERISM, "FF_INCLUDEPATH": FOLDER})
+        numbers = [[float(word) for word in line.split()]
+                   for line in re.findall(r"GOT (.*)", done.stdout)]
+        return done.returncode, numbers, done.stdout + done.stderr, os.listdir(folder)
+
+
+def call(field, options):
+    return run(f"mesh Th = square(5, 5);\nreal err = 0.1;\nasterismadapt(Th, {field}, {options})\n"
+               'cout << "GOT " << Th.nv << endl;\n')
+
+
+class IncludeTest(unittest.TestCase):
+    def test_p2_and_p0_on_two_materials(self):
+        status, numbers, text, files = run(TWO_MATERIALS)
+        self.assertEqual(status, 0, text)
+        vertices, left, right, top = numbers[0]
+        self.assertLess(abs(vertices / 700 - 1), 0.1)
+        self.assertAlmostEqual(left, 0.5, 12)
+        self.assertAlmostEqual(right, 0.5, 12)
+        self.assertAlmostEqual(top, 1, 12)
+        self.assertEqual(files, ["script.edp"])
+
+    def test_sizes_and_tensors(self):
+        """A mesh of unit edges has 1.155 times its metric's area of vertices, and half its boundary's."""
+        status, numbers, text, _ = run(METRICS)
+        self.assertEqual(status, 0, text)
+        self.assertLess(abs(numbers[0][0] / (1.155 * 400 + 40) - 1), 0.15)
+        self.assertLess(abs(numbers[1][0] / (1.155 * 200 + 30) - 1), 0.15)
+
+    def test_err_means_what_it_does_to_adaptmesh(self):
+        status, numbers, text, _ = run(LOOP)
+        self.assertEqual(status, 0, text)
+        ours, theirs = numbers[0]
+        self.assertLess(abs(ours / theirs - 1), 0.25, text)
+
+    def test_failure_stops_the_script_with_the_message_of_the_command(self):
+        status, numbers, text, _ = call("x * x", "hmin = 1; hmax = 0.1")
+        self.assertEqual((status, numbers), (2, []), text)
+        self.assertIn("--hmin 1 is not less than --hmax 0.1", text)
+
+    def test_a_variable_with_the_name_of_an_option_is_refused(self):
+        status, numbers, text, _ = call("x * x", "err = err")
+        self.assertEqual((status, numbers), (2, []), text)
+        self.assertIn("err has no value in 'err = err'", text.replace("' err", "'err"))
+
+    def test_options_without_counterpart(self):
+        status, numbers, text, _ = call("[x * x, y]", "omega = 1.8")
+        self.assertEqual((status, len(numbers)), (0, 1), text)
+        self.assertIn("omega has no counterpart and is passed over", text)
+        status, numbers, text, _ = call("x * x", "splitin2 = 1")
+        self.assertEqual((status, numbers), (2, []), text)
+
+    def test_two_fields_are_no_metric(self):
+        status, _, text, _ = call("[x, y]", "IsMetric = 1")
+        self.assertEqual(status, 2, text)
+        self.assertIn("not 2 fields", text)
+
+
+if __name__ == "__main__":
+    if not FREEFEM or "NOTFOUND" in FREEFEM:
+        print("skipped: FreeFem++ is not installed")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1])
