@@ -158,7 +158,7 @@ class MetricTest(AdaptationTest):
                      sentence="m.sol: one symmetric tensor a vertex is a metric")
 
     def test_solution_is_no_metric(self):
-        self.refused("metric", "g.mesh", "--metric", "u.sol", "-o", "n.mesh", sentence="'1 3' wanted")
+        self.refused("metric", "g.mesh", "--metric", "u.sol", "-o", "n.mesh", sentence="a size is a positive length, not '-")
 
     def test_no_file_is_used_twice(self):
         self.refused("metric", "g.mesh", "--solution", "u.sol", "-o", "u.mesh",

@@ -202,7 +202,8 @@ TEST_CASE("malformed .sol files are refused with file, line and token") {
   const std::vector<std::array<std::string, 3>> cases = {{
       {header, "3", "there is no section SolAtVertices"},
       {header + "SolAtVertices\n2\n1 3\n", "4", "2 tensors for 3 vertices"},
-      {header + "SolAtVertices\n3\n1 1\n1 1 1\n", "5", "'1 3' wanted"},
+      {header + "SolAtVertices\n3\n1 2\n1 1 1 1 1 1\n", "5", "'1 3'"},
+      {header + "SolAtVertices\n3\n1 1\n1 -1 1\n", "6", "a size is a positive length, not '-1'"},
       {header + "SolAtVertices\n3\n1 3\n1 0 1\n1 0 1\n1 0\n", "9", "the file ends here"},
       {header + "SolAtVertices\n3\n1 3\n1 0 1\n1 0 inf\n1 0 1\n", "7", "'inf' is not finite"},
       {header + "SolAtTriangles\n1\n1 1\n5\n", "3", "'SolAtTriangles' where"},
