@@ -53,8 +53,8 @@ int run(int argc, char** argv) {
     program.parse(argc, argv);
     if (!chosen)
       throw CLI::RequiredError(
-          "a command (mesh, adapt, metric, transfer, verify, certify, eval, challenge, surface, "
-          "deviation, convert, draw, info, completion or man)");
+          "a command (mesh, adapt, metric, transfer, verify, certify, check, eval, challenge, "
+          "surface, deviation, convert, draw, info, completion or man)");
   } catch (const CLI::CallForHelp&) {
     std::cout << wrapped(program.help(), help_columns());
     return done;
