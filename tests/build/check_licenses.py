@@ -4,11 +4,11 @@ the GPL and would bind those who embed it."""
 import sources
 
 OWN = "SPDX-License-Identifier: MIT"
-FOLDERS = sources.FOLDERS + ["tests", "bench", "examples", "scripts", "docs"]
+FOLDERS = sources.FOLDERS + ["tests", "bench", "examples", "scripts", "docs", "formal"]
 
 
 def own_licence_problems(top):
-    for path in sources.files(top, FOLDERS, sources.CODE | {".py", ".sh"}):
+    for path in sources.files(top, FOLDERS, sources.CODE | {".py", ".sh", ".v"}):
         head = (top / path).read_text(encoding="utf-8").splitlines()[:2]
         lines = head if path.suffix in {".py", ".sh"} else head[:1]  # a script may start with #!
         if not any(OWN in line for line in lines):
