@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/numerics/metric_bounds.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
@@ -280,7 +281,7 @@ result<solution_metric> metric_maker::run() {
     if (is_finite && kernel.is_positive_definite(m)) continue;
     return error{fmt::format("vertex {}: the metric made is {} {} {}, not finite and positive "
                              "definite",
-                             v + 1, m.m11, m.m12, m.m22),
+                             v + 1, number_text(m.m11), number_text(m.m12), number_text(m.m22)),
                  error_code::invalid_metric};
   }
   return solution_metric{std::move(made_), std::move(report_)};

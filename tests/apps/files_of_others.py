@@ -462,7 +462,7 @@ class NewFormatsTest(ReaderTest):
         made, notes = self.mesh("m.2dm", sms())
         self.assertEqual(self.regions(made), {3: 1, 4: 1})
         self.assertTrue(any("heights" in n for n in notes), notes)
-        self.assertIn('"string 2"', (self.folder / "out.msh").read_text())
+        self.assertIn('1 2 "marker 2"', (self.folder / "out.msh").read_text())
         made, notes = self.mesh("n.2dm", sms(QUADRILATERALS))
         self.assertEqual(self.regions(made), {3: 1, 4: 1})
         self.expect_refusal("o.2dm", sms().replace("ND 6", "ND 5"), "o.2dm:13:", "twice")
