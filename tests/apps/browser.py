@@ -52,6 +52,45 @@ def click_middle(driver):
     ActionChains(driver).move_to_element_with_offset(driver.find_element("id", "canvas"), 31, 17).click().perform()
 
 
+def hover_middle(driver):
+    ActionChains(driver).move_to_element_with_offset(driver.find_element("id", "canvas"), 31, 17).perform()
+
+
+def resize(driver, width=0, height=0):
+    """The page as on a screen of this size; without one as it was."""
+    if width == 0:
+        driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    else:
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                               {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+
+
+def touch(driver, steps):
+    """Fingers at the places of each step in turn, in pixels of the window, then lifted."""
+    driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 5})
+    for i, places in enumerate(steps):
+        points = [{"x": x, "y": y, "id": finger} for finger, (x, y) in enumerate(places)]
+        driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": "touchMove" if i else "touchStart", "touchPoints": points})
+    driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    driver.execute_async_script("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")
+    driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
+
+
+def broken_words(driver):
+    """Words and numbers of tables that run over more than one line. Fingerprints may."""
+    return driver.execute_script("""
+        const wrong = [], range = document.createRange();
+        for (const cell of document.querySelectorAll("td:not(.hash), th")) {
+          if (cell.offsetParent === null) continue;
+          for (const word of cell.textContent.matchAll(/\\S+/g)) {
+            range.setStart(cell.firstChild, word.index);
+            range.setEnd(cell.firstChild, word.index + word[0].length);
+            if (range.getClientRects().length > 1) wrong.push(word[0]);
+          }
+        }
+        return wrong;""")
+
+
 def colours_of_canvas(driver):
     """How many pixels of a grid have each colour, as the graphics card drew them."""
     return driver.execute_script("""

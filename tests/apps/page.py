@@ -53,7 +53,11 @@ class PageTest(CommandTest):
         self.assertIn("asterism verify a.mesh --certificate a.certificate.json", self.text("again"))
         self.assertEqual(self.ask("asterism.claim"), claim)
         asked = self.text("asked")
-        self.assertIn(f"{claim['audit']['worst_angle']:.12g}"[:12], asked)
+        whole = [cell.get_attribute("title") for cell in self.driver.find_elements("css selector", "#asked td")]
+        self.assertIn(f"{claim['audit']['worst_angle']:.12g}"[:12], [text[:12] for text in whole])
+        shown = float(asked.split("Least angle")[1].split("degrees")[1])
+        self.assertLessEqual(shown, claim["audit"]["worst_angle"])
+        self.assertGreater(shown, claim["audit"]["worst_angle"] - 1e-4)
         self.assertIn("degrees, the same", asked)
         self.assertAlmostEqual(self.ask("asterism.mesh.angles.worst.degrees"), claim["audit"]["worst_angle"], 9)
         lengths = self.ask("[asterism.mesh.lengths.edges, asterism.mesh.lengths.unit]")
@@ -136,6 +140,56 @@ class PageTest(CommandTest):
         browser.repaint(self.driver)
         self.assertEqual(found, browser.colours_of_canvas(self.driver))
 
+    def on_a_screen(self, width, height):
+        browser.resize(self.driver, width, height)
+        self.addCleanup(browser.resize, self.driver)
+        self.open("a.html")
+
+    def test_two_fingers_zoom_and_one_scrolls_the_page(self):
+        self.make()
+        self.on_a_screen(390, 844)
+        camera = "[asterism.stage.camera.scale, asterism.stage.camera.x, asterism.stage.camera.y]"
+        before = self.ask(camera)
+        browser.touch(self.driver, [[(150, 400), (250, 400)], [(130, 400), (270, 400)], [(100, 400), (300, 400)]])
+        after = self.ask(camera)
+        self.assertAlmostEqual(after[0], 2 * before[0], 6)
+        self.assertEqual(self.ask("scrollY"), 0)
+        browser.touch(self.driver, [[(150, 400), (250, 400)], [(170, 380), (270, 380)], [(190, 360), (290, 360)]])
+        moved = self.ask(camera)
+        self.assertAlmostEqual(moved[0], after[0], 6)
+        self.assertAlmostEqual(moved[1], after[1] - 40 / after[0], 6)
+        self.assertAlmostEqual(moved[2], after[2] - 40 / after[0], 6)
+        self.assertEqual(self.ask("scrollY"), 0)
+        self.assertEqual(self.text("chosen"), "None chosen.")
+        browser.touch(self.driver, [[(200, 400)]])
+        self.assertIn("least angle", self.text("chosen"))
+        browser.touch(self.driver, [[(200, y)] for y in range(500, 200, -20)])
+        self.assertGreater(self.ask("scrollY"), 100)
+        self.assertEqual(self.ask(camera), moved)
+
+    def test_ellipses_are_as_large_as_their_distance_allows(self):
+        self.make()
+        self.open("a.html")
+        canvas_width = self.ask("asterism.stage.camera.width")
+        for _ in range(8):
+            self.assertGreater(self.ask("asterism.stage.ellipses"), 0)
+            longest, gap = self.ask("[asterism.stage.longestEllipse, asterism.stage.ellipseGap]")
+            self.assertLessEqual(longest, 0.601 * gap)
+            self.assertGreater(longest, 0.2 * gap)
+            self.assertGreaterEqual(gap, canvas_width / 18)
+            self.ask("asterism.stage.camera.zoom(1.7), asterism.stage.paint()")
+
+    def test_the_mouse_is_told_what_it_is_over_and_how_long_things_are(self):
+        self.make()
+        self.open("a.html")
+        browser.hover_middle(self.driver)
+        hover = self.driver.execute_async_script(
+            "requestAnimationFrame(() => requestAnimationFrame(() => arguments[0](document.getElementById('hover').innerText)))")
+        self.assertRegex(hover, r"Triangle \d+\nangles [\d.]+° to [\d.]+°\nlength over width [\d.]+\nat ")
+        length, pixels = self.ask("[Number(document.getElementById('scale').textContent),"
+                                  " parseFloat(document.getElementById('scale').style.width)]")
+        self.assertAlmostEqual(length * self.ask("asterism.stage.camera.scale"), pixels, 3)
+
     def test_without_webgl_a_plain_canvas_draws(self):
         self.make()
         without = ("const kind = HTMLCanvasElement.prototype, get = kind.getContext;"
@@ -192,8 +246,14 @@ class PageTest(CommandTest):
         self.assertEqual([f for f in self.files() if f.startswith("bad.")], ["bad.html", "bad.mesh", "bad.sol"])
         self.open("bad.html")
         self.assertTrue(self.text("verdict").startswith("NOT certified"))
-        self.assertIn("Findings", self.text("places"))
-        self.assertIn("triangle 1 ", self.text("places"))
+        places = self.text("places")
+        self.assertIn("Findings: triangles that turn clockwise or are flat (1)", places)
+        self.assertIn("Triangle 1 of vertex", places)
+        self.assertLess(places.index("turn clockwise"), places.index("Findings that may follow from those"))
+        self.assertNotRegex(places + self.text("asked"), r"\w_\w")
+        self.assertIn("1 triangles that turn clockwise or are flat", self.text("verdict"))
+        self.assertEqual(self.ask("asterism.mesh.count - [...Array(asterism.mesh.count).keys()]"
+                                  ".filter((t) => asterism.stage.mode.of(t) === 0).length"), 1)
         self.open("bad.html", "#triangle=1")
         self.assertIn("Witnesses:", self.text("chosen"))
 

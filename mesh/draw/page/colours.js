@@ -8,6 +8,8 @@ const ramp = (stops) => (s) => {
 };
 // From red through yellow to blue, told apart by those who see red and green alike: dark, light, dark.
 const badToGood = ramp([[165, 0, 38], [215, 90, 60], [253, 190, 110], [255, 250, 200], [171, 217, 233], [90, 150, 200], [49, 70, 149]]);
+// The same from the bound on, where nothing is bad: red is left to what is below.
+const boundToGood = ramp([[253, 190, 110], [255, 250, 200], [171, 217, 233], [90, 150, 200], [49, 70, 149]]), belowBound = [185, 0, 45];
 const lightToDark = ramp([[250, 247, 235], [220, 225, 170], [120, 190, 160], [50, 130, 150], [40, 70, 120], [30, 20, 70]]);
 const distinct = [[102, 166, 214], [244, 165, 96], [120, 190, 120], [220, 120, 140], [170, 150, 210], [200, 180, 90],
                   [100, 190, 190], [210, 140, 200], [150, 170, 110], [190, 150, 130]];
@@ -56,17 +58,50 @@ function disagreementMode(mesh) {
   return namedMode("who disagrees", names, (t) => t >= mesh.agreeing ? 2 : refused[t]);
 }
 
+// Least angles from the bound upwards, those below it in a colour of their own; from the worst without a bound.
+function angleMode(mesh, bound) {
+  const { least, worst } = mesh.angles, name = "least angle (degrees)";
+  if (bound === null || !(bound < 60)) return continuousMode(name, (t) => least[t], Math.min(59, Math.max(0, worst.degrees)), 60, badToGood);
+  const below = least.reduce((n, x) => n + (x < bound), 0), scale = continuousMode(name, (t) => least[t], bound, 60, boundToGood);
+  return {
+    ...scale,
+    colour: (i) => (i === 0 ? belowBound : boundToGood((i - 1) / 254)),
+    of: (t) => (least[t] < bound ? 0 : 1 + Math.round(scale.of(t) * 254 / 255)),
+    legend: { low: `${short(bound)}, the bound`, high: "60", mark: true, names: [[below === 0 ? "below it: none" : `below it: ${below.toLocaleString("en-US")}`, belowBound]] },
+  };
+}
+
+// A mode whose values are the logarithm of what it shows, computed when it is chosen.
+function logarithmicMode(mesh, name, of) {
+  const values = new Float32Array(mesh.count);
+  let low = Infinity;
+  for (let t = 0; t < mesh.count; ++t) low = Math.min(low, values[t] = Math.log10(of(t)));
+  const high = Math.max(low + 0.1, upperEnd(values));
+  return continuousMode(name, (t) => values[t], low, high, lightToDark, (x) => short(10 ** x));
+}
+
+function findingMode(mesh, named) {
+  return namedMode("findings", [["no finding names it", [190, 205, 220]], ["a finding names it", belowBound]], (t) => (named.has(t) ? 1 : 0));
+}
+
+// The mode to begin with shows where the fault lies; of a mesh without one the metric's shapes, or if they are all
+// round its sizes, or if these are all alike the angles.
+function firstMode(mesh, modes, named) {
+  if (named.size > 0) return modes.length - 1;
+  const some = Math.max(1, Math.floor(mesh.count / 2000)), aspects = [], sizes = [];
+  for (let t = 0; t < mesh.count; t += some) {
+    aspects.push(triangleAspect(mesh, t));
+    sizes.push(triangleSize(mesh, t));
+  }
+  const at = (values, s) => values.sort((a, b) => a - b)[Math.floor((values.length - 1) * s)] ?? 1;
+  return at(aspects, 0.9) > 4 ? 1 : at(sizes, 0.95) > 3 * at(sizes, 0.05) ? 2 : 0;
+}
+
 // Every mode that the mesh has something to say in; what is costly is computed when it is chosen.
-function makeModes(mesh, bound) {
-  const { least } = mesh.angles;
-  const modes = [continuousMode("worst angle (degrees)", (t) => least[t], 0, 60, badToGood)];
-  modes.push(() => {
-    const values = new Float32Array(mesh.count);
-    for (let t = 0; t < mesh.count; ++t) values[t] = Math.log10(triangleAspect(mesh, t));
-    return continuousMode("aspect: length over width", (t) => values[t], 0, Math.max(0.1, upperEnd(values)),
-                          lightToDark, (x) => short(10 ** x));
-  });
-  modes[1].label = "aspect: length over width";
+function makeModes(mesh, bound, claim) {
+  const { least } = mesh.angles, modes = [angleMode(mesh, bound)];
+  for (const [label, of] of [["aspect: length over width", triangleAspect], ["size: root of the area", triangleSize]])
+    modes.push(Object.assign(() => logarithmicMode(mesh, label, (t) => of(mesh, t)), { label }));
   if (mesh.regions.length > 0) modes.push(regionMode(mesh));
   if (mesh.distances.length > 0) {
     const values = new Float32Array(mesh.count);
@@ -81,5 +116,7 @@ function makeModes(mesh, bound) {
     modes.push(namedMode(`below the bound of ${bound} degrees`,
                          [["at the bound or above", [150, 185, 215]], ["below, as one of its vertices measures it", [200, 40, 40]]],
                          (t) => least[t] < bound ? 1 : 0));
-  return modes;
+  const named = claim === null || claim.audit.certified ? new Set() : trianglesWithFindings(claim.audit);
+  if (named.size > 0) modes.push(findingMode(mesh, named));
+  return Object.assign(modes, { first: firstMode(mesh, modes, named) });
 }

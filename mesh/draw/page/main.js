@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts the page together and answers mouse, fingers and keys.
+// Puts the page together and answers keys and buttons.
 
 function readMesh(facts, arrays) {
   const mesh = {
@@ -9,35 +9,6 @@ function readMesh(facts, arrays) {
   };
   mesh.angles = measureAngles(mesh);
   return mesh;
-}
-
-function addPointer(stage, canvas, chooseAt) {
-  let held = null, moved = 0;
-  canvas.addEventListener("pointerdown", (event) => {
-    held = { x: event.clientX, y: event.clientY };
-    moved = 0;
-    canvas.setPointerCapture(event.pointerId);
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    if (held === null) return;
-    const x = event.clientX - held.x, y = event.clientY - held.y;
-    moved += Math.abs(x) + Math.abs(y);
-    held = { x: event.clientX, y: event.clientY };
-    stage.camera.move(x, y);
-    stage.moved();
-  });
-  canvas.addEventListener("pointerup", (event) => {
-    const { left, top } = element("stage").getBoundingClientRect();
-    if (held !== null && moved < 4) chooseAt(event.clientX - left, event.clientY - top);
-    held = null;
-  });
-  canvas.addEventListener("pointercancel", () => { held = null; });
-  canvas.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    const { left, top } = element("stage").getBoundingClientRect();
-    stage.camera.zoom(Math.exp(-event.deltaY / 400), event.clientX - left, event.clientY - top);
-    stage.moved();
-  }, { passive: false });
 }
 
 function addKeys(stage, canvas, actions) {
@@ -81,6 +52,7 @@ function makeActions(stage, mesh, told) {
   const { facts, claim, bound } = told;
   let all = [], at = -1;
   const actions = {
+    hover: makeHover(stage, mesh, bound),
     lists: (lists) => { all = lists.flatMap(({ items }) => items).filter((i) => i.triangle !== undefined || i.vertex !== undefined); },
     choose(item) {
       const there = item !== null && (item.triangle < mesh.count || item.vertex < mesh.vertices);
@@ -106,16 +78,18 @@ function makeActions(stage, mesh, told) {
   return actions;
 }
 
-function addModes(stage, mesh, bound) {
-  const modes = makeModes(mesh, bound), choice = element("mode");
+function addModes(stage, mesh, bound, claim) {
+  const modes = makeModes(mesh, bound, claim), choice = element("mode");
   modes.forEach((mode, i) => choice.append(make("option", { value: i }, typeof mode === "function" ? mode.label : mode.name)));
   const show = () => {
     const i = Number(choice.value);
     if (typeof modes[i] === "function") modes[i] = modes[i]();
+    stage.mode = modes[i];
     stage.view.setMode(modes[i]);
     showLegend(modes[i]);
     stage.changed();
   };
+  choice.value = modes.first;
   choice.addEventListener("change", show);
   show();
 }
@@ -132,11 +106,12 @@ function addControls(stage, mesh, actions) {
     const t = Number(element("number").value) - 1;
     if (t >= 0 && t < mesh.count) actions.go({ triangle: t });
   });
-  on("theme", () => {
-    const root = document.documentElement, dark = matchMedia("(prefers-color-scheme: dark)").matches;
-    root.dataset.theme = (root.dataset.theme ?? (dark ? "dark" : "light")) === "dark" ? "light" : "dark";
-  }, stage.changed);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", stage.changed);
+  const system = matchMedia("(prefers-color-scheme: dark)"), root = document.documentElement;
+  const other = () => ((root.dataset.theme ?? (system.matches ? "dark" : "light")) === "dark" ? "light" : "dark");
+  const name = () => { element("theme").textContent = other() === "dark" ? "Dark" : "Light"; };
+  on("theme", () => { root.dataset.theme = other(); name(); }, stage.changed);
+  system.addEventListener("change", () => { name(); stage.changed(); });
+  name();
   new ResizeObserver(stage.resize).observe(element("stage"));
   addEventListener("hashchange", () => { const item = itemOfAddress(mesh); if (item) actions.go(item); });
 }
@@ -151,12 +126,12 @@ async function start() {
   const actions = makeActions(stage, mesh, { facts, claim, bound });
   element("canvas").setAttribute("aria-label", `The mesh: ${plural(mesh.vertices, "vertex", "vertices")}, ${plural(mesh.count, "triangle")}.`);
   element("number").max = mesh.count;
-  addModes(stage, mesh, bound);
+  addModes(stage, mesh, bound, facts.is_of_this_mesh ? claim : null);
   stage.resize();
   stage.camera.fit();
   stage.paint();  // the first one makes the shaders ready
   stage.paint();
-  addPointer(stage, element("canvas"), actions.chooseAt);
+  addPointers(stage, element("canvas"), actions);
   addKeys(stage, element("canvas"), actions);
   addControls(stage, mesh, actions);
   showAsked(facts, claim, mesh);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is drawn above the mesh: the chosen triangle, places, ellipses.
 
-const mostEllipses = 400;
+const mostEllipses = 2000;  // vertices in sight beyond which none has its circle drawn
 
 // Colours that are seen on all those of the mesh, whether the page is dark or light.
 const markInk = "#111111", markHalo = "#ffffff", markEllipse = "#8a0057", markPlace = "#c00020";
@@ -16,22 +16,50 @@ function strokeWithHalo(context, ink, width) {
   context.stroke();
 }
 
-// The unit circle of each vertex at a quarter of its size, so that those of neighbours stay apart: an
-// edge of length 1 crosses both for a quarter of its way.
-function drawEllipses(context, camera, mesh, places) {
-  const vertices = verticesIn(mesh, places, camera.sight(), mostEllipses);
-  if (vertices === null) return 0;
-  context.strokeStyle = markEllipse;
-  context.lineWidth = 1.5;
-  for (const v of vertices) {
-    const circle = unitCircle(mesh.metrics, v), at = camera.toPage(mesh.positions[2 * v], mesh.positions[2 * v + 1]);
-    const long = circle.longest * camera.scale / 4, flat = circle.shortest * camera.scale / 4;
-    if (!Number.isFinite(long) || long > 1e6) continue;
-    context.beginPath();
-    context.ellipse(at.x, at.y, long, Math.max(flat, 0.3), -circle.angle, 0, 2 * Math.PI);
-    context.stroke();
+// Vertices at least `distance` pixels apart, those of lower number first.
+function verticesApart(vertices, camera, mesh, distance) {
+  const chosen = [], squares = new Map(), square = (x) => Math.floor(x / distance);
+  for (const v of vertices.sort((a, b) => a - b)) {
+    const at = camera.toPage(mesh.positions[2 * v], mesh.positions[2 * v + 1]), column = square(at.x), row = square(at.y);
+    let free = true;
+    for (let i = column - 1; i <= column + 1; ++i)
+      for (let j = row - 1; j <= row + 1; ++j)
+        for (const q of squares.get(`${i} ${j}`) ?? []) free &&= Math.hypot(q.x - at.x, q.y - at.y) >= distance;
+    if (!free) continue;
+    const key = `${column} ${row}`;
+    squares.set(key, [...(squares.get(key) ?? []), at]);
+    chosen.push({ v, at, circle: unitCircle(mesh.metrics, v) });
   }
-  return vertices.length;
+  return chosen.filter(({ circle }) => Number.isFinite(circle.longest));
+}
+
+// The pixels between the two nearest of some vertices.
+function leastGap(chosen) {
+  let least = Infinity;
+  chosen.forEach(({ at }, i) => {
+    for (let j = 0; j < i; ++j) least = Math.min(least, Math.hypot(at.x - chosen[j].at.x, at.y - chosen[j].at.y));
+  });
+  return least;
+}
+
+// Unit circles in sight, all in one scale, of which the longest just stays apart from its neighbours, as in
+// pictures (-o NAME.png). The scale goes in steps of 1, 2, 5, so that it stays while the view moves. Returns the
+// number of circles, their scale, and in pixels the longest semi-axis and the gap between neighbours.
+function drawEllipses(context, camera, mesh, places) {
+  const vertices = verticesIn(mesh, places, camera.sight(), mostEllipses), none = { number: 0, scale: 0, longest: 0, gap: 0 };
+  if (vertices === null) return none;
+  const distance = Math.max(24, camera.width / 18), chosen = verticesApart(vertices, camera, mesh, distance);
+  const longest = Math.max(...chosen.map(({ circle }) => circle.longest));
+  if (!(longest > 0)) return none;
+  const gap = Math.min(Math.max(distance, leastGap(chosen)), camera.width / 4);
+  const scale = roundBelow(0.6 * gap / longest / camera.scale);
+  for (const { at, circle } of chosen) {
+    context.beginPath();
+    context.ellipse(at.x, at.y, circle.longest * scale * camera.scale, Math.max(circle.shortest * scale * camera.scale, 0.4),
+                    -circle.angle, 0, 2 * Math.PI);
+    strokeWithHalo(context, markEllipse, 1.5);
+  }
+  return { number: chosen.length, scale, longest: longest * scale * camera.scale, gap };
 }
 
 function drawChosen(context, camera, mesh, t) {

@@ -92,6 +92,12 @@ function triangleAspect(mesh, t) {
   return longest * longest / Math.abs(twice);
 }
 
+// Root of the area of the triangle as it lies in the plane.
+function triangleSize(mesh, t) {
+  const { positions: p, triangles } = mesh, [a, b, c] = [0, 1, 2].map((i) => 2 * triangles[3 * t + i]);
+  return Math.sqrt(Math.abs(differenceOfProducts(p[b] - p[a], p[c + 1] - p[a + 1], p[b + 1] - p[a + 1], p[c] - p[a])) / 2);
+}
+
 // The least of the nine angles of each triangle, the counts of all of them by degree, and the worst.
 function measureAngles(mesh) {
   const least = new Float32Array(mesh.count), bins = new Float64Array(180);

@@ -20,7 +20,12 @@ function table(heads, rows, caption) {
 }
 
 const full = (x) => (x === null || x === undefined ? "none" : typeof x === "number" ? String(Number(x.toPrecision(12))) : String(x));
+// Cut, not rounded, so that an angle below a bound never reads as the bound.
+const angleText = (x, digits = 4) => String(Number((Math.floor(x * 10 ** digits) / 10 ** digits).toFixed(digits)));
+const angleCell = (x, kind = "") => x === null || x === undefined ? "none" : { text: `${angleText(x)} degrees`, title: full(x), kind };
 const angle = (x) => (x === null || x === undefined ? "none" : `${Number(x).toFixed(2)} degrees`);
+// To three digits, never less than it is.
+const upward = (x) => { const [digits, power] = x.toExponential(2).split("e"), up = Number(`${digits}e${power}`); return short(up >= x ? up : Number(`${(Number(digits) + 0.01).toFixed(2)}e${power}`)); };
 const count = (n) => Number(n).toLocaleString("en-US");
 const plural = (n, one, many = `${one}s`) => `${count(n)} ${n === 1 ? one : many}`;
 
@@ -38,7 +43,8 @@ function verdictOf(facts, claim) {
     return ["Certified", "good", `${bound}, ${where}: ${outcome.reason}.`];
   if (audit.certified && delivered)
     return ["Certified in the metric delivered, NOT complete", "open", `${bound}, ${where}: ${outcome.reason}.`];
-  return ["NOT certified", "bad", `${outcome.reason}.`];
+  const first = groupFindings(audit).filter(({ follows }) => !follows)[0];
+  return ["NOT certified", "bad", `${outcome.reason}${first ? `; first of all, ${first.number} ${first.words}` : ""}.`];
 }
 
 function showVerdict(facts, claim) {
@@ -60,24 +66,24 @@ function askedRows(facts, claim, mesh) {
   const { asked, outcome, audit, measured } = claim, options = asked.options;
   const least = Math.min(...[audit.worst_angle, audit.worst_collateral_angle, audit.worst_exempt_angle].map((x) => x ?? 180));
   const same = Math.abs(least - mesh.angles.worst.degrees) < 1e-6;
-  const rows = [["Least angle", asked.angle_bound === null ? "none" : `${full(asked.angle_bound)} degrees`, full(audit.worst_angle) + " degrees", ""]];
-  if (audit.worst_exempt_angle !== null) rows.push(["of exempt corners", "", full(audit.worst_exempt_angle) + " degrees"]);
-  if (audit.worst_collateral_angle !== null) rows.push(["of collateral triangles", "", full(audit.worst_collateral_angle) + " degrees"]);
+  const rows = [["Least angle", asked.angle_bound === null ? "none" : `${full(asked.angle_bound)} degrees`, angleCell(audit.worst_angle)]];
+  if (audit.worst_exempt_angle !== null) rows.push(["of exempt corners", "", angleCell(audit.worst_exempt_angle)]);
+  if (audit.worst_collateral_angle !== null) rows.push(["of collateral triangles", "", angleCell(audit.worst_collateral_angle)]);
   if (audit.angles_checked)
-    rows.push(["Least of all, measured by this page", "", { text: `${full(mesh.angles.worst.degrees)} degrees, ${same ? "the same" : "NOT the same"}`, kind: same ? "good" : "bad" }]);
+    rows.push(["Least of all, measured by this page", "", { text: `${angleText(mesh.angles.worst.degrees)} degrees, ${same ? "the same" : "NOT the same"}`, title: full(mesh.angles.worst.degrees), kind: same ? "" : "bad" }]);
   const delivered = options["size-delivered"];
   rows.push(["Size", options.size ?? "none", delivered && delivered !== options.size ? delivered : options.size && options.size !== "none" ? "as asked" : "not asked for"]);
   rows.push(["Vertices", options["max-sites"] ? `at most ${count(options["max-sites"])}` : "", count(claim.mesh.vertices)]);
   rows.push(["Triangles", "", count(claim.mesh.triangles)]);
   if (outcome.delivered)
-    rows.push(["Complexity", full(outcome.delivered.complexity_wanted), full(outcome.delivered.complexity_delivered)]);
-  else if (measured.metric_area !== undefined) rows.push(["Complexity", "", full(measured.metric_area)]);
+    rows.push(["Complexity", short(outcome.delivered.complexity_wanted), short(outcome.delivered.complexity_delivered)]);
+  else if (measured.metric_area !== undefined) rows.push(["Complexity", "", short(measured.metric_area)]);
   rows.push(metricRow(claim));
-  if (measured.unit_edges !== undefined) rows.push(["Edges of length 0.71 to 1.41", "", `${short(100 * measured.unit_edges)} %`]);
-  rows.push(["Boundary off its segments", "", audit.largest_boundary_deviation === null ? "not known" : audit.largest_boundary_deviation === 0 ? "nowhere" : `at most ${full(audit.largest_boundary_deviation)}`]);
-  if (audit.curves) rows.push(["Boundary off the curves", "", audit.curves.largest_distance === null ? "not known" : `at most ${full(audit.curves.largest_distance)}; ${audit.curves.vertices} vertices on them, ${audit.curves.vertices_off} on chords`]);
+  if (measured.unit_edges !== undefined && options.size && options.size !== "none") rows.push(["Edges of length 0.71 to 1.41", "", `${short(100 * measured.unit_edges)} %`]);
+  rows.push(["Boundary off its segments", "", audit.largest_boundary_deviation === null ? "not known" : audit.largest_boundary_deviation === 0 ? "nowhere" : { text: `at most ${upward(audit.largest_boundary_deviation)}`, title: full(audit.largest_boundary_deviation) }]);
+  if (audit.curves) rows.push(["Boundary off the curves", "", audit.curves.largest_distance === null ? "not known" : `at most ${upward(audit.curves.largest_distance)}; ${audit.curves.vertices} vertices on them, ${audit.curves.vertices_off} on chords`]);
   if (audit.voronoi !== "not asked") rows.push(["Dual of the Voronoi diagram", "yes", audit.voronoi]);
-  rows.push(["Findings against it", "none", Object.entries(audit.findings).map(([kind, n]) => `${n} ${kind}`).join(", ") || "none"]);
+  rows.push(["Findings against it", "none", findingsInWords(audit)]);
   return rows.map((cells) => cells.slice(0, 3));
 }
 
@@ -85,7 +91,7 @@ function showAsked(facts, claim, mesh) {
   const holder = element("asked");
   if (claim === null)
     holder.replaceChildren(table(["", "Here"], [["Vertices", count(facts.vertices)], ["Triangles", count(facts.triangles)],
-      ["Least angle, measured by this page", `${full(mesh.angles.worst.degrees)} degrees`]], "What there is"));
+      ["Least angle, measured by this page", angleCell(mesh.angles.worst.degrees)]], "What there is"));
   else
     holder.replaceChildren(table(["", "Asked", "Delivered"], askedRows(facts, claim, mesh), "Asked and delivered"));
   if (facts.claim_from) holder.append(make("p", { class: "soft" }, facts.claim_from));
@@ -155,7 +161,7 @@ function listsOf(facts, claim, mesh) {
   const add = (name, items, long = false) => { if (items.length > 0) lists.push({ name, items, long }); };
   if (claim !== null && facts.is_of_this_mesh) {
     const { audit, outcome } = claim;
-    add("Findings", audit.witnesses.map((text) => ({ text, ...placeOf(text) })), true);
+    for (const { name, items, follows } of groupFindings(audit)) lists.push({ name, items, long: true, closed: follows });
     add("Low triangles: below the bound", fromOne(audit.low_triangles));
     add("Exempt corners of the domain, sharper than the bound", audit.exempt_corners.map((n) => ({ vertex: n - 1, text: `vertex ${n}` })));
     add("Triangles with an exempt angle", fromOne(audit.exempt_triangles));
@@ -185,22 +191,15 @@ function leastOf(values, n) {
   return kept;
 }
 
-// The first triangle, or else vertex, that a sentence names.
-function placeOf(sentence) {
-  const triangle = /triangle (\d+)/.exec(sentence), vertex = /vert(?:ex|ices) (\d+)/.exec(sentence);
-  if (triangle) return { triangle: Number(triangle[1]) - 1 };
-  return vertex ? { vertex: Number(vertex[1]) - 1 } : {};
-}
-
 function showLists(lists, go) {
   const holder = element("places");
   holder.replaceChildren();
   if (lists.length === 0) holder.append(make("p", {}, "None."));
-  for (const { name, items, long } of lists) {
+  for (const { name, items, long, closed = false } of lists) {
     const list = make("ul", { class: long ? "list long" : "list" }), most = 100;
     const more = (from) => {
       items.slice(from, from + most).forEach((item) => {
-        const button = make("button", { type: "button" }, item.text);
+        const button = make("button", { type: "button", ...(item.title === undefined ? {} : { title: item.title }) }, item.text);
         button.addEventListener("click", () => go(item));
         list.append(make("li", {}, button));
       });
@@ -211,7 +210,7 @@ function showLists(lists, go) {
       list.append(entry);
     };
     more(0);
-    holder.append(make("details", items.length <= 20 ? { open: "" } : {}, make("summary", {}, `${name} (${count(items.length)})`), list));
+    holder.append(make("details", items.length <= 20 && !closed ? { open: "" } : {}, make("summary", {}, `${name} (${count(items.length)})`), list));
   }
 }
 
@@ -276,17 +275,24 @@ const distanceText = (d) => d === 0 ? "as wanted, to the last bit" : `lengths up
 
 function showAgain(facts, claim) {
   const holder = element("again");
-  holder.replaceChildren(table(["", "Fingerprint"], [["This mesh", facts.fingerprint],
-    ...(claim === null ? [] : [["The certificate's mesh", claim.mesh.fingerprint], ["The metric asked for", claim.asked.options["metric-fingerprint"] ?? "none"]])], "Fingerprints"));
+  holder.replaceChildren(table(["", "Fingerprint"], [["This mesh", { text: facts.fingerprint, kind: "hash" }],
+    ...(claim === null ? [] : [["The certificate's mesh", { text: claim.mesh.fingerprint, kind: "hash" }], ["The metric asked for", { text: claim.asked.options["metric-fingerprint"] ?? "none", kind: "hash" }]])], "Fingerprints"));
   if (facts.repeat) holder.append(make("p", {}, "This page measures and does not prove. The proof is repeated, by exact arithmetic, by"), make("pre", {}, facts.repeat));
   holder.append(make("p", { class: "soft" }, `Made by asterism ${facts.program}. Vertices and triangles are counted from 1, as in the .mesh file.`));
 }
 
 function showLegend(mode) {
-  const { low, high, names } = mode.legend;
-  const box = (colour, text) => make("span", {}, make("span", { class: "box", style: `background:${css(colour)}` }), text);
-  if (names) return element("legend").replaceChildren(...names.map(([text, colour]) => box(colour, text)));
-  const stops = Array.from({ length: 9 }, (_, i) => css(mode.colour(Math.round(i * 255 / 8)))).join(",");
-  return element("legend").replaceChildren(make("span", {}, mode.name + ":"), make("span", {}, low),
-    make("span", { class: "bar", role: "img", "aria-label": `colours from ${low} to ${high}`, style: `background:linear-gradient(to right,${stops})` }), make("span", {}, high));
+  const { low, high, names = [], mark = false } = mode.legend, parts = [];
+  const box = ([text, colour]) => make("span", {}, make("span", { class: "box", style: `background:${css(colour)}` }), text);
+  if (low !== undefined) {
+    const stops = Array.from({ length: 9 }, (_, i) => css(mode.colour(Math.round((mark ? 1 : 0) + i * (mark ? 254 : 255) / 8)))).join(",");
+    parts.push(make("span", {}, mode.name), make("span", { class: mark ? "mark" : "" }, low),
+      make("span", { class: "bar", role: "img", "aria-label": `colours from ${low} to ${high}`, style: `background:linear-gradient(to right,${stops})` }), make("span", {}, high));
+  }
+  element("colours").replaceChildren(...parts, ...names.map(box));
+}
+
+function showEllipses({ number, scale }) {
+  const told = number === 0 ? "" : `Ellipses: the metric's unit circles, ${short(scale)} of their size`;
+  if (element("scaled").textContent !== told) element("scaled").textContent = told;
 }

@@ -22,7 +22,10 @@ function makeMarks(stage, mesh, corners) {
   return () => {
     context.setTransform(camera.ratio, 0, 0, camera.ratio, 0, 0);
     context.clearRect(0, 0, camera.width, camera.height);
-    stage.ellipses = element("ellipses").checked ? drawEllipses(context, camera, mesh, places) : 0;
+    const drawn = element("ellipses").checked ? drawEllipses(context, camera, mesh, places) : { number: 0, scale: 0, longest: 0, gap: 0 };
+    Object.assign(stage, { ellipses: drawn.number, longestEllipse: drawn.longest, ellipseGap: drawn.gap });
+    showEllipses(drawn);
+    showScale(camera);
     drawCorners(context, camera, mesh, corners, markPlace);
     drawCorners(context, camera, mesh, mesh.repairs.map(({ vertex }) => vertex), markPlace);
     if (stage.chosen?.triangle !== undefined) drawChosen(context, camera, mesh, stage.chosen.triangle);
