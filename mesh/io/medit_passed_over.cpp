@@ -45,7 +45,7 @@ constexpr std::array<std::string_view, 2> single_numbers = {"MaximalAngleOfCorne
                                                             "AngleOfCornerBound"};
 
 template <std::size_t N>
-bool is_among(const std::array<std::string_view, N>& all, std::string_view text) {
+bool is_named_among(const std::array<std::string_view, N>& all, std::string_view text) {
   return std::find(all.begin(), all.end(), text) != all.end();
 }
 
@@ -94,8 +94,8 @@ std::optional<error> pass_over(text_scanner& source, const word& keyword, int di
   for (const skipped_section& s : skipped_sections)
     if (keyword.text == s.keyword)
       return skip_records(source, keyword, dimension == 2 ? s.words_in_2d : s.words_in_3d);
-  if (is_among(texts, keyword.text)) return skip_text(source, keyword);
-  if (is_among(single_numbers, keyword.text)) {
+  if (is_named_among(texts, keyword.text)) return skip_text(source, keyword);
+  if (is_named_among(single_numbers, keyword.text)) {
     const auto value = to_number(source, source.next(), keyword.text);
     return value.ok() ? failure{} : value.failure();
   }

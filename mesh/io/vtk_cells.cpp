@@ -49,7 +49,7 @@ bool is_other(std::string_view name) {
   return std::find(other_names.begin(), other_names.end(), name) != other_names.end();
 }
 
-error refuse(const listed_mesh& m, std::size_t line, const std::string& what) {
+error refuse_cell(const listed_mesh& m, std::size_t line, const std::string& what) {
   return {fmt::format("{}:{}: {}", m.file, line, what), error_code::malformed_file};
 }
 
@@ -62,9 +62,10 @@ std::optional<error> vtk_cells::add(const vtk_cell& cell) {
   for (std::size_t i = 0; i < cell.count; ++i) {
     const double number = cell.points[i];
     if (!(number >= 0 && number < points))
-      return refuse(made_, cell.line,
-                    fmt::format("cell {}: point {:.0f}, from 0, does not exist; there are {:.0f}",
-                                cell.number + 1, number, points));
+      return refuse_cell(
+          made_, cell.line,
+          fmt::format("cell {}: point {:.0f}, from 0, does not exist; there are {:.0f}",
+                      cell.number + 1, number, points));
     found_.push_back(static_cast<vertex_index>(number));
   }
   if (cell.type == polyline_cell) {
@@ -87,10 +88,10 @@ std::optional<error> vtk_cells::add(const vtk_cell& cell) {
     const bool fits = kind.points == 0 ? cell.count >= kind.corners : cell.count == kind.points;
     if (kind.type == cell.type && fits) return add_corners(cell, kind.corners);
   }
-  return refuse(made_, cell.line,
-                fmt::format("cell {} is of type {} with {} points: triangles, quadrilaterals, "
-                            "lines and points can be read",
-                            cell.number + 1, cell.type, cell.count));
+  return refuse_cell(made_, cell.line,
+                     fmt::format("cell {} is of type {} with {} points: triangles, quadrilaterals, "
+                                 "lines and points can be read",
+                                 cell.number + 1, cell.type, cell.count));
 }
 
 std::optional<error> vtk_cells::add_corners(const vtk_cell& cell, std::size_t corners) {
@@ -136,10 +137,11 @@ result<std::optional<std::size_t>> choose_region_array(const std::vector<vtk_can
   for (std::size_t i = 0; i < arrays.size(); ++i) {
     if (!arrays[i].whole_numbers || is_other(arrays[i].name)) continue;
     if (only)
-      return refuse(m, arrays[i].line,
-                    fmt::format("cell data {} and {} hold whole numbers, and none is named region: "
-                                "name the one that is so",
-                                quoted_token(arrays[*only].name), quoted_token(arrays[i].name)));
+      return refuse_cell(
+          m, arrays[i].line,
+          fmt::format("cell data {} and {} hold whole numbers, and none is named region: "
+                      "name the one that is so",
+                      quoted_token(arrays[*only].name), quoted_token(arrays[i].name)));
     only = i;
   }
   if (only)

@@ -28,20 +28,21 @@ struct number_type {
   std::size_t bytes;
   number_kind kind;
 };
-constexpr std::array<number_type, 13> types = {{{"char", 1, number_kind::whole},
-                                                {"unsigned_char", 1, number_kind::unsigned_whole},
-                                                {"short", 2, number_kind::whole},
-                                                {"unsigned_short", 2, number_kind::unsigned_whole},
-                                                {"int", 4, number_kind::whole},
-                                                {"unsigned_int", 4, number_kind::unsigned_whole},
-                                                {"long", 8, number_kind::whole},
-                                                {"unsigned_long", 8, number_kind::unsigned_whole},
-                                                {"vtkidtype", 4, number_kind::whole},
-                                                {"vtktypeint64", 8, number_kind::whole},
-                                                {"vtktypeint32", 4, number_kind::whole},
-                                                {"float", 4, number_kind::real},
-                                                {"double", 8, number_kind::real}}};
-constexpr number_type whole_type = types[4];
+constexpr std::array<number_type, 13> number_types = {
+    {{"char", 1, number_kind::whole},
+     {"unsigned_char", 1, number_kind::unsigned_whole},
+     {"short", 2, number_kind::whole},
+     {"unsigned_short", 2, number_kind::unsigned_whole},
+     {"int", 4, number_kind::whole},
+     {"unsigned_int", 4, number_kind::unsigned_whole},
+     {"long", 8, number_kind::whole},
+     {"unsigned_long", 8, number_kind::unsigned_whole},
+     {"vtkidtype", 4, number_kind::whole},
+     {"vtktypeint64", 8, number_kind::whole},
+     {"vtktypeint32", 4, number_kind::whole},
+     {"float", 4, number_kind::real},
+     {"double", 8, number_kind::real}}};
+constexpr number_type whole_type = number_types[4];
 
 // Returns a number of the file's bytes, the most significant first.
 double number_of(std::string_view bytes, const number_type& type) {
@@ -193,7 +194,7 @@ result<number_type> vtk_reader::type() {
   const word w = source_.next();
   std::string name(w.text);
   for (char& c : name) c = lower_case(c);
-  for (const number_type& known : types)
+  for (const number_type& known : number_types)
     if (name == known.name) return known;
   return source_.failure(w.line, quoted_token(w.text) + " is no known type of number");
 }
@@ -342,7 +343,8 @@ failure vtk_reader::read_attribute(const word& head) {
     const std::size_t wide = is_table ? 4 : tuples_;
     if (size.value() > 0 && wide > source_.remaining() / size.value())
       return source_.failure(head.line, "a table of colours is longer than the file");
-    const auto skipped = values(wide * size.value(), binary_ ? types[1] : types[11], false);
+    const auto skipped =
+        values(wide * size.value(), binary_ ? number_types[1] : number_types[11], false);
     return skipped ? failure{} : skipped.failure();
   }
   std::size_t components = 0;

@@ -15,16 +15,16 @@
 namespace asterism::internal {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::size_t>, 10> types = {{{"Float64", 8},
-                                                                             {"Float32", 4},
-                                                                             {"Int64", 8},
-                                                                             {"UInt64", 8},
-                                                                             {"Int32", 4},
-                                                                             {"UInt32", 4},
-                                                                             {"Int16", 2},
-                                                                             {"UInt16", 2},
-                                                                             {"Int8", 1},
-                                                                             {"UInt8", 1}}};
+constexpr std::array<std::pair<std::string_view, std::size_t>, 10> array_types = {{{"Float64", 8},
+                                                                                   {"Float32", 4},
+                                                                                   {"Int64", 8},
+                                                                                   {"UInt64", 8},
+                                                                                   {"Int32", 4},
+                                                                                   {"UInt32", 4},
+                                                                                   {"Int16", 2},
+                                                                                   {"UInt16", 2},
+                                                                                   {"Int8", 1},
+                                                                                   {"UInt8", 1}}};
 
 // Returns 0 to 63, or none.
 std::optional<std::uint32_t> sextet_of(char c) {
@@ -57,7 +57,7 @@ double number_of(std::uint64_t word, std::string_view type, std::size_t size) {
 }  // namespace
 
 std::optional<std::size_t> vtu_bytes_of(std::string_view type) {
-  for (const auto& [name, bytes] : types)
+  for (const auto& [name, bytes] : array_types)
     if (name == type) return bytes;
   return std::nullopt;
 }
