@@ -26,15 +26,16 @@ struct whole_file_format {
   std::string_view ending, place_of_metric;
   text_reader read;  // null: by read_gmsh
 };
-constexpr std::array<whole_file_format, 9> formats = {{{".msh", "node data", nullptr},
-                                                       {".msh2", "node data", nullptr},
-                                                       {".vtu", "point data", read_vtu_mesh},
-                                                       {".vtk", "", read_vtk},
-                                                       {".su2", "", read_su2},
-                                                       {".14", "", read_adcirc},
-                                                       {".grd", "", read_adcirc},
-                                                       {".2dm", "", read_sms},
-                                                       {".stl", "", read_stl}}};
+constexpr std::array<whole_file_format, 9> readers_of_whole_files = {
+    {{".msh", "node data", nullptr},
+     {".msh2", "node data", nullptr},
+     {".vtu", "point data", read_vtu_mesh},
+     {".vtk", "", read_vtk},
+     {".su2", "", read_su2},
+     {".14", "", read_adcirc},
+     {".grd", "", read_adcirc},
+     {".2dm", "", read_sms},
+     {".stl", "", read_stl}}};
 
 // BAMG's meshes are named .msh, too.
 bool begins_as_medit(const std::filesystem::path& path) {
@@ -48,10 +49,10 @@ bool begins_as_medit(const std::filesystem::path& path) {
 }
 
 const whole_file_format* format_of(std::string_view name) {
-  const auto at = std::find_if(formats.begin(), formats.end(), [name](const whole_file_format& f) {
-    return has_ending(name, f.ending);
-  });
-  return at == formats.end() ? nullptr : &*at;
+  const auto at =
+      std::find_if(readers_of_whole_files.begin(), formats.end(),
+                   [name](const whole_file_format& f) { return has_ending(name, f.ending); });
+  return at == readers_of_whole_files.end() ? nullptr : &*at;
 }
 
 result<listed_mesh> read_whole(const whole_file_format& format, const std::filesystem::path& path) {

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, mesh_format>, 14> formats = {
+constexpr std::array<std::pair<std::string_view, mesh_format>, 14> written_formats = {
     {{".mesh", mesh_format::medit},
      {".meshb", mesh_format::medit_binary},
      {".vtu", mesh_format::vtu},
@@ -201,7 +201,7 @@ result<output_files> render(const fs::path& path, mesh_format format, const mesh
 
 result<mesh_format> mesh_format_of(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());
-  for (const auto& [name, format] : formats)
+  for (const auto& [name, format] : written_formats)
     if (extension == name) return format;
   return error{path.string() + ": unknown kind of file '" + extension +
                    "'; there are .mesh, .meshb, .msh, .msh2, .vtu, .su2, .node, .2dm, .14, .grd, "
