@@ -35,14 +35,15 @@ function(asterism_hide target)
   target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()
 
-# asterism_unite(TARGET): under ASTERISM_UNITY each folder of the target's sources is compiled as one file, which
+# asterism_unite(TARGET [SOURCE...]): under ASTERISM_UNITY each folder of the target's sources is compiled as one file, which
 # reads every header once. So two files of a folder may not give one name to different things, in unnamed
-# namespaces either. Editing one file then compiles its folder anew: for building once, not for working on it.
+# namespaces either; sources named here stay alone. Editing one file then compiles its folder anew: for building once, not for working on it.
 function(asterism_unite target)
   if(NOT ASTERISM_UNITY)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
+  list(REMOVE_ITEM sources ${ARGN})
   foreach(source IN LISTS sources)
     get_filename_component(folder ${source} DIRECTORY)
     get_filename_component(folder "${folder}" NAME)

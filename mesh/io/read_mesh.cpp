@@ -50,7 +50,7 @@ bool begins_as_medit(const std::filesystem::path& path) {
 
 const whole_file_format* format_of(std::string_view name) {
   const auto at =
-      std::find_if(readers_of_whole_files.begin(), formats.end(),
+      std::find_if(readers_of_whole_files.begin(), readers_of_whole_files.end(),
                    [name](const whole_file_format& f) { return has_ending(name, f.ending); });
   return at == readers_of_whole_files.end() ? nullptr : &*at;
 }
