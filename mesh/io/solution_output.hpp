@@ -7,6 +7,7 @@
 #include <string>
 
 #include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/solution.hpp"
 
 namespace asterism::internal {
