@@ -190,14 +190,15 @@ double face_meshing::expected_vertices() const {
          (high.y - low.y);
 }
 
-// The rectangle of the parameters, its sides divided, with vertices inside.
-domain face_meshing::outline(const std::vector<point>& inside) const {
+result<std::string> face_meshing::make(const side_places& places,
+                                       const surface_mesh_options& options) {
+  places_ = places;
   const point low = chart_->low(), high = chart_->high();
   domain d;
   d.vertices = {low, {high.x, low.y}, high, {low.x, high.y}};
   for (std::size_t side = 0; side < 4; ++side) {
     std::vector<vertex_index> along;
-    for (const double place : places_[side]) {
+    for (const double place : places[side]) {
       along.push_back(static_cast<vertex_index>(d.vertices.size()));
       const double x = low.x + place * (high.x - low.x), y = low.y + place * (high.y - low.y);
       d.vertices.push_back(side == 0   ? point{x, low.y}
@@ -214,18 +215,7 @@ domain face_meshing::outline(const std::vector<point>& inside) const {
     d.segments.push_back(
         {from, static_cast<vertex_index>((side + 1) % 4), static_cast<int>(side) + 1});
   }
-  d.vertices.insert(d.vertices.end(), inside.begin(), inside.end());
-  return d;
-}
-
-result<std::string> face_meshing::make(const side_places& places,
-                                       const surface_mesh_options& options, bool keep_vertices) {
-  std::vector<point> inside;
-  if (keep_vertices)
-    for (vertex_index v = 0; v < plane_.sites.size(); ++v)
-      if (v >= 4 && !side_of(v)) inside.push_back(plane_.sites[v].position);
-  places_ = places;
-  auto shape = check_domain(outline(inside));
+  auto shape = check_domain(d);
   if (!shape) return shape.failure();
   const mesh given = background();
   const auto field = make_sampled_field(given);
@@ -237,8 +227,6 @@ result<std::string> face_meshing::make(const side_places& places,
   auto made = make_mesh(shape.value(), *field, how);
   if (!made) return made.failure();
   plane_ = std::move(made.value().result);
-  // Vertices inside are none of the rectangle: the mesh may have others there.
-  plane_.given -= static_cast<vertex_index>(inside.size());
   if (made.value().complete) return std::string();
   return ending_text(made.value());
 }

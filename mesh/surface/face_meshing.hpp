@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/surface/surface_chart.hpp"
 #include "asterism/mesh/surface/surface_mesher.hpp"
@@ -36,11 +35,8 @@ class face_meshing {
   // Number of vertices of a mesh of unit edges.
   double expected_vertices() const;
 
-  // Makes the mesh with these places on its sides. Where `keep_vertices`, the vertices that the
-  // mesh before has inside are given to the new one, which then changes only where the metric or a
-  // side did. Empty: done; else why it is not complete.
-  result<std::string> make(const side_places& places, const surface_mesh_options& options,
-                           bool keep_vertices);
+  // Makes the mesh with these places on its sides. Empty: done; else why it is not complete.
+  result<std::string> make(const side_places& places, const surface_mesh_options& options);
   const mesh& plane() const { return plane_; }
   // The side that a site is on, and where; none inside and at corners.
   struct on_side {
@@ -59,7 +55,6 @@ class face_meshing {
   void find_base();
   double consistent_density(const point& p, const point& direction, double density) const;
   mesh background() const;
-  domain outline(const std::vector<point>& inside) const;
 
   const surface_chart* chart_;
   surface_sizes sizes_;

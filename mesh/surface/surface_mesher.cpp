@@ -21,8 +21,7 @@ namespace {
 
 // Places on curves are multiples of this, so that a place and 1 less it are both exact.
 constexpr double place_unit = 0x1p-30;
-constexpr std::size_t coarse_rounds = 4;  // in which meshes are made anew, and coarser too
-constexpr int side_samples = 256;         // of the length of a curve
+constexpr int side_samples = 256;  // of the length of a curve
 
 double rounded_place(double x) {
   return std::clamp(std::round(x / place_unit) * place_unit, place_unit, 1 - place_unit);
@@ -46,9 +45,9 @@ class surface_meshing {
   void prepare();
   double length_of(const side_curve& curve, std::vector<double>& sums) const;
   void divide_curves();
-  std::optional<error> make_stale_faces(bool keep_vertices);
-  bool take_splits(bool of_open_sides);
-  std::optional<error> agree_on_sides(std::size_t round);
+  std::optional<error> make_stale_faces();
+  bool take_splits();
+  std::optional<error> agree_on_sides();
   surface_shell shell() const;
   std::optional<error> measure();
   bool adjust(std::size_t round);
@@ -148,7 +147,7 @@ void surface_meshing::divide_curves() {
   }
 }
 
-std::optional<error> surface_meshing::make_stale_faces(bool keep_vertices) {
+std::optional<error> surface_meshing::make_stale_faces() {
   std::vector<std::optional<error>> failed(faces_.size());
   parallel_for(faces_.size(), [&](std::size_t p) {
     if (is_stale_[p] == 0) return;
@@ -161,7 +160,7 @@ std::optional<error> surface_meshing::make_stale_faces(bool keep_vertices) {
         if (at.backward) std::reverse(own[side].begin(), own[side].end());
       }
     }
-    auto made = faces_[p].make(own, options_, keep_vertices);
+    auto made = faces_[p].make(own, options_);
     if (!made)
       failed[p] = made.failure();
     else
@@ -174,8 +173,8 @@ std::optional<error> surface_meshing::make_stale_faces(bool keep_vertices) {
 }
 
 // Takes the places at which a patch's mesh has divided a curve of two patches to that curve, for
-// both. True if there were any. Those of open sides are taken on demand, so that they are kept.
-bool surface_meshing::take_splits(bool of_open_sides) {
+// both. True if there were any.
+bool surface_meshing::take_splits() {
   bool any = false;
   for (std::size_t p = 0; p < faces_.size(); ++p) {
     const mesh& m = faces_[p].plane();
@@ -184,32 +183,26 @@ bool surface_meshing::take_splits(bool of_open_sides) {
       if (!on) continue;
       const std::size_t c = graph_.curve_of[p][static_cast<std::size_t>(on->side)];
       const side_curve& curve = graph_.curves[c];
-      if (curve.is_point) continue;
-      const bool is_shared = curve.sides.size() == 2;
-      if (!is_shared && !of_open_sides) continue;
+      if (curve.is_point || curve.sides.size() < 2) continue;
       const patch_side& mine = curve.sides[0].patch == p && curve.sides[0].side == on->side
                                    ? curve.sides[0]
                                    : curve.sides[1];
       const double place = rounded_place(own_place(mine, on->place));
       std::vector<double>& places = places_[c];
       const auto after = std::lower_bound(places.begin(), places.end(), place);
-      if (after == places.end() || *after != place) places.insert(after, place);
-      if (!is_shared) continue;
       any = true;
+      if (after == places.end() || *after != place) places.insert(after, place);
       for (const patch_side& side : curve.sides) is_stale_[side.patch] = 1;
     }
   }
   return any;
 }
 
-std::optional<error> surface_meshing::agree_on_sides(std::size_t round) {
+std::optional<error> surface_meshing::agree_on_sides() {
   constexpr int most_exchanges = 12;
-  // Vertices are kept where only a little is to be changed: a mesh made anew may be too far from
-  // the surface where the one before was not.
-  const bool keeps = round >= coarse_rounds && !options_.vertices;
   for (int k = 0; k < most_exchanges; ++k) {
-    if (auto failed = make_stale_faces(k > 0 || keeps)) return failed;
-    sides_agree_ = !take_splits(round + 1 >= coarse_rounds && !options_.vertices);
+    if (auto failed = make_stale_faces()) return failed;
+    sides_agree_ = !take_splits();
     if (sides_agree_) return {};
   }
   return {};
@@ -306,6 +299,7 @@ void surface_meshing::keep_if_better() {
 
 // Changes the factors of the metrics by the distances found. False if nothing is to be changed.
 bool surface_meshing::adjust(std::size_t round) {
+  constexpr std::size_t coarse_rounds = 4;
   constexpr double aim = 0.92;  // of the chord: triangles vary
   bool any = false;
   std::size_t at = 0;
@@ -370,8 +364,8 @@ result<surface_mesh> surface_meshing::run() {
   if (options_.vertices) scale_to_count(round);
   for (; round < options_.most_rounds; ++round) {
     // Later on curves only get more places, so that rounds end.
-    if (round < coarse_rounds || options_.vertices) divide_curves();
-    if (auto failed = agree_on_sides(round)) return *failed;
+    if (round < 4 || options_.vertices) divide_curves();
+    if (auto failed = agree_on_sides()) return *failed;
     if (auto failed = measure()) return *failed;
     if (options_.vertices) best_.reset();
     keep_if_better();
