@@ -1,0 +1,148 @@
+(* SPDX-License-Identifier: MIT *)
+(* The constants of kernels/semi_static_filter.hpp: its formulas, and that the sign each decides is
+   the exact one. Statements in words: docs/math/formal.md. *)
+Require Import Reals Lra Lia Psatz.
+From formal Require Import rounding.
+Open Scope R_scope.
+
+(* Whatever a machine makes of the value e and the magnitude s: where |e| exceeds the bound
+   k (d + 8) eps s + 2^-200, as computed, the sign of e is right. *)
+Definition decides (e s : expression) (k : R) (d : nat) : Prop :=
+  forall z w b c, computes e z -> computes s w ->
+    rounds (k * ((INR d + 8) * eps) * w) b -> rounds (b + tiny) c -> c < Rabs z -> 0 < z * exact e.
+
+(* Positive definite, as far as it is used. *)
+Definition definite a b c := 0 <= a /\ 0 <= c /\ b * b <= a * c.
+
+Lemma absolute_square x : Rabs x * Rabs x = x * x.
+Proof. rewrite <- Rabs_mult; apply Rabs_right, Rle_ge, Rle_0_sqr. Qed.
+
+Lemma mixed_mean a b c : definite a b c -> Rabs b <= a + c.
+Proof.
+  intros (ha & hc & hd). apply Rabs_le; split; nra.
+Qed.
+
+Lemma mixed_product a b c x y :
+  definite a b c -> 2 * (Rabs b * (Rabs x * Rabs y)) <= a * (x * x) + c * (y * y).
+Proof.
+  intros (ha & hc & hd).
+  rewrite <- (Rabs_mult x y), <- Rabs_mult.
+  apply Rsqr_incr_0_var; [ | nra]. unfold Rsqr.
+  assert (e : Rabs (b * (x * y)) * Rabs (b * (x * y)) = (b * b) * ((x * x) * (y * y)))
+    by (rewrite absolute_square; ring).
+  assert (0 <= (x * x) * (y * y)) by (apply Rmult_le_pos; apply Rle_0_sqr).
+  assert ((b * b) * ((x * x) * (y * y)) <= (a * c) * ((x * x) * (y * y)))
+    by (apply Rmult_le_compat_r; assumption).
+  pose proof (Rle_0_sqr (a * (x * x) - c * (y * y))) as p. unfold Rsqr in p.
+  lra.
+Qed.
+
+Ltac bound_absolute_error :=
+  cbn -[pow eps eta harmless]; cbn [pow]; unfold eps, eta, harmless; lra.
+
+Ltac decide_by k :=
+  intros ? ? ? ?; apply (sign_is_decided _ _ k); try (cbn; lia); try lra;
+  [cbn; tauto | cbn; tauto | bound_absolute_error | bound_absolute_error | | ].
+
+Definition cross ax ay bx by_ := difference (product ax by_) (product ay bx).
+
+(* Orientation: depth 4, half of the sum of squares. *)
+Theorem orientation_constant px py qx qy rx ry :
+  let ax := offset px qx in let ay := offset py qy in
+  let bx := offset px rx in let by_ := offset py ry in
+  in_range ax -> in_range ay -> in_range bx -> in_range by_ ->
+  decides (cross ax ay bx by_)
+    (sum (sum (product ax ax) (product bx bx)) (sum (product ay ay) (product by_ by_))) (1 / 2) 4.
+Proof.
+  cbn -[decides pow]; intros h1 h2 h3 h4. decide_by (1 / 2).
+  - cbn -[pow]. set (ex := qx - px); set (fx := rx - px); set (ey := qy - py); set (fy := ry - py).
+    rewrite !absolute_square. reflexivity.
+  - cbn -[pow]. set (ex := qx - px); set (fx := rx - px); set (ey := qy - py); set (fy := ry - py).
+    pose proof (Rle_0_sqr (Rabs ex - Rabs fy)); pose proof (Rle_0_sqr (Rabs ey - Rabs fx)).
+    unfold Rsqr in *. lra.
+Qed.
+
+Definition unmixed a c ux uy :=
+  sum (product (given a) (product ux ux)) (product (given c) (product uy uy)).
+Definition squared_length a b c ux uy :=
+  let mixed := product (given b) (product ux uy) in
+  sum (unmixed a c ux uy) (sum mixed mixed).
+
+Lemma unmixed_exact a b c ux uy :
+  definite a b c -> exact ux * exact ux = magnitude ux * magnitude ux ->
+  exact uy * exact uy = magnitude uy * magnitude uy ->
+  exact (unmixed a c ux uy) = magnitude (unmixed a c ux uy).
+Proof.
+  intros (ha & hc & _) hx hy; cbn. rewrite !(Rabs_right a), !(Rabs_right c), hx, hy by lra.
+  reflexivity.
+Qed.
+
+Lemma offset_square p q :
+  exact (offset p q) * exact (offset p q) = magnitude (offset p q) * magnitude (offset p q).
+Proof. cbn; rewrite absolute_square; reflexivity. Qed.
+
+Lemma squared_length_magnitude a b c p q r s :
+  definite a b c ->
+  magnitude (squared_length a b c (offset p q) (offset r s)) <=
+  2 * magnitude (unmixed a c (offset p q) (offset r s)).
+Proof.
+  intro h; pose proof (mixed_product a b c (q - p) (s - r) h) as m.
+  destruct h as (ha & hc & _). cbn. rewrite !(Rabs_right a), !(Rabs_right c) by lra.
+  rewrite !absolute_square. lra.
+Qed.
+
+(* Comparison of two squared distances, each in its own metric: depth 7, twice the unmixed terms. *)
+Theorem compare_distance_constant a b c a' b' c' vx vy wx wy qx qy :
+  definite a b c -> definite a' b' c' ->
+  let ux := offset vx qx in let uy := offset vy qy in
+  let tx := offset wx qx in let ty := offset wy qy in
+  in_range (squared_length a b c ux uy) -> in_range (squared_length a' b' c' tx ty) ->
+  decides (difference (squared_length a b c ux uy) (squared_length a' b' c' tx ty))
+    (sum (unmixed a c ux uy) (unmixed a' c' tx ty)) 2 7.
+Proof.
+  intros h h' ux uy tx ty r r'. 
+  cbn -[decides pow] in r, r'. decide_by 2.
+  - cbn [exact magnitude]. f_equal; eapply unmixed_exact; eauto using offset_square.
+  - pose proof (squared_length_magnitude a b c vx qx vy qy h).
+    pose proof (squared_length_magnitude a' b' c' wx qx wy qy h').
+    change (magnitude (squared_length a b c ux uy) + magnitude (squared_length a' b' c' tx ty) <=
+      2 * (magnitude (unmixed a c ux uy) + magnitude (unmixed a' c' tx ty))).
+    unfold ux, uy, tx, ty; lra.
+Qed.
+
+Definition inner_product a b c ux uy dx dy :=
+  sum (product ux (sum (product (given a) dx) (product (given b) dy)))
+      (product uy (sum (product (given b) dx) (product (given c) dy))).
+Definition extent ux uy := sum (absolute ux) (absolute uy).
+Definition product_of_extents a c ux uy dx dy :=
+  product (extent ux uy) (product (extent dx dy) (sum (given a) (given c))).
+
+Lemma inner_product_magnitude a b c ux uy dx dy :
+  definite a b c ->
+  magnitude (inner_product a b c ux uy dx dy) <= magnitude (product_of_extents a c ux uy dx dy).
+Proof.
+  intro h; pose proof (mixed_mean a b c h) as m; destruct h as (ha & hc & _).
+  cbn. rewrite (Rabs_right a), (Rabs_right c) by lra.
+  pose proof (magnitude_not_negative ux); pose proof (magnitude_not_negative uy).
+  pose proof (magnitude_not_negative dx); pose proof (magnitude_not_negative dy).
+  set (X := magnitude ux) in *; set (Y := magnitude uy) in *.
+  set (D := magnitude dx) in *; set (E := magnitude dy) in *. pose proof (Rabs_pos b).
+  assert (a * D + Rabs b * E <= (D + E) * (a + c)) by nra.
+  assert (Rabs b * D + c * E <= (D + E) * (a + c)) by nra.
+  assert (X * (a * D + Rabs b * E) <= X * ((D + E) * (a + c))) by (apply Rmult_le_compat_l; lra).
+  assert (Y * (Rabs b * D + c * E) <= Y * ((D + E) * (a + c))) by (apply Rmult_le_compat_l; lra).
+  lra.
+Qed.
+
+(* One of the two values of in_wedge: depth 6, the product of the extents. *)
+Theorem in_wedge_constant a b c vx vy wx wy qx qy :
+  definite a b c ->
+  let ux := offset vx qx in let uy := offset vy qy in
+  let dx := offset vx wx in let dy := offset vy wy in
+  in_range (inner_product a b c ux uy dx dy) ->
+  decides (inner_product a b c ux uy dx dy) (product_of_extents a c ux uy dx dy) 1 6.
+Proof.
+  intros h ux uy dx dy r. cbn -[decides pow] in r. decide_by 1.
+  - destruct h as (ha & hc & _); cbn. rewrite (Rabs_right a), (Rabs_right c) by lra. reflexivity.
+  - rewrite Rmult_1_l; apply inner_product_magnitude; assumption.
+Qed.
