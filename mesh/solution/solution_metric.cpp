@@ -281,7 +281,7 @@ result<solution_metric> metric_maker::run() {
     if (is_finite && kernel.is_positive_definite(m)) continue;
     return error{fmt::format("vertex {}: the metric made is {} {} {}, not finite and positive "
                              "definite",
-                             v + 1, number_text(m.m11), number_text(m.m12), number_text(m.m22)),
+                             v + 1, format_number(m.m11), format_number(m.m12), format_number(m.m22)),
                  error_code::invalid_metric};
   }
   return solution_metric{std::move(made_), std::move(report_)};
