@@ -50,4 +50,6 @@ function(asterism_unite target)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}_${folder}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # A name inside one file may be that of a constant of another's.
+  target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()
