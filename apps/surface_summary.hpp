@@ -12,7 +12,7 @@ namespace asterism::apps {
 // "142 vertices, 250 triangles; every point ... ". One line, without its end.
 std::string text_of(const internal::shell_report& report, const internal::shell_question& asked);
 
-// The same as a JSON object.
+// Returns the summary as a JSON object, whose numbers have all their digits.
 std::string json_of(const internal::shell_report& report, const internal::shell_question& asked,
                     bool complete, const std::string& reason, int status);
 

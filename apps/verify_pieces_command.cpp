@@ -37,7 +37,7 @@ namespace {
 
 using sentences = std::vector<std::string>;
 
-// What the whole is held against.
+// Holds what all pieces together are judged by: the bound and the metric.
 struct pieces_question {
   double bound = 0;                     // degrees
   std::unique_ptr<metric_field> field;  // null where it could not be made again

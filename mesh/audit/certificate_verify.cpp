@@ -285,8 +285,8 @@ void compare_options(contradictions& all, const certificate& claim) {
     all.add("\"asked.options.certify\" and \"audit.voronoi\" contradict each other");
 }
 
-// Measures the distance of the former boundary again. As the domain of a certificate, it is a part
-// of the question; the distance is its answer.
+// Measures again how far the mesh's boundary is from the former one. The former boundary is a part
+// of the question, as the domain is; the distance is the answer.
 void compare_former(contradictions& all, const mesh& subject, const certificate& claim) {
   if (!claim.former) {
     const auto asked = claim.options.find("hausd");

@@ -19,11 +19,12 @@ namespace asterism::internal {
 // segments).
 bool contains(const domain& d, const point& q);
 
-// The same for many points: looks at the segments on the way alone.
+// Decides for many points whether they are in a domain, and looks only at the segments near a ray
+// from each.
 class inside_index {
  public:
-  // Of the domain, or of one of its regions. `d` as for contains(); keeps its own copy of what it
-  // needs.
+  // Prepares the domain, or one region of it. Requires of `d` what contains() requires. Copies the
+  // segments that it needs, so `d` may go.
   explicit inside_index(const domain& d, std::optional<int> region = {});
 
   // True if q is strictly inside: not on a segment between inside and outside. Segments with the

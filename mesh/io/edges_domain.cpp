@@ -70,7 +70,7 @@ result<domain> domain_of_edges(mesh_file file, const std::string& name) {
   d.origin.notes = std::move(file.content.notes);
   d.vertices = positions_of(file.content.sites);
   for (const boundary_edge& e : file.content.boundary) d.segments.push_back({e.a, e.b, e.marker});
-  // What is no domain is refused by check_domain, with its places.
+  // Leaves a polygon that is no domain to check_domain, which names the places.
   domain_repairs repairs;
   if (file.parts.empty() || !check_domain(d, &repairs)) return d;
   if (!repairs.messages.empty())

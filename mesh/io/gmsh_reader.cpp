@@ -48,7 +48,7 @@ constexpr std::array<element_kind, 19> element_kinds = {{{15, 1, 1},
                                                          {36, 4, 16},
                                                          {37, 4, 25}}};
 
-// What a version calls its sections, and whether it has entities in blocks.
+// Names a version as the header of a file spells it, and as two numbers.
 struct gmsh_dialect {
   std::string_view text;
   int major, minor;
@@ -297,7 +297,7 @@ failure gmsh_reader::read_nodes_of_four() {
 }
 
 failure gmsh_reader::read_node_block() {
-  // Of version 4.0 the entity comes first, and each tag is before its node's place.
+  // Reads the entity first in version 4.0, where each node's tag stands before its place.
   const auto first = count("entity of nodes"), second = count("entity of nodes");
   if (!first.ok()) return first.failure();
   if (!second.ok()) return second.failure();
@@ -424,7 +424,7 @@ failure gmsh_reader::read_elements_of_four() {
 }
 
 failure gmsh_reader::read_element_block() {
-  // Of version 4.0 the entity comes first.
+  // Reads the entity first in version 4.0, the dimension first in 4.1.
   const auto first = integer("entity of elements"), second = integer("entity of elements");
   if (!first.ok()) return first.failure();
   if (!second.ok()) return second.failure();

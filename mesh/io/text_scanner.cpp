@@ -13,7 +13,8 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Returns a number of Fortran's with an exponent that C knows; empty for what is none.
+// Returns a number in Fortran's spelling, 1.5D+00 or 1.5+100, with the exponent letter e. Returns
+// nothing where it is in neither spelling.
 std::string with_plain_exponent(std::string_view number) {
   constexpr std::string_view marks = "dD";
   std::string plain(number);

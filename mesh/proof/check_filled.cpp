@@ -86,7 +86,8 @@ std::optional<error> check_filled(const plane& all) {
 
 namespace {
 
-// Returns the number of its part, as the segments cut the rectangle, of each triangle.
+// Numbers the parts that the segments cut the rectangle into, and returns the part of each
+// triangle.
 std::vector<std::size_t> parts_of(const plane& all) {
   const std::size_t count = all.triangles.size();
   std::vector<std::size_t> part(count, count);

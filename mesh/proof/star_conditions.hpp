@@ -156,7 +156,8 @@ uncertain_bool is_kept(const edge_sites& e, const grid_point& first) {
   return kept & without_x & without_y;
 }
 
-// True if no point of the segment from a to b, offsets from a site, is within this radius of it.
+// True if every point of the segment from a to b is farther from the site than the radius, in the
+// metric. `a` and `b` are offsets from the site.
 template <class Number>
 uncertain_bool is_out_of_reach(const tensor<Number>& metric, const vector2<Number>& a,
                                const vector2<Number>& b, const Number& squared_radius) {

@@ -21,7 +21,8 @@ namespace asterism::internal {
 struct deviation_options {
   double relative_width = 0.01;   // of an enclosure, at most, unless work ends before
   std::optional<double> at_most;  // a distance to decide about: enclosures are made to exclude it
-  // Cells looked at in each direction, at most: of each triangle, and beside.
+  // Bounds the work: at most so many cells for each triangle, and so many more in all, are looked
+  // at in each of the two directions (surface to mesh, mesh to surface).
   std::size_t cells_of_a_triangle = 200, cells_beside = 2'000'000;
 };
 
