@@ -78,16 +78,24 @@ class number_list {
 constexpr double least_number = std::numeric_limits<int>::min(),
                  greatest_number = std::numeric_limits<int>::max();
 
+// Reads H[,GROWTH] into a wish whose place is read, and adds it. Returns what is wrong with the
+// place, else with the size.
+template <class Wish>
+std::optional<error> add_sized(std::vector<Wish>& all, Wish one, const number_list& place,
+                               number_list size, const char* name = "H") {
+  one.size = size.take(name, lengths);
+  one.growth = size.take_or("GROWTH", growths, usual_growth);
+  all.push_back(one);
+  auto failed = place.finish();
+  return failed ? failed : size.finish();
+}
+
 std::optional<error> add_at(size_wishes& all, number_list place, number_list size) {
   size_at one;
   one.centre.x = place.take("X", everywhere);
   one.centre.y = place.take("Y", everywhere);
   one.radius = place.take("R", radii);
-  one.size = size.take("H", lengths);
-  one.growth = size.take_or("GROWTH", growths, usual_growth);
-  all.at.push_back(one);
-  auto failed = place.finish();
-  return failed ? failed : size.finish();
+  return add_sized(all.at, one, place, std::move(size));
 }
 
 std::optional<error> add_box(size_wishes& all, number_list place, number_list size) {
@@ -96,33 +104,21 @@ std::optional<error> add_box(size_wishes& all, number_list place, number_list si
   one.box.low.y = place.take("Y0", everywhere);
   one.box.high.x = place.take("X1", everywhere);
   one.box.high.y = place.take("Y1", everywhere);
-  one.size = size.take("H", lengths);
-  one.growth = size.take_or("GROWTH", growths, usual_growth);
-  if (auto failed = place.finish()) return failed;
   if (one.box.low.x > one.box.high.x) std::swap(one.box.low.x, one.box.high.x);
   if (one.box.low.y > one.box.high.y) std::swap(one.box.low.y, one.box.high.y);
-  all.boxes.push_back(one);
-  return size.finish();
+  return add_sized(all.boxes, one, place, std::move(size));
 }
 
 std::optional<error> add_in(size_wishes& all, number_list place, number_list size) {
   size_in_region one;
   one.region = place.take_whole("REGION", least_number, greatest_number);
-  one.size = size.take("H", lengths);
-  one.growth = size.take_or("GROWTH", growths, usual_growth);
-  all.regions.push_back(one);
-  auto failed = place.finish();
-  return failed ? failed : size.finish();
+  return add_sized(all.regions, one, place, std::move(size));
 }
 
 std::optional<error> add_near(size_wishes& all, number_list place, number_list size) {
   size_near one;
   one.marker = place.take_whole("MARKER", least_number, greatest_number);
-  one.size = size.take("H0", lengths);
-  one.growth = size.take_or("GROWTH", growths, usual_growth);
-  all.near.push_back(one);
-  auto failed = place.finish();
-  return failed ? failed : size.finish();
+  return add_sized(all.near, one, place, std::move(size), "H0");
 }
 
 std::optional<error> add_layers(size_wishes& all, number_list place, number_list size) {
