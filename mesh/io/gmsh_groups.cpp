@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <string_view>
 
@@ -110,6 +111,43 @@ void gmsh_groups::settle(listed_mesh& m) {
     for (listed_quadrilateral& q : m.quadrilaterals) q.region = 1;
   }
   for (boundary_edge& e : made.boundary) e.marker = markers[static_cast<std::size_t>(e.marker)];
+}
+
+void gmsh_groups::unite_repeated(listed_mesh& file) {
+  mesh& m = file.content;
+  const auto unite = [&](int dimension, std::size_t count, const auto& key_of,
+                         const auto& groups_of) {
+    using key = std::array<vertex_index, 4>;
+    std::vector<std::pair<key, std::size_t>> order(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      order[i] = {key_of(i), i};
+      std::sort(order[i].first.begin(), order[i].first.end());
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
+      int all = groups_of(order[begin].second);
+      for (end = begin + 1; end < count && order[end].first == order[begin].first; ++end)
+        all = united(dimension, all, groups_of(order[end].second));
+      for (std::size_t k = begin; k < end; ++k) groups_of(order[k].second) = all;
+    }
+  };
+  unite(
+      2, m.triangles.size(),
+      [&](std::size_t i) {
+        const triangle& t = m.triangles[i];
+        return std::array{t[0], t[1], t[2], t[2]};
+      },
+      [&](std::size_t i) -> int& { return m.regions[i]; });
+  unite(
+      2, file.quadrilaterals.size(), [&](std::size_t i) { return file.quadrilaterals[i].corners; },
+      [&](std::size_t i) -> int& { return file.quadrilaterals[i].region; });
+  unite(
+      1, m.boundary.size(),
+      [&](std::size_t i) {
+        const boundary_edge& e = m.boundary[i];
+        return std::array{e.a, e.b, e.b, e.b};
+      },
+      [&](std::size_t i) -> int& { return m.boundary[i].marker; });
 }
 
 }  // namespace asterism::internal

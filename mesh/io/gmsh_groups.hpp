@@ -24,6 +24,10 @@ class gmsh_groups {
   // Returns the number of the set with those of both.
   int united(int dimension, int one, int other);
 
+  // Gives an element that is listed again, once for each of its groups, all of them. Versions 1 and
+  // 2 have no other way to say that there are several.
+  void unite_repeated(listed_mesh& m);
+
   // Replaces the numbers of sets by markers and regions, and names these. Those of one group are
   // its tag, or what its name says ("marker -7" for a number that no group can have); of several a
   // tag that no other set has, or the next free number, under all their names. Regions are left

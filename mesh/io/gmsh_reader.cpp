@@ -78,8 +78,9 @@ class gmsh_reader {
   failure read_nodes_of_four();
   failure read_node_block();
   failure read_positions_of_block(std::size_t nodes, std::size_t parameters);
-  failure read_elements_of_one();
-  failure read_elements_of_two();
+  failure read_element_list(const std::string& end);
+  result<int> read_group_of_one();
+  result<int> read_group_of_two();
   failure read_elements_of_four();
   failure read_element_block();
   // Reads the vertices of an element, which is in the groups of that number.
@@ -91,7 +92,6 @@ class gmsh_reader {
     return static_cast<int>(std::min<std::size_t>(kind.corners, 3)) - 1;
   }
   result<element_kind> read_kind();
-  void unite_repeated();
   failure read_node_data();
   failure read_metric();
   failure skip_to_end(const std::string& section, std::size_t line);
@@ -170,8 +170,8 @@ failure gmsh_reader::read_section(const word& head) {
   if (name == "$Elements" || name == "$ELM") {
     if (!nodes_seen_) return source_.failure(head.line, name + " before $Nodes");
     if (std::exchange(elements_seen_, true)) return source_.failure(head.line, "a second " + name);
-    if (version_ == 1) return read_elements_of_one();
-    return version_ == 2 ? read_elements_of_two() : read_elements_of_four();
+    if (version_ == 4) return read_elements_of_four();
+    return read_element_list(version_ == 1 ? "$ENDELM" : "$EndElements");
   }
   if (name == "$NodeData") return read_node_data();
   return skip_to_end("$End" + name.substr(1), head.line);
@@ -372,46 +372,43 @@ void gmsh_reader::add_element(const element_kind& kind, const std::array<vertex_
   m.regions.push_back(groups);
 }
 
-// Elements of version 1: number, type, physical group, entity, number of nodes, and these.
-failure gmsh_reader::read_elements_of_one() {
+// Reads the elements of versions 1 and 2: number, type, groups, and the nodes.
+failure gmsh_reader::read_element_list(const std::string& end) {
   const auto elements = count("number of elements");
   if (!elements.ok()) return elements.failure();
   for (std::size_t i = 0; i < elements.value(); ++i) {
     if (auto failed = read_numbers(1, "tag of an element")) return failed;
     const auto kind = read_kind();
     if (!kind.ok()) return kind.failure();
-    const auto tag = to_marker(source_, source_.next(), "physical group");
-    if (!tag.ok()) return tag.failure();
     const std::size_t line = source_.line();
-    if (auto failed = read_numbers(2, "entity of an element")) return failed;
-    const int dimension = dimension_of(kind.value());
-    const int groups = tag.value() == 0 ? 0 : groups_.number_of_set(dimension, {tag.value()});
+    const auto group = version_ == 1 ? read_group_of_one() : read_group_of_two();
+    if (!group.ok()) return group.failure();
+    const int groups =
+        group.value() == 0 ? 0 : groups_.number_of_set(dimension_of(kind.value()), {group.value()});
     if (auto failed = read_element(kind.value(), line, groups)) return failed;
   }
-  return expect("$ENDELM");
+  return expect(end);
 }
 
-failure gmsh_reader::read_elements_of_two() {
-  const auto elements = count("number of elements");
-  if (!elements.ok()) return elements.failure();
-  for (std::size_t i = 0; i < elements.value(); ++i) {
-    if (auto failed = read_numbers(1, "tag of an element")) return failed;
-    const auto kind = read_kind();
-    if (!kind.ok()) return kind.failure();
-    const std::size_t line = source_.line();
-    const auto tags = count("number of tags");
-    if (!tags.ok()) return tags.failure();
-    int number = 0;
-    for (std::size_t k = 0; k < tags.value(); ++k) {
-      const auto tag = to_marker(source_, source_.next(), "tag");
-      if (!tag.ok()) return tag.failure();
-      if (k == 0) number = tag.value();
-    }
-    const int groups =
-        number == 0 ? 0 : groups_.number_of_set(dimension_of(kind.value()), {number});
-    if (auto failed = read_element(kind.value(), line, groups)) return failed;
+// Reads physical group, entity, and the number of nodes, which the type tells as well.
+result<int> gmsh_reader::read_group_of_one() {
+  const auto group = to_marker(source_, source_.next(), "physical group");
+  if (!group.ok()) return group;
+  if (auto failed = read_numbers(2, "entity of an element")) return std::move(*failed);
+  return group;
+}
+
+// Reads the tags, of which the first is the physical group; 0 where there is none.
+result<int> gmsh_reader::read_group_of_two() {
+  const auto tags = count("number of tags");
+  if (!tags.ok()) return tags.failure();
+  int group = 0;
+  for (std::size_t k = 0; k < tags.value(); ++k) {
+    const auto tag = to_marker(source_, source_.next(), "tag");
+    if (!tag.ok()) return tag;
+    if (k == 0) group = tag.value();
   }
-  return expect("$EndElements");
+  return group;
 }
 
 failure gmsh_reader::read_elements_of_four() {
@@ -440,46 +437,6 @@ failure gmsh_reader::read_element_block() {
     if (auto failed = read_element(kind.value(), source_.line(), groups)) return failed;
   }
   return {};
-}
-
-// Gives an element that is listed again, once for each of its physical groups, all of them. So
-// version 2 says that there are several.
-void gmsh_reader::unite_repeated() {
-  mesh& m = file_.content;
-  const auto unite = [&](int dimension, std::size_t count, const auto& key_of,
-                         const auto& groups_of) {
-    using key = std::array<vertex_index, 4>;
-    std::vector<std::pair<key, std::size_t>> order(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      order[i] = {key_of(i), i};
-      std::sort(order[i].first.begin(), order[i].first.end());
-    }
-    std::sort(order.begin(), order.end());
-    for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
-      int all = groups_of(order[begin].second);
-      for (end = begin + 1; end < count && order[end].first == order[begin].first; ++end)
-        all = groups_.united(dimension, all, groups_of(order[end].second));
-      for (std::size_t k = begin; k < end; ++k) groups_of(order[k].second) = all;
-    }
-  };
-  unite(
-      2, m.triangles.size(),
-      [&](std::size_t i) {
-        const triangle& t = m.triangles[i];
-        return std::array{t[0], t[1], t[2], t[2]};
-      },
-      [&](std::size_t i) -> int& { return m.regions[i]; });
-  unite(
-      2, file_.quadrilaterals.size(),
-      [&](std::size_t i) { return file_.quadrilaterals[i].corners; },
-      [&](std::size_t i) -> int& { return file_.quadrilaterals[i].region; });
-  unite(
-      1, m.boundary.size(),
-      [&](std::size_t i) {
-        const boundary_edge& e = m.boundary[i];
-        return std::array{e.a, e.b, e.b, e.b};
-      },
-      [&](std::size_t i) -> int& { return m.boundary[i].marker; });
 }
 
 // String tags, real tags, integer tags; the first string is the name, the second integer the number
@@ -536,7 +493,7 @@ failure gmsh_reader::read_metric() {
 failure gmsh_reader::finish() {
   mesh& m = file_.content;
   if (!elements_seen_) return source_.failure(source_.line(), "there is no section $Elements");
-  if (version_ < 4) unite_repeated();
+  if (version_ < 4) groups_.unite_repeated(file_);
   groups_.settle(file_);
   file_.all_edges = true;
   if (auto failed = put_in_order(file_, listed_order::put_right)) return failed;
