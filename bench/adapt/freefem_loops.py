@@ -29,7 +29,8 @@ def measured(script, by, wanted, options):
     if kept.exists():
         return json.loads(kept.read_text(encoding="utf-8"))
     folder.mkdir(parents=True, exist_ok=True)
-    for file in EXAMPLES.glob("*.[ei]d*p"):
+    macro = EXAMPLES.parents[1] / "apps" / "freefem" / "asterism.idp"
+    for file in [macro, *EXAMPLES.glob("*.[ei]d*p")]:
         shutil.copy(file, folder)
     done = subprocess.run([options.freefem, "-v", "0", script + ".edp", "-by", by, "-vertices", str(wanted)],
                           cwd=folder, text=True, capture_output=True, timeout=options.limit, check=True,

@@ -16,7 +16,8 @@ FREEFEM, ASTERISM, EXAMPLES = sys.argv[1:4]
 def lines_of(script, *words):
     with tempfile.TemporaryDirectory(prefix="asterism-freefem-") as name:
         folder = pathlib.Path(name)
-        for file in pathlib.Path(EXAMPLES).glob("*.[ei]d*p"):
+        macro = pathlib.Path(EXAMPLES).parents[1] / "apps/freefem/asterism.idp"
+        for file in [macro, *pathlib.Path(EXAMPLES).glob("*.[ei]d*p")]:
             shutil.copy(file, folder)
         done = subprocess.run([FREEFEM, "-v", "0", script, *words], cwd=folder, text=True,
                               capture_output=True, timeout=200, check=False,
