@@ -4,16 +4,14 @@
 many orientations were asked.
     mesh.py PROJECT WORK ASTERISM
 Exit status 77: skipped, since Emscripten, node or npm is missing. What else is missing is said."""
-import functools
-import http.server
 import json
 import pathlib
 import shlex
 import shutil
 import subprocess
 import sys
-import threading
-import time
+
+import served
 
 SKIPPED = 77
 NUMBERS = {"--size": "size", "--gradation": "gradation", "--angle-bound": "angleBound", "--metric-tolerance": "metricTolerance",
@@ -139,34 +137,10 @@ def compare(taken, answers):
         sys.exit("not the command's files")
 
 
-class Server(http.server.SimpleHTTPRequestHandler):
-    extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".mjs": "text/javascript", ".wasm": "application/wasm"}
-
-    def log_message(self, *_):
-        pass
-
-
 def in_chromium(project, work, asterism):
-    try:
-        sys.path.insert(0, str(project / "tests/apps"))
-        import browser  # pylint: disable=import-outside-toplevel
-        driver = browser.start(work / "profile")
-    except Exception as failure:  # pylint: disable=broad-except
-        print("skipped: Chromium,", type(failure).__name__, str(failure).splitlines()[:1])
+    told = served.told_by("mesh.html", project, work, 240)
+    if told is None:
         return
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Server, directory=work))
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    try:
-        driver.get(f"http://127.0.0.1:{server.server_port}/mesh.html")
-        end = time.monotonic() + 240
-        while not (told := driver.execute_script("return document.body.dataset.told")):
-            if time.monotonic() > end:
-                sys.exit(f"Chromium: no answer; {driver.get_log('browser')}")
-            time.sleep(0.1)
-    finally:
-        driver.quit()
-        server.shutdown()
-    told = json.loads(told)
     print(f"Chromium: {told['triangles']} triangles in {told['seconds']:.2f} s")
     if not (told["certified"] and told["again"]):
         sys.exit("Chromium: not certified")

@@ -4,16 +4,14 @@ TypeScript, as robust-predicates in delaunator and d3-delaunay, and by headless 
 questions is answered as its records say, and by the tiers that decide natively.
     predicates.py PROJECT WORK ASTERISM
 Exit status 77: skipped, since Emscripten, node or npm is missing. What else is missing is said."""
-import functools
-import http.server
 import json
 import lzma
 import pathlib
 import shutil
 import subprocess
 import sys
-import threading
-import time
+
+import served
 
 BOUND = 150_000  # bytes of the packed file
 FROM_REGISTRY = ["typescript", "robust-predicates"]
@@ -99,35 +97,11 @@ def with_packages_of_others(packed, work):
     in_place_of_robust_predicates(packed, work)
 
 
-class Server(http.server.SimpleHTTPRequestHandler):
-    extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map,
-                      ".mjs": "text/javascript", ".wasm": "application/wasm"}
-
-    def log_message(self, *_):
-        pass
-
-
 def in_chromium(project, work, tiers):
-    try:
-        sys.path.insert(0, str(project / "tests/apps"))
-        import browser  # pylint: disable=import-outside-toplevel
-        driver = browser.start(work / "profile")
-    except Exception as failure:  # pylint: disable=broad-except
-        print("skipped: Chromium,", type(failure).__name__, str(failure).splitlines()[:1])
+    told = served.told_by("corpus.html", project, work, 120)
+    if told is None:
         return
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Server, directory=work))
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    try:
-        driver.get(f"http://127.0.0.1:{server.server_port}/corpus.html")
-        end = time.monotonic() + 120
-        while not (told := driver.execute_script("return document.body.dataset.told")):
-            if time.monotonic() > end:
-                sys.exit(f"Chromium: no answer; {driver.get_log('browser')}")
-            time.sleep(0.1)
-    finally:
-        driver.quit()
-        server.shutdown()
-    judge(json.loads(told), "Chromium", tiers)
+    judge(told, "Chromium", tiers)
 
 
 def main():
