@@ -15,6 +15,7 @@
 #include "asterism/mesh/draw/packed_arrays.hpp"
 #include "asterism/mesh/draw/page_template.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
+#include "asterism/mesh/support/markup.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -117,19 +118,6 @@ std::string for_script(std::string text) {
   return text;
 }
 
-std::string for_html(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '<')
-      safe += "&lt;";
-    else if (c == '&')
-      safe += "&amp;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 // Returns `page` with each name in double braces replaced, in one pass: what is put in is not
 // looked at again.
 std::string fill_in(std::string_view page,
@@ -158,7 +146,7 @@ result<std::string> report_page(const mesh& m, const report_facts& facts) {
   const std::string told =
       for_script(facts_json(m, facts, arrays).dump(1, ' ', false, json::error_handler_t::replace));
   const std::string claim = facts.claim ? for_script(certificate_text(*facts.claim)) : "null";
-  const std::string title = for_html(facts.title.empty() ? "Mesh" : facts.title);
+  const std::string title = escaped_markup(facts.title.empty() ? "Mesh" : facts.title);
   return fill_in(page_template::page, {{"title", title},
                                        {"style", page_template::style},
                                        {"script", page_template::script},

@@ -43,9 +43,8 @@ double extent(const mesh& m) {
 // Leaves out heights that are rounding, or one for all vertices.
 failure flatten(listed_mesh& m) {
   if (m.heights.empty()) return {};
-  constexpr double rounding = 1e-9;  // of the extent: what programs leave that turn a plane
   const double common = m.heights.size() == m.content.sites.size() ? m.heights.front().z : 0;
-  const double allowed = rounding * extent(m.content);
+  const double allowed = rounding_of_heights * extent(m.content);
   double most = 0;
   for (const listed_height& h : m.heights) {
     const double off = std::abs(h.z - common);

@@ -26,6 +26,9 @@
 
 namespace asterism::internal {
 
+// Heights up to this part of the extent are taken for the rounding of programs that turn a plane.
+inline constexpr double rounding_of_heights = 1e-9;
+
 // A third coordinate other than 0.
 struct listed_height {
   vertex_index vertex;

@@ -159,7 +159,6 @@ failure stl_reader::join_corners() {
     first[order[k]] = k > 0 && corners_[order[k]].at == corners_[order[k - 1]].at
                           ? first[order[k - 1]]
                           : order[k];
-  constexpr double rounding = 1e-9;
   const double extent = corners_[order.back()].at.x - corners_[order.front()].at.x;
   std::vector<vertex_index> number(corners_.size());
   for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -171,7 +170,7 @@ failure stl_reader::join_corners() {
     number[i] = number[first[i]];
     if (first[i] == i && c.z != 0) made_.heights.push_back({number[i], c.line, c.z});
     // Rounding is for put_in_order to judge, where it is of one vertex.
-    if (!(std::abs(c.z - corners_[first[i]].z) <= rounding * extent))
+    if (!(std::abs(c.z - corners_[first[i]].z) <= rounding_of_heights * extent))
       return source_.failure(c.line,
                              "two corners are above each other: only plane meshes can be "
                              "read, parallel to x and y");

@@ -15,6 +15,7 @@
 
 #include "asterism/mesh/io/text_lines.hpp"
 #include "asterism/mesh/numerics/metric_angle.hpp"
+#include "asterism/mesh/support/markup.hpp"
 
 namespace asterism::internal {
 
@@ -118,26 +119,10 @@ void add_points(vtu_writer& out, const mesh& m) {
   out.add("</Points>\n");
 }
 
-// Text as an attribute may hold it.
-std::string attribute(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '<')
-      safe += "&lt;";
-    else if (c == '&')
-      safe += "&amp;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 // Vectors get a third component of 0; tensors have their three numbers, as the metric.
 void add_field(vtu_writer& out, const solution_field& field, std::size_t vertices) {
   const std::size_t c = components_of(field.kind), width = c == 1 ? 1 : 3;
-  out.add_array<double>(attribute(field.name), static_cast<int>(width), width * vertices,
+  out.add_array<double>(escaped_markup(field.name), static_cast<int>(width), width * vertices,
                         [&field, c, width](std::size_t i) {
                           return i % width < c ? field.values[i / width * c + i % width] : 0.0;
                         });
