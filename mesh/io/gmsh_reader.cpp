@@ -15,13 +15,12 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
 #include "asterism/mesh/io/gmsh_groups.hpp"
+#include "asterism/mesh/io/gmsh_source.hpp"
 #include "asterism/mesh/io/listed_readers.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism::internal {
 namespace {
-
-using failure = std::optional<error>;
 
 // Elements of so many corners, which are the first of so many nodes.
 struct element_kind {
@@ -48,36 +47,18 @@ constexpr std::array<element_kind, 19> element_kinds = {{{15, 1, 1},
                                                          {36, 4, 16},
                                                          {37, 4, 25}}};
 
-// Names a version as the header of a file spells it, and as two numbers.
-struct gmsh_dialect {
-  std::string_view text;
-  int major, minor;
-};
-constexpr std::array<gmsh_dialect, 7> dialects = {{{"4.1", 4, 1},
-                                                   {"4.0", 4, 0},
-                                                   {"4", 4, 0},
-                                                   {"2.2", 2, 2},
-                                                   {"2.1", 2, 1},
-                                                   {"2.0", 2, 0},
-                                                   {"2", 2, 0}}};
-
-class gmsh_reader {
+class gmsh_reader : private gmsh_source {
  public:
-  explicit gmsh_reader(text_scanner& source) : source_(source) { file_.file = source.file(); }
+  explicit gmsh_reader(text_scanner& source) : gmsh_source(source) {}
 
   failure read();
   listed_mesh take() { return std::move(file_); }
 
  private:
-  failure read_format();
   failure read_section(const word& head);
   failure read_names();
   failure read_entities();
   failure read_entity(int dimension);
-  failure read_nodes_of_two(const std::string& end);
-  failure read_nodes_of_four();
-  failure read_node_block();
-  failure read_positions_of_block(std::size_t nodes, std::size_t parameters);
   failure read_element_list(const std::string& end);
   result<int> read_group_of_one();
   result<int> read_group_of_two();
@@ -94,36 +75,15 @@ class gmsh_reader {
   result<element_kind> read_kind();
   failure read_node_data();
   failure read_metric();
-  failure skip_to_end(const std::string& section, std::size_t line);
-  failure expect(const std::string& wanted);
   failure finish();
 
-  failure add_node(const word& tag);
-  failure read_position(site& s);
-  failure read_numbers(std::size_t count, std::string_view what);
-  result<long long> integer(std::string_view what) {
-    return to_integer(source_, source_.next(), what);
-  }
-  result<std::size_t> count(std::string_view what) {
-    return to_count(source_, source_.next(), what);
-  }
-  result<vertex_index> vertex(std::string_view what);
-
-  text_scanner& source_;
-  listed_mesh file_;
-  int version_ = 0, minor_ = 0;
-  bool nodes_seen_ = false, elements_seen_ = false;
-  std::unordered_map<long long, vertex_index> vertex_of_;
+  bool elements_seen_ = false;
   std::map<std::pair<int, long long>, int> physical_;  // groups of each entity, by its dimension
   gmsh_groups groups_;
 };
 
 failure gmsh_reader::read() {
-  const word first = text_scanner(source_).next();
-  if (first.text == "$NOD")
-    version_ = 1;
-  else if (auto failed = read_format())
-    return failed;
+  if (auto failed = read_version()) return failed;
   while (true) {
     const word head = source_.next();
     if (head.empty()) break;
@@ -132,61 +92,21 @@ failure gmsh_reader::read() {
   return finish();
 }
 
-failure gmsh_reader::read_format() {
-  const word head = source_.next();
-  if (head.text != "$MeshFormat")
-    return source_.failure(head.line, "$MeshFormat wanted, not " + quoted_token(head.text));
-  const word version = source_.next();
-  for (const gmsh_dialect& d : dialects)
-    if (version.text == d.text) {
-      version_ = d.major;
-      minor_ = d.minor;
-    }
-  if (version_ == 0)
-    return source_.failure(version.line, "version " + quoted_token(version.text) +
-                                             ": 1, 2.0 to 2.2, 4.0 and 4.1 can be read; gmsh "
-                                             "-save -format msh41 writes the last");
-  const auto kind = integer("kind of file");
-  if (!kind.ok()) return kind.failure();
-  if (kind.value() != 0)
-    return source_.failure(
-        version.line, "a binary file: only text can be read; gmsh -save -format msh41 writes it");
-  const auto size = integer("size of numbers");
-  if (!size.ok()) return size.failure();
-  return expect("$EndMeshFormat");
-}
-
 failure gmsh_reader::read_section(const word& head) {
   const std::string name(head.text);
   if (name.empty() || name.front() != '$')
     return source_.failure(head.line, "a section wanted, not " + quoted_token(head.text));
   if (name == "$PhysicalNames") return read_names();
   if (name == "$Entities") return read_entities();
-  if (name == "$Nodes" || name == "$NOD") {
-    if (std::exchange(nodes_seen_, true)) return source_.failure(head.line, "a second " + name);
-    if (version_ == 4) return read_nodes_of_four();
-    return read_nodes_of_two(version_ == 1 ? "$ENDNOD" : "$EndNodes");
-  }
+  if (name == "$Nodes" || name == "$NOD") return read_nodes(head);
   if (name == "$Elements" || name == "$ELM") {
-    if (!nodes_seen_) return source_.failure(head.line, name + " before $Nodes");
+    if (!has_nodes()) return source_.failure(head.line, name + " before $Nodes");
     if (std::exchange(elements_seen_, true)) return source_.failure(head.line, "a second " + name);
     if (version_ == 4) return read_elements_of_four();
     return read_element_list(version_ == 1 ? "$ENDELM" : "$EndElements");
   }
   if (name == "$NodeData") return read_node_data();
   return skip_to_end("$End" + name.substr(1), head.line);
-}
-
-failure gmsh_reader::expect(const std::string& wanted) {
-  const word w = source_.next();
-  if (w.text == wanted) return {};
-  return source_.failure(w.line, wanted + " wanted, not " + quoted_token(w.text));
-}
-
-failure gmsh_reader::skip_to_end(const std::string& section, std::size_t line) {
-  for (word w = source_.next(); !w.empty(); w = source_.next())
-    if (w.text == section) return {};
-  return source_.failure(line, section + " is missing");
 }
 
 failure gmsh_reader::read_names() {
@@ -207,12 +127,6 @@ failure gmsh_reader::read_names() {
     groups_.set_name(dimension.value(), tag.value(), std::string(name.substr(1, name.size() - 2)));
   }
   return expect("$EndPhysicalNames");
-}
-
-failure gmsh_reader::read_numbers(std::size_t count, std::string_view what) {
-  for (std::size_t i = 0; i < count; ++i)
-    if (const auto x = to_number(source_, source_.next(), what); !x.ok()) return x.failure();
-  return {};
 }
 
 failure gmsh_reader::read_entities() {
@@ -250,89 +164,6 @@ failure gmsh_reader::read_entity(int dimension) {
   const auto bounding = count("number of bounding entities");
   if (!bounding.ok()) return bounding.failure();
   return read_numbers(bounding.value(), "bounding entity");
-}
-
-failure gmsh_reader::add_node(const word& tag) {
-  const auto number = to_integer(source_, tag, "tag of a node");
-  if (!number.ok()) return number.failure();
-  const auto v = static_cast<vertex_index>(vertex_of_.size());
-  if (!vertex_of_.emplace(number.value(), v).second)
-    return source_.failure(tag.line, "node " + quoted_token(tag.text) + " is there twice");
-  file_.content.sites.emplace_back();
-  return {};
-}
-
-failure gmsh_reader::read_position(site& s) {
-  const auto x = to_number(source_, source_.next(), "x of a node");
-  if (!x.ok()) return x.failure();
-  const auto y = to_number(source_, source_.next(), "y of a node");
-  if (!y.ok()) return y.failure();
-  const word w = source_.next();
-  const auto z = to_number(source_, w, "z of a node");
-  if (!z.ok()) return z.failure();
-  if (z.value() != 0)
-    file_.heights.push_back(
-        {static_cast<vertex_index>(&s - file_.content.sites.data()), w.line, z.value()});
-  s = {{x.value(), y.value()}, {1, 0, 1}};
-  return {};
-}
-
-failure gmsh_reader::read_nodes_of_two(const std::string& end) {
-  const auto nodes = count("number of nodes");
-  if (!nodes.ok()) return nodes.failure();
-  for (std::size_t i = 0; i < nodes.value(); ++i) {
-    if (auto failed = add_node(source_.next())) return failed;
-    if (auto failed = read_position(file_.content.sites.back())) return failed;
-  }
-  return expect(end);
-}
-
-failure gmsh_reader::read_nodes_of_four() {
-  const auto blocks = count("number of blocks");
-  if (!blocks.ok()) return blocks.failure();
-  if (auto failed = read_numbers(minor_ > 0 ? 3 : 1, "count of nodes")) return failed;
-  for (std::size_t i = 0; i < blocks.value(); ++i)
-    if (auto failed = read_node_block()) return failed;
-  return expect("$EndNodes");
-}
-
-failure gmsh_reader::read_node_block() {
-  // Reads the entity first in version 4.0, where each node's tag stands before its place.
-  const auto first = count("entity of nodes"), second = count("entity of nodes");
-  if (!first.ok()) return first.failure();
-  if (!second.ok()) return second.failure();
-  const std::size_t dimension = minor_ > 0 ? first.value() : second.value();
-  const auto parametric = integer("parametric");
-  if (!parametric.ok()) return parametric.failure();
-  const auto nodes = count("number of nodes");
-  if (!nodes.ok()) return nodes.failure();
-  const std::size_t parameters =
-      parametric.value() != 0 ? std::min<std::size_t>(dimension, 3) : std::size_t{0};
-  return read_positions_of_block(nodes.value(), parameters);
-}
-
-failure gmsh_reader::read_positions_of_block(std::size_t nodes, std::size_t parameters) {
-  const std::size_t first = file_.content.sites.size();
-  if (minor_ > 0)
-    for (std::size_t i = 0; i < nodes; ++i)
-      if (auto failed = add_node(source_.next())) return failed;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    if (minor_ == 0)
-      if (auto failed = add_node(source_.next())) return failed;
-    if (auto failed = read_position(file_.content.sites[first + i])) return failed;
-    if (auto failed = read_numbers(parameters, "parameter of a node")) return failed;
-  }
-  return {};
-}
-
-result<vertex_index> gmsh_reader::vertex(std::string_view what) {
-  const word w = source_.next();
-  const auto tag = to_integer(source_, w, what);
-  if (!tag.ok()) return tag.failure();
-  const auto found = vertex_of_.find(tag.value());
-  if (found != vertex_of_.end()) return found->second;
-  return source_.failure(w.line,
-                         std::string(what) + ": node " + quoted_token(w.text) + " does not exist");
 }
 
 result<element_kind> gmsh_reader::read_kind() {
@@ -446,7 +277,7 @@ failure gmsh_reader::read_node_data() {
   const auto strings = count("number of string tags");
   if (!strings.ok()) return strings.failure();
   const std::string name = strings.value() == 1 ? std::string(source_.next().text) : std::string();
-  if (name != "\"metric\"" || !nodes_seen_) return skip_to_end("$EndNodeData", line);
+  if (name != "\"metric\"" || !has_nodes()) return skip_to_end("$EndNodeData", line);
   const auto reals = count("number of real tags");
   if (!reals.ok()) return reals.failure();
   if (auto failed = read_numbers(reals.value(), "real tag")) return failed;

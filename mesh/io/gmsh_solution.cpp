@@ -4,107 +4,45 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
-#include "asterism/mesh/io/text_scanner.hpp"
+#include "asterism/mesh/io/gmsh_source.hpp"
 
 namespace asterism::internal {
 namespace {
 
-using failure = std::optional<error>;
-
-class node_data_reader {
+class node_data_reader : private gmsh_source {
  public:
-  node_data_reader(std::string_view text, const std::string& file) : source_(file, text) {}
+  explicit node_data_reader(text_scanner& source) : gmsh_source(source) {}
 
   failure read();
   solution take() { return std::move(made_); }
 
  private:
-  failure read_nodes();
-  failure read_block();
   failure read_data(std::size_t line);
   failure read_values(const std::string& name, std::size_t width);
-  failure skip_to(const std::string& end, std::size_t line);
-  failure add_node();
-  result<std::size_t> count(std::string_view what) {
-    return to_count(source_, source_.next(), what);
-  }
-  // Passes over so many words.
-  failure pass(std::size_t words) {
-    for (std::size_t i = 0; i < words; ++i)
-      if (source_.next().empty()) return source_.failure(source_.line(), "the file ends here");
-    return {};
-  }
 
-  text_scanner source_;
   solution made_;
-  bool is_of_four_ = false;
-  std::unordered_map<long long, std::size_t> vertex_of_;
 };
 
+// Passes over all sections but those of nodes and node data.
 failure node_data_reader::read() {
+  if (auto failed = read_version()) return failed;
   for (word head = source_.next(); !head.empty(); head = source_.next()) {
     const std::string name(head.text);
     failure failed;
-    if (name == "$MeshFormat") {
-      is_of_four_ = source_.next().text.starts_with("4");
-      failed = skip_to("$EndMeshFormat", head.line);
-    } else if (name == "$Nodes") {
-      failed = read_nodes();
-    } else if (name == "$NodeData") {
+    if (name == "$Nodes" || name == "$NOD")
+      failed = read_nodes(head);
+    else if (name == "$NodeData")
       failed = read_data(head.line);
-    } else if (name.starts_with("$")) {
-      failed = skip_to("$End" + name.substr(1), head.line);
-    }
+    else if (name.starts_with("$"))
+      failed = skip_to_end((version_ == 1 ? "$END" : "$End") + name.substr(1), head.line);
     if (failed) return failed;
   }
   made_.vertices = vertex_of_.size();
   return {};
-}
-
-failure node_data_reader::skip_to(const std::string& end, std::size_t line) {
-  for (word w = source_.next(); !w.empty(); w = source_.next())
-    if (w.text == end) return {};
-  return source_.failure(line, end + " is missing");
-}
-
-failure node_data_reader::add_node() {
-  const word w = source_.next();
-  const auto tag = to_integer(source_, w, "tag of a node");
-  if (!tag) return tag.failure();
-  vertex_of_.emplace(tag.value(), vertex_of_.size());
-  return {};
-}
-
-// The tags alone are wanted here. Version 4 has them in blocks, before the places of each.
-failure node_data_reader::read_nodes() {
-  const std::size_t line = source_.line();
-  const auto first = count(is_of_four_ ? "number of blocks" : "number of nodes");
-  if (!first) return first.failure();
-  if (!is_of_four_) {
-    for (std::size_t i = 0; i < first.value(); ++i) {
-      if (auto failed = add_node()) return failed;
-      if (auto failed = pass(3)) return failed;
-    }
-    return skip_to("$EndNodes", line);
-  }
-  if (auto failed = pass(3)) return failed;
-  for (std::size_t i = 0; i < first.value(); ++i)
-    if (auto failed = read_block()) return failed;
-  return skip_to("$EndNodes", line);
-}
-
-failure node_data_reader::read_block() {
-  if (auto failed = pass(3)) return failed;
-  const auto nodes = count("number of nodes of a block");
-  if (!nodes) return nodes.failure();
-  for (std::size_t i = 0; i < nodes.value(); ++i)
-    if (auto failed = add_node()) return failed;
-  return pass(3 * nodes.value());
 }
 
 failure node_data_reader::read_data(std::size_t line) {
@@ -122,7 +60,7 @@ failure node_data_reader::read_data(std::size_t line) {
   }
   const auto reals = count("number of real tags");
   if (!reals) return reals.failure();
-  if (auto failed = pass(reals.value())) return failed;
+  if (auto failed = read_numbers(reals.value(), "real tag")) return failed;
   const auto integers = count("number of integer tags");
   if (!integers) return integers.failure();
   std::vector<std::size_t> tags;
@@ -134,13 +72,13 @@ failure node_data_reader::read_data(std::size_t line) {
   if (tags.size() < 3) return source_.failure(line, "node data have three integer tags");
   const std::size_t width = tags[1];
   const bool is_field = width == 1 || width == 3 || width == 9;
-  if (name == "metric" || !is_field) return skip_to("$EndNodeData", line);
+  if (name == "metric" || !is_field) return skip_to_end("$EndNodeData", line);
   if (tags[2] != vertex_of_.size())
     return source_.failure(line, "node data " + quoted_token(name) + " of " +
                                      std::to_string(tags[2]) + " nodes, and there are " +
                                      std::to_string(vertex_of_.size()));
   if (auto failed = read_values(name, width)) return failed;
-  return skip_to("$EndNodeData", line);
+  return skip_to_end("$EndNodeData", line);
 }
 
 // Returns the numbers of a field of the plane; none where there is more of it.
@@ -187,7 +125,8 @@ failure node_data_reader::read_values(const std::string& name, std::size_t width
 }  // namespace
 
 result<solution> read_gmsh_solution(std::string_view text, const std::string& file) {
-  node_data_reader reader(text, file);
+  text_scanner source(file, text);
+  node_data_reader reader(source);
   if (auto failed = reader.read()) return *failed;
   return reader.take();
 }

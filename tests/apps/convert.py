@@ -141,6 +141,33 @@ class Convert(command.CommandTest):
             self.assertEqual(done.returncode, 2)
             self.assertIn(words, done.stderr)
 
+    def test_node_data_belong_to_the_nodes_in_every_version_of_gmsh(self):
+        """Coordinates are whole numbers, so that a place can be taken for a tag; tags are in no order."""
+        nodes = ((7, 0, 0), (3, 2, 0), (9, 2, 2), (5, 0, 2))
+        placed = "".join(f"{tag} {x} {y} 0\n" for tag, x, y in nodes)
+        apart = "".join(f"{tag}\n" for tag, _, _ in nodes) + "".join(f"{x} {y} 0\n" for _, x, y in nodes)
+        listed = "1 2 {} 7 3 9\n2 2 {} 7 9 5\n"
+        data = '$NodeData\n1\n"u"\n1\n0\n3\n0\n1\n4\n' + "".join(f"{t} {10 * t}\n" for t, _, _ in nodes) + "$EndNodeData\n"
+        files = {
+            "1": f"$NOD\n4\n{placed}$ENDNOD\n$ELM\n2\n" + listed.format("4 1 3", "4 1 3") + "$ENDELM\n",
+            "2.2": f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n{placed}$EndNodes\n$Elements\n2\n"
+                   + listed.format("2 4 1", "2 4 1") + "$EndElements\n",
+            "4.0": f"$MeshFormat\n4 0 8\n$EndMeshFormat\n$Nodes\n1 4\n1 2 0 4\n{placed}$EndNodes\n"
+                   "$Elements\n1 2\n1 2 2 2\n1 7 3 9\n2 7 9 5\n$EndElements\n",
+            "4.1": f"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 3 9\n2 1 0 4\n{apart}$EndNodes\n"
+                   "$Elements\n1 2 1 2\n2 1 2 2\n1 7 3 9\n2 7 9 5\n$EndElements\n"}
+        for version, text in files.items():
+            with self.subTest(version):
+                self.write("v.msh", text + data)
+                self.convert("v.msh", "v.mesh", "--quiet")
+                lines = (self.folder / "v.mesh").read_text().splitlines()
+                start, count = command.section(lines, "Vertices")
+                at = [tuple(map(float, line.split()[:2])) for line in lines[start:start + count]]
+                lines = (self.folder / "v.sol").read_text().splitlines()
+                start, count = command.section(lines, "SolAtVertices")
+                found = dict(zip(at, (float(line) for line in lines if re.fullmatch(r"[0-9.]+0", line))))
+                self.assertEqual(found, {(x, y): 10 * tag for tag, x, y in nodes})
+
     def test_unknown_endings_and_links(self):
         self.write("first.xyz", gmsh())
         for arguments in (["first.xyz", "a.msh"], ["first.msh", "a.xyz"], ["first", "a.msh"]):
