@@ -51,7 +51,10 @@ class gmsh_reader : private gmsh_source {
  public:
   explicit gmsh_reader(text_scanner& source) : gmsh_source(source) {}
 
+  // Reads all sections, as they are listed.
   failure read();
+  // Makes them a plane mesh: groups become markers and regions.
+  failure finish();
   listed_mesh take() { return std::move(file_); }
 
  private:
@@ -75,7 +78,6 @@ class gmsh_reader : private gmsh_source {
   result<element_kind> read_kind();
   failure read_node_data();
   failure read_metric();
-  failure finish();
 
   bool elements_seen_ = false;
   std::map<std::pair<int, long long>, int> physical_;  // groups of each entity, by its dimension
@@ -89,7 +91,8 @@ failure gmsh_reader::read() {
     if (head.empty()) break;
     if (auto failed = read_section(head)) return failed;
   }
-  return finish();
+  if (!elements_seen_) return source_.failure(source_.line(), "there is no section $Elements");
+  return {};
 }
 
 failure gmsh_reader::read_section(const word& head) {
@@ -323,7 +326,6 @@ failure gmsh_reader::read_metric() {
 
 failure gmsh_reader::finish() {
   mesh& m = file_.content;
-  if (!elements_seen_) return source_.failure(source_.line(), "there is no section $Elements");
   if (version_ < 4) groups_.unite_repeated(file_);
   groups_.settle(file_);
   file_.all_edges = true;
@@ -342,6 +344,13 @@ result<listed_mesh> read_gmsh(const std::filesystem::path& path) {
   if (!text.ok()) return text.failure();
   text_scanner source(path.string(), text.value(), '\0');
   if (is_freefem_mesh(source)) return read_freefem(source);
+  gmsh_reader reader(source);
+  if (auto failed = reader.read()) return std::move(*failed);
+  if (auto failed = reader.finish()) return std::move(*failed);
+  return reader.take();
+}
+
+result<listed_mesh> read_gmsh_as_listed(text_scanner& source) {
   gmsh_reader reader(source);
   if (auto failed = reader.read()) return std::move(*failed);
   return reader.take();

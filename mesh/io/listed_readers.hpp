@@ -24,6 +24,11 @@ bool is_freefem_mesh(text_scanner source);
 // Reads FreeFEM's .msh: the numbers of vertices, triangles and edges, and these, each with a label.
 result<listed_mesh> read_freefem(text_scanner& source);
 
+// Reads the sections of gmsh's .msh and leaves them as they are listed: nodes may be in space,
+// their third coordinates among the heights, and vertices may be in no triangle. Marks and regions
+// are numbers of sets of groups.
+result<listed_mesh> read_gmsh_as_listed(text_scanner& source);
+
 // Reads SU2's .su2 of one zone: triangles and quadrilaterals, and the lines of the markers, whose
 // tags are kept as names. Source: su2code.github.io, "Mesh File".
 result<listed_mesh> read_su2(std::string_view text, const std::string& file);
