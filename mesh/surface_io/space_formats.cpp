@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/io/stl_facets.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 #include "asterism/mesh/surface_io/space_mesh_reader.hpp"
 
@@ -80,43 +81,6 @@ class corner_collector {
   space_mesh& to_;
   std::map<std::array<double, 3>, std::uint32_t> number_of_;
 };
-
-std::uint32_t little_endian(const char* bytes) {
-  std::uint32_t x = 0;
-  for (int k = 3; k >= 0; --k) x = (x << 8) | static_cast<unsigned char>(bytes[k]);
-  return x;
-}
-
-double float_at(const char* bytes) {
-  return static_cast<double>(std::bit_cast<float>(little_endian(bytes)));
-}
-
-constexpr std::size_t stl_header = 84, stl_facet = 50;
-
-bool is_binary_stl(std::string_view bytes) {
-  return bytes.size() >= stl_header &&
-         (bytes.size() - stl_header) / stl_facet == little_endian(bytes.data() + 80) &&
-         (bytes.size() - stl_header) % stl_facet == 0;
-}
-
-result<space_mesh> parse_binary_stl(std::string_view bytes, const std::string& file) {
-  space_mesh made;
-  corner_collector corners(made);
-  for (std::size_t at = stl_header; at < bytes.size(); at += stl_facet) {
-    space_triangle t{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const char* const p = bytes.data() + at + 12 * (k + 1);
-      const space_point q{float_at(p), float_at(p + 4), float_at(p + 8)};
-      if (!std::isfinite(q.x) || !std::isfinite(q.y) || !std::isfinite(q.z))
-        return error{fmt::format("{}: facet {}: a coordinate is not finite", file,
-                                 made.triangles.size() + 1),
-                     error_code::bad_number};
-      t[k] = corners.add(q);
-    }
-    made.triangles.push_back(t);
-  }
-  return made;
-}
 
 // A number type of .ply.
 struct ply_type {
@@ -336,30 +300,16 @@ result<space_mesh> parse_obj(std::string_view text, const std::string& file) {
 }
 
 result<space_mesh> parse_stl(std::string_view bytes, const std::string& file) {
-  if (is_binary_stl(bytes)) return parse_binary_stl(bytes, file);
-  text_scanner from(file, bytes);
+  const auto facets = read_stl_facets(bytes, file);
+  if (!facets) return facets.failure();
   space_mesh made;
   corner_collector corners(made);
-  std::vector<std::uint32_t> facet;
-  std::vector<word> words;
-  bool is_first = true;
-  for (from.next_line(words); !words.empty(); from.next_line(words)) {
-    const std::string_view head = words[0].text;
-    if (is_first && head != "solid")
-      return from.failure(words[0].line,
-                          "this is no .stl file: neither \"solid\" nor the size of a binary one");
-    is_first = false;
-    if (head == "vertex") {
-      const auto p = point_of(from, words, 1);
-      if (!p) return p.failure();
-      facet.push_back(corners.add(p.value()));
-    } else if (head == "endloop") {
-      if (facet.size() != 3)
-        return from.failure(words[0].line,
-                            fmt::format("a facet of {} corners, not 3", facet.size()));
-      made.triangles.push_back({facet[0], facet[1], facet[2]});
-      facet.clear();
-    }
+  const std::vector<stl_corner>& all = facets.value().corners;
+  for (std::size_t i = 0; i + 2 < all.size(); i += 3) {
+    space_triangle t{};
+    for (std::size_t k = 0; k < 3; ++k)
+      t[k] = corners.add({all[i + k].x, all[i + k].y, all[i + k].z});
+    made.triangles.push_back(t);
   }
   return made;
 }
