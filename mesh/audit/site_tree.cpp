@@ -197,6 +197,9 @@ void site_tree::build(std::size_t self, std::size_t first, std::size_t last) {
     n.high = {std::max(n.high.x, q.x), std::max(n.high.y, q.y)};
   }
   if (last - first <= leaf_size) {
+    // By number: the order in which std::nth_element leaves them is another in each library.
+    std::sort(order_.begin() + static_cast<std::ptrdiff_t>(first),
+              order_.begin() + static_cast<std::ptrdiff_t>(last));
     bound_leaf(n);
     nodes_[self] = n;
     return;
