@@ -63,7 +63,7 @@ point nearer_to_vertex(const site& v, const site& x, const site& y, const point&
 }
 
 // A direction, with the square of its length as v measures.
-struct direction {
+struct measured_direction {
   point u;
   sized_value squared;
 };
@@ -75,7 +75,7 @@ struct side_of_gap {
 
 // Knows nothing where the bound of 4.2 is not certainly positive, or u not certainly within a right
 // angle of z.
-side_of_gap beside(const site& v, const measured_ray& z, const direction& to) {
+side_of_gap beside(const site& v, const measured_ray& z, const measured_direction& to) {
   const point &u = to.u, &d = z.way;
   const metric_tensor &own = v.metric, &other = z.end->metric;
   if (!(inner_product(u, z.dual, z.extent, own.m11 + own.m22).below() > 0)) return {};
@@ -122,7 +122,7 @@ point between_rays(const point& u, const point& x, const point& y) {
 }
 
 gap_extent extent_of(const site& v, const measured_ray& x, const measured_ray& y, const point& u) {
-  const direction to{u, sized_square_norm(v.metric, u)};
+  const measured_direction to{u, sized_square_norm(v.metric, u)};
   if (!is_known(to.squared)) return {};
   const side_of_gap by_x = beside(v, x, to), by_y = beside(v, y, to);
   const double bound = std::min(by_x.bound, by_y.bound);

@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
-// Says, in the place of mesh/io/vtu_mesh.cpp, that this build reads no files of VTK, which zlib
-// unpacks.
+// Says, in the place of mesh/io/vtu_mesh.cpp and vtu_solution.cpp, that this build reads no files
+// of VTK's XML, which zlib unpacks.
 #include "asterism/mesh/io/vtu_mesh.hpp"
+#include "asterism/mesh/io/vtu_solution.hpp"
 
 namespace asterism::internal {
+namespace {
 
-result<vtu_mesh> read_vtu_mesh(std::string_view, const std::string& file) {
-  return error{file + ": files of VTK are not part of this module", error_code::malformed_file};
+error not_read(const std::string& file) {
+  return {file + ": files of VTK are not part of this module", error_code::malformed_file};
+}
+
+}  // namespace
+
+result<listed_mesh> read_vtu_mesh(std::string_view, const std::string& file) {
+  return not_read(file);
+}
+
+result<solution> read_vtu_solution(std::string_view, const std::string& file, const mesh&,
+                                   const std::vector<vertex_index>&) {
+  return not_read(file);
 }
 
 }  // namespace asterism::internal
