@@ -18,6 +18,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/job_words.hpp"
 #include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/page_facts.hpp"
@@ -225,8 +226,7 @@ std::optional<error> write_all(const adapt_job& job, const fs::path& certificate
   const certificate& claim = made.next.made.claim;
   options.smooth = smooth_vertices(made.next.shape);
   if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, made);
-  if (!claim.complete || !claim.certified)
-    options.note = "Incomplete, not certified: " + claim.reason;
+  options.note = file_note_of(claim);
   std::vector<output_file> files;
   for (const fs::path& output : job.outputs) {
     auto rendered = render_mesh(output, made.next.made.outcome.result, options);

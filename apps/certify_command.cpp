@@ -15,6 +15,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/job_words.hpp"
 #include "asterism/apps/json_summary.hpp"
 #include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
@@ -141,7 +142,7 @@ std::optional<error> write_result(const certify_options& options, const mesh& m,
                                   const proof_output& proof) {
   write_options how;
   how.picture.angle_bound = options.angle_bound;
-  if (!claim.complete || !claim.certified) how.note = "Incomplete, not certified: " + claim.reason;
+  how.note = file_note_of(claim);
   facts.claim = claim;
   if (!options.outputs.empty())
     facts.repeat = repeating_command(options.outputs, certificate_path(options));

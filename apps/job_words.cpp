@@ -66,4 +66,12 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
       {"seed", std::to_string(asked.seed)}};
 }
 
+std::string file_note_of(const certificate& claim) {
+  if (claim.complete && claim.certified) return "";
+  const bool in_another_metric = claim.delivered && claim.certified;
+  return (in_another_metric ? "Incomplete, certified in a metric that is not the one asked for: "
+                            : "Incomplete, not certified: ") +
+         claim.reason;
+}
+
 }  // namespace asterism::apps

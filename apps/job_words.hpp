@@ -8,6 +8,7 @@
 
 #include "asterism/apps/job_input.hpp"
 #include "asterism/apps/mesh_job.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/outcome.hpp"
 
 namespace asterism::apps {
@@ -15,5 +16,9 @@ namespace asterism::apps {
 // Returns the options of the certificate, by name.
 std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
                                               const mesh_outcome& outcome);
+
+// Returns what a comment in the mesh's files says: nothing of a certified mesh, else what is
+// missing.
+std::string file_note_of(const certificate& claim);
 
 }  // namespace asterism::apps

@@ -109,11 +109,7 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
   for (const repair_place& place : input.repairs.places) options.picture.marks.push_back(place.at);
   options.picture.ellipses = job.ellipses;
   options.picture.angle_bound = job.refinement.angle_bound;
-  if (!claim.complete || !claim.certified)
-    options.note = (claim.delivered && claim.certified
-                        ? "Incomplete, certified in a metric that is not the one asked for: "
-                        : "Incomplete, not certified: ") +
-                   claim.reason;
+  options.note = file_note_of(claim);
   if (job.max_megabytes) give_back_small_blocks();  // of the mesher's stars: texts need the room
   const held_signals held;
   pending_files files;

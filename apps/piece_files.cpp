@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/job_words.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/medit.hpp"
@@ -110,8 +111,7 @@ result<std::uint64_t> piece_files::write_piece(piece_index p, const certified_me
   write_options options;
   options.names = names_;
   options.picture = picture_;
-  if (!made.claim.complete || !made.claim.certified)
-    options.note = "Incomplete, not certified: " + made.claim.reason;
+  options.note = file_note_of(made.claim);
   const std::string certificate = certificate_text(made.claim);
   const held_signals held;
   pending_files files;

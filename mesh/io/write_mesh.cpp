@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_note.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/flow_meshes.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
@@ -75,19 +76,6 @@ std::optional<error> check_indices(const mesh& m) {
   return {};
 }
 
-// Returns `contents` with the note as a comment after its first line, which all three text formats
-// want to be theirs. In XML a comment must not hold two hyphens in a row.
-std::string with_note(std::string contents, mesh_format format, const std::string& note) {
-  if (note.empty()) return contents;
-  std::string line;
-  for (const char c : note) {
-    if (c == '-' && !line.empty() && line.back() == '-') line += ' ';
-    line += c == '\n' || c == '\r' ? ' ' : c;
-  }
-  line = format == mesh_format::medit ? "# " + line + "\n" : "<!-- " + line + " -->\n";
-  return contents.insert(contents.find('\n') + 1, line);
-}
-
 // Gives what `write` gives, with the note in its first piece.
 std::function<void(const byte_sink&)> with_note(std::function<void(const byte_sink&)> write,
                                                 mesh_format format, const std::string& note) {
@@ -95,7 +83,7 @@ std::function<void(const byte_sink&)> with_note(std::function<void(const byte_si
     bool is_first = true;
     write([&](std::string_view piece) {
       if (!std::exchange(is_first, false)) return put(piece);
-      put(with_note(std::string(piece), format, note));
+      put(with_file_note(std::string(piece), format, note));
     });
   };
 }
@@ -111,7 +99,7 @@ result<output_files> render_picture(const fs::path& path, mesh_format format, co
   auto picture = draw_picture(m, picture_format_of(format), options.picture);
   if (!picture.ok()) return picture.failure().at(path.string());
   if (format != mesh_format::svg) return output_files{{path, std::move(picture).value()}};
-  return output_files{{path, with_note(std::move(picture).value(), format, options.note)}};
+  return output_files{{path, with_file_note(std::move(picture).value(), format, options.note)}};
 }
 
 result<output_files> render_page(const fs::path& path, const mesh& m,

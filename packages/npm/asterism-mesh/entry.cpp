@@ -19,6 +19,7 @@
 #include "asterism/core/version.h"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/c_interface/arrays.hpp"
+#include "asterism/mesh/io/file_note.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
@@ -130,7 +131,8 @@ std::optional<error> make(const json& asked) {
   note_findings(made.report);
   came.certificate = certificate_text(made.claim);
   came.made = std::move(made.outcome.result);
-  came.mesh_file = medit_mesh_text(came.made);
+  came.mesh_file = with_file_note(medit_mesh_text(came.made), mesh_format::medit,
+                                  apps::file_note_of(made.claim));
   came.solution_file = medit_solution_text(came.made);
   keep_arrays();
   return std::nullopt;

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// A sentence about the mesh for whoever opens the file, as a comment.
+#pragma once
+
+#include <string>
+
+#include "asterism/mesh/io/write_mesh.hpp"
+
+namespace asterism::internal {
+
+// Returns `contents`, the file or its beginning, with the note as a comment after its first line,
+// which .mesh, .vtu and .svg want to be theirs; unchanged where the note is empty.
+std::string with_file_note(std::string contents, mesh_format format, const std::string& note);
+
+}  // namespace asterism::internal
