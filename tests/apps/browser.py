@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Headless Chromium with a software graphics card, driven by Selenium: for tests and screenshots."""
+"""Headless Chromium, driven by Selenium: for tests and screenshots."""
 import time
 
 from selenium import webdriver
@@ -12,11 +12,14 @@ from selenium.webdriver.support.ui import Select
 RIGHT, ENTER, ESCAPE = Keys.ARROW_RIGHT, Keys.ENTER, Keys.ESCAPE
 
 
-def start(profile, width=1300, height=900):
+# Stands in for a graphics card, which WebGL needs. It composes a page slowly: ten frames a second.
+SOFTWARE_CARD = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+
+
+def start(profile, width=1300, height=900, webgl=True):
     options = Options()
-    for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
-                     "--enable-unsafe-swiftshader", "--hide-scrollbars", f"--window-size={width},{height}",
-                     f"--user-data-dir={profile}", "--disable-dev-shm-usage"):
+    for argument in ("--headless=new", "--no-sandbox", *(SOFTWARE_CARD if webgl else ("--disable-gpu",)), "--hide-scrollbars",
+                     f"--window-size={width},{height}", f"--user-data-dir={profile}", "--disable-dev-shm-usage"):
         options.add_argument(argument)
     options.binary_location = "/usr/bin/chromium"
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})

@@ -67,7 +67,7 @@ class StarsTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="asterism-stars-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder, True)
-        cls.driver = browser.start(cls.folder / "profile")
+        cls.driver = browser.start(cls.folder / "profile", webgl=False)
         cls.addClassCleanup(cls.driver.quit)
 
     def open(self, scene="stars"):
