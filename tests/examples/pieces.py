@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Poisson on eight pieces: pieces.py PYTHON MPIRUN COMMAND EXAMPLES FOLDER. Skipped without PETSc."""
+"""Poisson on eight pieces, and a DMPlex of them: pieces.py PYTHON MPIRUN COMMAND EXAMPLES FOLDER. Skipped without PETSc."""
 import pathlib
 import re
 import shutil
@@ -17,15 +17,31 @@ shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 subprocess.run([command, "mesh", "square", "--metric", "swirl:12", "--size", "0.08", "--pieces", "8",
                 "-o", f"{folder}/pieces/"], check=True)
-for ranks in (8, 3):
+
+
+def told_by(example, ranks):
     told = subprocess.run(
         [mpirun, "--allow-run-as-root", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-n",
-         str(ranks), python, f"{examples}/poisson_petsc.py", f"{folder}/pieces"],
+         str(ranks), python, f"{examples}/{example}", f"{folder}/pieces"],
         check=True, capture_output=True, text=True, timeout=400).stdout
     print(told, end="")
+    return told
+
+
+for ranks in (8, 3):
+    told = told_by("poisson_petsc.py", ranks)
     found = re.search(r"(\d+) vertices \((\d+) in the index\), (\d+) triangles, area ([\d.]+), "
                       r"error ([\d.e+-]+)", told)
     if not found or found[1] != found[2] or abs(float(found[4]) - 4) > 1e-9:
         sys.exit("the pieces are not one mesh of the square")
     if not float(found[5]) < 1e-2:
         sys.exit("the error is too large")
+for ranks in (1, 4):
+    told = told_by("plex_of_pieces.py", ranks)
+    found = re.search(r"(\d+) vertices \((\d+) in the index\), (\d+) edges, (\d+) triangles", told)
+    vertices, index, edges, triangles = (int(word) for word in found.groups())
+    if vertices != index or vertices - edges + triangles != 1:
+        sys.exit("the plex is not a disk")
+    lengths = re.findall(r"marker (\d): ([\d.]+)", told)
+    if [float(length) for marker, length in lengths if int(marker) <= 4] != [2] * 4:
+        sys.exit("the plex has not the sides of the square")
