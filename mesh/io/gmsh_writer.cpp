@@ -3,43 +3,17 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
-#include <map>
 #include <set>
 #include <string_view>
 
 #include "asterism/mesh/data/bounding_box.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
+#include "asterism/mesh/io/gmsh_numbering.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 
 namespace asterism::internal {
 namespace {
-
-// The group of one number: its entity from 1, its physical tag and its name. Every element is in
-// one: meshio reads a file in which all are, or none.
-struct group {
-  std::size_t entity = 0;
-  int tag = 0;
-  std::string name;
-};
-using groups = std::map<int, group>;
-
-groups make_groups(const std::set<int>& numbers, const std::map<int, std::string>& names,
-                   std::string_view what) {
-  groups made;
-  long long next = numbers.empty() ? 1 : std::max(1LL, 1LL + *numbers.rbegin());
-  for (const int number : numbers) {
-    group& g = made[number];
-    g.entity = made.size();
-    const auto named = names.find(number);
-    g.name = what;
-    g.name += ' ';
-    append_integer(g.name, number);
-    if (number > 0 && named != names.end()) g.name = named->second;
-    g.tag = number > 0 ? number : static_cast<int>(next++);
-  }
-  return made;
-}
 
 int region_of(const mesh& m, std::size_t t) { return m.regions.empty() ? 1 : m.regions[t]; }
 
@@ -50,13 +24,13 @@ class gmsh_writer {
     std::set<int> markers, regions;
     for (const boundary_edge& e : m.boundary) markers.insert(e.marker);
     for (std::size_t t = 0; t < m.triangles.size(); ++t) regions.insert(region_of(m, t));
-    curves_ = make_groups(markers, names.markers, "marker");
-    surfaces_ = make_groups(regions, names.regions, "region");
+    curves_ = number_groups(markers, names.markers, "marker");
+    surfaces_ = number_groups(regions, names.regions, "region");
   }
 
   std::string two() {
     text_ = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
-    write_names();
+    text_ += names_of_groups(curves_, surfaces_, m_.given > 0);
     text_ += "$Nodes\n";
     line(m_.sites.size());
     append_lines(text_, m_.sites.size(), [&](std::size_t v, std::string& text) {
@@ -72,7 +46,7 @@ class gmsh_writer {
 
   std::string four() {
     text_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
-    write_names();
+    text_ += names_of_groups(curves_, surfaces_, m_.given > 0);
     write_entities();
     write_nodes_of_four();
     write_elements_of_four();
@@ -96,22 +70,6 @@ class gmsh_writer {
     text += ' ';
     append_number(text, m_.sites[v].position.y);
     text += " 0\n";
-  }
-
-  void write_names() {
-    std::string names = m_.given > 0 ? "0 1 \"given\"\n" : "";
-    std::size_t count = m_.given > 0 ? 1 : 0;
-    for (const auto& [dimension, all] : {std::pair{1, &curves_}, {2, &surfaces_}})
-      for (const auto& [number, g] : *all) {
-        append_integer(names, dimension);
-        names += ' ';
-        append_integer(names, g.tag);
-        names.append(" \"").append(g.name).append("\"\n");
-        ++count;
-      }
-    text_ += "$PhysicalNames\n";
-    line(count);
-    text_.append(names).append("$EndPhysicalNames\n");
   }
 
   // An entity's box is not looked at by readers of meshes, so that each gets the whole mesh's.
@@ -160,11 +118,11 @@ class gmsh_writer {
     std::size_t tag = 0;
     for (std::size_t v = 0; v < m_.given; ++v) line(++tag, 15, 2, 1, v + 1, v + 1);
     for (const boundary_edge& e : m_.boundary) {
-      const group& g = curves_.at(e.marker);
+      const gmsh_group& g = curves_.at(e.marker);
       line(++tag, 1, 2, g.tag, g.entity, std::size_t{e.a} + 1, std::size_t{e.b} + 1);
     }
     append_lines(text_, m_.triangles.size(), [&](std::size_t t, std::string& text) {
-      const group& g = surfaces_.at(region_of(m_, t));
+      const gmsh_group& g = surfaces_.at(region_of(m_, t));
       const triangle& c = m_.triangles[t];
       append_words(text, tag + t + 1, 2, 2, g.tag, g.entity, std::size_t{c[0]} + 1,
                    std::size_t{c[1]} + 1, std::size_t{c[2]} + 1);
@@ -264,7 +222,7 @@ class gmsh_writer {
 
   const mesh& m_;
   const gmsh_contents& more_;
-  groups curves_, surfaces_;
+  gmsh_groups_by_number curves_, surfaces_;
   std::string text_;
 };
 
