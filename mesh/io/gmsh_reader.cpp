@@ -60,8 +60,10 @@ class gmsh_reader : private gmsh_source {
  private:
   failure read_section(const word& head);
   failure read_names();
-  failure read_entities();
-  failure read_entity(int dimension);
+  failure read_entities(const std::string& section);
+  failure read_partitioned_entities(const std::string& section);
+  failure read_entity(int dimension, bool is_part);
+  failure read_parent();
   failure read_element_list(const std::string& end);
   result<int> read_group_of_one();
   result<int> read_group_of_two();
@@ -100,7 +102,8 @@ failure gmsh_reader::read_section(const word& head) {
   if (name.empty() || name.front() != '$')
     return source_.failure(head.line, "a section wanted, not " + quoted_token(head.text));
   if (name == "$PhysicalNames") return read_names();
-  if (name == "$Entities") return read_entities();
+  if (name == "$Entities") return read_entities(name);
+  if (name == "$PartitionedEntities") return read_partitioned_entities(name);
   if (name == "$Nodes" || name == "$NOD") return read_nodes(head);
   if (name == "$Elements" || name == "$ELM") {
     if (!has_nodes()) return source_.failure(head.line, name + " before $Nodes");
@@ -132,23 +135,45 @@ failure gmsh_reader::read_names() {
   return expect("$EndPhysicalNames");
 }
 
-failure gmsh_reader::read_entities() {
+failure gmsh_reader::read_entities(const std::string& section) {
   std::size_t counts[4] = {};
   for (std::size_t& n : counts) {
     const auto wanted = count("number of entities");
     if (!wanted.ok()) return wanted.failure();
     n = wanted.value();
   }
+  const bool are_parts = section == "$PartitionedEntities";
   for (int dimension = 0; dimension < 4; ++dimension)
     for (std::size_t i = 0; i < counts[dimension]; ++i)
-      if (auto failed = read_entity(dimension)) return failed;
-  return expect("$EndEntities");
+      if (auto failed = read_entity(dimension, are_parts)) return failed;
+  return expect("$End" + section.substr(1));
 }
 
-failure gmsh_reader::read_entity(int dimension) {
+// The parts of entities that partitions have: elements are in these, and in their groups.
+failure gmsh_reader::read_partitioned_entities(const std::string& section) {
+  const auto partitions = count("number of partitions");
+  if (!partitions.ok()) return partitions.failure();
+  const auto ghosts = count("number of ghost entities");
+  if (!ghosts.ok()) return ghosts.failure();
+  for (std::size_t i = 0; i < ghosts.value(); ++i)
+    if (auto failed = read_numbers(2, "ghost entity")) return failed;
+  return read_entities(section);
+}
+
+// Passes over whose part an entity is, and in which partitions.
+failure gmsh_reader::read_parent() {
+  if (auto failed = read_numbers(2, "parent of an entity")) return failed;
+  const auto partitions = count("number of partitions");
+  if (!partitions.ok()) return partitions.failure();
+  return read_numbers(partitions.value(), "partition");
+}
+
+failure gmsh_reader::read_entity(int dimension, bool is_part) {
   const word w = source_.next();
   const auto tag = to_integer(source_, w, "tag of an entity");
   if (!tag.ok()) return tag.failure();
+  if (is_part)
+    if (auto failed = read_parent()) return failed;
   // Points have a place; in version 4.0 that is a box, too.
   if (auto failed = read_numbers(dimension == 0 && minor_ > 0 ? 3 : 6, "box of an entity"))
     return failed;
