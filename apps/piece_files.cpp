@@ -16,6 +16,7 @@
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
+#include "asterism/mesh/pieces/partitioned_gmsh.hpp"
 #include "asterism/mesh/pieces/pvtu.hpp"
 
 namespace asterism::apps {
@@ -155,12 +156,31 @@ std::optional<rounds_done> piece_files::read_rounds(std::size_t edges, std::size
   return parse_rounds(*text, edges, pieces);
 }
 
+std::optional<error> piece_files::write_partitioned(const pieces_index& index) const {
+  if (std::find(endings_.begin(), endings_.end(), ".msh") == endings_.end()) return std::nullopt;
+  const auto piece = [&](piece_index p) {
+    medit_read_options alone;
+    alone.without_solution = true;
+    return read_medit(file_of(p, ".mesh"), alone);
+  };
+  std::optional<error> failed;
+  const auto write = [&](const byte_sink& put) {
+    failed = write_partitioned_gmsh(index, names_, piece, put);
+  };
+  pending_files files;
+  if (auto unwritten = files.add({folder_ / "pieces.msh", "", write})) return unwritten;
+  if (failed) return failed;
+  const auto put = files.put_in_place();
+  return put ? std::nullopt : std::optional<error>(put.failure());
+}
+
 std::optional<error> piece_files::write_index(const pieces_index& index) const {
   if (std::find(endings_.begin(), endings_.end(), ".vtu") != endings_.end()) {
     std::vector<std::string> names;
     for (piece_index p = 0; p < pieces_; ++p) names.push_back(name_of_piece(p, pieces_, ".vtu"));
     if (auto failed = written({folder_ / "pieces.pvtu", pvtu_text(names)})) return failed;
   }
+  if (auto failed = write_partitioned(index)) return failed;
   if (auto failed = written({index_path(), index_text(index)})) return failed;
   std::error_code ignored;
   fs::remove(rounds_in(folder_), ignored);

@@ -52,6 +52,8 @@ class piece_files {
   std::optional<error> write_index(const internal::pieces_index& index) const;
 
  private:
+  // Writes one file of gmsh's with all pieces, where .msh is asked for.
+  std::optional<error> write_partitioned(const internal::pieces_index& index) const;
   std::filesystem::path file_of(internal::piece_index p, const std::string& ending) const;
 
   std::filesystem::path folder_;

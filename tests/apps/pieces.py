@@ -168,6 +168,36 @@ class Pieces(command.CommandTest):
         self.assertIn("piece_1.vtu", contents(self.folder / "a"))
         self.assertEqual(contents(self.folder / "a"), contents(self.folder / "b"))
 
+    def test_all_pieces_are_one_partitioned_file_of_gmsh(self):
+        self.assertEqual(self.mesh("plate", "p", "--piece-format", "msh").returncode, 0)
+        index, path = self.index("p"), self.folder / "p/pieces.msh"
+        lines = path.read_text().split("\n")
+        at = lines.index("$PartitionedEntities")
+        self.assertEqual(lines[at + 1:at + 3], ["6", "0"])
+        told = json.loads(self.run_command("info", "p/pieces.msh", "--json").stdout)
+        self.assertEqual((told["vertices"], told["triangles"]), (index["outcome"]["vertices"], index["outcome"]["triangles"]))
+        # Each edge once: of the pieces' own, those of seams count twice there.
+        markers, seams = {}, {}
+        for piece in sorted((self.folder / "p").glob("piece_*.mesh")):
+            rows = piece.read_text().split("\n")
+            points = command.section(rows, "Vertices")
+            places = [tuple(row.split()[:2]) for row in rows[points[0]:points[0] + points[1]]]
+            first, count = command.section(rows, "Edges")
+            for row in rows[first:first + count]:
+                a, b, marker = row.split()
+                seams[frozenset((places[int(a) - 1], places[int(b) - 1]))] = int(marker)
+        for marker in seams.values():
+            markers[marker] = markers.get(marker, 0) + 1
+        names = re.search(r"^markers +(.*)$", self.run_command("info", "p/pieces.msh").stdout, re.M)[1]
+        self.assertEqual({int(marker): int(count) for marker, count in re.findall(r"(\d+) \"[^\"]*\" \((\d+)\)", names)}, markers)
+        judged = self.run_command("certify", "p/pieces.msh")
+        self.assertEqual(judged.returncode, 0, judged.stdout + judged.stderr)
+        if shutil.which("gmsh"):
+            said = subprocess.run(["gmsh", "-check", "p/pieces.msh", "-parse_and_exit"], cwd=self.folder,
+                                  capture_output=True, text=True, check=True)
+            self.assertIn("6 partitions", said.stdout)
+            self.assertNotIn("Error", said.stdout + said.stderr)
+
     def test_resumed_runs_have_the_same_bytes(self):
         self.assertEqual(self.mesh("square", "whole").returncode, 0)
         wanted = contents(self.folder / "whole")
