@@ -20,12 +20,12 @@
 #include "asterism/apps/summary.hpp"
 #include "asterism/apps/verdict_text.hpp"
 #include "asterism/apps/verify_domain.hpp"
+#include "asterism/apps/verify_mesh.hpp"
 #include "asterism/apps/verify_metric.hpp"
 #include "asterism/apps/verify_pieces_command.hpp"
 #include "asterism/apps/verify_question.hpp"
 #include "asterism/apps/verify_surface.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
-#include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/pipeline/field_claims.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
@@ -37,9 +37,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* verify_examples =
-    R"(MESH is a Medit file NAME.mesh, with its metric in NAME.sol. Everything is checked again from the
-files, in exact arithmetic. NAME.certificate.json beside the mesh is used when there is one and none
-is named. Each part of the question that an option names is judged: the domain, the bound, the
+    R"(MESH is a mesh in any format that is written and read: NAME.mesh with its metric in NAME.sol,
+.meshb, .msh, .vtu. Everything is checked again from the files, in exact arithmetic. .su2, .14, .grd
+and .2dm have no place for the metric and for segments: these are taken from the certificate, and the
+verdict says so. NAME.certificate.json beside the mesh is used when there is one and none is
+named. Each part of the question that an option names is judged: the domain, the bound, the
 metric and how far the mesh's may be from it. What no option names is taken from the certificate,
 and the verdict says so. Random points added to the domain need not be named.
 
@@ -51,6 +53,7 @@ known, from a certificate or --angle-bound, and nothing is certified; 2 unreadab
 
 Examples:
   asterism verify swirl.mesh
+  asterism verify swirl.vtu --domain swirl.poly
   asterism verify part.mesh --certificate part.json
   asterism verify coast/
   asterism verify other.mesh --angle-bound 15 --domain part.poly
@@ -105,7 +108,7 @@ std::string scope_text(const judgement& judged, const std::optional<certificate>
                        bool tells_theorem) {
   const verify_report& verdict = judged.verdict;
   std::string text = "; " + bound_text(judged) + "; " + text_of(judged.shape, claim) +
-                     "; metric: " + text_of(judged.metric);
+                     "; metric: " + text_of(judged.metric) + judged.completed;
   text += deviation_text(verdict.audit) + curves_text(verdict.audit) + former_text(claim);
   if (!verdict.regions.empty()) text += "; " + regions_text(verdict.regions);
   if (!verdict.audit.stars_checked) text += "; stars not checked";
@@ -164,7 +167,7 @@ void judge_claimed(const mesh& subject, const std::optional<certificate>& claim,
 }
 
 // Judges the mesh. Its own boundary is its domain where nobody says what that is.
-result<judgement> judge(const verify_options& options, mesh subject,
+result<judgement> judge(const verify_options& options, judged_mesh read,
                         const std::optional<certificate>& claim, asked_domain shape,
                         const cancellation& stop) {
   judgement judged;
@@ -174,15 +177,20 @@ result<judgement> judge(const verify_options& options, mesh subject,
   const std::optional<domain> placed = claim ? placed_in(*claim) : std::nullopt;
   const domain* where = asked.original;
   if (placed && (where == nullptr || claim->options.count("metric-box") != 0)) where = &*placed;
+  if (auto failed = complete_metric(read, options, claim, where)) return *failed;
+  judged.completed = text_of_completion(read, claim.has_value());
+  mesh subject = std::move(read.content);
   auto metric = judge_metric(options, subject, claim, where);
   if (!metric) return metric.failure();
   judged.metric = std::move(metric).value();
+  judged.metric.is_taken = read.took_metric;
   if (!claim && !judged.shape.shape) {
     auto adopted = adopt_mesh(std::move(subject), region_edges::as_listed);
     if (!adopted) return adopted.failure().at(options.mesh.string());
     if (auto refusal = say_notes(adopted.value().subject.notes, {})) return *refusal;
     judged.verdict = verify_alone(adopted.value(), asked);
   } else {
+    if (auto refusal = say_notes(subject.notes, {})) return *refusal;
     judge_claimed(subject, claim, asked, judged);
   }
   contradict(judged.metric.contradictions, judged.verdict);
@@ -204,20 +212,38 @@ int tell(const verify_options& options, const std::optional<certificate>& claim,
   return status;
 }
 
+// Reads the domain, and completes a mesh whose format has no place for its segments: by the
+// certificate's domain, or else by that.
+result<asked_domain> find_shape(const verify_options& options, judged_mesh& subject,
+                                const std::optional<certificate>& claim) {
+  std::optional<std::string> contradiction;
+  const bool is_claimed = claim && claim->original;
+  if (is_claimed) contradiction = complete_segments(subject, *claim->original);
+  auto shape = find_domain(options, subject.content, claim);
+  if (!shape) return shape;
+  if (!is_claimed && shape.value().shape)
+    contradiction = complete_segments(subject, *shape.value().shape);
+  if (contradiction)
+    shape.value().contradictions.push_back(
+        "the mesh is not of " +
+        (is_claimed ? "the certificate's domain" : "domain " + shape.value().name) + ": " +
+        *contradiction);
+  return shape;
+}
+
 int run_verify(const verify_options& options) {
   if (const auto status = verify_surface(options)) return *status;
   run_limits limits(options.max_seconds, std::nullopt);
-  medit_read_options how;
-  how.all_edges = options.all_edges;
-  auto subject = read_medit(options.mesh, how);
+  auto subject = read_judged(options);
   if (!subject) return complain(subject.failure(), refused);
   const auto claim = find_certificate(options);
   if (!claim) return complain(claim.failure(), refused);
-  auto shape = find_domain(options, subject.value(), claim.value());
+  auto shape = find_shape(options, subject.value(), claim.value());
   if (!shape) return complain(shape.failure(), refused);
-  limits.expect(subject.value().sites.size());
+  const std::size_t sites = subject.value().content.sites.size();
+  limits.expect(sites);
   progress_line line(true);
-  line.show({.phase = mesh_phase::auditing, .sites = subject.value().sites.size()});
+  line.show({.phase = mesh_phase::auditing, .sites = sites});
   const auto judged = judge(options, std::move(subject).value(), claim.value(),
                             std::move(shape).value(), [&limits] { return limits.reason(); });
   limits.conclude();

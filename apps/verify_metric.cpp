@@ -99,6 +99,18 @@ void judge_distance(metric_answer& answer) {
 
 }  // namespace
 
+result<std::unique_ptr<metric_field>> field_named(const verify_options& options,
+                                                  const mesh& subject,
+                                                  const std::optional<certificate>& claim,
+                                                  const domain* shape) {
+  metric_answer unused;
+  const auto asked = wording_asked(options, claim, unused);
+  if (!asked) return asked.failure();
+  auto field = field_of(asked.value(), shape != nullptr ? *shape : around(subject));
+  if (!field) return field.failure().at("--metric");
+  return field;
+}
+
 result<metric_answer> judge_metric(const verify_options& options, const mesh& subject,
                                    const std::optional<certificate>& claim, const domain* shape) {
   metric_answer answer;
@@ -159,6 +171,7 @@ std::string text_of(const metric_answer& answer) {
   name += by_text(answer.by);
   const std::string unchecked = "field not checked, " + answer.why_not;
   if (answer.is_refused()) return name + ": REFUSED";
+  if (answer.is_taken) return name + ", in which the mesh is judged, as its file has none";
   if (answer.apart)
     return "another than asked for, " + name + ": " +
            (answer.made ? "" : unchecked + "; it says ") + apart_text(*answer.apart) +

@@ -3,14 +3,23 @@
 // Judges the metric of a mesh for `verify`: is it the one asked for, or near enough?
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "asterism/apps/verify_question.hpp"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 
 namespace asterism::apps {
+
+// Makes the metric of --metric, of the size and gradation given or else the certificate's, placed
+// in `shape`, or where that is null among the sites.
+result<std::unique_ptr<metric_field>> field_named(const verify_options& options,
+                                                  const mesh& subject,
+                                                  const std::optional<certificate>& claim,
+                                                  const domain* shape);
 
 // Judges the tensors of a mesh. The metric is that of --metric, of the size and gradation given or
 // else the certificate's, placed in `shape`; without --metric it is the certificate's. Tensors that

@@ -57,6 +57,7 @@ struct metric_answer {
   std::string name;
   std::string filled_in;  // size and gradation that the certificate adds to what --metric names
   bool made = false;      // the metric asked for could be made again
+  bool is_taken = false;  // the file has none, and the mesh is judged in the one asked for
   std::string why_not;    // else
   // How far the tensors are from the metric asked for; measured again where that was made, and else
   // what the certificate says. None where they are the same.
@@ -74,6 +75,7 @@ struct judgement {
   asked_domain shape;
   metric_answer metric;
   verify_report verdict;
+  std::string completed;  // what is not of the file, for the verdict's line
   asked_by bound_by = asked_by::nobody;
   double bound = 0;  // degrees
 };

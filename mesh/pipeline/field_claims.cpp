@@ -165,6 +165,14 @@ std::optional<domain> placed_in(const certificate& claim) {
   return corners;
 }
 
+result<std::unique_ptr<metric_field>> field_in(const certificate& claim) {
+  if (claim.delivered || is_of_adaptation(claim)) return error{"the mesh has a metric of its own"};
+  if (claim.metric.empty()) return error{"the certificate names none"};
+  if (is_of_numbers(claim)) return error{"it came as numbers"};
+  if (is_shaped_piece(claim)) return error{"it was made of the domain of which this is a piece"};
+  return field_asked_for(claim);
+}
+
 field_check check_field(const mesh& subject, const certificate& claim) {
   field_check check;
   if (claim.fingerprint != mesh_fingerprint(subject)) {

@@ -42,6 +42,11 @@ result<metric_wording> wording_in(const certificate& claim);
 // piece, as the certificate says; else its own domain. None if it has no domain.
 std::optional<domain> placed_in(const certificate& claim);
 
+// Makes the metric that a certificate says its mesh is in, where that is the one asked for. Fails,
+// in half a sentence, where the mesh is delivered in another, the metric came as numbers, or it
+// cannot be made again.
+result<std::unique_ptr<metric_field>> field_in(const certificate& claim);
+
 // A mesh held against a metric.
 struct field_check {
   bool made = false;    // true if the metric asked for could be made again

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// Completes a mesh that was read from a format without a place for all that a mesh has, so that it
+// can be held against its certificate.
+#pragma once
+
+#include <string>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal {
+
+// Takes from the domain what the mesh was said to be made of: how many vertices are given, the
+// subsegments in the order of the segments, their markers, and regions where the mesh has none. A
+// proposal: the auditor judges it, and a certificate's fingerprint tells whether it is the mesh.
+//
+// Fails, in half a sentence, where the mesh contradicts the domain: its first vertices are others;
+// no edges lead along a segment; an edge that it lists is on no segment; or edges that it lists
+// under one marker are on segments of several. Requires a domain that check_domain accepted.
+result<mesh> completed_by(const domain& d, mesh m);
+
+}  // namespace asterism::internal
