@@ -10,6 +10,7 @@ Exit status: 0 proved; 1 not proved, with the reason; 2 a question or a file of 
 said: curves, domains that are no .poly file, a metric that is not given at the vertices.
 """
 import argparse
+import gc
 import math
 import struct
 import sys
@@ -565,8 +566,7 @@ def check(mesh_path, proof_path, domain_path, angle_bound, metric_path):
     proof = Proof(proof_path)
     plane = Plane(mesh, tensors, proof)
     check_faces(plane, domain, proof)
-    if domain:
-        check_domain(plane, domain)
+    if domain: check_domain(plane, domain)
     if angle_bound > 0:
         Angles(plane, len(domain.points) if domain else plane.count + 1, angle_bound)
     check_neighbours(plane, proof)
@@ -583,6 +583,7 @@ def main():
     parser.add_argument("--metric", required=True, help="a .sol file, of m11 m12 m22 a vertex")
     parser.add_argument("--metric-tolerance", help="cannot be checked yet")
     asked = parser.parse_args()
+    gc.disable()    # nothing is cyclic here; looking for it takes longer the more there is
     try:
         need_file(asked.metric_tolerance is None, "--metric-tolerance cannot be checked yet")
         need_file(0 <= asked.angle_bound < 90, "--angle-bound: not from 0 to 90")
@@ -595,6 +596,5 @@ def main():
           f"{float(asked.angle_bound):g} degrees but the domain's own; domain "
           f"{asked.domain or 'as the boundary encloses it'}; metric {asked.metric}")
     return 0
-
 if __name__ == "__main__":
     sys.exit(main())
