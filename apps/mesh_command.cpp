@@ -9,6 +9,7 @@
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/pieces_job.hpp"
 #include "asterism/apps/proof_output.hpp"
+#include "asterism/apps/run_mesh_job.hpp"
 #include "asterism/apps/size_options.hpp"
 
 namespace asterism::apps {

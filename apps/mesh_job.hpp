@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs the main job, step by step: domain, metric, mesh, audit, files.
+// Holds what the main job is asked: domain, metric, mesh, files.
 #pragma once
 
 #include <cstddef>
@@ -55,9 +55,5 @@ struct mesh_job {
   // True if lines for people go to standard output.
   bool tells() const { return !quiet && !json; }
 };
-
-// Returns the exit status. What can be refused is refused before meshing; messages go to standard
-// error, the summary to standard output.
-int run_mesh_job(const mesh_job& job);
 
 }  // namespace asterism::apps

@@ -12,6 +12,7 @@
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/job_words.hpp"
 #include "asterism/apps/summary.hpp"
+#include "asterism/apps/verdict_text.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"

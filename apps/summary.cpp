@@ -39,11 +39,6 @@ std::string verdict_of(const certified_mesh& made) {
 
 }  // namespace
 
-std::string worst_angle_text(double degrees) {
-  if (degrees >= 180) return "no angle to judge";
-  return fmt::format("worst angle {:.2f} degrees", degrees);
-}
-
 std::string text_of(const domain_repairs& done) {
   return fmt::format(
       "within {:.3g}: {} crossings made vertices, {} vertices joined, {} segments bent to "

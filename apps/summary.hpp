@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/audit_report.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/outcome.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
@@ -20,10 +20,6 @@
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 
 namespace asterism::apps {
-
-// Tells the worst angle; `degrees` as an audit has it: 180 where no triangle is away from the
-// exempt corners.
-std::string worst_angle_text(double degrees);
 
 // Tells what was repaired in a domain, in one line.
 std::string text_of(const domain_repairs& done);

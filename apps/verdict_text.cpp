@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "asterism/apps/summary.hpp"
-
 namespace asterism::apps {
 
 std::size_t findings_kept(bool all) {
@@ -25,6 +23,11 @@ void write_findings(std::ostream& out, const audit_report& report) {
     if (report.found[kind] > told[kind])
       out << finding_kind_names[kind] << ": " << report.found[kind] - told[kind]
           << " more (--all-findings lists them)\n";
+}
+
+std::string worst_angle_text(double degrees) {
+  if (degrees >= 180) return "no angle to judge";
+  return fmt::format("worst angle {:.2f} degrees", degrees);
 }
 
 std::string angles_text(const audit_report& report) {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/audit_report.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/region_areas.hpp"
-#include "asterism/mesh/audit/theorem_hypotheses.hpp"
+#include "asterism/mesh/audit/theorem_report.hpp"
 
 namespace asterism::apps {
 
@@ -22,6 +22,9 @@ std::size_t findings_kept(bool all);
 // more there are.
 void write_findings(std::ostream& out, const audit_report& report);
 
+// Tells the worst angle; `degrees` as an audit has it: 180 where no triangle is away from the
+// exempt corners.
+std::string worst_angle_text(double degrees);
 // Returns "worst angle 20.10 degrees", and what is exempt and collateral if anything is.
 std::string angles_text(const audit_report& report);
 

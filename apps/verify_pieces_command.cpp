@@ -24,6 +24,7 @@
 #include "asterism/apps/verify_domain.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/same_domain.hpp"
+#include "asterism/mesh/audit/verify.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/pieces/verify_pieces.hpp"
 #include "asterism/mesh/pipeline/field_claims.hpp"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/audit/verify.hpp"
 #include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"

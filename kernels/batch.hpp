@@ -15,24 +15,10 @@
 #include <span>
 
 #include "asterism/core/export.h"
+#include "asterism/kernels/batch_columns.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 
 namespace asterism {
-
-// Points, one a row.
-struct point_columns {
-  std::span<const double> x, y;
-};
-
-// Metric tensors, one a row.
-struct metric_columns {
-  std::span<const double> m11, m12, m22;
-};
-
-// Sites, one a row.
-struct site_columns {
-  std::span<const double> x, y, m11, m12, m22;
-};
 
 // Outcome of a batch: answered, or refused. After length_mismatch nothing was written.
 enum class [[nodiscard]] batch_status{ok, length_mismatch};

@@ -10,7 +10,7 @@
 
 #include <cstddef>
 
-#include "asterism/kernels/batch.hpp"
+#include "asterism/kernels/batch_columns.hpp"
 
 namespace asterism::internal::batch {
 

@@ -5,6 +5,8 @@
 // it.
 #pragma once
 
+#include "asterism/mesh/audit/audit.hpp"               // IWYU pragma: export
+#include "asterism/mesh/audit/verify.hpp"              // IWYU pragma: export
 #include "asterism/mesh/data/domain.hpp"               // IWYU pragma: export
 #include "asterism/mesh/data/mesh.hpp"                 // IWYU pragma: export
 #include "asterism/mesh/data/mesh_marks.hpp"           // IWYU pragma: export

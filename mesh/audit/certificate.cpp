@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "asterism/core/version.h"
-#include "asterism/mesh/audit/shared_tree.hpp"
+#include "asterism/mesh/audit/theorem_hypotheses.hpp"
 
 namespace asterism {
 namespace {
@@ -67,13 +67,21 @@ std::uint64_t mesh_fingerprint(const mesh& subject) {
   return hash.value();
 }
 
-certificate make_certificate(const mesh& subject, const audit_options& options,
-                             const audit_report& report) {
-  return internal::make_certificate_sharing(subject, options, report, nullptr);
+bool is_theorem_asked(const audit_options& options, const audit_report& report) {
+  return report.certified && options.angle_bound.value_or(0) > 0;
 }
 
-certificate internal::make_certificate_sharing(const mesh& subject, const audit_options& options,
-                                               const audit_report& report, shared_tree tree) {
+certificate make_certificate(const mesh& subject, const audit_options& options,
+                             const audit_report& report) {
+  std::optional<theorem_hypotheses> theorem;
+  if (is_theorem_asked(options, report))
+    theorem = measure_theorem_hypotheses(subject, *options.angle_bound, options.stop);
+  return make_certificate(subject, options, report, std::move(theorem));
+}
+
+certificate make_certificate(const mesh& subject, const audit_options& options,
+                             const audit_report& report,
+                             std::optional<theorem_hypotheses> theorem) {
   certificate c;
   c.version = ASTERISM_VERSION_TEXT;
   c.sites = report.sites;
@@ -107,10 +115,7 @@ certificate internal::make_certificate_sharing(const mesh& subject, const audit_
       c.witnesses.push_back(std::string(finding_kind_names[kind]) + ": " + f.witness);
   }
   c.audit_counters = report.counters;
-  // A bound of 0 asks for no angle.
-  if (report.certified && options.angle_bound.value_or(0) > 0)
-    c.theorem = measure_theorem_hypotheses_sharing(subject, *options.angle_bound, options.stop,
-                                                   std::move(tree));
+  c.theorem = std::move(theorem);
   if (options.original != nullptr) c.original = *options.original;
   return c;
 }

@@ -18,9 +18,9 @@
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/kernels/tier_counters.hpp"
-#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/audit_report.hpp"
 #include "asterism/mesh/audit/region_areas.hpp"
-#include "asterism/mesh/audit/theorem_hypotheses.hpp"
+#include "asterism/mesh/audit/theorem_report.hpp"
 #include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/former_boundary.hpp"
@@ -86,6 +86,13 @@ ASTERISM_EXPORT std::uint64_t mesh_fingerprint(const mesh& subject);
 // `report` must be of an audit of `subject` with `options`.
 ASTERISM_EXPORT certificate make_certificate(const mesh& subject, const audit_options& options,
                                              const audit_report& report);
+// Does the same with the theorem as it was measured before; none where it was not asked about.
+ASTERISM_EXPORT certificate make_certificate(const mesh& subject, const audit_options& options,
+                                             const audit_report& report,
+                                             std::optional<theorem_hypotheses> theorem);
+// True if a certificate says whether the theorem applies: of a certified mesh with an angle bound.
+// A bound of 0 asks for no angle.
+ASTERISM_EXPORT bool is_theorem_asked(const audit_options& options, const audit_report& report);
 
 // Returns the text of the file.
 ASTERISM_EXPORT std::string certificate_text(const certificate& c);
@@ -98,22 +105,5 @@ ASTERISM_EXPORT result<std::filesystem::path> write_certificate(const std::files
                                                                 const certificate& c);
 // Reads a file. Errors name it.
 ASTERISM_EXPORT result<certificate> read_certificate(const std::filesystem::path& path);
-
-// Result of a second audit of a mesh and its certificate.
-struct verify_report {
-  bool verified = false;  // certified, and nothing contradicts the certificate
-  audit_report audit;
-  std::vector<std::string> contradictions;  // one sentence each, claim against mesh
-  std::vector<region_area> regions;         // measured again
-  // Measured again, of a certified mesh with an angle bound.
-  std::optional<theorem_hypotheses> theorem;
-};
-
-// Audits again, from the mesh and the certificate alone. From the certificate come the domain and
-// the angle bound where `options` has none of its own, and what it says of the Voronoi diagram is
-// checked. Sharp corners are looked for. Without an angle bound from either nothing is certified,
-// and `verified` is false.
-ASTERISM_EXPORT verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
-                                     audit_options options);
 
 }  // namespace asterism

@@ -13,10 +13,10 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/audit/audit.hpp"
-#include "asterism/mesh/audit/audit_again.hpp"
+#include "asterism/mesh/audit/audit_report.hpp"
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
+#include "asterism/mesh/audit/star_memory.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/prefetch.hpp"
 
@@ -115,11 +115,12 @@ struct audit_context {
   const audit_options& options;
   audit_report& report;
   // Sites whose tensors were changed since all stars were looked at; null where they were not.
-  // Only what depends on one of them is looked at then (audit_again.hpp).
+  // Only what depends on one of them is looked at then (auditor.hpp).
   const std::vector<vertex_index>* changed = nullptr;
   // Takes what the next audit is to know of the stars, and has what the last one told; may be null.
   star_memory* memory = nullptr;
-  bool leaves_open = false;  // hard questions about stars, to the memory
+  bool leaves_open = false;        // hard questions about stars, to the memory
+  std::size_t many_for_a_gap = 0;  // sites, for a gap of which no reach is known to be a hard one
 
   // Counts in the report: for the thread that owns the context.
   filtered_kernel kernel() const { return filtered_kernel(report.counters); }

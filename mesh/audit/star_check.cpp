@@ -150,7 +150,7 @@ void star_check::prepare(vertex_index v, const vertex_fan& fan) {
 
 bool star_check::is_left_open(const fan_gap& gap) const {
   return context_.leaves_open && !is_finite(gap.reach) &&
-         around_.at.size() >= context_.memory->many_for_a_gap;
+         around_.at.size() >= context_.many_for_a_gap;
 }
 
 double star_check::reach_of(vertex_index v, const fan_gap& gap, const quick_reaches& reaches,

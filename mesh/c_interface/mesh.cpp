@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "asterism/kernels/c_question.hpp"
+#include "asterism/mesh/audit/verify.hpp"
 #include "asterism/mesh/c_interface/arrays.hpp"
 #include "asterism/mesh/c_interface/message_buffer.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"

@@ -12,6 +12,7 @@
 #include "asterism/mesh/c_interface/message_buffer.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/stars/split_place.hpp"
+#include "asterism/mesh/stars/strictly_inside.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;

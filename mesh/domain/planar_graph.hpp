@@ -9,7 +9,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
-#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/domain_repairs.hpp"
 
 namespace asterism::internal {
 

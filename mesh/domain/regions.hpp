@@ -9,7 +9,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
-#include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/domain_repairs.hpp"
 #include "asterism/mesh/domain/face_map.hpp"
 #include "asterism/mesh/domain/planar_graph.hpp"
 #include "asterism/mesh/domain/polygon_faces.hpp"

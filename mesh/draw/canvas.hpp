@@ -9,7 +9,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/core/site.hpp"
-#include "asterism/mesh/draw/picture.hpp"
+#include "asterism/mesh/draw/picture_options.hpp"
 
 // cairo's cairo_t: programs that use this library need not have cairo's headers.
 struct _cairo;  // NOLINT(bugprone-reserved-identifier)

@@ -10,26 +10,13 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
-#include "asterism/core/site.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/draw/picture_options.hpp"
 
 namespace asterism {
-
-// The formats of pictures.
-enum class picture_format { svg, pdf, png };
-
-// Options of a picture.
-struct picture_options {
-  int width = 1000;  // pixels (PNG), points (PDF, SVG); 16 to 20000; the height follows the mesh
-  bool sites = true;
-  bool ellipses = false;
-  double angle_bound = 0;  // degrees; tints triangles below it as seen from one of their vertices
-  std::vector<point> marks = {};  // places to ring in red
-};
 
 // Returns why no picture can be drawn here, if none can: cairo's shared library is loaded when the
 // first is drawn, or this is asked.

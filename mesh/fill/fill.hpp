@@ -24,23 +24,9 @@
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/neighbour_lists.hpp"
 #include "asterism/mesh/data/outcome.hpp"
-#include "asterism/mesh/fill/prescribed_divisions.hpp"
-#include "asterism/mesh/support/cancellation.hpp"
+#include "asterism/mesh/fill/fill_options.hpp"
 
 namespace asterism::internal {
-
-struct fill_options {
-  double distance = 0.75;  // from every point of the domain to the nearest site, metric length
-  double longest_subsegment = 0.9;  // of the segments, metric length
-  std::size_t max_sites = 100000;
-  // Lengths wanted may differ by large factors from one site to its neighbours: all segments are
-  // divided and coarse sites put inside before there is a star, and where no Voronoi vertex is
-  // found, the bisector on the way to the neighbour will do.
-  bool is_uneven = false;
-  // Divisions that segments have already, which are kept to; null or by segment.
-  const prescribed_divisions* prescribed = nullptr;
-  cancellation stop;  // polled between rounds, and between stars where a round takes long
-};
 
 struct filled_domain {
   // For each segment the points that divide it, in its direction, ends left out.

@@ -13,7 +13,8 @@
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
-#include "asterism/mesh/fill/fill.hpp"
+#include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/fill/fill_options.hpp"
 #include "asterism/mesh/fill/placed_sites.hpp"
 #include "asterism/mesh/fill/star_claims.hpp"
 #include "asterism/mesh/fill/work_meter.hpp"

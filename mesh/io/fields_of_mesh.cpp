@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_binary.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/io/mesh_format.hpp"
 
 namespace asterism::internal {
 

@@ -25,20 +25,9 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/mesh_marks.hpp"
+#include "asterism/mesh/io/medit_read_options.hpp"
 
 namespace asterism {
-
-// Options of reading: where the metric comes from, and which edges are segments.
-struct medit_read_options {
-  // True to give every vertex the identity if there is no .sol, which else is an error.
-  bool identity_without_solution = false;
-  // True to give every vertex the identity without looking for a .sol.
-  bool without_solution = false;
-  // True if every edge listed is a segment, marked or not (mesh/io/medit_edges.hpp).
-  bool all_edges = false;
-  // File of the metric. Default: beside the mesh.
-  std::filesystem::path solution = {};
-};
 
 // Returns `NAME.mesh`, or the same in binary, `NAME.meshb` (mesh/io/medit_binary.hpp), with the
 // tensors of `NAME.sol` beside it. Edges are a set, turned so that a triangle is on their left;

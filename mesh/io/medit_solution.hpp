@@ -8,7 +8,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
-#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_read_options.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism::internal {

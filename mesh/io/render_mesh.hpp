@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/io/file_output.hpp"
-#include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/io/write_options.hpp"
 
 namespace asterism::internal {
 

@@ -8,8 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/metric/gradation_grid.hpp"
-#include "asterism/mesh/metric/graded_field.hpp"
+#include "asterism/mesh/metric/gradation_options.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 
 namespace asterism::internal {

@@ -7,7 +7,7 @@
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/pieces/domain_cut.hpp"
+#include "asterism/mesh/pieces/cut_wishes.hpp"
 
 namespace asterism::internal {
 

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -18,12 +17,10 @@
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/support/cancellation.hpp"
+#include "asterism/mesh/pieces/cut_wishes.hpp"
 
 namespace asterism::internal {
 
-using piece_index = std::uint32_t;  // from 0
-inline constexpr piece_index no_piece = std::numeric_limits<piece_index>::max();
 inline constexpr vertex_index no_segment = std::numeric_limits<vertex_index>::max();
 
 // An edge of the cut domain: a part of a segment of the domain, or a cut. `left` is the piece on
@@ -50,13 +47,6 @@ struct domain_cut {
   // By given vertex: the piece that one on no edge is in; else none.
   std::vector<piece_index> piece_of_loose;
   int marker = 0;  // of cuts: greater than all of the domain's
-};
-
-// Wishes for a cut.
-struct cut_wishes {
-  std::size_t pieces = 1;
-  double angle_bound = 20;  // degrees: of the corners that cuts make, as their ends measure
-  cancellation stop = {};
 };
 
 // Cuts a domain, accepted by check_domain, into so many pieces. Of curves the chords are cut. Fails

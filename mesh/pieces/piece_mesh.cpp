@@ -5,7 +5,7 @@
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
-#include "asterism/mesh/pipeline/unconfirmed_mesh.hpp"
+#include "asterism/mesh/pipeline/star_refusal.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
@@ -52,7 +52,8 @@ result<certified_mesh> make_piece_mesh(const piece_shape& piece, const metric_fi
     return judge_outcome(std::move(made).value(), piece.shape, options);
   };
   auto first = judged(star_confirmation::by_auditor);
-  if (!first || !may_be_confirmed(first.value(), options)) return first;
+  if (!first || !is_refused_for_a_star(first.value().outcome, first.value().report, options))
+    return first;
   return judged(star_confirmation::by_mesher);
 }
 

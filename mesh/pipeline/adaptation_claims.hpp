@@ -12,7 +12,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/pipeline/field_claims.hpp"
+#include "asterism/mesh/pipeline/field_check.hpp"
 #include "asterism/mesh/transfer/transfer.hpp"
 
 namespace asterism::internal {

@@ -44,29 +44,32 @@ audit_options audited_mesh::question(std::size_t findings_kept) const {
   return asked;
 }
 
-void audited_mesh::keep(audit_report&& found) {
-  report_ = std::make_shared<audit_report>(std::move(found));
+void audited_mesh::keep(const auditor& judge) {
+  report_ = std::make_shared<audit_report>(judge.report());
+  memory_ = judge.memory();
 }
 
 void audited_mesh::judge(std::size_t findings_kept) {
-  memory_ = {};
-  keep(audit(subject_, question(findings_kept)));
+  auditor judge(subject_, question(findings_kept));
+  judge.run();
+  keep(judge);
 }
 
 void audited_mesh::judge_quickly() {
-  memory_.many_for_a_gap = many_for_a_gap_;
-  keep(audit_quickly(subject_, question(all_findings), memory_));
+  auditor judge(subject_, question(all_findings));
+  judge.run({hard_questions::left_open, many_for_a_gap_});
+  keep(judge);
 }
 
 void audited_mesh::judge_again(node_list changed, hard_questions hard) {
-  const audit_report before = *report_;
-  if (!before.stars_checked) return judge(all_findings);
+  if (!report_->stars_checked) return judge(all_findings);
   std::sort(changed.begin(), changed.end());
   node_list sites;
   for (vertex_index s = 0; s < node_of_.size(); ++s)
     if (std::binary_search(changed.begin(), changed.end(), node_of_[s])) sites.push_back(s);
-  memory_.many_for_a_gap = many_for_a_gap_;
-  keep(audit_again(subject_, question(all_findings), before, sites, memory_, hard));
+  auditor judge(subject_, question(all_findings), *report_, std::move(memory_));
+  judge.recheck(sites, {hard, many_for_a_gap_});
+  keep(judge);
 }
 
 template <class Vertices>
@@ -84,12 +87,9 @@ void audited_mesh::ask_filters(const adapting::working_mesh& m,
   const auto is_asked = [&](const open_question& q) {
     return std::all_of(q.sites.begin(), q.sites.end(), is_as_it_was);
   };
-  // The report may be another mesh's as well that was copied from this.
-  audit_report report = *report_;
-  internal::ask_filters(
-      subject_, options_->stop, is_asked,
-      [&](const open_question& q) { refuse(nodes_of(q.sites)); }, memory_.open, report);
-  keep(std::move(report));
+  auditor judge(subject_, question(all_findings), *report_, std::move(memory_));
+  judge.ask_filters(is_asked, [&](const open_question& q) { refuse(nodes_of(q.sites)); });
+  keep(judge);
 }
 
 std::vector<node_list> audited_mesh::nodes_found() const {

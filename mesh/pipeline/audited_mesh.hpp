@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "asterism/mesh/adapt/working_mesh.hpp"
-#include "asterism/mesh/audit/audit.hpp"
-#include "asterism/mesh/audit/audit_again.hpp"
+#include "asterism/mesh/audit/auditor.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/options.hpp"
@@ -69,7 +68,7 @@ class audited_mesh {
   audit_options question(std::size_t findings_kept) const;
   template <class Vertices>
   node_list nodes_of(const Vertices& vertices) const;
-  void keep(audit_report&& found);
+  void keep(const auditor& judge);
 
   const domain* domain_;
   const mesh_options* options_;

@@ -5,12 +5,14 @@
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
-#include "asterism/mesh/audit/shared_tree.hpp"
+#include "asterism/mesh/audit/auditor.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
+#include "asterism/mesh/pipeline/mesh_attempts.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
-#include "asterism/mesh/pipeline/unconfirmed_mesh.hpp"
+#include "asterism/mesh/pipeline/star_refusal.hpp"
 
 namespace asterism {
+using namespace internal;
 namespace {
 
 // Returns the question alone, without the account: what is found of an outcome may not depend on
@@ -37,56 +39,53 @@ audit_options questions_for(const mesh_outcome& outcome, const domain& d,
   return asked;
 }
 
-// Returns what the auditor finds. Where there is no memory for an audit, which takes more than the
-// mesh does, it says so: the mesh must not be lost for that.
-audit_report audit_if_possible(const mesh& subject, const audit_options& asked,
-                               internal::shared_tree& tree) {
+// Returns that a mesh could not be audited for want of memory.
+audit_report without_memory(const mesh& subject, const audit_options& asked) {
+  audit_report nothing;
+  nothing.sites = subject.sites.size();
+  nothing.triangles = subject.triangles.size();
+  nothing.boundary_subsegments = subject.boundary.size();
+  nothing.given = subject.given;
+  nothing.found[static_cast<std::size_t>(finding_kind::stopped)] = 1;
+  nothing.findings.push_back({finding_kind::stopped, "there was not enough memory for it"});
+  if (asked.check_voronoi) nothing.voronoi = voronoi_verdict::not_reached;
+  return nothing;
+}
+
+// Returns the auditor of a mesh after the audit. Where there is no memory for that, which takes
+// more than the mesh does, it says so: the mesh must not be lost for it.
+auditor audit_if_possible(const mesh& subject, const audit_options& asked) {
   try {
-    return internal::audit_sharing(subject, asked, tree);
+    auditor judge(subject, asked);
+    judge.run();
+    return judge;
   } catch (const std::bad_alloc&) {
-    audit_report nothing;
-    nothing.sites = subject.sites.size();
-    nothing.triangles = subject.triangles.size();
-    nothing.boundary_subsegments = subject.boundary.size();
-    nothing.given = subject.given;
-    nothing.found[static_cast<std::size_t>(finding_kind::stopped)] = 1;
-    nothing.findings.push_back({finding_kind::stopped, "there was not enough memory for it"});
-    if (asked.check_voronoi) nothing.voronoi = voronoi_verdict::not_reached;
-    return nothing;
+    return {subject, asked, without_memory(subject, asked), {}};
   }
 }
 
 }  // namespace
 
-bool internal::may_be_confirmed(const certified_mesh& judged, const mesh_options& options) {
-  const mesh_outcome& outcome = judged.outcome;
-  if (!outcome.complete || outcome.delivered || outcome.one_metric || options.improve_passes > 0)
-    return false;
-  const auto found = [&](finding_kind kind) {
-    return judged.report.found[static_cast<std::size_t>(kind)] > 0;
-  };
-  return found(finding_kind::star_neighbour_rejected) || found(finding_kind::star_site_missing);
-}
-
 certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_options& options) {
-  audit_options asked = questions_for(outcome, d, options);
+  const audit_options asked = questions_for(outcome, d, options);
   certified_mesh judged;
   const bool is_known =
       outcome.audited && asked.check_stars && !asked.check_voronoi && asked.exempt_corners.empty();
-  internal::shared_tree tree;
-  judged.report = is_known ? *outcome.audited : audit_if_possible(outcome.result, asked, tree);
+  const auditor judge = is_known ? auditor(outcome.result, asked, *outcome.audited, {})
+                                 : audit_if_possible(outcome.result, asked);
+  judged.report = judge.report();
   if (options.prove_voronoi && outcome.stopped)
     judged.report.voronoi = voronoi_verdict::not_reached;
   certificate& claim = judged.claim;
-  asked.stop = options.stop;
-  claim = internal::make_certificate_sharing(outcome.result, asked, judged.report, std::move(tree));
+  claim = judge.make_certificate(options.stop);
+  claim.voronoi = judged.report.voronoi;
   claim.complete = outcome.complete;
   claim.reason = ending_text(outcome);
   claim.mesher_counters = outcome.counters;
   claim.star_repairs = outcome.star_repairs;
   claim.delivered = outcome.delivered;
   if (options.metric_tolerance)
-    claim.options["metric-tolerance"] = internal::number_text(*options.metric_tolerance);
+    claim.options["metric-tolerance"] = number_text(*options.metric_tolerance);
   claim.measured = by_name(measure(outcome.result));
   judged.outcome = std::move(outcome);
   return judged;
@@ -100,9 +99,13 @@ result<certified_mesh> make_certified_mesh(const domain& d, const metric_field& 
     if (progress) progress({.phase = mesh_phase::auditing, .sites = made.value().sites});
     return judge_outcome(std::move(made).value(), d, options);
   };
-  auto judged = judge(internal::make_unconfirmed_mesh(d, field, options, progress));
-  if (!judged || !internal::may_be_confirmed(judged.value(), options)) return judged;
-  return judge(internal::make_confirmed_mesh(d, field, options, progress));
+  auto judged = judge(make_by_attempts(d, field, options, progress, star_confirmation::by_auditor));
+  if (!judged || !is_refused_for_a_star(judged.value().outcome, judged.value().report, options))
+    return judged;
+  // Ways to a metric delivered that did not lead to a mesh are not gone again, but with a
+  // tolerance: the mesh that was delivered beyond it may be what there is to show.
+  return judge(make_by_attempts(d, field, options, progress, star_confirmation::by_mesher,
+                                options.metric_tolerance.has_value()));
 }
 
 }  // namespace asterism

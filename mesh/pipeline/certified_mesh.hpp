@@ -11,7 +11,7 @@
 #pragma once
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/audit_report.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"

@@ -7,14 +7,13 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
-#include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/pipeline/field_check.hpp"
 
 namespace asterism::internal {
 
@@ -46,15 +45,6 @@ std::optional<domain> placed_in(const certificate& claim);
 // in half a sentence, where the mesh is delivered in another, the metric came as numbers, or it
 // cannot be made again.
 result<std::unique_ptr<metric_field>> field_in(const certificate& claim);
-
-// A mesh held against a metric.
-struct field_check {
-  bool made = false;    // true if the metric asked for could be made again
-  std::string why_not;  // half a sentence on why it could not
-  std::vector<std::string> contradictions;
-  // Set where the tensors are others than asked for: by how much, as measured here.
-  std::optional<delivered_report> apart;
-};
 
 // Holds the tensor of every vertex against the metric the certificate says was asked for, or, where
 // it says that the mesh is of another, the report on how far that is. A tensor may be off by 2^-40

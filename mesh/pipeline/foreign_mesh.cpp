@@ -13,7 +13,9 @@
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/work_units.hpp"
-#include "asterism/mesh/audit/audit_again.hpp"
+#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/auditor.hpp"
+#include "asterism/mesh/audit/theorem_hypotheses.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 #include "asterism/mesh/stars/boundary.hpp"
@@ -140,7 +142,8 @@ void measure_edges(const mesh& m, certify_report& report) {
 }  // namespace
 
 result<adopted_mesh> adopt_mesh(mesh from_elsewhere, region_edges between) {
-  const audit_report numbers = audit_numbers(from_elsewhere);
+  auditor judge(from_elsewhere, {});
+  const audit_report& numbers = judge.check_numbers();
   for (const finding_kind kind : unusable)
     for (const audit_finding& f : numbers.findings)
       if (f.kind == kind) return error{f.witness, error_code::invalid_mesh};

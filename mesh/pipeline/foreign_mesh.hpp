@@ -15,9 +15,9 @@
 
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/audit_report.hpp"
 #include "asterism/mesh/audit/region_areas.hpp"
-#include "asterism/mesh/audit/theorem_hypotheses.hpp"
+#include "asterism/mesh/audit/theorem_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/support/cancellation.hpp"

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/stars/canonical_triangle.hpp"
 #include "asterism/mesh/stars/consistency.hpp"
 
 namespace asterism::internal {

@@ -2,6 +2,8 @@
 //
 // Point 3: no angle is below the bound, in the metric of any vertex of its triangle, but the
 // domain's own at corners that are sharper.
+#include "asterism/mesh/proof/check_corners.hpp"
+
 #include <mpfr.h>
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 #include <vector>
 
 #include "asterism/mesh/proof/number.hpp"
-#include "asterism/mesh/proof/proof_parts.hpp"
+#include "asterism/mesh/proof/proof_words.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::proof_detail {

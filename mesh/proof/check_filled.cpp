@@ -2,6 +2,8 @@
 //
 // Points 0 to 2: the triangles of mesh and surroundings fill a rectangle (theorem 1), and those of
 // the mesh are the domain's.
+#include "asterism/mesh/proof/check_filled.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +12,7 @@
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/proof/number.hpp"
-#include "asterism/mesh/proof/proof_parts.hpp"
+#include "asterism/mesh/proof/proof_words.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::proof_detail {

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/proof/proof_parts.hpp"
+#include "asterism/mesh/proof/check_corners.hpp"
+#include "asterism/mesh/proof/check_filled.hpp"
+#include "asterism/mesh/proof/proof_words.hpp"
 #include "asterism/mesh/proof/star_pairs.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 

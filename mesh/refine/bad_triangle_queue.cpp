@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "asterism/mesh/stars/canonical_triangle.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
 

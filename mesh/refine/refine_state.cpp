@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "asterism/mesh/stars/strictly_inside.hpp"
 #include "asterism/mesh/stars/visibility.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
 #include "asterism/mesh/support/parallel.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "asterism/mesh/solution/solution_metric.hpp"
+#include "asterism/mesh/solution/solution_metric_options.hpp"
 
 namespace asterism::internal {
 

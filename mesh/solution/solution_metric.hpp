@@ -16,8 +16,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,30 +24,9 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/solution.hpp"
-#include "asterism/mesh/solution/hessian.hpp"
+#include "asterism/mesh/solution/solution_metric_options.hpp"
 
 namespace asterism {
-
-// Growth of sizes that loops do best with (docs/results/adaptation.md has 1.5 to 12, and none).
-// Faster growth is not delivered anyway, as stars do not agree about it; from 3 down, gradation
-// takes the vertices that fronts need.
-inline constexpr double loop_gradation = 6;
-
-// Wishes. At most one of vertices, complexity and error; without, as many vertices as the mesh has.
-struct solution_metric_options {
-  hessian_method hessian = hessian_method::green;
-  std::optional<double> norm = 2;       // p of L^p, at least 1; none: the maximum norm
-  std::optional<double> vertices = {};  // a mesh of unit edges has 2 / sqrt 3 times the complexity
-  std::optional<double> complexity = {};  // area in the metric
-  std::optional<double> error = {};  // of linear interpolation in the norm, greatest of the fields
-  double least_size = 0;
-  double greatest_size = std::numeric_limits<double>::infinity();
-  double aspect = 1e6;
-  std::optional<double> gradation = {};  // beta above 1; none: sizes stay as they are
-  bool gradation_keeps_shape = false;    // in metric space; else in mixed space
-  bool isotropic = false;
-  std::optional<double> step = {};  // greatest factor by which a length changes, above 1
-};
 
 // Numbers of what was done. Shares are parts of the vertices.
 struct solution_metric_report {

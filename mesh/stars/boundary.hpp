@@ -20,8 +20,6 @@
 
 namespace asterism::internal {
 
-class neighbourhood;
-
 // One interior angle of the domain at a boundary vertex v, swept counter-clockwise from the ray v
 // -> first to the ray v -> last. The subsegments v -> first and last -> v bound it. At the free end
 // of an internal segment first and last are the same, and the corner is the full turn.
@@ -68,12 +66,5 @@ class boundary {
   std::vector<companion> companions_;
   std::vector<std::vector<boundary_corner>> corners_;  // by site
 };
-
-// True if q lies strictly inside the split polygon; false for a point on a subsegment, internal or
-// not. Exact. Takes time linear in the number of subsegments, or, with a neighbourhood, in the
-// number of those that a ray from q meets.
-bool strictly_inside(const boundary& b, const std::vector<site>& sites,
-                     const star_predicates& kernel, const point& q,
-                     const neighbourhood* near = nullptr);
 
 }  // namespace asterism::internal

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "asterism/mesh/stars/canonical_triangle.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
 
@@ -75,12 +76,6 @@ void visit_own_triangles(const star_set& stars, vertex_index v, const Visit& vis
 }
 
 }  // namespace
-
-triangle canonical(const triangle& t) {
-  triangle turned = t;
-  std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
-  return turned;
-}
 
 std::vector<triangle> triangles_of_consistent(const star_set& stars) {
   constexpr std::size_t chunk = 1024;

@@ -49,7 +49,4 @@ consistency_report check_consistency(const site_oracle& oracle, const star_set& 
 // Returns the agreeing triangles of stars that are known to be consistent, without a comparison.
 std::vector<triangle> triangles_of_consistent(const star_set& stars);
 
-// Returns the triangle turned so that its smallest index comes first; its orientation is kept.
-triangle canonical(const triangle& t);
-
 }  // namespace asterism::internal

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "asterism/mesh/stars/consistency.hpp"
+#include "asterism/mesh/stars/canonical_triangle.hpp"
 #include "asterism/mesh/stars/site_triangulation.hpp"
 #include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/support/parallel.hpp"

@@ -9,7 +9,7 @@
 #include "asterism/kernels/filtered_edge_test.hpp"
 #include "asterism/kernels/work_units.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
-#include "asterism/mesh/stars/consistency.hpp"
+#include "asterism/mesh/stars/canonical_triangle.hpp"
 
 namespace asterism::internal {
 namespace {

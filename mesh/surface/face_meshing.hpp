@@ -11,7 +11,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/surface/surface_chart.hpp"
-#include "asterism/mesh/surface/surface_mesher.hpp"
+#include "asterism/mesh/surface/surface_mesh_options.hpp"
 
 namespace asterism::internal {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "asterism/mesh/surface_audit/box_tree.hpp"
-#include "asterism/mesh/surface_audit/deviation.hpp"
+#include "asterism/mesh/surface_audit/deviation_report.hpp"
 #include "asterism/mesh/surface_audit/hull_bounds.hpp"
 #include "asterism/mesh/surface_audit/narrowing.hpp"
 #include "asterism/mesh/surface_audit/surface_locator.hpp"

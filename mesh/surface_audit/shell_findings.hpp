@@ -6,7 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "asterism/mesh/surface_audit/shell_audit.hpp"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/surface.hpp"
+#include "asterism/mesh/data/surface_shell.hpp"
+#include "asterism/mesh/surface_audit/shell_report.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
 
 namespace asterism::internal {

@@ -3,14 +3,11 @@
 // Brings a solution from the vertices of one mesh to those of another one of the same domain.
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/solution.hpp"
+#include "asterism/mesh/transfer/transferred_solution.hpp"
 
 namespace asterism {
 
@@ -24,30 +21,6 @@ namespace asterism {
 // the old
 //              values around it. Integrals to rounding; no new extrema.
 enum class transfer_method { interpolate, project, bounded };
-
-// One component of the solution before and after.
-struct transferred_component {
-  std::string name;
-  double integral_before = 0, integral_after = 0;
-  double least_before = 0, greatest_before = 0, least_after = 0, greatest_after = 0;
-};
-
-// Report of what was done.
-struct transfer_report {
-  std::vector<transferred_component> components;
-  double area_before = 0, area_after = 0;
-  double area_common = 0;          // 0 for interpolate, which does not ask
-  std::size_t outside = 0;         // new vertices outside the old mesh, by exact orientations
-  double greatest_distance = 0;    // of those from it
-  std::size_t partly_covered = 0;  // new triangles with more than 1e-6 of them outside the old mesh
-  std::size_t pieces = 0;          // common parts
-};
-
-// The solution at the new vertices.
-struct transferred_solution {
-  solution values;
-  transfer_report report;
-};
 
 // Transfers all fields, tensors entry by entry. Requires triangulations of domains that differ by
 // little: new triangles that are partly outside the old mesh take the interpolated values, and

@@ -9,7 +9,7 @@
 
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/solution.hpp"
-#include "asterism/mesh/transfer/transfer.hpp"
+#include "asterism/mesh/transfer/transferred_solution.hpp"
 
 namespace asterism::internal {
 

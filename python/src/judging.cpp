@@ -5,6 +5,7 @@
 
 #include "arguments.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/verify.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "bindings.hpp"
 #include "py_mesh.hpp"

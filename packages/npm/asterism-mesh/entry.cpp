@@ -18,6 +18,7 @@
 #include "asterism/apps/job_words.hpp"
 #include "asterism/core/version.h"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/audit/verify.hpp"
 #include "asterism/mesh/c_interface/arrays.hpp"
 #include "asterism/mesh/io/file_note.hpp"
 #include "asterism/mesh/io/medit.hpp"

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "asterism/mesh/audit/certificate_options.hpp"
+#include "asterism/mesh/audit/verify.hpp"
 #include "asterism/mesh/io/certificate_json.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"

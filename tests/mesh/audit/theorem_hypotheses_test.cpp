@@ -15,6 +15,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/theorem_measures.hpp"
 #include "asterism/mesh/audit/theorem_table.hpp"
+#include "asterism/mesh/audit/verify.hpp"
 #include "asterism/mesh/audit/voronoi_arc.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/audit/verify.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "asterism/mesh/stars/consistency.hpp"
+#include "asterism/mesh/stars/strictly_inside.hpp"
 #include "asterism/mesh/stars/visibility.hpp"
 #include "fixtures/star_fixture.hpp"
 

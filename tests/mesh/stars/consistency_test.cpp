@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "asterism/mesh/stars/canonical_triangle.hpp"
 #include "fixtures/star_fixture.hpp"
 
 using namespace asterism;

@@ -5,6 +5,7 @@
 
 #include "asterism/mesh/stars/consistency.hpp"
 #include "asterism/mesh/stars/star_set.hpp"
+#include "asterism/mesh/stars/strictly_inside.hpp"
 #include "asterism/mesh/stars/visibility.hpp"
 #include "fixtures/domain_kinds.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/apps/mesh_job.hpp"
+#include "asterism/apps/run_mesh_job.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

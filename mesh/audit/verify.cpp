@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/verify.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -8,10 +10,12 @@
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/audit/auditor.hpp"
 #include "asterism/mesh/audit/boundary_distance.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/certificate_options.hpp"
 #include "asterism/mesh/audit/same_domain.hpp"
+#include "asterism/mesh/audit/theorem_hypotheses.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -360,8 +364,9 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
   options.find_exempt_corners = true;
   options.own_filter_alone = true;
   verify_report report;
-  report.audit = audit(subject, options);
-  const certificate found = make_certificate(subject, options, report.audit);
+  internal::auditor judge(subject, options);
+  report.audit = judge.run();
+  const certificate found = judge.make_certificate(options.stop);
   report.theorem = found.theorem;
   report.regions = found.regions;
   if (claim) {

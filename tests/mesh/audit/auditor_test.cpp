@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Meshes audited again after tensors were changed, beside a whole audit.
-#include "asterism/mesh/audit/audit_again.hpp"
+#include "asterism/mesh/audit/auditor.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -58,11 +58,13 @@ patch make_turned_patch(splitmix64& random) {
   return p;
 }
 
-std::size_t count_open_gaps(const star_memory& memory) {
+std::size_t count_open_gaps(const std::vector<open_question>& open) {
   return static_cast<std::size_t>(
-      std::count_if(memory.open.begin(), memory.open.end(),
+      std::count_if(open.begin(), open.end(),
                     [](const open_question& q) { return q.what == open_question::about::gap; }));
 }
+
+constexpr audit_effort quickly = {hard_questions::left_open};
 
 }  // namespace
 
@@ -71,8 +73,8 @@ TEST_CASE("an audit of what was changed finds what a whole audit finds") {
   patch p = make_patch(12);
   audit_options asked;
   asked.findings_kept = std::numeric_limits<std::size_t>::max();
-  audit_report before = audit(p.m, asked);
-  star_memory memory;
+  auditor judge(p.m, asked);
+  audit_report before = judge.run();
   REQUIRE(before.certified);
   std::size_t findings = 0;
   for (int round = 0; round < 20; ++round) {
@@ -86,8 +88,7 @@ TEST_CASE("an audit of what was changed finds what a whole audit finds") {
       p.m.sites[v].metric = choices[static_cast<std::size_t>(random.real(0, 4))];
       changed.insert(v);
     }
-    const audit_report again = audit_again(p.m, asked, before, {changed.begin(), changed.end()},
-                                           memory, hard_questions::asked);
+    const audit_report again = judge.recheck({changed.begin(), changed.end()});
     const audit_report whole = audit(p.m, asked);
     CHECK(again.certified == whole.certified);
     CHECK(again.found == whole.found);
@@ -104,8 +105,8 @@ TEST_CASE("an audit of triangles and places that were changed finds what a whole
   patch p = make_patch(12);
   audit_options asked;
   asked.findings_kept = std::numeric_limits<std::size_t>::max();
-  star_memory memory;
-  audit_report before = audit_quickly(p.m, asked, memory);
+  auditor judge(p.m, asked);
+  audit_report before = judge.run(quickly);
   REQUIRE(before.certified);
   std::size_t findings = 0, flipped = 0;
   const auto any_of = [&](std::size_t count) {
@@ -115,7 +116,7 @@ TEST_CASE("an audit of triangles and places that were changed finds what a whole
     std::set<asterism::vertex_index> changed;
     for (const audit_finding& f : before.findings)
       changed.insert(f.vertices.begin(), f.vertices.end());
-    for (const open_question& q : memory.open) changed.insert(q.sites.begin(), q.sites.end());
+    for (const open_question& q : judge.open()) changed.insert(q.sites.begin(), q.sites.end());
     for (int k = 0; k < 2; ++k) {
       const std::size_t t = any_of(p.m.triangles.size());
       if (const auto s = flip_some_edge(p.m, t)) {
@@ -129,8 +130,7 @@ TEST_CASE("an audit of triangles and places that were changed finds what a whole
     moved.position.x += random.real(-0.02, 0.02);
     moved.metric = {random.real(1, 3), random.real(-0.3, 0.3), random.real(1, 3)};
     changed.insert(p.at(i, j));
-    const audit_report again = audit_again(p.m, asked, before, {changed.begin(), changed.end()},
-                                           memory, hard_questions::asked);
+    const audit_report again = judge.recheck({changed.begin(), changed.end()});
     const audit_report whole = audit(p.m, asked);
     CHECK(again.certified == whole.certified);
     CHECK(again.found == whole.found);
@@ -150,17 +150,16 @@ TEST_CASE("how far stars reach was remembered in units that the next audit did n
   largest.metric = {std::ldexp(1, 82), 0, std::ldexp(1, 82)};
   audit_options asked;
   asked.findings_kept = std::numeric_limits<std::size_t>::max();
-  star_memory memory;
-  const audit_report before = audit_quickly(p.m, asked, memory);
+  auditor judge(p.m, asked);
+  const audit_report before = judge.run(quickly);
   std::set<asterism::vertex_index> changed = {p.at(0, 0), p.at(5, 5)};
   for (const audit_finding& f : before.findings)
     changed.insert(f.vertices.begin(), f.vertices.end());
-  for (const open_question& q : memory.open) changed.insert(q.sites.begin(), q.sites.end());
+  for (const open_question& q : judge.open()) changed.insert(q.sites.begin(), q.sites.end());
   largest.metric = {large, 0, large};
   // Nearer than others to what is around its neighbours.
   p.m.sites[p.at(5, 5)].metric = {large / 8, 0, large / 8};
-  const audit_report again = audit_again(p.m, asked, before, {changed.begin(), changed.end()},
-                                         memory, hard_questions::asked);
+  const audit_report again = judge.recheck({changed.begin(), changed.end()});
   const audit_report whole = audit(p.m, asked);
   CHECK(whole.total_found() > 10);
   CHECK(stars_found(again) == stars_found(whole));
@@ -180,17 +179,17 @@ TEST_CASE("a mesh is not certified while a question that only exact numbers answ
       s.metric = {1 + 12 * x * x, 12 * x * y, 1 + 12 * y * y};
     }
     const audit_report whole = audit(m, {});
-    star_memory memory;
-    const audit_report quick = audit_quickly(m, {}, memory);
+    auditor judge(m, {});
+    const audit_report quick = judge.run(quickly);
     CHECK(quick.total_found() == 0);
     CHECK_FALSE(quick.certified);
-    CHECK_FALSE(memory.open.empty());
+    CHECK_FALSE(judge.open().empty());
     CHECK(quick.counters.at(predicate::edge_test, tier::exact) == 0);
     CHECK(whole.counters.at(predicate::edge_test, tier::exact) > 0);
     const std::vector<asterism::vertex_index> all = {0, 1, 2, 3};
-    CHECK_FALSE(audit_again(m, {}, quick, all, memory, hard_questions::left_open).certified);
-    CHECK_FALSE(memory.open.empty());
-    const audit_report asked = audit_again(m, {}, quick, all, memory, hard_questions::asked);
+    CHECK_FALSE(judge.recheck(all, quickly).certified);
+    CHECK_FALSE(judge.open().empty());
+    const audit_report asked = judge.recheck(all);
     CHECK(asked.certified == whole.certified);
     CHECK(asked.found == whole.found);
     certified += asked.certified ? 1 : 0;
@@ -205,17 +204,17 @@ TEST_CASE("what an audit leaves open and what it finds is what a whole audit fin
     const patch p = make_turned_patch(random);
     audit_options asked;
     asked.findings_kept = std::numeric_limits<std::size_t>::max();
-    star_memory memory;
-    const audit_report whole = audit(p.m, asked), quick = audit_quickly(p.m, asked, memory);
+    auditor judge(p.m, asked);
+    const audit_report whole = audit(p.m, asked), quick = judge.run(quickly);
     const auto found_by_whole = stars_found(whole), found_quickly = stars_found(quick);
     CHECK(std::includes(found_by_whole.begin(), found_by_whole.end(), found_quickly.begin(),
                         found_quickly.end()));
-    gaps += count_open_gaps(memory);
+    gaps += count_open_gaps(judge.open());
     std::vector<asterism::vertex_index> all(p.m.sites.size());
     std::iota(all.begin(), all.end(), asterism::vertex_index{0});
-    const audit_report again = audit_again(p.m, asked, quick, all, memory, hard_questions::asked);
+    const audit_report again = judge.recheck(all);
     CHECK(stars_found(again) == found_by_whole);
-    CHECK(memory.open.empty());
+    CHECK(judge.open().empty());
   }
   CHECK(gaps > 20);
 }
@@ -227,13 +226,11 @@ TEST_CASE("a gap of which no reach is known is left open where there are many si
     const patch p = make_turned_patch(random);
     audit_options asked;
     asked.findings_kept = std::numeric_limits<std::size_t>::max();
-    star_memory many, few;
-    many.many_for_a_gap = p.m.sites.size();
-    few.many_for_a_gap = p.m.sites.size() + 1;
-    const audit_report left_open = audit_quickly(p.m, asked, many);
-    const audit_report held = audit_quickly(p.m, asked, few);
-    with_many += count_open_gaps(many);
-    with_few += count_open_gaps(few);
+    auditor many(p.m, asked), few(p.m, asked);
+    const audit_report left_open = many.run({hard_questions::left_open, p.m.sites.size()});
+    const audit_report held = few.run({hard_questions::left_open, p.m.sites.size() + 1});
+    with_many += count_open_gaps(many.open());
+    with_few += count_open_gaps(few.open());
     const auto of_all = stars_found(audit(p.m, asked)), of_held = stars_found(held);
     CHECK(std::includes(of_all.begin(), of_all.end(), of_held.begin(), of_held.end()));
     if (of_held.size() > stars_found(left_open).size()) ++found;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Stars whose last look is left to the audit: the same meshes, which the audit certifies.
-#include "asterism/mesh/pipeline/unconfirmed_mesh.hpp"
+#include "asterism/mesh/pipeline/mesh_attempts.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -11,10 +11,13 @@
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/star_refusal.hpp"
 
 using namespace asterism;
 
 namespace {
+
+constexpr auto by_auditor = internal::star_confirmation::by_auditor;
 
 // True if c lies clearly on the left of the way from a to b.
 bool is_left(const mesh& m, vertex_index a, vertex_index b, vertex_index c) {
@@ -64,7 +67,7 @@ TEST_CASE(
         options.limit_size = true;
         options.strategy = refinement_strategy::fill;
         const auto confirmed = make_mesh(d, *field.value(), options),
-                   trusted = internal::make_unconfirmed_mesh(d, *field.value(), options, {});
+                   trusted = internal::make_by_attempts(d, *field.value(), options, {}, by_auditor);
         REQUIRE(confirmed);
         REQUIRE(trusted);
         CHECK(trusted.value().complete == confirmed.value().complete);
@@ -86,7 +89,7 @@ TEST_CASE("whether neighbours plainly stand is asked by the audit alone, and mos
   options.angle_bound = 20;
   options.limit_size = true;
   options.strategy = refinement_strategy::fill;
-  const auto trusted = internal::make_unconfirmed_mesh(d, *field.value(), options, {}),
+  const auto trusted = internal::make_by_attempts(d, *field.value(), options, {}, by_auditor),
              confirmed = make_mesh(d, *field.value(), options);
   REQUIRE(trusted);
   REQUIRE(confirmed);
@@ -110,7 +113,7 @@ TEST_CASE("sites that are given have their last look by the audit too, and the s
     options.max_sites = 10'000;
     options.strategy = refinement_strategy::fill;
     const auto confirmed = make_mesh(d, *field.value(), options),
-               trusted = internal::make_unconfirmed_mesh(d, *field.value(), options, {});
+               trusted = internal::make_by_attempts(d, *field.value(), options, {}, by_auditor);
     REQUIRE(confirmed);
     REQUIRE(trusted);
     const mesh &a = confirmed.value().result, &b = trusted.value().result;
@@ -130,7 +133,7 @@ TEST_CASE("a run that is improved is confirmed before") {
   options.strategy = refinement_strategy::fill;
   options.improve_passes = 1;
   const auto confirmed = make_mesh(d, *field.value(), options),
-             made = internal::make_unconfirmed_mesh(d, *field.value(), options, {});
+             made = internal::make_by_attempts(d, *field.value(), options, {}, by_auditor);
   REQUIRE(confirmed);
   REQUIRE(made);
   CHECK(made.value().counters.decided == confirmed.value().counters.decided);
@@ -144,19 +147,20 @@ TEST_CASE("a mesh that the audit refuses for a star is to be made once more, and
   mesh_options options;
   options.angle_bound = 0;
   options.limit_size = true;
-  const auto made = internal::make_unconfirmed_mesh(d, *field.value(), options, {});
+  const auto made = internal::make_by_attempts(d, *field.value(), options, {}, by_auditor);
   REQUIRE(made);
-  const auto may_be_confirmed = [&](const mesh_outcome& outcome) {
-    return internal::may_be_confirmed(judge_outcome(outcome, d, options), options);
+  const auto is_refused = [&](const mesh_outcome& outcome) {
+    const certified_mesh judged = judge_outcome(outcome, d, options);
+    return internal::is_refused_for_a_star(judged.outcome, judged.report, options);
   };
-  CHECK_FALSE(may_be_confirmed(made.value()));
+  CHECK_FALSE(is_refused(made.value()));
 
   mesh_outcome turned = made.value();
   REQUIRE(turn_first_edge(turned.result));
-  CHECK(may_be_confirmed(turned));
+  CHECK(is_refused(turned));
   turned.complete = false;
-  CHECK_FALSE(may_be_confirmed(turned));
+  CHECK_FALSE(is_refused(turned));
   turned.complete = true;
   options.improve_passes = 1;
-  CHECK_FALSE(may_be_confirmed(turned));
+  CHECK_FALSE(is_refused(turned));
 }

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/auditor.hpp"
+
+#include <utility>
+
+#include "asterism/kernels/filtered_edge_test.hpp"
+#include "asterism/mesh/audit/audit_work.hpp"
+#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/site_tree.hpp"
+#include "asterism/mesh/audit/theorem_of_mesh.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using namespace audit_detail;
+
+// Charges what an audit took. Angles take the auditor's own arithmetic, and findings sentences.
+void charge(const audit_context& context) {
+  constexpr double a_decision = 0.003, an_exact_one = 1, a_finding = 0.5;
+  const audit_report& report = context.report;
+  context.options.stop.charge(audit_units(report, context.looked_units) +
+                              a_decision * static_cast<double>(report.decisions) +
+                              an_exact_one * static_cast<double>(report.exact_decisions) +
+                              a_finding * static_cast<double>(report.findings.size()));
+}
+
+// Asks everything that the options ask for, one point after the other.
+void check_all(audit_context& context) {
+  const audit_options& options = context.options;
+  audit_report& report = context.report;
+  check_values(context);
+  check_orientations(context);
+  check_edges(context);
+  check_boundary_contacts(context);
+  // The rest of point 2 is a statement about matched edges and a simple boundary.
+  const bool matched = report.total_found() == 0;
+  if (matched) {
+    check_winding(context);
+    check_fans(context);
+  }
+  const bool triangulation = report.total_found() == 0;
+  if (options.original != nullptr) check_domain_kept(context);
+  check_regions(context);
+  check_angles(context);
+  check_something_judged(context);
+  if (options.check_stars && triangulation) check_stars(context);
+  const bool are_open = context.memory != nullptr && !context.memory->open.empty();
+  report.certified = report.total_found() == 0 && !are_open;
+  if (options.check_voronoi) {
+    report.voronoi = voronoi_verdict::not_reached;
+    if (triangulation) check_voronoi(context);
+  }
+}
+
+audit_report counts_of(const mesh& subject) {
+  audit_report report;
+  report.sites = subject.sites.size();
+  report.triangles = subject.triangles.size();
+  report.boundary_subsegments = subject.boundary.size();
+  report.given = subject.given;
+  return report;
+}
+
+}  // namespace
+
+auditor::auditor(const mesh& subject, audit_options asked)
+    : subject_(&subject), asked_(std::move(asked)) {}
+
+auditor::auditor(const mesh& subject, audit_options asked, audit_report before, star_memory memory)
+    : subject_(&subject),
+      asked_(std::move(asked)),
+      report_(std::move(before)),
+      memory_(std::move(memory)) {}
+
+auditor::auditor(auditor&&) noexcept = default;
+auditor::~auditor() = default;
+
+// Remembers nothing of the stars where all is asked: a walk may spare the tree then.
+const audit_report& auditor::run(const audit_effort& effort) {
+  const bool remembers = effort.hard == hard_questions::left_open;
+  memory_ = {};
+  ask(nullptr, remembers ? &memory_ : nullptr, effort);
+  return report_;
+}
+
+const audit_report& auditor::recheck(const std::vector<vertex_index>& changed,
+                                     const audit_effort& effort) {
+  const audit_report before = std::move(report_);
+  ask(&changed, &memory_, effort);
+  report_.decisions += before.decisions;
+  report_.exact_decisions += before.exact_decisions;
+  report_.star_pairs += before.star_pairs;
+  report_.star_pairs_tested += before.star_pairs_tested;
+  report_.counters += before.counters;
+  return report_;
+}
+
+// Asks everything, or of the stars only what concerns the sites in `changed`, unless that is null.
+void auditor::ask(const std::vector<vertex_index>* changed, star_memory* memory,
+                  const audit_effort& effort) {
+  report_ = counts_of(*subject_);
+  audit_context context(*subject_, asked_, report_);
+  context.changed = changed;
+  context.memory = memory;
+  context.leaves_open = effort.hard == hard_questions::left_open;
+  context.many_for_a_gap = effort.many_for_a_gap;
+  if (memory != nullptr) memory->open.clear();
+  check_all(context);
+  charge(context);
+  tree_ = std::move(context.tree);
+}
+
+const audit_report& auditor::check_numbers() {
+  report_ = {};
+  audit_context context(*subject_, asked_, report_);
+  check_values(context);
+  return report_;
+}
+
+void auditor::ask_filters(const std::function<bool(const open_question&)>& is_asked,
+                          const std::function<void(const open_question&)>& refuse) {
+  tier_counters decided;
+  const auto is_in_order = [&](const open_question& question) {
+    if (question.what == open_question::about::gap) return false;
+    const auto at = [&](std::size_t i) { return subject_->sites[question.sites[i]]; };
+    const uncertain_bool accepted = filtered_edge_test(at(0), at(1), at(2), at(3), decided);
+    const bool is_to_be = question.what == open_question::about::neighbour;
+    return accepted.certain() && accepted.value() == is_to_be;
+  };
+  std::vector<open_question> left;
+  for (const open_question& question : memory_.open) {
+    const bool asked = is_asked(question);
+    if (asked && is_in_order(question)) continue;
+    if (asked) refuse(question);
+    left.push_back(question);
+  }
+  memory_.open = std::move(left);
+  report_.counters += decided;
+  report_.certified = report_.total_found() == 0 && memory_.open.empty();
+  asked_.stop.charge(work_units(decided));
+}
+
+certificate auditor::make_certificate(const cancellation& account) const {
+  std::optional<theorem_hypotheses> theorem;
+  if (is_theorem_asked(asked_, report_))
+    theorem = theorem_of_mesh(*subject_, *asked_.angle_bound, account, tree_.get());
+  return asterism::make_certificate(*subject_, asked_, report_, theorem);
+}
+
+}  // namespace asterism::internal

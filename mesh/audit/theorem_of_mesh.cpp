@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/audit/theorem_of_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/audit/audit_work.hpp"
+#include "asterism/mesh/audit/metric_ball.hpp"
+#include "asterism/mesh/audit/number.hpp"
+#include "asterism/mesh/audit/site_tree.hpp"
+#include "asterism/mesh/audit/theorem_measures.hpp"
+#include "asterism/mesh/audit/theorem_table.hpp"
+#include "asterism/mesh/audit/unit_subject.hpp"
+#include "asterism/mesh/audit/voronoi_arc.hpp"
+#include "asterism/mesh/support/infinity.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using audit_detail::audit_context;
+using audit_detail::audit_patience;
+using audit_detail::audit_tally;
+using audit_detail::greatest_bound;
+using audit_detail::site_tree;
+
+constexpr double useless_distortion = 1.272;  // beyond it no arc is sure to be wedged
+constexpr std::size_t chunk = 1024, looked_for_together = 8;
+// Work of looking at one site for another, or for a subsegment: half a microsecond.
+constexpr double a_look = 0.05;
+
+// Returns the units of kernels/work_units.hpp that may be spent on the pairs of so many sites, and
+// as much again on their subsegments: a second, and 0.2 milliseconds a site. Meshes that a size was
+// kept for have 15 near pairs a site and take less than one unit for them. Where a few triangles
+// are far larger than the others every site is near every other.
+double most_units(std::size_t sites) {
+  constexpr double at_least = 1e5, for_each = 20;
+  return at_least + for_each * static_cast<double>(sites);
+}
+
+// Measures of one chunk of the sites or subsegments; `failure` is the first thing that went wrong.
+struct measured_part {
+  theorem::pair_measures pairs{infinity, 1, 0};  // the least distance, the greatest others
+  double longest_subsegment = 0;
+  std::array<vertex_index, 2> nearest{};  // the sites of the least distance
+  std::string failure;
+};
+
+std::string vertex_name(vertex_index v) { return "vertex " + std::to_string(v + 1); }
+
+std::array<site, 3> corners_of(const mesh& m, std::size_t i) {
+  const triangle& t = m.triangles[i];
+  return {m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]};
+}
+
+// Returns the triangle of a few whose covering radius is likely to be the greatest.
+std::size_t widest_of_some(const mesh& m) {
+  constexpr std::size_t step = 64;
+  std::size_t widest = 0;
+  double greatest = 0;
+  for (std::size_t i = 0; i < m.triangles.size(); i += step) {
+    const double radius = theorem::quick_covering_radius_above(corners_of(m, i), 0);
+    if (radius > greatest) {
+      greatest = radius;
+      widest = i;
+    }
+  }
+  return widest;
+}
+
+// A chunk's covering radius needs no measuring where the quick ones are below what another chunk
+// has already: so the triangle of each that is likely to have the greatest is measured before the
+// rest.
+double covering_radius(const mesh& m) {
+  if (m.triangles.empty()) return 0;
+  const auto radius_of = [&](std::size_t i) {
+    return theorem::covering_radius_above(corners_of(m, i));
+  };
+  // Of a triangle whose radius is certainly no more than this it is not measured.
+  const double enough = radius_of(widest_of_some(m));
+  std::vector<double> quick(m.triangles.size());
+  const auto widest = collect_chunks<double>(
+      m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<double>& out) {
+        std::size_t greatest = end;
+        for (std::size_t i = begin; i < end; ++i) {
+          quick[i] = theorem::quick_covering_radius_above(corners_of(m, i), enough);
+          if (quick[i] > 0 && (greatest == end || quick[i] > quick[greatest])) greatest = i;
+        }
+        out.push_back(greatest == end ? enough : radius_of(greatest));
+      });
+  double known = 0;
+  for (const double part : widest) known = greatest_bound(known, part);
+  const auto parts = collect_chunks<double>(
+      m.triangles.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<double>& out) {
+        double radius = known;
+        for (std::size_t i = begin; i < end; ++i)
+          if (!(quick[i] < radius)) radius = greatest_bound(radius, radius_of(i));
+        out.push_back(radius);
+      });
+  double radius = known;
+  for (const double part : parts) radius = greatest_bound(radius, part);
+  return radius;
+}
+
+// Returns how far sites may be from each other, as disks of that radius around them meet, to matter
+// to what is measured: the covering radius, or, where all metrics are one, half the shortest edge.
+// Pairs farther apart than that edge are measured in vain there: their metrics do not differ. Where
+// sites are spread unevenly, as random ones are, that spares nearly all pairs.
+double radius_that_matters(const mesh& m, double covering_radius) {
+  const metric_tensor& one = m.sites.front().metric;
+  const bool is_one = std::all_of(m.sites.begin(), m.sites.end(),
+                                  [&](const site& s) { return identical(s.metric, one); });
+  if (!is_one) return covering_radius;
+  double shortest = infinity;
+  for (const triangle& t : m.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      shortest =
+          std::min(shortest, theorem::distance_above(m.sites[t[i]], m.sites[t[(i + 1) % 3]]));
+  return std::min(covering_radius, 0.5 * shortest);
+}
+
+// An upper bound of how metrics differ; infinite where products of their entries leave the range of
+// doubles.
+std::string difference_text(double distortion) {
+  if (!(distortion < std::numeric_limits<double>::infinity()))
+    return "differ by a factor that doubles do not tell";
+  return "differ by a factor of " + format_number(distortion);
+}
+
+// Measures the pair of v and w. Most are within what was measured before.
+void measure_near_pair(const mesh& m, vertex_index v, vertex_index w, double radius,
+                       measured_part& part) {
+  const site &centre = m.sites[v], &other = m.sites[w];
+  if (theorem::is_within(part.pairs, centre, other) ||
+      theorem::certainly_apart(centre, other, radius))
+    return;
+  const theorem::pair_measures pair = theorem::measure_pair(centre, other);
+  if (pair.larger_distance_below < part.pairs.larger_distance_below) {
+    part.pairs.larger_distance_below = pair.larger_distance_below;
+    part.nearest = {std::min(v, w), std::max(v, w)};
+  }
+  part.pairs.distortion_above = greatest_bound(part.pairs.distortion_above, pair.distortion_above);
+  part.pairs.variation_above = greatest_bound(part.pairs.variation_above, pair.variation_above);
+  if (!(pair.distortion_above < useless_distortion))
+    part.failure = "the metrics of " + vertex_name(v) + " and " + vertex_name(w) +
+                   ", whose disks of the covering radius meet, " +
+                   difference_text(pair.distortion_above);
+}
+
+// The sites in the order of a tree, in which near ones are near each other, and where each is.
+struct ordered_sites {
+  explicit ordered_sites(const site_tree& of) : tree(of), rank(of.order().size()) {
+    for (std::size_t i = 0; i < rank.size(); ++i) rank[of.order()[i]] = i;
+  }
+  const site_tree& tree;
+  std::vector<std::size_t> rank;
+};
+
+// Measures the pairs of the sites from `first` to before `last` with those after them in the
+// order. What is near all of them is looked for once.
+void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t first,
+                        std::size_t last, double radius, audit_patience& patience,
+                        measured_part& part) {
+  const std::vector<vertex_index>& order = sites.tree.order();
+  std::vector<site_tree::reaching> centres;
+  for (std::size_t i = first; i < last; ++i) centres.push_back({m.sites[order[i]], radius});
+  std::vector<std::size_t> leaves;
+  const bool gathered = sites.tree.gather(centres, leaves, first);
+  for (std::size_t i = first; i < last; ++i) {
+    const vertex_index v = order[i];
+    const auto measure = [&](vertex_index w) {
+      patience.count(a_look);
+      if (patience.is_over()) return false;
+      if (sites.rank[w] > i) measure_near_pair(m, v, w, radius, part);
+      return part.failure.empty();
+    };
+    if (!part.failure.empty()) return;
+    if (gathered)
+      sites.tree.visit_near(leaves, m.sites[v], radius, measure, i + 1);
+    else
+      sites.tree.visit_near(m.sites[v], radius, measure);
+  }
+}
+
+// Returns how far points of a subsegment are from their nearer end, from above: of its length A as
+// one end measures, and B as the other, a point at the part t of the way is t A and (1 - t) B away,
+// and the lesser is at most A B / (A + B).
+double farthest_from_nearer_end(double by_a, double by_b) {
+  constexpr double up = 1 + 0x1p-48;
+  return by_a / (by_a + by_b) * by_b * up;
+}
+
+// True if w is certainly farther than that from all points of the subsegment.
+bool is_clearly_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w,
+                       double farthest) {
+  const audit_detail::metric_ball ball(m.sites[w]);
+  return ball.is_usable() &&
+         audit_detail::metric_ball::misses(ball.in_frame(m.sites[subsegment.a].position),
+                                           ball.in_frame(m.sites[subsegment.b].position), farthest);
+}
+
+// Holds the site w against a subsegment.
+void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w, double farthest,
+                  audit_patience& patience, measured_part& part) {
+  patience.count(a_look);
+  if (w == subsegment.a || w == subsegment.b || !part.failure.empty() || patience.is_over()) return;
+  if (is_clearly_beside(m, subsegment, w, farthest)) return;
+  if (!audit_detail::is_certainly_farther_than_nearer_end(m.sites[subsegment.a],
+                                                          m.sites[subsegment.b], m.sites[w]))
+    part.failure = vertex_name(w) + " may be as near to a point of the boundary edge from " +
+                   vertex_name(subsegment.a) + " to " + vertex_name(subsegment.b) + " as its ends";
+}
+
+// Checks some subsegments, of which neighbours in the list are often neighbours in the plane: what
+// is near all of them is looked for once.
+void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, std::size_t last,
+                       audit_patience& patience, measured_part& part) {
+  std::vector<site_tree::reaching> starts;
+  std::vector<double> farthest;
+  for (std::size_t i = first; i < last; ++i) {
+    const site &a = m.sites[m.boundary[i].a], &b = m.sites[m.boundary[i].b];
+    const double by_a = theorem::distance_above(a, b), by_b = theorem::distance_above(b, a);
+    part.longest_subsegment = greatest_bound(part.longest_subsegment, greatest_bound(by_a, by_b));
+    farthest.push_back(farthest_from_nearer_end(by_a, by_b));
+    // From the end that finds it shorter, s long: no point of it is farther from that end than s,
+    // nor, as both ends measure along it linearly, from its nearer end. So g . (w - end) is at most
+    // (|g|_end + |g|_w) s for a w that is as near (site_tree.hpp).
+    starts.push_back(by_b < by_a ? site_tree::reaching{b, by_b} : site_tree::reaching{a, by_a});
+  }
+  std::vector<std::size_t> leaves;
+  const bool gathered = tree.gather(starts, leaves);
+  for (std::size_t i = first; i < last; ++i) {
+    const auto& [end, length] = starts[i - first];
+    const auto check = [&](vertex_index w) {
+      check_beside(m, m.boundary[i], w, farthest[i - first], patience, part);
+    };
+    if (gathered)
+      tree.visit_near(leaves, end, length, check);
+    else
+      tree.visit_near(end, length, check);
+  }
+}
+
+// Measures `count` items, so many at a time, and puts them together in order. Sets `unfinished` of
+// the context where that is ended early.
+template <class Measure>
+measured_part measure_all(audit_context& context, std::size_t count, std::size_t at_a_time,
+                          const Measure& measure) {
+  std::vector<measured_part> parts(chunk_count(count, chunk));
+  const auto measure_chunk = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    measured_part& part = parts[begin / chunk];
+    audit_patience patience(context, tally);
+    for (std::size_t i = begin; i < end && part.failure.empty() && !tally.unfinished;
+         i += at_a_time)
+      measure(i, std::min(end, i + at_a_time), patience, part);
+  };
+  check_in_parallel(context, count, measure_chunk, chunk, most_units(context.subject.sites.size()));
+  measured_part all;
+  for (const measured_part& part : parts) {
+    if (part.pairs.larger_distance_below < all.pairs.larger_distance_below) {
+      all.pairs.larger_distance_below = part.pairs.larger_distance_below;
+      all.nearest = part.nearest;
+    }
+    all.pairs.distortion_above =
+        greatest_bound(all.pairs.distortion_above, part.pairs.distortion_above);
+    all.pairs.variation_above =
+        greatest_bound(all.pairs.variation_above, part.pairs.variation_above);
+    all.longest_subsegment = greatest_bound(all.longest_subsegment, part.longest_subsegment);
+    if (all.failure.empty()) all.failure = part.failure;
+  }
+  return all;
+}
+
+// Returns the obstacle as a sentence, with lengths in so many units; empty if there is none.
+std::string obstacle(const theorem_hypotheses& h, const std::array<vertex_index, 2>& nearest,
+                     double angle_bound, double unit = 1) {
+  const bool wedged = theorem::arcs_are_wedged(h.covering_radius, h.spacing, h.distortion);
+  if (wedged && h.proved_angle >= angle_bound) return {};
+  const std::string spacing = vertex_name(nearest[0]) + " and " + vertex_name(nearest[1]) +
+                              " are " + format_number(unit * h.spacing) +
+                              " apart, where the domain is covered within " +
+                              format_number(unit * h.covering_radius);
+  if (!wedged)
+    return spacing + ": arcs need not be wedged where metrics " + difference_text(h.distortion);
+  return "at sigma eps " + format_number(h.sigma_eps) + " no more than " +
+         format_number(h.proved_angle) + " degrees are proved (" + spacing + ")";
+}
+
+// Enters what pairs of sites say, and what follows from that.
+void enter_pairs(theorem_hypotheses& h, const theorem::pair_measures& pairs) {
+  h.spacing = pairs.larger_distance_below;
+  h.distortion = pairs.distortion_above;
+  h.variation = pairs.variation_above;
+  h.sigma_eps = theorem::table_variation_above(h.variation, h.covering_radius, h.distortion);
+  h.proved_angle =
+      theorem::proved_angle(h.sigma_eps, theorem::quotient_above(h.covering_radius, h.spacing));
+}
+
+// Measures the pairs of neighbours in some triangles.
+measured_part measure_some_neighbours(const mesh& m, double radius) {
+  constexpr std::size_t step = 16;
+  measured_part some;
+  for (std::size_t k = 0; k < m.triangles.size() && some.failure.empty(); k += step) {
+    const triangle& t = m.triangles[k];
+    for (std::size_t i = 0; i < 3; ++i) measure_near_pair(m, t[i], t[(i + 1) % 3], radius, some);
+  }
+  return some;
+}
+
+// True if some neighbours alone tell that it does not apply: metrics differ too much, or sites are
+// far too near to each other, so that it would not if they were several times as far apart. Near
+// pairs may be very many then, as among random sites, where every site is near hundreds.
+bool is_far_from_applying(theorem_hypotheses h, const measured_part& some, double angle_bound) {
+  constexpr double times = 4;
+  if (!some.failure.empty()) return true;
+  theorem::pair_measures pairs = some.pairs;
+  pairs.larger_distance_below *= times;
+  if (!(pairs.larger_distance_below < h.covering_radius)) return false;
+  enter_pairs(h, pairs);
+  return !obstacle(h, some.nearest, angle_bound).empty();
+}
+
+// Returns that nothing is known: a part of the numbers would pass for all of them.
+theorem_hypotheses unmeasured(const std::optional<std::string>& why) {
+  theorem_hypotheses nothing;
+  nothing.reason = std::string(not_all_measured) +
+                   why.value_or("the most work that is done for so many sites was done");
+  return nothing;
+}
+
+// Measures a mesh whose numbers are of ordinary size. Texts have lengths in so many units.
+theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
+                                    const cancellation& stop, const site_tree* made, double unit) {
+  theorem_hypotheses h;
+  h.covering_radius = covering_radius(subject);
+  if (!(h.covering_radius < infinity && !subject.triangles.empty())) {
+    h.reason = "no bound is known of how far points are from sites";
+    return h;
+  }
+  audit_report counted;
+  audit_options asked;
+  // Leaves out the account of the run: what is measured may not depend on it, as those who verify
+  // have none.
+  asked.stop = [&stop] { return stop.told(); };
+  audit_context context(subject, asked, counted);
+  const site_tree& tree = made != nullptr ? *made : context.plant();
+  const measured_part subsegments = measure_all(
+      context, subject.boundary.size(), looked_for_together,
+      [&](std::size_t first, std::size_t last, audit_patience& patience, measured_part& part) {
+        check_subsegments(subject, tree, first, last, patience, part);
+      });
+  h.longest_subsegment = subsegments.longest_subsegment;
+  const double radius = radius_that_matters(subject, h.covering_radius);
+  measured_part near = measure_some_neighbours(subject, radius);
+  if (!is_far_from_applying(h, near, angle_bound)) {
+    const ordered_sites sites(tree);
+    near = measure_all(
+        context, tree.order().size(), looked_for_together,
+        [&](std::size_t first, std::size_t last, audit_patience& patience, measured_part& part) {
+          measure_near_pairs(subject, sites, first, last, radius, patience, part);
+        });
+  }
+  stop.charge(context.looked_units);
+  if (context.unfinished) return unmeasured(stop.told());
+  enter_pairs(h, near.pairs);
+  h.reason = !near.failure.empty()          ? near.failure
+             : !subsegments.failure.empty() ? subsegments.failure
+                                            : obstacle(h, near.nearest, angle_bound, unit);
+  h.applies = h.reason.empty();
+  if (h.applies) h.reason = "all hypotheses hold";
+  return h;
+}
+
+}  // namespace
+
+// Measures an image where lengths are such that bounds of them leave the range of doubles, and so
+// would tell nothing: each site would be held against all.
+theorem_hypotheses theorem_of_mesh(const mesh& subject, double angle_bound,
+                                   const cancellation& stop, const site_tree* tree) {
+  const auto scaled = audit_detail::unit_subject_of(subject);
+  if (!scaled) return measure_ordinary(subject, angle_bound, stop, tree, 1);
+  const double unit = std::ldexp(1.0, scaled->exponent);
+  theorem_hypotheses h = measure_ordinary(scaled->image, angle_bound, stop, nullptr, unit);
+  for (double* length : {&h.covering_radius, &h.spacing, &h.longest_subsegment}) *length *= unit;
+  h.variation /= unit;
+  return h;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Audits a mesh once more, and holds its certificate against what is found.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/export.h"
+#include "asterism/mesh/audit/audit_report.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/audit/region_areas.hpp"
+#include "asterism/mesh/audit/theorem_report.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism {
+
+// Result of a second audit of a mesh and its certificate.
+struct verify_report {
+  bool verified = false;  // certified, and nothing contradicts the certificate
+  audit_report audit;
+  std::vector<std::string> contradictions;  // one sentence each, claim against mesh
+  std::vector<region_area> regions;         // measured again
+  // Measured again, of a certified mesh with an angle bound.
+  std::optional<theorem_hypotheses> theorem;
+};
+
+// Audits again, from the mesh and the certificate alone. From the certificate come the domain and
+// the angle bound where `options` has none of its own, and what it says of the Voronoi diagram is
+// checked. Sharp corners are looked for. Without an angle bound from either nothing is certified,
+// and `verified` is false.
+ASTERISM_EXPORT verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
+                                     audit_options options);
+
+}  // namespace asterism

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Names the formats in which meshes are written, and the files of each.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+
+namespace asterism {
+
+// The formats of meshes, pictures and pages.
+enum class mesh_format {
+  medit,
+  vtu,
+  svg,
+  png,
+  pdf,
+  html,
+  gmsh,
+  gmsh2,
+  su2,
+  node,
+  medit_binary,
+  sms,
+  adcirc
+};
+
+// Returns the format that the extension names, in upper or lower case; the error lists the known
+// ones.
+ASTERISM_EXPORT result<mesh_format> mesh_format_of(const std::filesystem::path& path);
+
+// Checks that a mesh could be written there. Refuses unknown extensions, missing or unwritable
+// directories, places taken by something that is not a regular file, and pictures where cairo is
+// missing; for finding out before a long computation.
+ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& path);
+
+// Returns every file that is written with `path`, itself first.
+ASTERISM_EXPORT std::vector<std::filesystem::path> files_of_output(
+    const std::filesystem::path& path);
+
+}  // namespace asterism

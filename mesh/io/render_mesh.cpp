@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/render_mesh.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "asterism/mesh/draw/picture.hpp"
+#include "asterism/mesh/io/file_note.hpp"
+#include "asterism/mesh/io/flow_meshes.hpp"
+#include "asterism/mesh/io/gmsh.hpp"
+#include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/medit_binary.hpp"
+#include "asterism/mesh/io/medit_writer.hpp"
+#include "asterism/mesh/io/mesh_format.hpp"
+#include "asterism/mesh/io/plain_meshes.hpp"
+#include "asterism/mesh/io/solution_output.hpp"
+#include "asterism/mesh/io/vtu.hpp"
+
+namespace asterism::internal {
+namespace fs = std::filesystem;
+
+namespace {
+
+picture_format picture_format_of(mesh_format format) {
+  if (format == mesh_format::svg) return picture_format::svg;
+  return format == mesh_format::png ? picture_format::png : picture_format::pdf;
+}
+
+// Writers index by these; a mesh made by hand may be wrong.
+std::optional<error> check_indices(const mesh& m) {
+  const auto bad = [&](vertex_index v) { return v >= m.sites.size(); };
+  for (const auto* triangles : {&m.triangles, &m.disagreeing})
+    for (const triangle& t : *triangles)
+      if (std::any_of(t.begin(), t.end(), bad))
+        return error{"a triangle names a missing site", error_code::invalid_mesh};
+  for (const boundary_edge& e : m.boundary)
+    if (bad(e.a) || bad(e.b))
+      return error{"a boundary edge names a missing site", error_code::invalid_mesh};
+  if (!m.regions.empty() && m.regions.size() != m.triangles.size())
+    return error{"there are not as many regions as triangles", error_code::invalid_mesh};
+  if (m.given > m.sites.size())
+    return error{"more given vertices than sites", error_code::invalid_mesh};
+  return {};
+}
+
+// Gives what `write` gives, with the note in its first piece.
+std::function<void(const byte_sink&)> with_note(std::function<void(const byte_sink&)> write,
+                                                mesh_format format, const std::string& note) {
+  return [write = std::move(write), format, note](const byte_sink& put) {
+    bool is_first = true;
+    write([&](std::string_view piece) {
+      if (!std::exchange(is_first, false)) return put(piece);
+      put(with_file_note(std::string(piece), format, note));
+    });
+  };
+}
+
+using output_files = std::vector<output_file>;
+
+fs::path beside(const fs::path& path, const char* extension) {
+  return fs::path(path).replace_extension(extension);
+}
+
+result<output_files> render_picture(const fs::path& path, mesh_format format, const mesh& m,
+                                    const write_options& options) {
+  auto picture = draw_picture(m, picture_format_of(format), options.picture);
+  if (!picture.ok()) return picture.failure().at(path.string());
+  if (format != mesh_format::svg) return output_files{{path, std::move(picture).value()}};
+  return output_files{{path, with_file_note(std::move(picture).value(), format, options.note)}};
+}
+
+result<output_files> render_page(const fs::path& path, const mesh& m,
+                                 const write_options& options) {
+  auto page = report_page(m, options.report);
+  if (!page.ok()) return page.failure().at(path.string());
+  return output_files{{path, std::move(page).value()}};
+}
+
+// The note as a line of its own; nothing where there is none.
+std::string comment(const std::string& mark, std::string note) {
+  std::replace_if(
+      note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return note.empty() ? "" : mark + note + "\n";
+}
+
+// The note follows the first section, before which nothing may stand.
+std::string render_gmsh(const mesh& m, const write_options& options, gmsh_version version) {
+  std::string text = gmsh_text(m, {options.names, options.with_metric, options.fields}, version);
+  if (options.note.empty()) return text;
+  const std::string_view first = "$EndMeshFormat\n";
+  return text.insert(text.find(first) + first.size(),
+                     "$Comments\n" + comment("", options.note) + "$EndComments\n");
+}
+
+// Numbers, from 1, of the edges with triangles on both sides.
+std::vector<std::size_t> inner_edges(const mesh& m) {
+  std::vector<std::size_t> inner;
+  for (std::size_t e = 0; e < m.boundary.size(); ++e)
+    if (m.boundary[e].internal) inner.push_back(e + 1);
+  return inner;
+}
+
+// Returns the files of a Medit mesh: its own, and one each for the metric and the fields.
+output_files with_solutions(output_file first, const mesh& m, const write_options& options) {
+  const fs::path path = first.path, beside = solution_path(path);
+  output_files files = {std::move(first)};
+  if (options.with_metric && is_medit_binary(path))
+    files.push_back({beside, medit_binary_of_text(medit_solution_text(m))});
+  else if (options.with_metric)
+    files.push_back(
+        {.path = beside, .rest = [&m](const byte_sink& put) { write_medit_solution(m, put); }});
+  if (options.fields != nullptr && !options.fields->fields.empty())
+    files.push_back(
+        {options.with_metric ? fields_path(path) : beside, solution_text(beside, *options.fields)});
+  return files;
+}
+
+result<output_files> render(const fs::path& path, mesh_format format, const mesh& m,
+                            const write_options& options) {
+  const bool keeps_comments = format == mesh_format::medit;
+  const auto medit = [&m, smooth = medit_smooth{options.smooth, keeps_comments}](
+                         const byte_sink& put) { write_medit_mesh(m, smooth, put); };
+  const vtu_contents values{options.with_metric, options.fields};
+  const auto vtu = [&m, values](const byte_sink& put) { write_vtu(m, values, put); };
+  switch (format) {
+    case mesh_format::medit:
+      return with_solutions({.path = path, .rest = with_note(medit, format, options.note)}, m,
+                            options);
+    case mesh_format::medit_binary:
+      return with_solutions({path, medit_binary_of_text(bytes_of(medit), inner_edges(m))}, m,
+                            options);
+    case mesh_format::vtu:
+      return output_files{{.path = path, .rest = with_note(vtu, format, options.note)}};
+    case mesh_format::gmsh:
+      return output_files{{path, render_gmsh(m, options, gmsh_version::four)}};
+    case mesh_format::gmsh2:
+      return output_files{{path, render_gmsh(m, options, gmsh_version::two)}};
+    case mesh_format::su2:
+      return output_files{{path, comment("% ", options.note) + su2_text(m, options.names)}};
+    case mesh_format::sms:
+      return output_files{{path, sms_text(m)}};
+    case mesh_format::adcirc:
+      return output_files{{path, adcirc_text(m, options.names, comment("", options.note))}};
+    case mesh_format::node:
+      return output_files{{path, comment("# ", options.note) + node_text(m)},
+                          {beside(path, ".ele"), ele_text(m)},
+                          {beside(path, ".edge"), edge_text(m)}};
+    case mesh_format::html:
+      return render_page(path, m, options);
+    default:
+      return render_picture(path, format, m, options);
+  }
+}
+
+}  // namespace
+
+fs::path fields_path(const fs::path& mesh_path) {
+  return fs::path(mesh_path).replace_extension(is_medit_binary(mesh_path) ? ".fields.solb"
+                                                                          : ".fields.sol");
+}
+
+result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, const mesh& m,
+                                             const write_options& options) {
+  const auto format = check_output(path);
+  if (!format.ok()) return format.failure();
+  if (auto failed = check_indices(m)) return failed->at(path.string());
+  return render(path, format.value(), m, options);
+}
+
+}  // namespace asterism::internal

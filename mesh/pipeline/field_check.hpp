@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds what was found when a mesh was held against the metric asked for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/mesh/data/delivered_report.hpp"
+
+namespace asterism::internal {
+
+// A mesh held against a metric.
+struct field_check {
+  bool made = false;    // true if the metric asked for could be made again
+  std::string why_not;  // half a sentence on why it could not
+  std::vector<std::string> contradictions;
+  // Set where the tensors are others than asked for: by how much, as measured here.
+  std::optional<delivered_report> apart;
+};
+
+}  // namespace asterism::internal

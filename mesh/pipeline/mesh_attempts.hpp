@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// Tries, one after the other, the ways to a mesh of a domain in a metric, and chooses what is
+// shown.
+#pragma once
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/stars/star_confirmation.hpp"
+
+namespace asterism::internal {
+
+// Makes the mesh of make_mesh(). By_auditor, the last look at every star is left out: a complete
+// outcome is then one that the audit may refuse for a star, if rarely, and the call is to be
+// repeated by_mesher. Without `may_deliver` no metric is delivered, as where none led to a mesh
+// before.
+result<mesh_outcome> make_by_attempts(const domain& d, const metric_field& field,
+                                      const mesh_options& options,
+                                      const progress_listener& progress,
+                                      star_confirmation confirmed, bool may_deliver = true);
+
+}  // namespace asterism::internal

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds what a proof is to show.
+#pragma once
+
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal {
+
+// What is asked: nothing of it is taken from the proof. Every edge of the mesh's boundary list is a
+// segment. The domain is as its .poly file has it, before any repair; null: what the boundary
+// encloses.
+struct proof_question {
+  const mesh& subject;
+  const domain* shape = nullptr;
+  double angle_bound = 0;  // degrees, from 0 to below 90
+};
+
+}  // namespace asterism::internal

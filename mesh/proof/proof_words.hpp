@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// Words what a proof does not show.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "asterism/core/result.hpp"
+
+namespace asterism::internal::proof_detail {
+
+inline error not_shown(std::string what) { return {std::move(what), error_code::invalid_mesh}; }
+inline std::string vertex_number(std::size_t v) { return "vertex " + std::to_string(v + 1); }
+
+}  // namespace asterism::internal::proof_detail

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds what is wished of the metric that is made for a solution.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "asterism/mesh/solution/hessian.hpp"
+
+namespace asterism {
+
+// Growth of sizes that loops do best with (docs/results/adaptation.md has 1.5 to 12, and none).
+// Faster growth is not delivered anyway, as stars do not agree about it; from 3 down, gradation
+// takes the vertices that fronts need.
+inline constexpr double loop_gradation = 6;
+
+// Wishes. At most one of vertices, complexity and error; without, as many vertices as the mesh has.
+struct solution_metric_options {
+  hessian_method hessian = hessian_method::green;
+  std::optional<double> norm = 2;       // p of L^p, at least 1; none: the maximum norm
+  std::optional<double> vertices = {};  // a mesh of unit edges has 2 / sqrt 3 times the complexity
+  std::optional<double> complexity = {};  // area in the metric
+  std::optional<double> error = {};  // of linear interpolation in the norm, greatest of the fields
+  double least_size = 0;
+  double greatest_size = std::numeric_limits<double>::infinity();
+  double aspect = 1e6;
+  std::optional<double> gradation = {};  // beta above 1; none: sizes stay as they are
+  bool gradation_keeps_shape = false;    // in metric space; else in mixed space
+  bool isotropic = false;
+  std::optional<double> step = {};  // greatest factor by which a length changes, above 1
+};
+
+}  // namespace asterism

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// Holds what is asked of the mesh of a surface.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "asterism/mesh/support/cancellation.hpp"
+
+namespace asterism::internal {
+
+struct surface_mesh_options {
+  double chord = 0;                     // the greatest distance, both ways
+  std::optional<double> normal;         // degrees that the normal may turn along an edge
+  std::optional<double> longest;        // edge
+  double aspect = 100;                  // the greatest ratio of lengths wanted
+  std::optional<std::size_t> vertices;  // about; the chord then decides nothing but the verdict
+  double angle_bound = 20;
+  std::size_t most_rounds = 12;
+  std::size_t most_sites = 1'000'000;  // of a patch
+  cancellation stop = {};
+};
+
+}  // namespace asterism::internal

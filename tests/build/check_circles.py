@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""No circle between modules. A module is a header and the sources that define what it declares: those
+of its name, or of its name and an ending (working_mesh_build.cpp). Two lists below hold what is left to
+mend. They may only shrink: what stands in them and is mended must be taken out.
+
+A C header is a module of its own. It includes nothing of C++, and several sources define what it
+declares."""
+import collections
+import re
+
+import sources
+
+# Circles that are left: the modules of each, sorted.
+CIRCLES = set()
+# Headers that declare functions that a source of another name defines, and how many.
+FOREIGN = {
+    "apps/command_tree.hpp": 2,
+    "apps/commands.hpp": 16,
+    "apps/surface_commands.hpp": 1,
+    "challenge/input_classes.hpp": 16,
+    "challenge/report.hpp": 1,
+    "core/elementary.hpp": 4,
+    "kernels/filtered_edge_test.hpp": 1,
+    "mesh/audit/context.hpp": 12,
+    "mesh/io/certificate_file.hpp": 2,
+    "mesh/io/certificate_json.hpp": 1,
+    "mesh/io/listed_readers.hpp": 9,
+    "mesh/io/medit.hpp": 3,
+    "mesh/io/polygons.hpp": 3,
+    "mesh/io/solution_output.hpp": 3,
+    "mesh/io/text_scanner.hpp": 1,
+    "mesh/pipeline/metric_request.hpp": 3,
+    "mesh/surface_audit/deviation_parts.hpp": 8,
+    "mesh/surface_audit/lifted_bounds.hpp": 1,
+    "mesh/surface_audit/shell_findings.hpp": 4,
+    "mesh/surface_io/shell_files.hpp": 4,
+    "mesh/surface_io/space_mesh_reader.hpp": 4,
+}
+
+COMMENT = re.compile(r"//[^\n]*")
+# A declaration or definition that begins a line, as clang-format leaves those of a namespace.
+HEADING = re.compile(r"^(?!static|inline|template|using|struct|class|enum|namespace|extern|return|constexpr|typedef)"
+                     r"[A-Za-z_][^\n;{}()=]*?\b([A-Za-z_][\w:]*)\((?:[^;{}]|\{\})*?\)"
+                     r"(?:\s*(?:const|noexcept))*\s*([;{])", re.MULTILINE)
+
+
+def stem(name):
+    return name.rsplit(".", 1)[0]
+
+
+def module_of(name, headers):
+    """The header's module for its sources, found by the longest part of the name that a header has."""
+    if name.endswith(".h"):
+        return name
+    own = stem(name)
+    if name.endswith(".hpp"):
+        return own
+    while own not in headers and "_" in own.rsplit("/", 1)[1]:
+        own = own.rsplit("_", 1)[0]
+    return own if own in headers else stem(name)
+
+
+def included(top, path):
+    for name in sources.includes(top / path):
+        if name.startswith("asterism/"):
+            name = name.removeprefix("asterism/")
+        else:
+            name = (path.parent / name).as_posix()
+        if (top / name).is_file():
+            yield name
+
+
+def graph_of(top, paths, headers):
+    graph = collections.defaultdict(set)
+    for path in paths:
+        own = module_of(path.as_posix(), headers)
+        graph[own] |= {module_of(name, headers) for name in included(top, path)} - {own}
+    return graph
+
+
+def circles_in(graph):
+    """The strongly connected parts of more than one module, by Tarjan's algorithm without recursion."""
+    found, number, lowest, stack, on_stack = [], {}, {}, [], set()
+    for start in sorted(graph):
+        if start in number:
+            continue
+        walk = [(start, None)]
+        while walk:
+            at, after = walk.pop()
+            if after is None:
+                number[at] = lowest[at] = len(number)
+                stack.append(at)
+                on_stack.add(at)
+                after = iter(sorted(graph.get(at, ())))
+            for to in after:
+                if to not in number:
+                    walk += [(at, after), (to, None)]
+                    break
+                if to in on_stack:
+                    lowest[at] = min(lowest[at], number[to])
+            else:
+                if walk:
+                    lowest[walk[-1][0]] = min(lowest[walk[-1][0]], lowest[at])
+                if lowest[at] == number[at]:
+                    part = set()
+                    while at not in part:
+                        part.add(stack.pop())
+                    on_stack -= part
+                    if len(part) > 1:
+                        found.append(tuple(sorted(part)))
+    return found
+
+
+def headings(top, path, ending):
+    text = COMMENT.sub("", (top / path).read_text(encoding="utf-8"))
+    return {m.group(1).rsplit("::", 1)[-1] for m in HEADING.finditer(text) if m.group(2) == ending}
+
+
+def foreign_headers(top, paths, headers):
+    """By header, the functions it declares that only sources of other modules define; of these only
+    such as include it, as names are used twice."""
+    definers = collections.defaultdict(set)
+    for path in paths:
+        if path.suffix == ".cpp":
+            for name in headings(top, path, "{"):
+                definers[name].add(path)
+    for path in paths:
+        if path.suffix != ".hpp":
+            continue
+        own = stem(path.as_posix())
+        for name in sorted(headings(top, path, ";")):
+            by = {p for p in definers[name] if path.as_posix() in set(included(top, p))
+                  or p.parent == path.parent}
+            if by and not any(module_of(p.as_posix(), headers) == own for p in by):
+                yield path.as_posix(), name, sorted(p.as_posix() for p in by)
+
+
+def main():
+    top = sources.root()
+    paths = sources.files(top, sources.FOLDERS, sources.CODE)
+    headers = {stem(p.as_posix()) for p in paths if p.suffix == ".hpp"}
+    found = set(circles_in(graph_of(top, paths, headers)))
+    problems = [f"a circle of modules: {' '.join(circle)}" for circle in sorted(found - CIRCLES)]
+    problems += [f"no circle any more, take it out of the list: {' '.join(circle)}"
+                 for circle in sorted(CIRCLES - found)]
+    foreign = collections.defaultdict(set)
+    for header, name, by in foreign_headers(top, paths, headers):
+        foreign[header].add(name)
+        if len(foreign[header]) > FOREIGN.get(header, 0):
+            problems.append(f"{header}: declares {name}, which {' and '.join(by)} defines")
+    problems += [f"{header}: declares {len(foreign[header])} foreign functions, not {count} any more"
+                 for header, count in FOREIGN.items() if len(foreign[header]) < count]
+    sources.finish(problems, len(paths))
+
+
+if __name__ == "__main__":
+    main()
