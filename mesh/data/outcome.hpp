@@ -106,9 +106,34 @@ struct intolerable_distance {
   double greatest = 0;  // the tolerance that would be kept
 };
 
+// Attempts at a mesh, in the order in which they are made (docs/design/attempts.md).
+enum class mesh_attempt : unsigned char {
+  delivered_first,    // in a metric delivered, before the one wanted
+  requested_briefly,  // in the metric wanted, with little work
+  requested,          // in it, with half of the work or all
+  delivered,          // in a metric delivered, after the one wanted
+  requested_again,    // in the metric wanted, with what two ways may take
+  one_metric          // in one metric for all sites
+};
+
+// An attempt that was made.
+struct attempt_report {
+  mesh_attempt what = mesh_attempt::requested;
+  std::optional<ending> how;  // none: it led to no mesh
+};
+
+// Two vertices that were given.
+struct close_vertices {
+  vertex_index a = 0, b = 0;
+  point at;           // the place of a
+  double length = 0;  // between them, in the plane
+};
+
 // Last resort of a run: one metric for all sites (pipeline/last_resort.hpp).
 struct last_resort_report {
-  std::string why;           // how refinement ended in the metric as given, one sentence
+  refinement_ending as_given;  // how refinement ended in the metric as given
+  // Two given vertices there that are a rounding apart, which leaves no room for triangles.
+  std::optional<close_vertices> too_close;
   bool has_demands = true;   // on angles and sizes; without them the run is not complete
   bool is_as_given = false;  // the metric given is the same everywhere, wherever it was looked at
   double angle_bound = 0;    // degrees: the one asked for
@@ -142,6 +167,9 @@ struct mesh_outcome {
   // Present where such a metric was found and none that is near enough. With a tolerance of 0 the
   // mesh is of the metric wanted, else of that one.
   std::optional<intolerable_distance> intolerable;
+  // The attempts of the run, in order, and the one whose mesh this is; none outside of make_mesh.
+  std::vector<attempt_report> tried;
+  std::optional<mesh_attempt> chosen;
   // The auditor's report, where the mesher asked for it already: with the angle bound and the
   // domain of the run, no corner exempt, and nothing asked of the Voronoi diagram.
   std::shared_ptr<const audit_report> audited;

@@ -13,7 +13,7 @@
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
-#include "asterism/mesh/pipeline/outcome_text.hpp"
+#include "asterism/mesh/pipeline/shortest_given_edge.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/refine/site_budget.hpp"
@@ -153,8 +153,8 @@ class last_resort {
     }
     auto compared = compare_with_wanted(tried_->result, field_, options_.angle_bound);
     if (!compared) return compared.failure();
-    tried_->one_metric = {ending_text(as_given_), has_demands_, is_same_everywhere_,
-                          options_.angle_bound};
+    tried_->one_metric = {as_given_.ended, too_close_in(as_given_), has_demands_,
+                          is_same_everywhere_, options_.angle_bound};
     if (!has_demands_) {
       tried_->complete = false;
       if (auto failure = count_large()) return *failure;

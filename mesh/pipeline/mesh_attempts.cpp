@@ -2,12 +2,15 @@
 #include "asterism/mesh/pipeline/mesh_attempts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/pipeline/adaptation.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/pipeline/attempt_rules.hpp"
 #include "asterism/mesh/pipeline/given_order.hpp"
 #include "asterism/mesh/pipeline/last_resort.hpp"
 #include "asterism/mesh/pipeline/tolerated_metric.hpp"
@@ -35,19 +38,6 @@ std::optional<mesh_outcome> shown(std::optional<mesh_outcome>& delivered,
   return std::move(delivered);
 }
 
-// Chooses what there is to show where no metric that is near enough led to a mesh: with a tolerance
-// of 0 the mesh of the metric wanted, in which not all stars agree, and else the mesh of a metric
-// too far away, in which they do.
-mesh_outcome mesh_beyond_tolerance(mesh_outcome as_given, mesh_outcome delivered,
-                                   const mesh_options& options) {
-  const auto found = excess_of(delivered, options);
-  if (!found) return as_given;
-  mesh_outcome& shown = found->allowed > 0 ? delivered : as_given;
-  shown.intolerable = found;
-  shown.complete = false;
-  return std::move(shown);
-}
-
 bool has_one_metric(const mesh& m) {
   return std::all_of(m.sites.begin(), m.sites.end(),
                      [&m](const site& s) { return identical(s.metric, m.sites.front().metric); });
@@ -70,8 +60,9 @@ mesh_options with_part_of_work(const mesh_options& options, double share) {
   return limited;
 }
 
-// Shares of the work of a run; what is left in the end is for one metric everywhere.
-constexpr double for_delivery = 0.65, for_metric_wanted = 0.6;
+// What is left in the end is for one metric everywhere.
+constexpr double for_delivery = attempt_rules[0].share_of_work,
+                 for_metric_wanted = attempt_rules[2].share_of_work;
 
 // True if both ways may be gone to the end: a metric delivered, and, where none was within the
 // tolerance, the one wanted.
@@ -85,13 +76,12 @@ double work_for_ways(const mesh_options& options) {
   return may_go_both_ways(options) ? 1 + for_metric_wanted : 1;
 }
 
-// Makes a mesh in the metric wanted, in one delivered, or in one for all sites, whichever leads to
-// one first.
-class ways_to_mesh {
+// Goes through the list of attempts, and chooses what is shown of what they led to.
+class attempts_at_mesh {
  public:
   // All must outlive it. Takes all work there is, of work_for_ways() ways.
-  ways_to_mesh(const domain& d, const metric_field& field, const mesh_options& options,
-               const progress_listener& progress, star_confirmation confirmed, bool may_deliver)
+  attempts_at_mesh(const domain& d, const metric_field& field, const mesh_options& options,
+                   const progress_listener& progress, star_confirmation confirmed, bool may_deliver)
       : domain_(d),
         progress_(progress),
         options_(with_part_of_work(options, 1 / work_for_ways(options))),
@@ -105,79 +95,131 @@ class ways_to_mesh {
         may_deliver_(may_deliver) {}
 
   result<mesh_outcome> run() {
-    if (is_first_ && may_deliver_)
-      if (auto made = deliver(0)) return *std::move(made);
-    auto outcome = try_metric_wanted();
-    if (!outcome) return outcome;
-    if (may_adapt(options_) && !is_first_ && wants_delivery(outcome.value(), options_))
-      if (auto made = deliver(few_sites(outcome.value()))) return *std::move(made);
-    if (gave_up_early_ && may_go_both_ways(options_) && is_overworked(outcome)) {
-      outcome = mesh_in_metric_wanted(going_on_, less);
-      if (outcome) image_.outward(outcome.value());
+    for (const step& next : steps) {
+      if (!(this->*next.is_due)()) continue;
+      if (auto failure = (this->*next.make)(*next.what)) return *failure;
+      if (shown_) return with_report(*std::move(shown_));
     }
-    if (outcome && wants_other_metric(outcome.value(), options_) && !options_.metric_tolerance)
-      outcome = mesh_in_one_metric(std::move(outcome).value());
-    if (!outcome) return outcome;
-    if (delivered_ && !outcome.value().complete && !outcome.value().stopped)
-      outcome = mesh_beyond_tolerance(std::move(outcome).value(), *std::move(delivered_), options_);
-    outcome.value().counters = decided_;
-    assign_regions(outcome.value().result, domain_);
-    return outcome;
+    choose();
+    as_wanted_->counters = decided_;
+    assign_regions(as_wanted_->result, domain_);
+    return with_report(*std::move(as_wanted_));
   }
 
  private:
-  // Little is spent on finding out that a mesh is not likely, the metric varying too fast, and not
-  // much where there are other ways.
-  static constexpr double little = 0.1, less = 0.5;
+  using failure = std::optional<error>;
+  struct step {
+    const attempt_rule* what;
+    bool (attempts_at_mesh::*is_due)();
+    failure (attempts_at_mesh::*make)(const attempt_rule&);
+  };
+  static const std::array<step, attempt_count> steps;
 
-  static bool is_overworked(const result<mesh_outcome>& made) {
-    return made && made.value().ended.how == ending::overworked;
-  }
+  bool is_overworked() const { return as_wanted_ && as_wanted_->ended.how == ending::overworked; }
 
-  // Makes a mesh in a metric delivered; returns it if it is what there is to show.
-  std::optional<mesh_outcome> deliver(std::size_t few) {
-    delivering_.stop = options_.stop.part(for_delivery);
-    delivered_ = delivery_.make(few);
-    return shown(delivered_, options_);
-  }
+  // Preconditions, in the order of the list; asked once each.
+  bool begins_with_delivery() { return is_first_ && may_deliver_; }
 
-  // Returns how many sites a metric delivered has without a size.
-  std::size_t few_sites(const mesh_outcome& made) const {
-    constexpr std::size_t fewest = 400, most = 2000;
-    return std::min(std::clamp(made.sites, fewest, most), options_.max_sites / 2);
-  }
-
-  // Makes a mesh in the metric wanted, with little work where another way is likelier to lead to
-  // one; notes whether it was that little.
-  result<mesh_outcome> try_metric_wanted() {
+  // Notes why little is to be done in the metric wanted.
+  bool is_mesh_unlikely() {
     const bool may_give_up = may_adapt(options_) && options_.metric_tolerance != 0.0 && !is_first_;
-    const bool tries_little = may_give_up && delivery_.wants_few_sites();
-    gave_up_early_ =
-        tries_little || (may_give_up && (delivery_.jumps() || delivery_.varies_fast()));
-    const double share = may_adapt(options_) ? less : 1;
-    const mesh_options wanting = with_part_of_work(options_, for_metric_wanted);
-    auto made = mesh_in_metric_wanted(wanting, gave_up_early_ ? little : share);
-    if (tries_little && is_overworked(made) && !delivery_.varies_fast()) {
-      gave_up_early_ = false;
-      made = mesh_in_metric_wanted(wanting, less);
-    }
-    if (made) image_.outward(made.value());
-    return made;
+    wants_few_ = may_give_up && delivery_.wants_few_sites();
+    gave_up_early_ = wants_few_ || (may_give_up && (delivery_.jumps() || delivery_.varies_fast()));
+    return gave_up_early_;
   }
 
-  // Makes one with so much of the work that stars may take, in the frame.
-  result<mesh_outcome> mesh_in_metric_wanted(const mesh_options& options, double share) {
-    return mesh_domain(
-        {stars_on_, image_.shape(), image_.field(), options, progress_, share, confirmed_});
+  bool is_metric_wanted_due() {
+    if (as_wanted_ && !(wants_few_ && is_overworked() && !delivery_.varies_fast())) return false;
+    gave_up_early_ = false;
+    return true;
   }
+
+  bool wants_other() {
+    return may_adapt(options_) && !is_first_ && wants_delivery(*as_wanted_, options_);
+  }
+
+  bool may_go_on() { return gave_up_early_ && may_go_both_ways(options_) && is_overworked(); }
+
+  bool wants_one_metric() {
+    return wants_other_metric(*as_wanted_, options_) && !options_.metric_tolerance;
+  }
+
+  // Makes a mesh in a metric delivered, and shows it if it is what there is to show. Without a size
+  // it has about as many sites as the mesh in the metric wanted.
+  failure deliver(const attempt_rule& by) {
+    constexpr std::size_t fewest = 400, most = 2000;
+    const std::size_t few =
+        as_wanted_ ? std::min(std::clamp(as_wanted_->sites, fewest, most), options_.max_sites / 2)
+                   : 0;
+    delivering_.stop = options_.stop.part(by.share_of_work);
+    delivered_ = delivery_.make(few);
+    note(by, delivered_ ? &*delivered_ : nullptr);
+    delivered_by_ = by.what;
+    shown_ = shown(delivered_, options_);
+    if (shown_) chosen_ = by.what;
+    return std::nullopt;
+  }
+
+  // Makes one in the metric wanted: in the frame, and brings it back.
+  failure keep_to_metric(const attempt_rule& by, const mesh_options& options, double share) {
+    auto made = mesh_domain(
+        {stars_on_, image_.shape(), image_.field(), options, progress_, share, confirmed_});
+    if (!made) return made.failure();
+    as_wanted_ = std::move(made).value();
+    image_.outward(*as_wanted_);
+    note(by, &*as_wanted_);
+    chosen_ = by.what;
+    return std::nullopt;
+  }
+
+  failure keep_briefly(const attempt_rule& by) {
+    wanting_ = with_part_of_work(options_, by.share_of_work);
+    return keep_to_metric(by, *wanting_, by.share_of_stars);
+  }
+
+  failure keep(const attempt_rule& by) {
+    if (!wanting_) wanting_ = with_part_of_work(options_, by.share_of_work);
+    return keep_to_metric(by, *wanting_, may_adapt(options_) ? by.share_of_stars : 1);
+  }
+
+  failure go_on(const attempt_rule& by) { return keep_to_metric(by, going_on_, by.share_of_stars); }
 
   // Leaves curves out: without demands, chords stay straight.
-  result<mesh_outcome> mesh_in_one_metric(mesh_outcome as_wanted) {
+  failure take_one_metric(const attempt_rule& by) {
     domain straight = domain_;
     straight.curves.clear();
     auto made = refine_in_one_metric({stars_on_, straight, field_, options_, progress_},
-                                     std::move(as_wanted));
-    if (made) note_excess(made.value(), options_);
+                                     *std::move(as_wanted_));
+    if (!made) return made.failure();
+    as_wanted_ = std::move(made).value();
+    note_excess(*as_wanted_, options_);
+    note(by, as_wanted_->one_metric ? &*as_wanted_ : nullptr);
+    if (as_wanted_->one_metric) chosen_ = by.what;
+    return std::nullopt;
+  }
+
+  // Chooses what there is to show where no metric that is near enough led to a mesh: with a
+  // tolerance of 0 the mesh of the metric wanted, in which not all stars agree, and else the mesh
+  // of a metric too far away, in which they do.
+  void choose() {
+    if (!delivered_ || as_wanted_->complete || as_wanted_->stopped) return;
+    const auto found = excess_of(*delivered_, options_);
+    if (!found) return;
+    if (found->allowed > 0) {
+      as_wanted_ = std::move(delivered_);
+      chosen_ = delivered_by_;
+    }
+    as_wanted_->intolerable = found;
+    as_wanted_->complete = false;
+  }
+
+  void note(const attempt_rule& by, const mesh_outcome* made) {
+    tried_.push_back({by.what, made != nullptr ? std::optional(made->how()) : std::nullopt});
+  }
+
+  mesh_outcome with_report(mesh_outcome made) {
+    made.tried = std::move(tried_);
+    made.chosen = chosen_;
     return made;
   }
 
@@ -186,17 +228,30 @@ class ways_to_mesh {
   const mesh_options options_;   // with the work of one way
   mesh_options delivering_;      // with a part of it
   const mesh_options going_on_;  // in the metric wanted, where another way was tried
+  std::optional<mesh_options> wanting_;
   const metric_field& field_;
   const star_confirmation confirmed_;  // in the metric wanted
   metric_delivery delivery_;
   const unit_image image_;
   const bool is_first_;         // is a metric delivered what is tried first?
   const bool may_deliver_;      // or is it known that none leads to a mesh?
+  bool wants_few_ = false;      // are few sites wanted, so that it costs little to try?
   bool gave_up_early_ = false;  // was little work to be done in the metric wanted?
   tier_counters decided_;
   const star_predicates_on<filtered_kernel> stars_on_{decided_};
-  std::optional<mesh_outcome> delivered_;
+  std::optional<mesh_outcome> as_wanted_, delivered_, shown_;
+  std::vector<attempt_report> tried_;
+  std::optional<mesh_attempt> chosen_, delivered_by_;
 };
+
+const std::array<attempts_at_mesh::step, attempt_count> attempts_at_mesh::steps = {{
+    {&attempt_rules[0], &attempts_at_mesh::begins_with_delivery, &attempts_at_mesh::deliver},
+    {&attempt_rules[1], &attempts_at_mesh::is_mesh_unlikely, &attempts_at_mesh::keep_briefly},
+    {&attempt_rules[2], &attempts_at_mesh::is_metric_wanted_due, &attempts_at_mesh::keep},
+    {&attempt_rules[3], &attempts_at_mesh::wants_other, &attempts_at_mesh::deliver},
+    {&attempt_rules[4], &attempts_at_mesh::may_go_on, &attempts_at_mesh::go_on},
+    {&attempt_rules[5], &attempts_at_mesh::wants_one_metric, &attempts_at_mesh::take_one_metric},
+}};
 
 // Says of a mesh whose improvement was cut short by a limit or an interrupt that it was. It would
 // pass for the mesh of the whole run otherwise, which is another one.
@@ -223,7 +278,7 @@ result<mesh_outcome> make_by_attempts(const domain& d, const metric_field& field
   if (options.improve_passes > 0) confirmed = star_confirmation::by_mesher;
   const given_order order(d);
   auto outcome =
-      ways_to_mesh(order.shape(), field, bounded, progress, confirmed, may_deliver).run();
+      attempts_at_mesh(order.shape(), field, bounded, progress, confirmed, may_deliver).run();
   if (!outcome) return outcome;
   order.restore(outcome.value());
   note_stop(options.stop, outcome.value());

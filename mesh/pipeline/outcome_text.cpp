@@ -123,8 +123,21 @@ std::string low_text(const mesh_outcome& outcome) {
                      report.low_wanted.size(), outcome.one_metric->angle_bound, worst);
 }
 
+// Returns that two vertices are a rounding apart; nothing where none are.
+std::string rounding_text(const std::optional<close_vertices>& close) {
+  if (!close) return "";
+  return fmt::format("; vertices {} and {} at {} are {} apart, which leaves no room for triangles",
+                     close->a + 1, close->b + 1, place_text(close->at),
+                     format_number(close->length));
+}
+
+// Returns how the run ended in the metric as given.
+std::string text_as_given(const last_resort_report& report) {
+  return ending_text(report.as_given) + rounding_text(report.too_close);
+}
+
 // Explains an outcome without demands in a metric that is the same everywhere as it is given.
-// Another one cannot help; the obstacle is a limit, which `why` names, or details of the domain far
+// Another one cannot help; the obstacle is a limit, which is named, or details of the domain far
 // smaller than the rest, near which the shortest edge is.
 std::string text_without_demands(const mesh_outcome& outcome) {
   const auto [length, at] = shortest_edge(outcome.result);
@@ -132,16 +145,7 @@ std::string text_without_demands(const mesh_outcome& outcome) {
       "no mesh was found that meets the demands ({}), though the metric is the same everywhere; "
       "the one delivered is made with no demands on angles and sizes, and its shortest edge, "
       "{:.4g} long, is at {}: {}",
-      outcome.one_metric->why, length, place_text(at), ending_text(outcome.ended));
-}
-
-// Returns that two vertices are a rounding apart, where the run did not end well; nothing where
-// they are not.
-std::string rounding_text(const mesh_outcome& outcome) {
-  const auto edge = internal::shortest_given_edge(outcome.result);
-  if (outcome.complete || outcome.stopped || !edge || !internal::is_rounding(*edge)) return "";
-  return fmt::format("; vertices {} and {} at {} are {} apart, which leaves no room for triangles",
-                     edge->a + 1, edge->b + 1, place_text(edge->at), format_number(edge->length));
+      text_as_given(*outcome.one_metric), length, place_text(at), ending_text(outcome.ended));
 }
 
 std::string one_metric_text(const mesh_outcome& outcome) {
@@ -150,7 +154,7 @@ std::string one_metric_text(const mesh_outcome& outcome) {
   return fmt::format(
       "stars cannot agree in the metric given ({}); they agree in one metric for "
       "all{}, {}: {}; {}",
-      report.why, report.has_demands ? "" : ", with no demands on angles and sizes",
+      text_as_given(report), report.has_demands ? "" : ", with no demands on angles and sizes",
       distances_text(outcome), ending_text(outcome.ended), low_text(outcome));
 }
 
@@ -203,7 +207,7 @@ std::string ending_text(const mesh_outcome& outcome) {
   std::string ended = ending_text(outcome.ended);
   if (outcome.complete && outcome.delivered && outcome.delivered->changed > 0)
     return ended + ", in the metric delivered";
-  if (!outcome.stopped_in_one_metric) return ended + rounding_text(outcome);
+  if (!outcome.stopped_in_one_metric) return ended + rounding_text(internal::too_close_in(outcome));
   return ending_text(*outcome.stopped_in_one_metric) +
          ", in one metric for all; before that, in the metric given, " + ended;
 }

@@ -37,4 +37,10 @@ std::optional<given_edge> shortest_given_edge(const mesh& m) {
   return shortest;
 }
 
+std::optional<close_vertices> too_close_in(const mesh_outcome& outcome) {
+  const auto edge = shortest_given_edge(outcome.result);
+  if (outcome.complete || outcome.stopped || !edge || !is_rounding(*edge)) return std::nullopt;
+  return close_vertices{edge->a, edge->b, edge->at, edge->length};
+}
+
 }  // namespace asterism::internal

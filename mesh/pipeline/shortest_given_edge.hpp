@@ -7,6 +7,7 @@
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/outcome.hpp"
 
 namespace asterism::internal {
 
@@ -27,5 +28,9 @@ std::optional<given_edge> shortest_given_edge(const mesh& m);
 // to fit beside it: below 2^-40 neither their corners nor what lies between have places enough
 // among the doubles. This is the least distance that a repair joins vertices within, too.
 constexpr bool is_rounding(const given_edge& e) { return e.part_of_width < 0x1p-40; }
+
+// Returns the two given vertices that are a rounding apart, where the run did not end well; none
+// where there are none.
+std::optional<close_vertices> too_close_in(const mesh_outcome& outcome);
 
 }  // namespace asterism::internal

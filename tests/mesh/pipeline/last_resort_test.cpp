@@ -149,7 +149,8 @@ TEST_CASE("last resort: perpendicular stretchings side by side, with a size and 
     CHECK(made.one_metric->has_demands);
     CHECK(made.delivered->changed == made.sites);
     CHECK(made.delivered->greatest > std::log(2));
-    CHECK(made.one_metric->why.find("the metric varies faster than sites") != std::string::npos);
+    CHECK(ending_text(made.one_metric->as_given).find("the metric varies faster than sites") !=
+          std::string::npos);
     CHECK(ending_text(made).find("stars cannot agree in the metric given") == 0);
   }
 }
@@ -175,7 +176,8 @@ TEST_CASE("last resort: a metric too wild to follow at all becomes one metric fo
   check_conforming(d, made, 20);
   CHECK(made.one_metric->has_demands);
   CHECK(made.sites > 100);
-  CHECK(made.one_metric->why.find("the metric varies too fast for sites to be spread: of ") == 0);
+  CHECK(ending_text(made.one_metric->as_given)
+            .find("the metric varies too fast for sites to be spread: of ") == 0);
 }
 
 TEST_CASE("last resort: not where it is not wanted, and not for the thesis's heuristics") {

@@ -5,12 +5,18 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/attempt_rules.hpp"
 #include "asterism/mesh/pipeline/star_refusal.hpp"
 
 using namespace asterism;
@@ -48,7 +54,70 @@ bool turn_first_edge(mesh& m) {
   return false;
 }
 
+// Returns the table of the attempts as the page has it.
+std::string table_of_attempts() {
+  std::string table =
+      "| Attempt | Metric | Work | Of stars | Made where |\n|---|---|---|---|---|\n";
+  const auto percent = [](double part) {
+    return std::to_string(static_cast<int>(std::lround(100 * part))) + " %";
+  };
+  for (const internal::attempt_rule& rule : internal::attempt_rules)
+    table += "| " + std::string(rule.name) + " | " + std::string(rule.metric) + " | " +
+             percent(rule.share_of_work) + " | " +
+             (rule.share_of_stars > 0 ? percent(rule.share_of_stars) : "-") + " | " +
+             std::string(rule.is_made) + " |\n";
+  return table;
+}
+
+std::vector<mesh_attempt> tried_in(const mesh_outcome& made) {
+  std::vector<mesh_attempt> all;
+  for (const attempt_report& attempt : made.tried) all.push_back(attempt.what);
+  return all;
+}
+
 }  // namespace
+
+TEST_CASE("the page of attempts has the list that is gone through") {
+  std::ifstream page(ASTERISM_DOCS "/design/attempts.md");
+  REQUIRE(page);
+  const std::string text((std::istreambuf_iterator<char>(page)), std::istreambuf_iterator<char>());
+  const std::string table = table_of_attempts();
+  INFO("docs/design/attempts.md is to have\n" << table);
+  CHECK(text.find(table) != std::string::npos);
+  for (std::size_t i = 0; i < internal::attempt_count; ++i)
+    CHECK(static_cast<std::size_t>(internal::attempt_rules[i].what) == i);
+}
+
+TEST_CASE("an outcome says what was tried, in order, and what was chosen") {
+  const domain d = square();
+  mesh_options options;
+  options.angle_bound = 20;
+  options.limit_size = true;
+  const auto smooth = make_metric_field("swirl:2", d.box(), 0.2);
+  REQUIRE(smooth);
+  const auto kept = make_mesh(d, *smooth.value(), options);
+  REQUIRE(kept);
+  CHECK(kept.value().complete);
+  CHECK(kept.value().chosen == kept.value().tried.back().what);
+  CHECK(kept.value().tried.back().how == ending::complete);
+  // It turns by much over an edge: stars do not agree in it as it is.
+  const auto wild = make_metric_field("swirl:1000", d.box(), 0.2);
+  REQUIRE(wild);
+  const auto delivered = make_mesh(d, *wild.value(), options);
+  REQUIRE(delivered);
+  CHECK(delivered.value().tried.size() > 1);
+  CHECK(tried_in(delivered.value()).front() == mesh_attempt::requested_briefly);
+  CHECK(std::is_sorted(
+      delivered.value().tried.begin(), delivered.value().tried.end(),
+      [](const attempt_report& a, const attempt_report& b) { return a.what < b.what; }));
+  CHECK(delivered.value().chosen == mesh_attempt::delivered);
+  options.metric_tolerance = 0;
+  const auto strict = make_mesh(d, *wild.value(), options);
+  REQUIRE(strict);
+  CHECK(tried_in(strict.value()).front() == mesh_attempt::requested);
+  CHECK(strict.value().chosen == mesh_attempt::requested);
+  CHECK_FALSE(strict.value().complete);
+}
 
 TEST_CASE(
     "meshes whose last look at stars is left to the audit are certified, and mostly the same") {

@@ -112,7 +112,7 @@ TEST_CASE("outcome text: a run is told by what it delivers") {
   SECTION("one metric for all") {
     made.ended = ended(ending::complete);
     made.sites = 9;
-    made.one_metric = {"stuck", true, false, 20};
+    made.one_metric = {ended(ending::stuck), std::nullopt, true, false, 20};
     made.delivered.emplace();
     made.delivered->changed = 4;
     made.delivered->greatest = std::log(3);
@@ -120,13 +120,15 @@ TEST_CASE("outcome text: a run is told by what it delivers") {
     made.delivered->low_wanted = {1, 2};
     made.delivered->worst_angle_wanted = 12.344;
     CHECK(made.how() == ending::one_metric);
-    CHECK(ending_text(made) ==
-          "stars cannot agree in the metric given (stuck); they agree in one metric for all, which "
-          "differs from it at 4 of 9 sites, with lengths up to 3 times as long or as short, and "
-          "1.5 at half of them: " +
-              agree +
-              "; as the metric given measures them 2 triangles are below 20 degrees, the worst "
-              "12.34");
+    CHECK(
+        ending_text(made) ==
+        "stars cannot agree in the metric given (" + text_of(ending::stuck) +
+            "); they agree in one metric for all, which "
+            "differs from it at 4 of 9 sites, with lengths up to 3 times as long or as short, and "
+            "1.5 at half of them: " +
+            agree +
+            "; as the metric given measures them 2 triangles are below 20 degrees, the worst "
+            "12.34");
     made.intolerable = {most_median_distance, 3, intolerable_distance::measure::median, 4};
     CHECK(ending_text(made).find("half of them, so that it is another one altogether: ") !=
           std::string::npos);
@@ -135,11 +137,14 @@ TEST_CASE("outcome text: a run is told by what it delivers") {
     made.ended = ended(ending::complete);
     made.result.sites = {{{0, 0}, {4, 0, 4}}, {{1, 0}, {1, 0, 1}}, {{0, 3}, {1, 0, 1}}};
     made.result.triangles = {{0, 1, 2}};
-    made.one_metric = {"the limit of 500 sites was reached", false, true, 20};
+    made.one_metric = {ended(ending::site_limit), close_vertices{3, 4, {5, 6}, 1e-17}, false, true,
+                       20};
     CHECK(ending_text(made) ==
-          "no mesh was found that meets the demands (the limit of 500 sites was reached), though "
-          "the metric is the same everywhere; the one delivered is made with no demands on angles "
-          "and sizes, and its shortest edge, 2 long, is at (0, 0): " +
+          "no mesh was found that meets the demands (" + text_of(ending::site_limit) +
+              "; vertices 4 and 5 at (5, 6) are 1e-17 apart, which leaves no room for triangles), "
+              "though the metric is the same everywhere; the one delivered is made with no demands "
+              "on angles "
+              "and sizes, and its shortest edge, 2 long, is at (0, 0): " +
               agree);
   }
 }
