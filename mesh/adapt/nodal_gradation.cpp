@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 
@@ -14,10 +15,6 @@ namespace {
 bool is_metric(const metric_tensor& m) {
   return std::isfinite(m.m11) && std::isfinite(m.m22) && m.m11 > 0 &&
          std::fma(m.m11, m.m22, -m.m12 * m.m12) > 0;
-}
-
-double length(const metric_tensor& m, const point& d) {
-  return std::sqrt(d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y);
 }
 
 // Returns the length of an edge in a metric that changes geometrically along it, from those its
@@ -78,7 +75,7 @@ double log_distortion(const metric_tensor& a, const metric_tensor& b) {
 double log_variation(const site& a, const site& b) {
   const point d{b.position.x - a.position.x, b.position.y - a.position.y};
   return log_distortion(a.metric, b.metric) /
-         logarithmic_mean(length(a.metric, d), length(b.metric, d));
+         logarithmic_mean(plain_length(a.metric, d), plain_length(b.metric, d));
 }
 
 bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_part) {
@@ -102,7 +99,7 @@ std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge
       if (changed_in[e.a] < round && changed_in[e.b] < round) continue;
       ++pairs;
       const point d{places[e.b].x - places[e.a].x, places[e.b].y - places[e.a].y};
-      const double at_a = length(tensors[e.a], d), at_b = length(tensors[e.b], d);
+      const double at_a = plain_length(tensors[e.a], d), at_b = plain_length(tensors[e.b], d);
       const auto most_at = [&](double mean) {
         return at_unit * std::clamp(mean / limit.unit, limit.shortest, limit.longest);
       };

@@ -13,12 +13,13 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
 
 double length(const metric_tensor& m, const point& p, const point& q) {
-  return std::sqrt(std::max(0.0, squared(m, q.x - p.x, q.y - p.y)));
+  return plain_length(m, {q.x - p.x, q.y - p.y});
 }
 
 // How many faces are announced to the field at once. Edges that come to be before the next

@@ -15,6 +15,7 @@
 #include "asterism/mesh/domain/curve_path.hpp"
 #include "asterism/mesh/domain/outline_curves.hpp"
 #include "asterism/mesh/domain/outline_points.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 
 namespace asterism {
@@ -24,10 +25,6 @@ namespace {
 constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
 // Part of the largest coordinate by which vertices on a line may be off it.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-
-double length(const metric_tensor& m, const point& d) {
-  return std::sqrt(std::max(0.0, d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y));
-}
 
 // A run of boundary edges between two vertices that are kept: vertices and the edges after them.
 struct run {
@@ -216,8 +213,8 @@ double outliner::allowed_off(vertex_index a, vertex_index b) const {
   const point d{where(b).x - where(a).x, where(b).y - where(a).y};
   const double piece = elementary::hypot(d.x, d.y);
   const point across{-d.y / piece, d.x / piece};
-  const double per_length =
-      std::max(length(mesh_.sites[a].metric, across), length(mesh_.sites[b].metric, across));
+  const double per_length = std::max(plain_length(mesh_.sites[a].metric, across),
+                                     plain_length(mesh_.sites[b].metric, across));
   return part * std::min(piece, 1 / per_length);
 }
 
@@ -231,7 +228,8 @@ bool outliner::may_be_piece(const run& r, std::size_t i, std::size_t j,
   if (off <= rounding * greatest_) return true;
   if (!simplify_curves || j - i > most_dropped) return false;
   const point d{where(b).x - where(a).x, where(b).y - where(a).y};
-  const double measured = (length(mesh_.sites[a].metric, d) + length(mesh_.sites[b].metric, d)) / 2;
+  const double measured =
+      (plain_length(mesh_.sites[a].metric, d) + plain_length(mesh_.sites[b].metric, d)) / 2;
   return measured <= 1 && off <= allowed_off(a, b) && goes_forward(r, i, j);
 }
 

@@ -3,6 +3,7 @@
 // Measures lengths of edges as the metric sees them. In doubles, for reports.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,12 @@
 #include "asterism/mesh/numerics/constructions.hpp"
 
 namespace asterism::internal {
+
+// Returns the length of d as the metric measures it, in plain doubles: of a thin metric, where
+// products cancel, it may be 0. metric_distance() is right there, too, and takes longer.
+inline double plain_length(const metric_tensor& m, const point& d) {
+  return std::sqrt(std::max(0.0, d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y));
+}
 
 // Returns the distance from the site to q, as the site measures.
 inline double metric_distance(const site& from, const point& q) {

@@ -11,6 +11,7 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
@@ -20,15 +21,11 @@ namespace {
 
 constexpr double least_length = 1.0 / 3, greatest_length = 1.75;
 
-double length_in(const metric_tensor& m, const point& d) {
-  return std::sqrt(d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y);
-}
-
 // Returns the logarithmic mean of what the two ends measure, which is the length in a metric that
 // changes geometrically from one to the other.
 double logarithmic_mean_length(const site& a, const site& b) {
   const point d{b.position.x - a.position.x, b.position.y - a.position.y};
-  const double at_a = length_in(a.metric, d), at_b = length_in(b.metric, d);
+  const double at_a = plain_length(a.metric, d), at_b = plain_length(b.metric, d);
   const double ratio = at_a / at_b;
   constexpr double alike = 1e-3;  // the two means differ by less than 1e-7 of them there
   return std::abs(ratio - 1) > alike ? (at_a - at_b) / elementary::log(ratio) : (at_a + at_b) / 2;
@@ -85,7 +82,7 @@ edge_lengths edge_lengths_of(const mesh& m) {
       const double length =
           logarithmic_mean_length(m.sites[corners[(i + 1) % 3]], m.sites[corners[(i + 2) % 3]]);
       ++edges;
-      unit += length >= 1 / std::numbers::sqrt2 && length <= std::numbers::sqrt2 ? 1 : 0;
+      unit += is_unit_length(length) ? 1 : 0;
       found.least = std::min(found.least, length);
       found.greatest = std::max(found.greatest, length);
     }

@@ -6,6 +6,7 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/solution/nodal_sums.hpp"
 
@@ -22,9 +23,7 @@ double eighth_root(double x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
 // Returns the tensor of p as it reaches as far as d.
 metric_tensor grown(const metric_tensor& m, const point& d, double log_beta,
                     gradation_space space) {
-  const double length =
-      std::sqrt(std::max(0.0, d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y));
-  const double along = 1 + log_beta * length;
+  const double along = 1 + log_beta * plain_length(m, d);
   if (space == gradation_space::metric) {
     const double f = 1 / (along * along);
     return {f * m.m11, f * m.m12, f * m.m22};
