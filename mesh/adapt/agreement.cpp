@@ -11,6 +11,7 @@
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/support/infinity.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -84,8 +85,7 @@ void agreement::changed_at(const std::vector<vertex_index>& nodes) {
 }
 
 void agreement::check_edge(vertex_index t, std::size_t i) {
-  constexpr std::size_t as_faces = 8;  // of the time that a face in a list takes
-  m_.note_looked_at(as_faces);
+  m_.note_looked_at(work_weights::faces_for_edge_test);
   const edge_quad q = tests_.quad_at(t, i);
   const double now = tests_.worst_clearance(q);
   if (now > least_clearance) return;

@@ -10,6 +10,7 @@
 
 #include "asterism/mesh/adapt/local_tests.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -66,8 +67,7 @@ class edges_around {
   const face_centre& centre_at(std::vector<known_centre>& known, std::size_t nth, vertex_index t) {
     known_centre& c = known[nth];
     if (!c.is_known) {
-      constexpr std::size_t as_faces = 6;  // of the time that a face in a list takes
-      m_.note_looked_at(as_faces);
+      m_.note_looked_at(work_weights::faces_for_centre);
       c = {tests_.centre_of(t), true};
     }
     return c.centre;

@@ -8,6 +8,7 @@
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -86,8 +87,6 @@ bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_
 std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge>& edges,
                   const gradation_limit& limit, std::vector<metric_tensor>& tensors,
                   const cancellation& stop) {
-  // Units of kernels/work_units.hpp: a pair takes 400 nanoseconds.
-  constexpr double a_pair = 0.04;
   const double at_unit = elementary::log(limit.distortion);
   // Edges with an end that changed since they were looked at.
   std::vector<std::size_t> changed_in(places.size(), 1);
@@ -111,7 +110,7 @@ std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge
       changed_in[e.a] = changed_in[e.b] = round + 1;
       any = true;
     }
-    stop.charge(a_pair * static_cast<double>(pairs));
+    stop.charge(work_weights::graded_pair * static_cast<double>(pairs));
     if (!any) return round;
   }
   return limit.most_rounds + 1;

@@ -9,6 +9,7 @@
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -137,8 +138,7 @@ void restoration::list_disagreeing(vertex_index v, std::vector<vertex_index>& ou
     const std::size_t i = f.corner_of(v);
     for (const std::size_t e : {i, after(i)}) {
       if (f.next[e] == none || f.segment[e] != none) continue;
-      constexpr std::size_t as_faces = 8;  // of the time that a face in a list takes
-      m_.note_looked_at(as_faces);
+      m_.note_looked_at(work_weights::faces_for_edge_test);
       const edge_quad q = tests_.quad_at(t, e);
       if (tests_.worst_clearance(q) > least_clearance) continue;
       out.insert(out.end(), {q.a, q.b, q.c, q.d});

@@ -10,6 +10,7 @@
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/support/infinity.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -150,7 +151,6 @@ double settling::energy() const {
 // Lists the places around v, of several, where there is less trouble, the best first. What they
 // spoil of the mesh as it was fitted counts: without that errors grow by 5 %.
 void settling::find_better_places(vertex_index v) {
-  constexpr std::size_t as_faces = 5;  // of the time that a face in a list takes
   constexpr double weight_of_energy = 4;
   better_.clear();
   const double now = trouble_of_others(v, infinity) + trouble_of_own(v);
@@ -159,7 +159,7 @@ void settling::find_better_places(vertex_index v) {
   const node here = m_.at(v);
   const wanted_tensor wanted_here = wanted_[v];
   const unit_displacements unit = unit_circle(here.metric);
-  m_.note_looked_at(as_faces * 2 * directions.size() * edges_.faces().size());
+  m_.note_looked_at(work_weights::faces_for_place * 2 * directions.size() * edges_.faces().size());
   for (const double step : {0.15, 0.05})
     for (const point& d : directions) {
       const double x = unit_ * step * d.x, y = unit_ * step * d.y;

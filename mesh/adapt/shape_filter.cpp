@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -104,12 +105,10 @@ class noise_finder {
 }  // namespace
 
 std::vector<metric_tensor> without_noise(const nodal_field& field, const cancellation& stop) {
-  // Units of kernels/work_units.hpp: a node with its neighbours takes a microsecond.
-  constexpr double a_node = 0.1;
   // Fewer say nothing of a noise; more are a fan, and cost their square.
   constexpr std::size_t least_neighbours = 3, most_neighbours = 64;
   std::vector<metric_tensor> tensors = field.tensors();
-  stop.charge(a_node * static_cast<double>(tensors.size()));
+  stop.charge(work_weights::node_without_noise * static_cast<double>(tensors.size()));
   const std::vector<shape> shapes = shapes_of(tensors);
   const neighbour_lists lists(tensors.size(), field.edges());
   noise_finder finder(shapes, lists);

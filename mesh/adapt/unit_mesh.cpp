@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
 #include "asterism/mesh/support/infinity.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -126,8 +127,7 @@ void unit_mesher::measure_unit() {
     logarithms.push_back(n.kind == node_kind::gone ? 0 : quick_log(n.root));
   double area = 0;
   std::size_t faces = 0;
-  constexpr std::size_t as_faces = 3;  // of the time that a face in a list takes
-  m_.note_looked_at(as_faces * m_.faces().size());
+  m_.note_looked_at(work_weights::faces_for_count * m_.faces().size());
   for (const face& f : m_.faces()) {
     if (!f.exists()) continue;
     const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);

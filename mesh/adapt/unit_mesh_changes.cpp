@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -251,13 +252,12 @@ std::size_t unit_mesher::merge_short(double shortest, std::size_t most) {
 // Flips where something has changed until nothing gets better.
 void unit_mesher::flip_all() {
   const std::size_t most = 20 * m_.faces().size();
-  constexpr std::size_t as_faces = 4;  // of the time that a face in a list takes
   for (std::size_t next = 0; next < due_.size() && next < most; ++next) {
     const vertex_index t = due_[next];
     is_due_[t] = 0;
     for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i) flip_if_better(t, i);
   }
-  m_.note_looked_at(as_faces * due_.size());
+  m_.note_looked_at(work_weights::faces_for_flip * due_.size());
   for (const vertex_index t : due_) is_due_[t] = 0;
   due_.clear();
 }

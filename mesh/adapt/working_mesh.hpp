@@ -23,6 +23,7 @@
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/domain/curve_chords.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -104,9 +105,7 @@ class working_mesh {
   // Charges the account with the faces looked at since the last time: those listed around nodes,
   // and those noted.
   void charge_work(const cancellation& stop) {
-    // Units of kernels/work_units.hpp: what is done with a face of a list takes 60 nanoseconds.
-    constexpr double a_face = 0.006;
-    stop.charge(a_face * static_cast<double>(std::exchange(looked_at_, 0)));
+    stop.charge(work_weights::face_listed * static_cast<double>(std::exchange(looked_at_, 0)));
   }
   void note_looked_at(std::size_t faces) const { looked_at_ += faces; }
 

@@ -14,6 +14,7 @@
 
 #include "asterism/kernels/work_units.hpp"
 #include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::audit_detail {
 
@@ -27,13 +28,12 @@ inline double most_audit_units(std::size_t sites) {
          for_more * (n < first_ones ? 0 : n - first_ones);
 }
 
-// Returns the work of what was counted. A pair that is looked at costs about a microsecond, and an
-// exact question about a Voronoi arc a millisecond.
+// Returns the work of what was counted.
 inline double audit_units(const audit_report& counted, double looked_units) {
-  constexpr double a_pair = 0.1, an_exact_pair = 100;
   return work_units(counted.counters) + looked_units +
-         a_pair * static_cast<double>(counted.star_pairs + counted.voronoi_pairs) +
-         an_exact_pair * static_cast<double>(counted.voronoi_pairs_exact);
+         work_weights::audited_pair *
+             static_cast<double>(counted.star_pairs + counted.voronoi_pairs) +
+         work_weights::audited_exact_pair * static_cast<double>(counted.voronoi_pairs_exact);
 }
 
 // Returns the units of work that are left for an audit, and for the run it belongs to; may be

@@ -8,6 +8,7 @@
 #include "asterism/mesh/audit/context.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/theorem_of_mesh.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -16,12 +17,12 @@ using namespace audit_detail;
 
 // Charges what an audit took. Angles take the auditor's own arithmetic, and findings sentences.
 void charge(const audit_context& context) {
-  constexpr double a_decision = 0.003, an_exact_one = 1, a_finding = 0.5;
   const audit_report& report = context.report;
-  context.options.stop.charge(audit_units(report, context.looked_units) +
-                              a_decision * static_cast<double>(report.decisions) +
-                              an_exact_one * static_cast<double>(report.exact_decisions) +
-                              a_finding * static_cast<double>(report.findings.size()));
+  context.options.stop.charge(
+      audit_units(report, context.looked_units) +
+      work_weights::audit_decision * static_cast<double>(report.decisions) +
+      work_weights::audit_exact_decision * static_cast<double>(report.exact_decisions) +
+      work_weights::audit_finding_text * static_cast<double>(report.findings.size()));
 }
 
 // Asks everything that the options ask for, one point after the other.

@@ -21,6 +21,7 @@
 #include "asterism/mesh/audit/voronoi_arc.hpp"
 #include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -33,8 +34,6 @@ using audit_detail::site_tree;
 
 constexpr double useless_distortion = 1.272;  // beyond it no arc is sure to be wedged
 constexpr std::size_t chunk = 1024, looked_for_together = 8;
-// Work of looking at one site for another, or for a subsegment: half a microsecond.
-constexpr double a_look = 0.05;
 
 // Returns the units of kernels/work_units.hpp that may be spent on the pairs of so many sites, and
 // as much again on their subsegments: a second, and 0.2 milliseconds a site. Meshes that a size was
@@ -176,7 +175,7 @@ void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t f
   for (std::size_t i = first; i < last; ++i) {
     const vertex_index v = order[i];
     const auto measure = [&](vertex_index w) {
-      patience.count(a_look);
+      patience.count(work_weights::theorem_pair);
       if (patience.is_over()) return false;
       if (sites.rank[w] > i) measure_near_pair(m, v, w, radius, part);
       return part.failure.empty();
@@ -209,7 +208,7 @@ bool is_clearly_beside(const mesh& m, const boundary_edge& subsegment, vertex_in
 // Holds the site w against a subsegment.
 void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w, double farthest,
                   audit_patience& patience, measured_part& part) {
-  patience.count(a_look);
+  patience.count(work_weights::theorem_pair);
   if (w == subsegment.a || w == subsegment.b || !part.failure.empty() || patience.is_over()) return;
   if (is_clearly_beside(m, subsegment, w, farthest)) return;
   if (!audit_detail::is_certainly_farther_than_nearer_end(m.sites[subsegment.a],

@@ -13,6 +13,7 @@
 #include "asterism/mesh/data/bounding_box.hpp"
 #include "asterism/mesh/domain/exact_lengths.hpp"
 #include "asterism/mesh/domain/near_vertices.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -53,10 +54,6 @@ class snapper {
   }
 
  private:
-  // Work in units of kernels/work_units.hpp: a vertex or an edge looked at, of which one may lie
-  // beside the other, and a crossing entered. Measured as those are.
-  static constexpr double a_look = 0.0005, a_close_look = 0.005, a_crossing = 0.3, an_edge = 0.05;
-
   bool is_too_much() {
     if (!why_ended_) why_ended_ = stop_.poll();
     return why_ended_ || std::max(made_.pieces.size(), made_.meetings.size()) > most_pieces;
@@ -140,7 +137,7 @@ bool snapper::bend_to_vertices() {
   });
   std::vector<edge> all = edges();
   for (edge& e : all) {
-    double units = an_edge;
+    double units = work_weights::edge_in_arrangement;
     const bounding_box box = box_of(e);
     // Wider than half the distance, so that rounding excludes nothing.
     const double low = box.low.x - distance_, high = box.high.x + distance_;
@@ -148,9 +145,9 @@ bool snapper::bend_to_vertices() {
                               [&](vertex_index w, double x) { return at(w).x < x; });
     for (; v != by_x.end() && at(*v).x <= high; ++v) {
       const point& p = at(*v);
-      units += a_look;
+      units += work_weights::vertex_beside_edge;
       if (p.y < box.low.y - distance_ || p.y > box.high.y + distance_) continue;
-      units += a_close_look;
+      units += work_weights::vertex_near_edge;
       if (*v == e.a || *v == e.b || !is_beside(p, at(e.a), at(e.b), distance_ / 2)) continue;
       e.through.push_back(*v);
       made_.meetings.push_back({*v, e.source, *v, false});
@@ -182,14 +179,14 @@ bool snapper::cut_crossings() {
   for (std::size_t i = 0; i < by_x.size(); ++i) {
     edge& e = all[by_x[i]];
     const bounding_box& box = boxes[by_x[i]];
-    double units = an_edge;
+    double units = work_weights::edge_in_arrangement;
     for (std::size_t j = i + 1; j < by_x.size() && boxes[by_x[j]].low.x <= box.high.x; ++j) {
       const bounding_box& other = boxes[by_x[j]];
-      units += a_look;
+      units += work_weights::vertex_beside_edge;
       if (other.low.y > box.high.y || other.high.y < box.low.y) continue;
-      units += a_close_look;
+      units += work_weights::vertex_near_edge;
       if (!cross(e, all[by_x[j]])) continue;
-      units += a_crossing;
+      units += work_weights::crossing_entered;
       meet(e, all[by_x[j]]);
     }
     stop_.charge(units);

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "asterism/mesh/support/work_weights.hpp"
+
 namespace asterism::internal {
 
 // Counts instead of timing, so that every fill ends at the same place; by sums, which are the same
@@ -31,14 +33,13 @@ class work_meter {
     return parts * disturbed_ > most || parts * (candidates_ / candidates_for_one) > most;
   }
 
-  // Returns the work done in the units of kernels/work_units.hpp: about two microseconds for a star
-  // that is made anew, 30 nanoseconds for a candidate, and 3 for a gap. Where metrics vary wildly
-  // stars have hundreds of gaps: to find the one that a site lies in takes less, since they are
-  // halved and not gone through, and to make such a star takes more than two microseconds.
+  // Returns the work done in the units of kernels/work_units.hpp. Where metrics vary wildly stars
+  // have hundreds of gaps: to find the one that a site lies in takes less, since they are halved
+  // and not gone through, and to make such a star takes more than two microseconds.
   double units() const {
-    constexpr double a_star = 0.2, a_candidate = 0.003, a_gap = 0.0003;
-    return a_star * static_cast<double>(disturbed_) +
-           a_candidate * static_cast<double>(candidates_) + a_gap * static_cast<double>(gaps_);
+    return work_weights::plain_star * static_cast<double>(disturbed_) +
+           work_weights::plain_candidate * static_cast<double>(candidates_) +
+           work_weights::plain_gap * static_cast<double>(gaps_);
   }
 
  private:

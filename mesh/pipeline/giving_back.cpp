@@ -8,6 +8,7 @@
 
 #include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/adapt/restoration.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -44,13 +45,12 @@ void take_back_at(adapting::working_mesh& m, adapting::restoration& giving, vert
 // and another one follow. Each node is taken back once, so this ends.
 void take_back_unbounded(adapting::working_mesh& m, adapting::restoration& giving,
                          const cancellation& stop) {
-  constexpr std::size_t as_faces = 20;  // of the time that a face in a list takes
   node_list faces, taken;
   for (vertex_index t = 0; t < m.faces().size(); ++t)
     if (m.faces()[t].exists()) faces.push_back(t);
   while (!faces.empty() && !stop.is_requested()) {
     taken.clear();
-    m.note_looked_at(as_faces * faces.size());
+    m.note_looked_at(work_weights::faces_for_taking_back * faces.size());
     for (const vertex_index t : faces) take_back_at(m, giving, t, taken);
     faces.clear();
     adapting::face_list at;
@@ -192,14 +192,13 @@ class giver {
 void bound_gaps(adapting::working_mesh& m, adapting::agreement& agreeing,
                 const cancellation& stop) {
   constexpr int rounds = 2;
-  constexpr std::size_t few = 20;      // one in so many nodes
-  constexpr std::size_t as_faces = 3;  // of the time that a face in a list takes, three gaps
+  constexpr std::size_t few = 20;  // one in so many nodes
   for (int round = 0; round < rounds && !stop.is_requested(); ++round) {
     std::vector<node_list> found;
     for (const adapting::face& f : m.faces())
       for (std::size_t i = 0; f.exists() && i < 3; ++i)
         if (sees_all(m, f, i)) found.push_back({f.v.begin(), f.v.end()});
-    m.note_looked_at(as_faces * m.faces().size());
+    m.note_looked_at(work_weights::faces_for_three_gaps * m.faces().size());
     m.charge_work(stop);
     if (found.empty() || few * found.size() > m.count()) return;
     for (const node_list& nodes : found) agreeing.disagreed_at(nodes);

@@ -9,6 +9,7 @@
 #include "asterism/mesh/stars/visibility.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal {
 result<refine_state> refine_state::start(const domain& d, const metric_field& field,
@@ -127,12 +128,11 @@ void refine_state::guess_stars(const neighbour_lists& stars, const numbered_site
 }
 
 bool refine_state::is_overworked() const {
-  // Units: two microseconds, measured where hardly any succeeds, three nanoseconds, and thirty.
-  constexpr double a_triangle = 0.2, a_look = 3e-4, a_candidate = 3e-3;
-  const double done = work_units(kernel_->counters()) +
-                      a_triangle * static_cast<double>(triangles_tried_) +
-                      a_look * static_cast<double>(looked_at_) +
-                      a_candidate * static_cast<double>(stars_.candidates_looked_at());
+  const double done =
+      work_units(kernel_->counters()) +
+      work_weights::bad_triangle * static_cast<double>(triangles_tried_) +
+      work_weights::site_looked_at * static_cast<double>(looked_at_) +
+      work_weights::star_candidate * static_cast<double>(stars_.candidates_looked_at());
   cancelled_.expect(sites().size());
   cancelled_.charge(done - std::exchange(charged_, done));
   return done > work_share_ * most_work_units(sites().size(), given_) ||
