@@ -146,3 +146,111 @@ Proof.
   - destruct h as (ha & hc & _); cbn. rewrite (Rabs_right a), (Rabs_right c) by lra. reflexivity.
   - rewrite Rmult_1_l; apply inner_product_magnitude; assumption.
 Qed.
+
+Definition half_of_terms ax ay bx by_ :=
+  half (sum (absolute (product ax by_)) (absolute (product ay bx))).
+
+Lemma area_magnitude ax ay bx by_ :
+  magnitude (cross ax ay bx by_) = 2 * magnitude (half_of_terms ax ay bx by_).
+Proof. cbn; field. Qed.
+
+Lemma half_of_terms_exact p q r s t u v w :
+  exact (half_of_terms (offset p q) (offset r s) (offset t u) (offset v w)) =
+  magnitude (half_of_terms (offset p q) (offset r s) (offset t u) (offset v w)).
+Proof. cbn. rewrite !Rabs_mult. reflexivity. Qed.
+
+Lemma product_of_bounds L H A h :
+  0 <= H -> 0 <= h -> 0 <= L <= 2 * H -> A = 2 * h -> L * A <= 4 * (H * h).
+Proof. intros; subst; nra. Qed.
+
+(* The usual in-circle test of a constant metric: depth 13, four times the unmixed halves. *)
+Theorem in_circle_constant a b c px py qx qy rx ry sx sy :
+  definite a b c ->
+  let ux := offset sx px in let uy := offset sy py in
+  let vx := offset sx qx in let vy := offset sy qy in
+  let wx := offset sx rx in let wy := offset sy ry in
+  in_range (given a) -> in_range (given b) -> in_range (given c) ->
+  in_range ux -> in_range uy -> in_range vx -> in_range vy -> in_range wx -> in_range wy ->
+  decides
+    (sum (sum (product (squared_length a b c ux uy) (cross vx vy wx wy))
+              (product (squared_length a b c vx vy) (cross wx wy ux uy)))
+         (product (squared_length a b c wx wy) (cross ux uy vx vy)))
+    (sum (sum (product (unmixed a c ux uy) (half_of_terms vx vy wx wy))
+              (product (unmixed a c vx vy) (half_of_terms wx wy ux uy)))
+         (product (unmixed a c wx wy) (half_of_terms ux uy vx vy))) 4 13.
+Proof.
+  intros h ux uy vx vy wx wy ra rb rc hux huy hvx hvy hwx hwy.
+  cbn -[decides pow] in ra, rb, rc, hux, huy, hvx, hvy, hwx, hwy.
+  intros ? ? ? ?; apply (sign_is_decided _ _ 4); try (cbn; lia); try lra.
+  - cbn; tauto.
+  - cbn; tauto.
+  - bound_absolute_error.
+  - bound_absolute_error.
+  - cbn [exact magnitude].
+    unfold ux, uy, vx, vy, wx, wy.
+    rewrite !half_of_terms_exact.
+    rewrite !(unmixed_exact a b c) by (auto using offset_square). reflexivity.
+  - cbn [magnitude].
+    assert (forall p q r s, magnitude (squared_length a b c (offset p q) (offset r s)) <=
+              2 * magnitude (unmixed a c (offset p q) (offset r s)))
+      as lengths by (intros; apply squared_length_magnitude; assumption).
+    unfold ux, uy, vx, vy, wx, wy.
+    rewrite !area_magnitude.
+    pose proof (product_of_bounds _ _ _ _ (magnitude_not_negative (unmixed a c (offset sx px) (offset sy py)))
+      (magnitude_not_negative (half_of_terms (offset sx qx) (offset sy qy) (offset sx rx) (offset sy ry)))
+      (conj (magnitude_not_negative _) (lengths sx px sy py)) eq_refl).
+    pose proof (product_of_bounds _ _ _ _ (magnitude_not_negative (unmixed a c (offset sx qx) (offset sy qy)))
+      (magnitude_not_negative (half_of_terms (offset sx rx) (offset sy ry) (offset sx px) (offset sy py)))
+      (conj (magnitude_not_negative _) (lengths sx qx sy qy)) eq_refl).
+    pose proof (product_of_bounds _ _ _ _ (magnitude_not_negative (unmixed a c (offset sx rx) (offset sy ry)))
+      (magnitude_not_negative (half_of_terms (offset sx px) (offset sy py) (offset sx qx) (offset sy qy)))
+      (conj (magnitude_not_negative _) (lengths sx rx sy ry)) eq_refl).
+    lra.
+Qed.
+
+Definition sum_of_terms ax ay bx by_ := sum (absolute (product ax by_)) (absolute (product ay bx)).
+
+Lemma sum_of_terms_exact p q r s t u v w :
+  exact (sum_of_terms (offset p q) (offset r s) (offset t u) (offset v w)) =
+  magnitude (sum_of_terms (offset p q) (offset r s) (offset t u) (offset v w)).
+Proof. cbn. rewrite !Rabs_mult. reflexivity. Qed.
+
+Lemma product_of_extents_exact a b c p q r s t u v w :
+  definite a b c ->
+  exact (product_of_extents a c (offset p q) (offset r s) (offset t u) (offset v w)) =
+  magnitude (product_of_extents a c (offset p q) (offset r s) (offset t u) (offset v w)).
+Proof.
+  intros (ha & hc & _); cbn. rewrite (Rabs_right a), (Rabs_right c) by lra. reflexivity.
+Qed.
+
+(* The edge test among equal metrics: opposite angles, by cotangent and area: depth 12. *)
+Theorem edge_test_constant a b c vx vy wx wy xx xy yx yy :
+  definite a b c ->
+  let dx := offset vx wx in let dy := offset vy wy in
+  let px := offset vx xx in let py := offset vy xy in
+  let qx := offset wx xx in let qy := offset wy xy in
+  let rx := offset vx yx in let ry := offset vy yy in
+  let sx := offset wx yx in let sy := offset wy yy in
+  in_range (given a) -> in_range (given b) -> in_range (given c) ->
+  in_range dx -> in_range dy -> in_range px -> in_range py -> in_range qx -> in_range qy ->
+  in_range rx -> in_range ry -> in_range sx -> in_range sy ->
+  decides
+    (sum (product (inner_product a b c px py qx qy) (absolute (cross dx dy rx ry)))
+         (product (inner_product a b c rx ry sx sy) (absolute (cross dx dy px py))))
+    (sum (product (product_of_extents a c px py qx qy) (sum_of_terms dx dy rx ry))
+         (product (product_of_extents a c rx ry sx sy) (sum_of_terms dx dy px py))) 1 12.
+Proof.
+  intros h dx dy px py qx qy rx ry sx sy ra rb rc h1 h2 h3 h4 h5 h6 h7 h8 h9 h10.
+  cbn -[decides pow] in ra, rb, rc, h1, h2, h3, h4, h5, h6, h7, h8, h9, h10.
+  intros ? ? ? ?; apply (sign_is_decided _ _ 1); try (cbn; lia); try lra.
+  - cbn; tauto.
+  - cbn; tauto.
+  - bound_absolute_error.
+  - bound_absolute_error.
+  - cbn [exact magnitude]. unfold dx, dy, px, py, qx, qy, rx, ry, sx, sy.
+    rewrite !sum_of_terms_exact, !(product_of_extents_exact a b c) by assumption. reflexivity.
+  - cbn [magnitude]. rewrite Rmult_1_l.
+    apply Rplus_le_compat; (apply Rmult_le_compat;
+      [apply magnitude_not_negative | cbn; apply Rplus_le_le_0_compat; apply Rmult_le_pos; apply Rabs_pos |
+       apply inner_product_magnitude; assumption | apply Rle_refl]).
+Qed.
