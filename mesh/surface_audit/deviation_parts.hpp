@@ -22,6 +22,8 @@ struct deviation_scene {
   const std::vector<bezier_piece>& pieces;
   const box_tree& triangles;
   const surface_locator& locator;
+  // A place of the surface near the middle of each triangle, where one is known; else null.
+  const std::vector<surface_place>* places = nullptr;
 
   plain_triangle triangle(std::size_t t) const {
     const space_triangle& c = mesh.triangles[t];

@@ -45,13 +45,8 @@ double hull_above(const lifted_scene& scene, lifted_cell& cell, const triangle_n
 
 double squared_vertex_distance(const lifted_scene& scene, std::uint32_t face, double u, double v,
                                const space_point& vertex) {
-  const patch_spans& spans = scene.spans[face];
-  const auto span = [](const std::vector<double>& ends, double x) {
-    const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, x);
-    return static_cast<std::size_t>(after - ends.begin()) - 1;
-  };
   const bezier_piece& piece =
-      scene.space.pieces[spans.first + span(spans.u, u) * (spans.v.size() - 1) + span(spans.v, v)];
+      scene.space.pieces[place_in(scene.space.pieces, scene.spans[face], u, v).piece];
   const auto local = [](double x, double low, double high) {
     const rounded_interval from = low;
     return quotient(rounded_interval(x) - from, rounded_interval(high) - from);

@@ -122,7 +122,7 @@ mesh_cell whole_triangle(const deviation_scene& scene, std::uint32_t t) {
   mesh_cell cell;
   cell.triangle = t;
   for (std::size_t k = 0; k < 3; ++k) cell.corners[k] = vector_of<rounded_interval>(corners[k]);
-  look_at(scene, nullptr, cell);
+  look_at(scene, scene.places != nullptr ? &(*scene.places)[t] : nullptr, cell);
   return cell;
 }
 

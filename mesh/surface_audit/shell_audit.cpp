@@ -19,6 +19,7 @@ namespace {
 constexpr double greatest_modulus = 0x1p300;
 constexpr double negligible_share = 1e-12;  // of the size, as for deviations
 constexpr int deepest = 9;                  // quarterings of a triangle
+constexpr double finite = 0x1p500;          // its square is below infinity
 
 std::optional<error> fault_of_face(const surface& s, const surface_shell& shell, std::size_t f) {
   const shell_face& face = shell.faces[f];
@@ -69,9 +70,11 @@ class shell_view {
         boxes_(boxes_of_triangles(mesh_)),
         tree_(boxes_),
         locator_(pieces_),
-        space_{mesh_, s, pieces_, tree_, locator_} {
+        space_{mesh_, s, pieces_, tree_, locator_, &places_} {
     const auto by_patch = spans_of(pieces_, s.patches.size());
     for (const shell_face& face : shell.faces) spans_.push_back(by_patch[face.patch]);
+    for (const shell_triangle& t : triangles_)
+      if (!t.collapsed) places_.push_back(middle_of(t));
   }
   shell_view(const shell_view&) = delete;
   shell_view& operator=(const shell_view&) = delete;
@@ -86,12 +89,19 @@ class shell_view {
   }
 
  private:
+  // The place of a triangle's middle on the surface, about.
+  surface_place middle_of(const shell_triangle& t) const {
+    const auto mean = [&](std::size_t k) { return (t.at[0][k] + t.at[1][k] + t.at[2][k]) / 3; };
+    return place_in(pieces_, spans_[t.face], mean(0), mean(1));
+  }
+
   std::vector<bezier_piece> pieces_;
   std::vector<shell_triangle> triangles_;
   space_mesh mesh_;
   std::vector<space_box> boxes_;
   box_tree tree_;
   surface_locator locator_;
+  std::vector<surface_place> places_;  // of the triangles in space
   deviation_scene space_;
   std::vector<patch_spans> spans_;
 };
@@ -122,14 +132,15 @@ bool gives_up(const lifted_cell& cell) {
   return cell.depth >= deepest || (std::isinf(cell.above) && cell.below < 0);
 }
 
-// False if the surface is folded over the triangle as far as doubles can tell, in a few places.
+// False if the surface is folded over the triangle as far as doubles can tell in a few places, or
+// if much work leaves it open.
 bool is_unfolded(const lifted_scene& scene, std::uint32_t t) {
-  constexpr std::size_t most_cells = 40;
+  constexpr std::size_t most_cells = 1000;
   std::vector<lifted_cell> waiting = first_cells(scene, t, look_at_normals);
-  for (std::size_t k = 0; k < waiting.size() && k < most_cells; ++k) {
+  for (std::size_t k = 0; k < waiting.size(); ++k) {
     const lifted_cell cell = waiting[k];
     if (!std::isinf(cell.above)) continue;
-    if (cell.below < 0) return false;
+    if (gives_up(cell) || waiting.size() > most_cells) return false;
     for (const lifted_cell& part : parts_of(scene, cell, look_at_normals)) waiting.push_back(part);
   }
   return true;
@@ -180,21 +191,20 @@ void audit_normals(const shell_view& view, const shell_question& asked, shell_re
   });
   std::vector<lifted_cell> cells;
   for (const auto& some : first) cells.insert(cells.end(), some.begin(), some.end());
-  // Each part is written by one turn of a loop alone.
+  const auto divide = [&](const lifted_cell& cell) {
+    return gives_up(cell) ? std::vector<lifted_cell>{} : parts_of(scene, cell, look_at_normals);
+  };
+  // First that all is unfolded, with any finite bound; then a narrower bound, as far as work goes.
   std::vector<unsigned char> failed(scene.triangles.size(), 0);
   narrowing_limits limits;
+  limits.negligible = finite;
+  limits.most_cells = 200 * scene.triangles.size() + 50'000;
+  const auto unfolded =
+      narrow(cells, limits, divide, [&](const lifted_cell& cell) { failed[cell.triangle] = 1; });
   limits.relative_width = 0.1;
   limits.negligible = 1e-9;
-  limits.most_cells = 200 * scene.triangles.size() + 50'000;
-  const auto found = narrow(
-      std::move(cells), limits,
-      [&](const lifted_cell& cell) {
-        if (gives_up(cell)) return std::vector<lifted_cell>{};
-        auto parts = parts_of(scene, cell, look_at_normals);
-        return parts;
-      },
-      [&](const lifted_cell& cell) { failed[cell.triangle] = 1; });
-  report.normal_tangent = root_above(found.above);
+  const auto found = narrow(std::move(cells), limits, divide);
+  report.normal_tangent = root_above(std::min(unfolded.above, found.above));
   for (std::size_t t = 0; t < failed.size(); ++t) {
     if (failed[t] == 0) continue;
     ++report.folded;
@@ -204,7 +214,7 @@ void audit_normals(const shell_view& view, const shell_question& asked, shell_re
                     "or how far its normals turn",
                     t + 1));
   }
-  if (!found.done && report.folded == 0)
+  if (!unfolded.done && report.folded == 0)
     note_finding(report, asked, "the normals could not be bounded with the work allowed");
 }
 
@@ -262,7 +272,8 @@ result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
 }
 
 result<std::vector<shell_measure>> shell_measures(const surface& s, const surface_shell& shell,
-                                                  double enough) {
+                                                  double enough,
+                                                  const std::vector<unsigned char>& wanted) {
   auto pieces = bezier_pieces(s);
   if (!pieces) return pieces.failure();
   if (auto wrong = fault_of(s, shell)) return *wrong;
@@ -271,6 +282,7 @@ result<std::vector<shell_measure>> shell_measures(const surface& s, const surfac
   const lifted_scene scene = view.scene();
   std::vector<shell_measure> measures(scene.triangles.size());
   parallel_for(measures.size(), [&](std::size_t t) {
+    if (wanted[t] == 0) return;
     narrowing_limits limits;
     limits.relative_width = 0.05;
     limits.negligible = enough;

@@ -34,12 +34,14 @@ result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
 
 // For who makes a shell: an upper bound of the distances between a plane triangle and its piece of
 // the surface, either no more than 5 % above a point's distance or below `enough`; and whether the
-// surface is not folded over it, as far as doubles tell in a few places.
+// surface is not folded over it, as far as doubles tell in a few places. Only of the plane
+// triangles that are wanted, face by face; of others nothing is said.
 struct shell_measure {
   double distance = 0;
   bool is_unfolded = false;
 };
 result<std::vector<shell_measure>> shell_measures(const surface& s, const surface_shell& shell,
-                                                  double enough);
+                                                  double enough,
+                                                  const std::vector<unsigned char>& wanted);
 
 }  // namespace asterism::internal

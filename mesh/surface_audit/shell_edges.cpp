@@ -71,6 +71,31 @@ std::optional<int> side_of(const shell_face& face, const point& a, const point& 
   return std::nullopt;
 }
 
+// The edges that plane triangles have on sides that no other patch has, as the shell turns them.
+// Those of triangles that are none in space count: where one lies between the shell and such a
+// side, its two edges are the same one in space.
+std::set<shell_edge> edges_at_open_sides(const surface_shell& shell,
+                                         const std::vector<shell_triangle>& triangles,
+                                         const side_facts& facts) {
+  std::set<shell_edge> edges;
+  std::size_t at = 0;
+  for (std::size_t f = 0; f < shell.faces.size(); ++f)
+    for (const triangle& corners : shell.faces[f].plane.triangles) {
+      const shell_triangle& t = triangles[at++];
+      const auto& sites = shell.faces[f].plane.sites;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        const auto side =
+            side_of(shell.faces[f], sites[corners[k]].position, sites[corners[next]].position);
+        if (!side || facts.shared.contains({f, *side})) continue;
+        shell_edge e{t.vertex[k], t.vertex[next]};
+        if (shell.faces[f].reversed) std::swap(e.first, e.second);
+        edges.insert(e);
+      }
+    }
+  return edges;
+}
+
 }  // namespace
 
 void audit_edges(const surface& s, const surface_shell& shell,
@@ -89,28 +114,15 @@ void audit_edges(const surface& s, const surface_shell& shell,
                                  e.first + 1, e.second + 1));
     }
   const side_facts facts = facts_of(s, shell);
-  // An open edge is on a side that no other patch has.
-  std::size_t at = 0;
-  for (std::size_t f = 0; f < shell.faces.size(); ++f)
-    for (const triangle& corners : shell.faces[f].plane.triangles) {
-      const shell_triangle& t = triangles[at++];
-      if (t.collapsed) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t next = (k + 1) % 3;
-        shell_edge e{t.vertex[k], t.vertex[next]};
-        if (shell.faces[f].reversed) std::swap(e.first, e.second);
-        if (directed.contains({e.second, e.first})) continue;
-        ++report.open_edges;
-        const auto& sites = shell.faces[f].plane.sites;
-        const auto side =
-            side_of(shell.faces[f], sites[corners[k]].position, sites[corners[next]].position);
-        if (!side || facts.shared.contains({f, *side}))
-          note_finding(
-              report, asked,
-              fmt::format("the edge from vertex {} to {} has no triangle on its other side",
-                          e.first + 1, e.second + 1));
-      }
-    }
+  const std::set<shell_edge> at_sides = edges_at_open_sides(shell, triangles, facts);
+  for (const auto& [e, t] : directed) {
+    if (directed.contains({e.second, e.first})) continue;
+    ++report.open_edges;
+    if (!at_sides.contains(e))
+      note_finding(report, asked,
+                   fmt::format("the edge from vertex {} to {} has no triangle on its other side",
+                               e.first + 1, e.second + 1));
+  }
   report.edges = (directed.size() + report.open_edges) / 2;
   report.vertices = shell.points.size();
   report.triangles = m.triangles.size();
@@ -121,7 +133,7 @@ void audit_edges(const surface& s, const surface_shell& shell,
     note_finding(report, asked,
                  fmt::format("{} vertices are in no triangle", shell.points.size() - used.size()));
   // A triangle that is none in space must be at a side that is one point.
-  at = 0;
+  std::size_t at = 0;
   for (std::size_t f = 0; f < shell.faces.size(); ++f)
     for (const triangle& corners : shell.faces[f].plane.triangles) {
       const shell_triangle& t = triangles[at++];

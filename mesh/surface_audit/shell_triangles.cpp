@@ -22,6 +22,21 @@ std::vector<patch_spans> spans_of(const std::vector<bezier_piece>& pieces, std::
   return all;
 }
 
+surface_place place_in(const std::vector<bezier_piece>& pieces, const patch_spans& spans, double u,
+                       double v) {
+  const auto span = [](const std::vector<double>& ends, double x) {
+    const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, x);
+    return static_cast<std::size_t>(after - ends.begin()) - 1;
+  };
+  const auto local = [](double x, double low, double high) {
+    return x >= high ? 1.0 : std::clamp((x - low) / (high - low), 0.0, 1.0);
+  };
+  const std::size_t at = spans.first + span(spans.u, u) * (spans.v.size() - 1) + span(spans.v, v);
+  const bezier_piece& piece = pieces[at];
+  return {static_cast<std::uint32_t>(at), local(u, piece.u_low, piece.u_high),
+          local(v, piece.v_low, piece.v_high)};
+}
+
 std::vector<shell_triangle> triangles_of(const surface_shell& shell) {
   std::vector<shell_triangle> all;
   std::uint32_t kept = 0;

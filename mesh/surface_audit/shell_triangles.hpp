@@ -10,6 +10,7 @@
 #include "asterism/mesh/data/space_mesh.hpp"
 #include "asterism/mesh/data/surface_shell.hpp"
 #include "asterism/mesh/surface_audit/bezier_pieces.hpp"
+#include "asterism/mesh/surface_audit/surface_locator.hpp"
 
 namespace asterism::internal {
 
@@ -19,6 +20,9 @@ struct patch_spans {
   std::vector<double> u, v;  // ends of the spans, ascending
 };
 std::vector<patch_spans> spans_of(const std::vector<bezier_piece>& pieces, std::size_t patches);
+// Returns the piece of a patch that has (u, v), and the place in it, rounded.
+surface_place place_in(const std::vector<bezier_piece>& pieces, const patch_spans& spans, double u,
+                       double v);
 
 struct shell_triangle {
   std::uint32_t face = 0;

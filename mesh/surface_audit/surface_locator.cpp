@@ -97,7 +97,9 @@ surface_locator::surface_locator(const std::vector<bezier_piece>& pieces)
       tree_(boxes_of(samples_)) {}
 
 located surface_locator::nearest(const plain_vector& p) const {
-  constexpr std::size_t most_starts = 3;
+  // Of three pieces, and of all that meet where the third is nearest: at a corner or at a side that
+  // is one point any of them may have the point.
+  constexpr std::size_t starts_wanted = 3, most_starts = 12;
   struct start {
     double far;
     std::uint32_t sample;
@@ -105,7 +107,8 @@ located surface_locator::nearest(const plain_vector& p) const {
   std::array<start, most_starts> starts;
   std::size_t count = 0;
   const auto limit = [&] {
-    return count < most_starts ? std::numeric_limits<double>::infinity() : starts[count - 1].far;
+    return count < starts_wanted ? std::numeric_limits<double>::infinity()
+                                 : starts[starts_wanted - 1].far;
   };
   const auto before = [](const start& a, const start& b) {
     return a.far != b.far ? a.far < b.far : a.sample < b.sample;
@@ -126,6 +129,7 @@ located surface_locator::nearest(const plain_vector& p) const {
   tree_.visit_near(p, limit, offer);
   located best;
   for (std::size_t k = 0; k < count; ++k) {
+    if (k >= starts_wanted && starts[k].far > starts[starts_wanted - 1].far) break;
     const located found = project(*pieces_, places_[starts[k].sample], p);
     if (k == 0 || found.squared_distance < best.squared_distance) best = found;
   }
