@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
@@ -190,31 +192,93 @@ double face_meshing::expected_vertices() const {
          (high.y - low.y);
 }
 
+void face_meshing::free_around(const std::vector<unsigned char>& marked) {
+  std::map<std::pair<vertex_index, vertex_index>, vertex_index> opposite;
+  const auto edge = [](const triangle& t, std::size_t k) {
+    return std::pair{t[k], t[(k + 1) % 3]};
+  };
+  for (const triangle& t : plane_.triangles)
+    for (std::size_t k = 0; k < 3; ++k) opposite[edge(t, k)] = t[(k + 2) % 3];
+  is_freed_.assign(plane_.sites.size(), 0);
+  for (std::size_t n = 0; n < marked.size(); ++n) {
+    if (marked[n] == 0) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [from, to] = edge(plane_.triangles[n], k);
+      is_freed_[from] = 1;
+      if (const auto beside = opposite.find({to, from}); beside != opposite.end())
+        is_freed_[beside->second] = 1;
+    }
+  }
+}
+
+std::vector<face_meshing::placed> face_meshing::vertices_on_sides(const side_places& places,
+                                                                  bool keep) const {
+  const point low = chart_->low(), high = chart_->high();
+  std::vector<placed> all;
+  for (int side = 0; side < 4; ++side)
+    for (const double place : places.at[static_cast<std::size_t>(side)]) {
+      const double x = low.x + place * (high.x - low.x), y = low.y + place * (high.y - low.y);
+      const point p = side == 0   ? point{x, low.y}
+                      : side == 1 ? point{high.x, y}
+                      : side == 2 ? point{x, high.y}
+                                  : point{low.x, y};
+      all.push_back({p, on_side{side, place}});
+    }
+  for (vertex_index v = 4; keep && v < plane_.sites.size(); ++v) {
+    const auto on = side_of(v);
+    if (on && !places.is_common[static_cast<std::size_t>(on->side)] && is_freed_[v] == 0)
+      all.push_back({plane_.sites[v].position, on});
+  }
+  std::stable_sort(all.begin(), all.end(), [](const placed& a, const placed& b) {
+    if (a.on->side != b.on->side) return a.on->side < b.on->side;
+    return a.on->place < b.on->place;
+  });
+  return all;
+}
+
+std::vector<face_meshing::placed> face_meshing::vertices_inside() const {
+  std::vector<placed> all;
+  for (vertex_index v = 4; v < plane_.sites.size(); ++v)
+    if (is_freed_[v] == 0 && !side_of(v)) all.push_back({plane_.sites[v].position, std::nullopt});
+  return all;
+}
+
 result<std::string> face_meshing::make(const side_places& places,
                                        const surface_mesh_options& options) {
-  places_ = places;
+  is_freed_.resize(plane_.sites.size(), 0);
+  const bool keep = keeps_ && !plane_.sites.empty();
+  auto made = make_once(places, keep, options);
+  if (keep && (!made || !made.value().empty())) made = make_once(places, false, options);
+  is_freed_.clear();
+  return made;
+}
+
+result<std::string> face_meshing::make_once(const side_places& places, bool keep,
+                                            const surface_mesh_options& options) {
   const point low = chart_->low(), high = chart_->high();
   domain d;
   d.vertices = {low, {high.x, low.y}, high, {low.x, high.y}};
+  const std::vector<placed> on_sides = vertices_on_sides(places, keep);
+  std::array<std::vector<vertex_index>, 4> along;
+  std::vector<on_side> given_on;
+  for (const placed& one : on_sides) {
+    along[static_cast<std::size_t>(one.on->side)].push_back(
+        static_cast<vertex_index>(d.vertices.size()));
+    d.vertices.push_back(one.at);
+    given_on.push_back(*one.on);
+  }
   for (std::size_t side = 0; side < 4; ++side) {
-    std::vector<vertex_index> along;
-    for (const double place : places[side]) {
-      along.push_back(static_cast<vertex_index>(d.vertices.size()));
-      const double x = low.x + place * (high.x - low.x), y = low.y + place * (high.y - low.y);
-      d.vertices.push_back(side == 0   ? point{x, low.y}
-                           : side == 1 ? point{high.x, y}
-                           : side == 2 ? point{x, high.y}
-                                       : point{low.x, y});
-    }
-    if (side >= 2) std::reverse(along.begin(), along.end());
+    if (side >= 2) std::reverse(along[side].begin(), along[side].end());
+    const int marker = static_cast<int>(side) + 1;
     auto from = static_cast<vertex_index>(side);
-    for (const vertex_index v : along) {
-      d.segments.push_back({from, v, static_cast<int>(side) + 1});
+    for (const vertex_index v : along[side]) {
+      d.segments.push_back({from, v, marker});
       from = v;
     }
-    d.segments.push_back(
-        {from, static_cast<vertex_index>((side + 1) % 4), static_cast<int>(side) + 1});
+    d.segments.push_back({from, static_cast<vertex_index>((side + 1) % 4), marker});
   }
+  if (keep)
+    for (const placed& one : vertices_inside()) d.vertices.push_back(one.at);
   auto shape = check_domain(d);
   if (!shape) return shape.failure();
   const mesh given = background();
@@ -227,18 +291,17 @@ result<std::string> face_meshing::make(const side_places& places,
   auto made = make_mesh(shape.value(), *field, how);
   if (!made) return made.failure();
   plane_ = std::move(made.value().result);
+  // Vertices kept are sites like others: nobody asked for them.
+  plane_.given = static_cast<vertex_index>(4 + given_on.size());
+  given_on_ = std::move(given_on);
+  is_freed_.assign(plane_.sites.size(), 0);
   if (made.value().complete) return std::string();
   return ending_text(made.value());
 }
 
-std::optional<face_meshing::on_side> face_meshing::side_of(vertex_index site) const {
+std::optional<on_side> face_meshing::side_of(vertex_index site) const {
   if (site < 4) return std::nullopt;
-  vertex_index first = 4;
-  for (int side = 0; side < 4; ++side) {
-    const auto& on = places_[static_cast<std::size_t>(side)];
-    if (site < first + on.size()) return on_side{side, on[site - first]};
-    first += static_cast<vertex_index>(on.size());
-  }
+  if (site < 4 + given_on_.size()) return given_on_[site - 4];
   const point low = chart_->low(), high = chart_->high(), p = plane_.sites[site].position;
   const double x = (p.x - low.x) / (high.x - low.x), y = (p.y - low.y) / (high.y - low.y);
   if (p.y == low.y) return on_side{0, x};

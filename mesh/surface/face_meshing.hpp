@@ -16,7 +16,17 @@
 namespace asterism::internal {
 
 // Places on the sides of a patch, from 0 to 1 along each side's parameter, ascending.
-using side_places = std::array<std::vector<double>, 4>;
+// A side that two patches have is divided at these places alone.
+struct side_places {
+  std::array<std::vector<double>, 4> at;
+  std::array<bool, 4> is_common{};
+};
+
+// A side, and the place on it.
+struct on_side {
+  int side = 0;
+  double place = 0;
+};
 
 class face_meshing {
  public:
@@ -35,14 +45,16 @@ class face_meshing {
   // Number of vertices of a mesh of unit edges.
   double expected_vertices() const;
 
-  // Makes the mesh with these places on its sides. Empty: done; else why it is not complete.
+  // Makes the mesh with these places on its sides. Empty: done; else why it is not complete. Where
+  // vertices are to be kept, those of the mesh before that were not freed are in it, unless it is
+  // not complete with them.
   result<std::string> make(const side_places& places, const surface_mesh_options& options);
   const mesh& plane() const { return plane_; }
+  void keep_vertices(bool kept) { keeps_ = kept; }
+  // Frees the corners of the triangles of the present mesh that are marked, and those beside them
+  // across their edges.
+  void free_around(const std::vector<unsigned char>& marked);
   // The side that a site is on, and where; none inside and at corners.
-  struct on_side {
-    int side = 0;
-    double place = 0;
-  };
   std::optional<on_side> side_of(vertex_index site) const;
 
  private:
@@ -55,6 +67,15 @@ class face_meshing {
   void find_base();
   double consistent_density(const point& p, const point& direction, double density) const;
   mesh background() const;
+  // What is in the domain to be meshed beside the corners, with the side of each; none: inside.
+  struct placed {
+    point at;
+    std::optional<on_side> on;
+  };
+  std::vector<placed> vertices_on_sides(const side_places& places, bool keep) const;
+  std::vector<placed> vertices_inside() const;
+  result<std::string> make_once(const side_places& places, bool keep,
+                                const surface_mesh_options& options);
 
   const surface_chart* chart_;
   surface_sizes sizes_;
@@ -63,8 +84,10 @@ class face_meshing {
   std::vector<metric_tensor> base_;   // and what edges can be of that length
   std::vector<double> log_factor_, wanted_;
   std::vector<unsigned char> is_wanted_;
-  side_places places_;
+  std::vector<on_side> given_on_;  // the sides of the sites that are given, after the corners
   mesh plane_;
+  bool keeps_ = false;
+  std::vector<unsigned char> is_freed_;  // sites of the mesh
 };
 
 }  // namespace asterism::internal

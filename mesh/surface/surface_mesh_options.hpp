@@ -17,7 +17,7 @@ struct surface_mesh_options {
   double aspect = 100;                  // the greatest ratio of lengths wanted
   std::optional<std::size_t> vertices;  // about; the chord then decides nothing but the verdict
   double angle_bound = 20;
-  std::size_t most_rounds = 12;
+  std::size_t most_rounds = 40;
   std::size_t most_sites = 1'000'000;  // of a patch
   cancellation stop = {};
 };

@@ -4,28 +4,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/support/parallel_for.hpp"
+#include "asterism/mesh/surface/curve_division.hpp"
 #include "asterism/mesh/surface/face_meshing.hpp"
+#include "asterism/mesh/surface/shell_of_faces.hpp"
 #include "asterism/mesh/surface/surface_sides.hpp"
 #include "asterism/mesh/surface_audit/shell_audit.hpp"
 
 namespace asterism::internal {
 namespace {
 
-// Places on curves are multiples of this, so that a place and 1 less it are both exact.
-constexpr double place_unit = 0x1p-30;
-constexpr int side_samples = 256;  // of the length of a curve
-
-double rounded_place(double x) {
-  return std::clamp(std::round(x / place_unit) * place_unit, place_unit, 1 - place_unit);
-}
+// Rounds in which whole patches are made anew, finer or coarser. Later only what is beyond the
+// chord is, and only finer.
+constexpr std::size_t coarse_rounds = 4;
+constexpr double aim = 0.92;  // of the chord: triangles vary
+// Where nobody asks for less, radians: a triangle over a bend much sharper than the chord is high
+// would be within the chord, and folded over.
+constexpr double greatest_turn = 1.2;
 
 class surface_meshing {
  public:
@@ -35,7 +39,8 @@ class surface_meshing {
         options_(options),
         graph_(std::move(graph)),
         pieces_(std::move(pieces)),
-        spans_(spans_of(pieces_, s.patches.size())) {
+        spans_(spans_of(pieces_, s.patches.size())),
+        curves_(graph_.curves.size()) {
     prepare();
   }
 
@@ -43,21 +48,17 @@ class surface_meshing {
 
  private:
   void prepare();
-  double length_of(const side_curve& curve, std::vector<double>& sums) const;
-  void divide_curves();
+  patch_faces patches() { return {graph_, charts_, faces_}; }
   std::optional<error> make_stale_faces();
-  bool take_splits();
   std::optional<error> agree_on_sides();
-  surface_shell shell() const;
   std::optional<error> measure();
-  bool adjust(std::size_t round);
-  bool scale_to_count(std::size_t round);
   void keep_if_better();
-
-  point at_place(const patch_side& side, double place) const;
-  double own_place(const patch_side& side, double place) const {
-    return side.backward ? 1 - place : place;
-  }
+  bool has_grown_much() const;
+  bool adjust(std::size_t round);
+  void scale_at_first(std::size_t p, std::span<const double> distances);
+  bool make_coarser_or_finer(std::size_t p, std::span<const double> distances);
+  bool make_finer(std::size_t p, std::span<const double> distances);
+  bool scale_to_count(std::size_t round);
 
   const surface& surface_;
   const surface_mesh_options& options_;
@@ -66,11 +67,15 @@ class surface_meshing {
   std::vector<patch_spans> spans_;
   std::vector<surface_chart> charts_;
   std::vector<face_meshing> faces_;
-  std::vector<std::vector<double>> places_;  // on each curve, from its start, ascending
+  curve_division curves_;
   std::vector<unsigned char> is_stale_;
   std::vector<std::string> reasons_;
   bool sides_agree_ = true;
-  std::vector<double> distances_;  // of all plane triangles, face by face
+  surface_shell shell_;
+  using triangle_key = std::array<double, 7>;  // face and corners
+  std::map<triangle_key, double> known_;       // distances in the round before
+  std::vector<double> distances_;              // of all plane triangles, face by face
+  std::size_t vertices_then_ = 0;              // when the coarse rounds ended
   std::optional<surface_mesh> best_;
   double best_distance_ = 0;
 };
@@ -78,7 +83,7 @@ class surface_meshing {
 void surface_meshing::prepare() {
   surface_sizes sizes;
   sizes.chord = options_.chord;
-  if (options_.normal) sizes.turn = *options_.normal * std::numbers::pi / 180;
+  sizes.turn = options_.normal ? *options_.normal * std::numbers::pi / 180 : greatest_turn;
   sizes.longest = options_.longest;
   sizes.aspect = options_.aspect;
   const std::size_t patches = surface_.patches.size();
@@ -91,76 +96,14 @@ void surface_meshing::prepare() {
   }
   is_stale_.assign(patches, 1);
   reasons_.resize(patches);
-  places_.resize(graph_.curves.size());
-}
-
-point surface_meshing::at_place(const patch_side& side, double place) const {
-  const surface_chart& chart = charts_[side.patch];
-  const point low = chart.low(), high = chart.high();
-  const double own = own_place(side, place);
-  const double x = low.x + own * (high.x - low.x), y = low.y + own * (high.y - low.y);
-  return side.side == 0   ? point{x, low.y}
-         : side.side == 1 ? point{high.x, y}
-         : side.side == 2 ? point{x, high.y}
-                          : point{low.x, y};
-}
-
-// The metric length of a curve, the greater of what its two patches say at each place.
-double surface_meshing::length_of(const side_curve& curve, std::vector<double>& sums) const {
-  sums.assign(1, 0);
-  for (int k = 0; k < side_samples; ++k) {
-    const double place = (k + 0.5) / side_samples;
-    double density = 0;
-    for (const patch_side& side : curve.sides) {
-      const surface_chart& chart = charts_[side.patch];
-      const metric_tensor m = faces_[side.patch].metric_at(at_place(side, place));
-      const double width = chart.high().x - chart.low().x, height = chart.high().y - chart.low().y;
-      density =
-          std::max(density, side.side % 2 == 0 ? m.m11 * width * width : m.m22 * height * height);
-    }
-    sums.push_back(sums.back() + std::sqrt(density) / side_samples);
-  }
-  return sums.back();
-}
-
-// Divides the curves of two patches in parts of about equal length.
-void surface_meshing::divide_curves() {
-  constexpr double longest_part = 0.95;
-  std::vector<double> sums;
-  for (std::size_t c = 0; c < graph_.curves.size(); ++c) {
-    const side_curve& curve = graph_.curves[c];
-    if (curve.is_point || curve.sides.size() < 2) continue;
-    const double length = length_of(curve, sums);
-    const auto parts = static_cast<int>(std::max(1.0, std::ceil(length / longest_part)));
-    std::vector<double> places;
-    std::size_t k = 0;
-    for (int part = 1; part < parts; ++part) {
-      const double wanted = length * part / parts;
-      while (sums[k + 1] < wanted) ++k;
-      const double share = (wanted - sums[k]) / (sums[k + 1] - sums[k]);
-      const double place = rounded_place((static_cast<double>(k) + share) / side_samples);
-      if (places.empty() || place > places.back()) places.push_back(place);
-    }
-    if (places == places_[c]) continue;
-    places_[c] = std::move(places);
-    for (const patch_side& side : curve.sides) is_stale_[side.patch] = 1;
-  }
 }
 
 std::optional<error> surface_meshing::make_stale_faces() {
   std::vector<std::optional<error>> failed(faces_.size());
+  const patch_faces of = patches();
   parallel_for(faces_.size(), [&](std::size_t p) {
     if (is_stale_[p] == 0) return;
-    side_places own;
-    for (std::size_t side = 0; side < 4; ++side) {
-      const std::size_t c = graph_.curve_of[p][side];
-      for (const patch_side& at : graph_.curves[c].sides) {
-        if (at.patch != p || at.side != static_cast<int>(side)) continue;
-        for (const double place : places_[c]) own[side].push_back(own_place(at, place));
-        if (at.backward) std::reverse(own[side].begin(), own[side].end());
-      }
-    }
-    auto made = faces_[p].make(own, options_);
+    auto made = faces_[p].make(curves_.on_sides_of(of, p), options_);
     if (!made)
       failed[p] = made.failure();
     else
@@ -172,107 +115,51 @@ std::optional<error> surface_meshing::make_stale_faces() {
   return {};
 }
 
-// Takes the places at which a patch's mesh has divided a curve of two patches to that curve, for
-// both. True if there were any.
-bool surface_meshing::take_splits() {
-  bool any = false;
-  for (std::size_t p = 0; p < faces_.size(); ++p) {
-    const mesh& m = faces_[p].plane();
-    for (vertex_index v = m.given; v < m.sites.size(); ++v) {
-      const auto on = faces_[p].side_of(v);
-      if (!on) continue;
-      const std::size_t c = graph_.curve_of[p][static_cast<std::size_t>(on->side)];
-      const side_curve& curve = graph_.curves[c];
-      if (curve.is_point || curve.sides.size() < 2) continue;
-      const patch_side& mine = curve.sides[0].patch == p && curve.sides[0].side == on->side
-                                   ? curve.sides[0]
-                                   : curve.sides[1];
-      const double place = rounded_place(own_place(mine, on->place));
-      std::vector<double>& places = places_[c];
-      const auto after = std::lower_bound(places.begin(), places.end(), place);
-      any = true;
-      if (after == places.end() || *after != place) places.insert(after, place);
-      for (const patch_side& side : curve.sides) is_stale_[side.patch] = 1;
-    }
-  }
-  return any;
-}
-
 std::optional<error> surface_meshing::agree_on_sides() {
   constexpr int most_exchanges = 12;
   for (int k = 0; k < most_exchanges; ++k) {
     if (auto failed = make_stale_faces()) return failed;
-    sides_agree_ = !take_splits();
+    sides_agree_ = !curves_.take_splits(patches(), is_stale_);
     if (sides_agree_) return {};
   }
   return {};
 }
 
-surface_shell surface_meshing::shell() const {
-  constexpr std::uint32_t none = ~0U;
-  surface_shell made;
-  std::vector<std::uint32_t> corner(graph_.corners, none);
-  std::map<std::pair<std::size_t, double>, std::uint32_t> on_curve;
-  const auto add = [&](const space_point& p) {
-    // -0 is 0, so that equal places are equal bits.
-    made.points.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});
-    return static_cast<std::uint32_t>(made.points.size() - 1);
-  };
-  for (std::size_t p = 0; p < faces_.size(); ++p) {
-    const surface_patch& patch = surface_.patches[p];
-    const std::array<space_point, 4> corners = {
-        patch.at(0, 0).at, patch.at(patch.count_u - 1, 0).at,
-        patch.at(patch.count_u - 1, patch.count_v - 1).at, patch.at(0, patch.count_v - 1).at};
-    shell_face face;
-    face.patch = static_cast<std::uint32_t>(p);
-    face.scale_u = charts_[p].scale_u(), face.scale_v = charts_[p].scale_v();
-    face.reversed = graph_.reversed[p];
-    face.plane = faces_[p].plane();
-    for (vertex_index v = 0; v < face.plane.sites.size(); ++v) {
-      if (v < 4) {
-        std::uint32_t& known = corner[graph_.corner_of[p][v]];
-        if (known == none) known = add(corners[v]);
-        face.vertex.push_back(known);
-        continue;
-      }
-      const auto on = faces_[p].side_of(v);
-      const std::size_t c = on ? graph_.curve_of[p][static_cast<std::size_t>(on->side)] : 0;
-      if (on && graph_.curves[c].is_point) {
-        face.vertex.push_back(corner[graph_.corner_of[p][static_cast<std::size_t>(on->side)]]);
-      } else if (on && graph_.curves[c].sides.size() == 2) {
-        const auto& sides = graph_.curves[c].sides;
-        const patch_side& mine =
-            sides[0].patch == p && sides[0].side == on->side ? sides[0] : sides[1];
-        const double place = own_place(mine, on->place);
-        const auto [known, is_new] = on_curve.emplace(std::pair{c, place}, 0);
-        if (is_new) known->second = add(charts_[sides[0].patch].lift(at_place(sides[0], place)));
-        face.vertex.push_back(known->second);
-      } else {
-        face.vertex.push_back(add(charts_[p].lift(face.plane.sites[v].position)));
-      }
-    }
-    made.faces.push_back(std::move(face));
-  }
-  return made;
-}
-
+// Measures the triangles that were not in the round before.
 std::optional<error> surface_meshing::measure() {
-  const surface_shell now = shell();
   constexpr double enough = 0.5;  // of the chord: what is nearer need not be known better
   // A triangle over which the surface may be folded is much too large, whatever its distance.
-  constexpr double much = 2;
-  const auto measures = shell_measures(surface_, now, enough * options_.chord);
-  if (!measures) return measures.failure();
+  constexpr double much = 1.4;
+  shell_ = shell_of_faces(surface_, patches());
+  std::vector<triangle_key> keys;
+  std::vector<unsigned char> is_new;
   distances_.clear();
-  for (const shell_measure& m : measures.value())
-    distances_.push_back(m.is_unfolded ? m.distance : std::max(m.distance, much * options_.chord));
+  for (std::size_t p = 0; p < faces_.size(); ++p) {
+    const mesh& m = faces_[p].plane();
+    for (const triangle& t : m.triangles) {
+      const point &a = m.sites[t[0]].position, &b = m.sites[t[1]].position,
+                  &c = m.sites[t[2]].position;
+      keys.push_back({static_cast<double>(p), a.x, a.y, b.x, b.y, c.x, c.y});
+      const auto before = known_.find(keys.back());
+      is_new.push_back(before == known_.end() ? 1 : 0);
+      distances_.push_back(before == known_.end() ? 0 : before->second);
+    }
+  }
+  const auto measures = shell_measures(surface_, shell_, enough * options_.chord, is_new);
+  if (!measures) return measures.failure();
+  known_.clear();
+  for (std::size_t t = 0; t < keys.size(); ++t) {
+    const shell_measure& m = measures.value()[t];
+    if (is_new[t] != 0)
+      distances_[t] = m.is_unfolded ? m.distance : std::max(m.distance, much * options_.chord);
+    known_.emplace(keys[t], distances_[t]);
+  }
   return {};
 }
 
 // Keeps the first mesh, then one within the chord, then the one with the fewest vertices.
 void surface_meshing::keep_if_better() {
   surface_mesh now;
-  now.shell = shell();
   const double most = *std::max_element(distances_.begin(), distances_.end());
   now.complete = sides_agree_;
   if (!sides_agree_)
@@ -289,54 +176,84 @@ void surface_meshing::keep_if_better() {
   const auto better = [&] {
     if (!best_) return true;
     if (best_->complete != now.complete) return now.complete;
-    if (now.complete) return now.shell.points.size() < best_->shell.points.size();
+    if (now.complete) return shell_.points.size() < best_->shell.points.size();
     return most < best_distance_;
   };
   if (!better()) return;
+  now.shell = shell_;
   best_ = std::move(now);
   best_distance_ = most;
 }
 
+// Nearly all triangles of a metric that follows the curvature have about the same distance.
+void surface_meshing::scale_at_first(std::size_t p, std::span<const double> distances) {
+  std::vector<double> sorted(distances.begin(), distances.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double most = sorted[(sorted.size() - 1) * 95 / 100];
+  faces_[p].add_everywhere(
+      std::clamp(elementary::log(std::max(most, 1e-300) / (aim * options_.chord)), -1.5, 3.0));
+}
+
+namespace {
+
+std::array<point, 3> corners_of(const mesh& m, std::size_t t) {
+  const triangle& c = m.triangles[t];
+  return {m.sites[c[0]].position, m.sites[c[1]].position, m.sites[c[2]].position};
+}
+
+// What a triangle's distance asks of the logarithm of the density there.
+double finer_by(double distance, double chord) {
+  return std::min(1.1 * elementary::log(distance / (aim * chord)) + 0.02, 2.0);
+}
+
+}  // namespace
+
+bool surface_meshing::make_coarser_or_finer(std::size_t p, std::span<const double> distances) {
+  constexpr double least_ratio = 0.4, coarser_share = 0.3;
+  const mesh& m = faces_[p].plane();
+  for (std::size_t t = 0; t < distances.size(); ++t) {
+    const double off =
+        elementary::log(std::max(distances[t] / (aim * options_.chord), least_ratio));
+    faces_[p].want(corners_of(m, t), distances[t] > options_.chord
+                                         ? finer_by(distances[t], options_.chord)
+                                         : std::min(coarser_share * off, 0.0));
+  }
+  faces_[p].apply();
+  return true;
+}
+
+// Makes finer where a triangle is beyond the chord. Where few are, the vertices elsewhere are kept:
+// a mesh made anew has others beyond it.
+bool surface_meshing::make_finer(std::size_t p, std::span<const double> distances) {
+  constexpr std::size_t few = 8;  // one in so many
+  const mesh& m = faces_[p].plane();
+  std::vector<unsigned char> beyond(distances.size(), 0);
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < distances.size(); ++t) {
+    if (!(distances[t] > options_.chord)) continue;
+    beyond[t] = 1, ++count;
+    faces_[p].want(corners_of(m, t), finer_by(distances[t], options_.chord));
+  }
+  faces_[p].apply();
+  const bool incomplete = !reasons_[p].empty();
+  faces_[p].keep_vertices(!incomplete && count * few <= distances.size());
+  faces_[p].free_around(beyond);
+  return count > 0 || incomplete;
+}
+
 // Changes the factors of the metrics by the distances found. False if nothing is to be changed.
 bool surface_meshing::adjust(std::size_t round) {
-  constexpr std::size_t coarse_rounds = 4;
-  constexpr double aim = 0.92;  // of the chord: triangles vary
   bool any = false;
-  std::size_t at = 0;
+  std::size_t first = 0;
   for (std::size_t p = 0; p < faces_.size(); ++p) {
-    const mesh& m = faces_[p].plane();
-    const std::size_t first = at;
-    at += m.triangles.size();
-    std::vector<double> sorted(distances_.begin() + static_cast<std::ptrdiff_t>(first),
-                               distances_.begin() + static_cast<std::ptrdiff_t>(at));
-    std::sort(sorted.begin(), sorted.end());
-    const double greatest = sorted.back();
-    if (round == 0) {
-      // Nearly all triangles of a metric that follows the curvature have about the same distance.
-      const double most = sorted[(sorted.size() - 1) * 95 / 100];
-      faces_[p].add_everywhere(
-          std::clamp(elementary::log(std::max(most, 1e-300) / (aim * options_.chord)), -1.5, 3.0));
-      is_stale_[p] = 1;
-      any = true;
-      continue;
-    }
-    if (greatest <= options_.chord && round >= coarse_rounds) continue;
-    bool changed = false;
-    for (std::size_t t = first; t < at; ++t) {
-      const double ratio = distances_[t] / (aim * options_.chord);
-      const auto& c = m.triangles[t - first];
-      const std::array<point, 3> corners = {m.sites[c[0]].position, m.sites[c[1]].position,
-                                            m.sites[c[2]].position};
-      const double off = elementary::log(std::max(ratio, 0.4));
-      if (distances_[t] > options_.chord) {
-        faces_[p].want(corners, std::min(1.1 * off + 0.02, 2.0));
-        changed = true;
-      } else if (round < coarse_rounds) {
-        faces_[p].want(corners, off < 0 ? 0.3 * off : 0);
-        changed = true;
-      }
-    }
-    faces_[p].apply();
+    const std::size_t count = faces_[p].plane().triangles.size();
+    const std::span<const double> own(distances_.data() + first, count);
+    first += count;
+    bool changed = true;
+    if (round == 0)
+      scale_at_first(p, own);
+    else
+      changed = round < coarse_rounds ? make_coarser_or_finer(p, own) : make_finer(p, own);
     if (changed) is_stale_[p] = 1, any = true;
   }
   return any;
@@ -351,7 +268,7 @@ bool surface_meshing::scale_to_count(std::size_t round) {
   if (round == 0)
     for (const face_meshing& face : faces_) now += face.expected_vertices();
   else
-    now = static_cast<double>(shell().points.size());
+    now = static_cast<double>(shell_.points.size());
   const double off = elementary::log(wanted / std::max(now, 1.0));
   if (round > 0 && (std::abs(off) < near || round >= most_rounds)) return false;
   for (face_meshing& face : faces_) face.add_everywhere(std::clamp(off, -20.0, 20.0));
@@ -359,12 +276,20 @@ bool surface_meshing::scale_to_count(std::size_t round) {
   return true;
 }
 
+// True where going on is of no use: there is a mesh with fewer vertices within the chord, or
+// refining does not help.
+bool surface_meshing::has_grown_much() const {
+  constexpr std::size_t much = 4;
+  if (best_->complete && shell_.points.size() > best_->shell.points.size()) return true;
+  return vertices_then_ > 0 && shell_.points.size() > much * vertices_then_ + 1000;
+}
+
 result<surface_mesh> surface_meshing::run() {
   std::size_t round = 0;
   if (options_.vertices) scale_to_count(round);
   for (; round < options_.most_rounds; ++round) {
     // Later on curves only get more places, so that rounds end.
-    if (round < 4 || options_.vertices) divide_curves();
+    if (round < coarse_rounds || options_.vertices) curves_.divide(patches(), is_stale_);
     if (auto failed = agree_on_sides()) return *failed;
     if (auto failed = measure()) return *failed;
     if (options_.vertices) best_.reset();
@@ -374,7 +299,10 @@ result<surface_mesh> surface_meshing::run() {
       best_->reason = "the run was stopped";
       break;
     }
-    if (options_.vertices ? !scale_to_count(round + 1) : !adjust(round)) break;
+    if (round == coarse_rounds) vertices_then_ = shell_.points.size();
+    if (options_.vertices ? !scale_to_count(round + 1)
+                          : (round >= coarse_rounds && has_grown_much()) || !adjust(round))
+      break;
   }
   best_->rounds = std::min(round + 1, options_.most_rounds);
   return std::move(*best_);

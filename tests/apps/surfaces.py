@@ -260,6 +260,28 @@ class Surface(CommandTest):
         self.assertEqual(self.run_command("verify", "s.mesh", "--domain", "octant").returncode, 1)
         self.assertEqual(self.run_command("verify", "s.mesh", "--metric", "swirl:3").returncode, 2)
 
+    def test_no_surface_ends_a_little_beyond_the_chord(self):
+        # Meshes made anew have other triangles beyond the chord: without keeping vertices the saddle
+        # ended at 0.0065.
+        self.write("wavy.json", json.dumps({"patches": [wavy()]}))
+        for surface, chord in (("wavy.json", 0.01), ("saddle", 0.006), ("octant", 0.01), ("wing", 0.003),
+                               ("torus", 0.01)):
+            self.make(surface, "--chord", chord, "-o", "s.mesh")
+            claim = json.loads((self.folder / "s.certificate.json").read_text())
+            self.assertTrue(claim["certified"] and claim["complete"], surface)
+            self.assertLessEqual(claim["distance"], chord)
+            self.assertEqual(self.run_command("verify", "s.mesh").returncode, 0)
+
+    def test_bends_sharper_than_the_chord_are_not_folded_over(self):
+        # A lip of radius 0.03 along a quarter of a circle, at a chord as large.
+        def turned(radius, height):
+            c = radius * 0.5522847498
+            return [[radius, 0, height], [radius, c, height], [c, radius, height], [0, radius, height]]
+        profile = [(1, 0), (1, 0.08), (0.94, 0.08), (0.94, 0)]
+        self.write("lip.json", json.dumps({"patches": [
+            {"degree": [3, 3], "control": [turned(r, h) for r, h in profile]}]}))
+        self.assertIn("nowhere folded", self.make("lip.json", "--chord", "0.03", "-o", "lip.obj"))
+
     def test_two_patches_share_their_edge(self):
         left = {"degree": [2, 2], "control": [[[i, j, (i - 1) ** 2 * .3 + j % 2 * .4] for j in range(3)]
                                               for i in range(3)]}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Divides the curves that two patches have in common, once for both.
+#pragma once
+
+#include <vector>
+
+#include "asterism/mesh/surface/face_meshing.hpp"
+#include "asterism/mesh/surface/surface_chart.hpp"
+#include "asterism/mesh/surface/surface_sides.hpp"
+
+namespace asterism::internal {
+
+// The patches of a surface with their meshes. All must outlive it.
+struct patch_faces {
+  const side_graph& graph;
+  const std::vector<surface_chart>& charts;
+  std::vector<face_meshing>& faces;
+};
+
+// A place on a curve is a number from 0 to 1 along the curve's first side, and the same or 1 less
+// it along the other. Both are exact.
+inline double own_place(const patch_side& side, double place) {
+  return side.backward ? 1 - place : place;
+}
+// The point of the side's chart.
+point chart_point(const surface_chart& chart, const patch_side& side, double place);
+// Which of a curve's sides is the one of this patch.
+const patch_side& side_of_patch(const side_curve& curve, std::size_t patch, int side);
+
+class curve_division {
+ public:
+  explicit curve_division(std::size_t curves) : places_(curves) {}
+
+  // Divides the curves of two patches in parts of about equal length. Marks the patches of those
+  // that change.
+  void divide(const patch_faces& of, std::vector<unsigned char>& is_stale);
+  // Takes the places at which the mesh of a patch has divided a curve of two to that curve, for
+  // both, and marks them. True if there were any.
+  bool take_splits(const patch_faces& of, std::vector<unsigned char>& is_stale);
+  // The places on the sides of a patch.
+  side_places on_sides_of(const patch_faces& of, std::size_t patch) const;
+
+ private:
+  std::vector<std::vector<double>> places_;  // on each curve, from its start, ascending
+};
+
+}  // namespace asterism::internal

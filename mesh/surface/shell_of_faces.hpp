@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// Joins the plane meshes of patches to one shell in space.
+#pragma once
+
+#include "asterism/mesh/data/surface_shell.hpp"
+#include "asterism/mesh/surface/curve_division.hpp"
+
+namespace asterism::internal {
+
+// Lifts each face's sites; those of common sides, corners and sides of one point are one vertex.
+surface_shell shell_of_faces(const surface& s, const patch_faces& of);
+
+}  // namespace asterism::internal
