@@ -97,7 +97,7 @@ class attempts_at_mesh {
   result<mesh_outcome> run() {
     for (const step& next : steps) {
       if (!(this->*next.is_due)()) continue;
-      if (auto failure = (this->*next.make)(*next.what)) return *failure;
+      if (auto failed = (this->*next.make)(*next.what)) return *failed;
       if (shown_) return with_report(*std::move(shown_));
     }
     choose();
