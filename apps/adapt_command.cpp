@@ -152,7 +152,7 @@ result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   if (!marks) return marks.failure();
   mesh_adaptation_options options = job.options;
   const adaptation_wish wish{job.request.wishes, made.wanted.report,
-                             made.wanted.background.sites.size(), !job.request.solution.empty()};
+                             made.wanted.background.sites.size(), is_of_fields(job.request)};
   if (auto failed = take_target(wish, "--max-sites", options)) return *failed;
   made.vertices_wanted = options.refinement.vertices;
   options.refinement.stop = [&limits] { return limits.reason(); };

@@ -21,6 +21,7 @@ const std::map<std::string, hessian_method> hessian_methods = {
 constexpr real_range norms = {1, 1e6, true, true, "from 1 to 1e6, or inf"};
 constexpr real_range aspects = {1, 1e6, true, true, "from 1 to 1e6"};
 constexpr real_range factors = {1, 1e100, false, true, "above 1, at most 1e100"};
+constexpr real_range cutoffs = {0, 1, false, true, "above 0, at most 1"};
 constexpr real_range targets = {0, 1e9, false, true, "positive, at most 1e9"};
 
 void add_source_options(CLI::App& app, metric_request& request) {
@@ -39,6 +40,11 @@ void add_source_options(CLI::App& app, metric_request& request) {
          "or .y for a component (default: all scalars and vectors); several times")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  app.add_option("--given-hessian", request.hessians,
+                 "Second derivatives xx xy yy at the vertices, of either sign, that the metric is "
+                 "made of in place of recovered ones: tensors of a .sol, node data of a .msh, "
+                 "point data of a .vtu; --field then chooses among them")
+      ->type_name("FILE");
   app.add_option("--intersect", request.intersected,
                  "A metric at the same vertices, .sol or .mtr, or on another mesh, to intersect "
                  "with; several "
@@ -87,6 +93,13 @@ void add_target_options(CLI::App& app, metric_request& request) {
       app, "--error", positive_reals, [&wishes](double x) { wishes.error = x; },
       "Error wanted, of linear interpolation in the norm")
       ->type_name("E");
+  app.add_flag(
+      "--relative", wishes.relative,
+      "E is a part of the greatest less the least value of each field, as adaptmesh's err");
+  add_real(
+      app, "--cutoff", cutoffs, [&wishes](double x) { wishes.cutoff = x; },
+      "E is a part of the value at each vertex, and of C times the greatest at least")
+      ->type_name("C");
 }
 
 void take_gradation(const std::string& text, metric_request& request) {
@@ -138,25 +151,55 @@ void add_solution_options(CLI::App& app, metric_request& request) {
 
 // A mesh in a file that holds fields, too, is adapted to these where nothing else is named.
 void set_defaults(metric_request& request) {
-  const bool has_source = !request.solution.empty() || !request.metric.empty() || request.implied;
+  const bool has_source = is_of_fields(request) || !request.metric.empty() || request.implied;
   for (const char* const ending : {".msh", ".msh2", ".vtu"})
     if (!has_source && has_ending(request.mesh, ending)) request.solution = request.mesh;
-  if (!request.names_gradation && !request.solution.empty())
-    request.wishes.gradation = loop_gradation;
+  if (!request.names_gradation && is_of_fields(request)) request.wishes.gradation = loop_gradation;
 }
+
+namespace {
+
+std::optional<error> refuse(std::string what) {
+  return error{std::move(what), error_code::bad_option};
+}
+
+// Refuses a relative error that cannot be what was meant.
+std::optional<error> check_relative(const metric_request& request) {
+  const solution_metric_options& w = request.wishes;
+  if (w.relative && !w.error) return refuse("--relative is of an --error, and there is none");
+  if (w.cutoff && !w.relative) return refuse("--cutoff is of --relative, which is not there");
+  if (w.relative && request.names_norm)
+    return refuse("--norm has no part in a --relative error: leave one of the two out");
+  if (w.relative && !request.hessians.empty())
+    return refuse(
+        "--relative is of the values of a --solution, and the metric is made of --given-hessian: "
+        "divide the second derivatives by what the error is to be a part of");
+  return std::nullopt;
+}
+
+// Refuses what is said of fields where there are none.
+std::optional<error> check_fields(const metric_request& request) {
+  const solution_metric_options& w = request.wishes;
+  const std::pair<bool, const char*> of_fields[] = {{!request.fields.empty(), "--field"},
+                                                    {w.error.has_value(), "--error"},
+                                                    {request.names_hessian, "--hessian"},
+                                                    {request.names_norm, "--norm"}};
+  for (const auto& [is_named, name] : of_fields)
+    if (is_named && !is_of_fields(request))
+      return refuse(std::string(name) + " is of a --solution, and there is none");
+  if (request.names_hessian && !request.hessians.empty())
+    return refuse(
+        "--hessian says how second derivatives are recovered, and --given-hessian has "
+        "them already: leave one of the two out");
+  return check_relative(request);
+}
+
+}  // namespace
 
 std::optional<error> check_request(const metric_request& request) {
   if (auto failed = internal::check_sources(request)) return failed;
-  if (!request.fields.empty() && request.solution.empty())
-    return error{"--field is of a --solution, and there is none", error_code::bad_option};
+  if (auto failed = check_fields(request)) return failed;
   const solution_metric_options& w = request.wishes;
-  const std::pair<bool, const char*> of_solutions[] = {{w.error.has_value(), "--error"},
-                                                       {request.names_hessian, "--hessian"},
-                                                       {request.names_norm, "--norm"}};
-  for (const auto& [is_named, name] : of_solutions)
-    if (is_named && request.solution.empty())
-      return error{std::string(name) + " is of a --solution, and there is none",
-                   error_code::bad_option};
   if (!(w.least_size < w.greatest_size))
     return error{"--hmin " + number_text(w.least_size) + " is not less than --hmax " +
                      number_text(w.greatest_size),
@@ -170,7 +213,8 @@ std::optional<error> check_request(const metric_request& request) {
 
 std::vector<std::filesystem::path> files_of(const metric_request& request) {
   std::vector<std::filesystem::path> files = {request.mesh};
-  for (const std::string& file : {request.solution, request.metric, request.carried})
+  for (const std::string& file :
+       {request.solution, request.hessians, request.metric, request.carried})
     if (!file.empty() && file != request.mesh) files.emplace_back(file);
   for (const std::string& file : request.intersected) files.emplace_back(file);
   return files;

@@ -176,6 +176,10 @@ void compare_names(contradictions& all, const certificate& claim, const Names& n
       all.add("\"asked.options." + name + "\" is nothing that is asked");
 }
 
+void erase_rare(certificate& claim) {
+  for (const std::string_view name : rare_option_names) claim.options.erase(std::string(name));
+}
+
 // Words about a piece are all there, or none.
 void compare_mesh_names(contradictions& all, const certificate& claim) {
   certificate without = claim;
@@ -185,6 +189,7 @@ void compare_mesh_names(contradictions& all, const certificate& claim) {
         all.add("\"asked.options." + std::string(name) + "\" is missing");
   // Certificates from before there were sizes at places have no such word.
   without.options.emplace("sizes", "none");
+  erase_rare(without);
   compare_names(all, without, mesh_option_names);
 }
 
@@ -192,8 +197,10 @@ void compare_mesh_names(contradictions& all, const certificate& claim) {
 void compare_adapted_names(contradictions& all, const certificate& claim) {
   certificate without = claim;
   std::erase_if(without.options, [](const auto& o) { return o.first.starts_with("transfer-"); });
+  const std::size_t left = without.options.size();
+  erase_rare(without);
   compare_names(all, without, adapt_option_names);
-  if (without.options.size() != claim.options.size() && claim.options.count("transfer-how") == 0)
+  if (left != claim.options.size() && claim.options.count("transfer-how") == 0)
     all.add("\"asked.options.transfer-how\" is missing");
 }
 

@@ -28,9 +28,9 @@
 namespace asterism {
 
 // Reads the solution on `m`, whose vertices it must have, in their order. Of a .vtu, arrays of
-// floating-point numbers with 1, 2 or 3 components are read, the third being 0; its points must be
-// those of `m` to six digits. A file that holds one tensor and nothing else is a metric and
-// refused.
+// floating-point numbers with 1, 2 or 3 components are read, the third being 0, and with 9 that are
+// a symmetric tensor of the plane; its points must be those of `m` to six digits. A file that holds
+// one tensor and nothing else is a metric and refused.
 ASTERISM_EXPORT result<solution> read_solution(const std::filesystem::path& path, const mesh& m);
 
 // Reads the solution on a mesh of whose file some vertices were left out (read_mesh_file), by their

@@ -48,11 +48,34 @@ failure check_points(vtu_file& from, const mesh& m, const std::vector<vertex_ind
   return {};
 }
 
+// Adds a symmetric tensor of the plane, as its nine entries by rows. Another one, and the metric,
+// is no field of a solution.
+failure add_tensor(vtu_file& from, const vtu_array& a, solution& made) {
+  constexpr std::size_t width = 9;
+  const auto found = from.numbers(a, width * made.vertices);
+  if (!found) return found.failure();
+  solution_field field{std::string(a.tag["Name"]), field_kind::tensor, {}};
+  if (field.name == "metric") return {};
+  field.values.reserve(3 * made.vertices);
+  for (std::size_t v = 0; v < made.vertices; ++v) {
+    const double* const x = found.value().data() + v * width;
+    for (std::size_t i = 0; i < width; ++i)
+      if (!std::isfinite(x[i]))
+        return from.failure(a.tag.line, fmt::format("array {}, vertex {}: a number is not finite",
+                                                    quoted_token(field.name), v + 1));
+    if (x[1] != x[3] || x[2] != 0 || x[5] != 0 || x[6] != 0 || x[7] != 0) return {};
+    field.values.insert(field.values.end(), {x[0], x[1], x[4]});
+  }
+  made.fields.push_back(std::move(field));
+  return {};
+}
+
 // Integers, and vectors out of the plane, are no fields of a solution.
 failure add_field(vtu_file& from, const vtu_array& a, solution& made) {
   if (!a.tag["type"].starts_with("Float")) return {};
   const auto width = from.components(a);
   if (!width) return width.failure();
+  if (width.value() == 9) return add_tensor(from, a, made);
   if (width.value() > 3) return {};
   const auto found = from.numbers(a, width.value() * made.vertices);
   if (!found) return found.failure();

@@ -152,7 +152,7 @@ void compare_request(const certificate& claim, const metric_request& request, fi
     check.contradictions.push_back("\"asked.metric\" is " + quoted_token(claim.metric) +
                                    " in the certificate, and \"adapt-...\" speak of the " +
                                    name_of(request));
-  if (!request.solution.empty()) return;
+  if (is_of_fields(request)) return;
   // Wishes about a solution where there is none are those that nobody named.
   const words unnamed = words_of(metric_request{});
   for (const char* const name : {"adapt-hessian", "adapt-norm", "adapt-error", "adapt-fields"})

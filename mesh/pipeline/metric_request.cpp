@@ -7,6 +7,7 @@
 
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
+#include "asterism/mesh/pipeline/given_hessians.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
 
@@ -25,13 +26,31 @@ result<std::vector<tensors>> read_intersected(const metric_request& request) {
   return all;
 }
 
-result<solution_metric> metric_of_solution(const metric_request& request,
-                                           const std::vector<tensors>& intersected,
-                                           const std::vector<vertex_index>& left_out,
-                                           requested_metric& made) {
+std::optional<error> read_values(const metric_request& request,
+                                 const std::vector<vertex_index>& left_out,
+                                 requested_metric& made) {
+  if (request.solution.empty()) return std::nullopt;
   auto values = read_solution(request.solution, made.background, left_out);
   if (!values) return values.failure();
   made.values = std::move(values).value();
+  return std::nullopt;
+}
+
+result<solution_metric> metric_of_hessians(const metric_request& request,
+                                           const std::vector<tensors>& intersected,
+                                           const std::vector<vertex_index>& left_out,
+                                           const requested_metric& made) {
+  const auto fields = read_hessians(request.hessians, made.background, left_out, request.fields);
+  if (!fields) return fields.failure();
+  auto metric = make_hessian_metric(made.background, fields.value(), request.wishes, intersected);
+  if (!metric && metric.failure().code != error_code::bad_option)
+    return metric.failure().at(request.hessians);
+  return metric;
+}
+
+result<solution_metric> metric_of_solution(const metric_request& request,
+                                           const std::vector<tensors>& intersected,
+                                           const requested_metric& made) {
   const auto fields = select_values(made.values, request.fields);
   if (!fields) return fields.failure().at(request.solution);
   auto metric = make_solution_metric(made.background, fields.value(), request.wishes, intersected);
@@ -68,12 +87,13 @@ std::optional<error> add_carried(const metric_request& request,
 }  // namespace
 
 std::optional<error> check_sources(const metric_request& request) {
-  const int sources = (request.solution.empty() ? 0 : 1) + (request.metric.empty() ? 0 : 1) +
+  const int sources = (is_of_fields(request) ? 1 : 0) + (request.metric.empty() ? 0 : 1) +
                       (request.implied ? 1 : 0);
   if (sources != 1)
-    return error{"one of --solution, --metric and --implied is wanted, and there " +
-                     std::string(sources == 0 ? "is none" : "are several"),
-                 error_code::bad_option};
+    return error{
+        "one of --solution, --given-hessian, --metric and --implied is wanted, and there " +
+            std::string(sources == 0 ? "is none" : "are several"),
+        error_code::bad_option};
   const solution_metric_options& w = request.wishes;
   if (w.vertices.has_value() + w.complexity.has_value() + w.error.has_value() > 1)
     return error{"one of --vertices, --complexity and --error can be wanted, not several",
@@ -82,6 +102,7 @@ std::optional<error> check_sources(const metric_request& request) {
 }
 
 std::string name_of(const metric_request& request) {
+  if (!request.hessians.empty()) return "hessian " + request.hessians;
   if (!request.solution.empty()) return "solution " + request.solution;
   return request.implied ? "implied by " + request.mesh : "metric " + request.metric;
 }
@@ -92,9 +113,12 @@ result<requested_metric> answer(const metric_request& request) {
   requested_metric made{std::move(read.value().content), {}, 0, {}};
   const auto intersected = read_intersected(request);
   if (!intersected) return intersected.failure();
-  auto metric = request.solution.empty()
-                    ? metric_given(request, intersected.value(), made)
-                    : metric_of_solution(request, intersected.value(), read.value().left_out, made);
+  const auto& left_out = read.value().left_out;
+  if (auto failed = read_values(request, left_out, made)) return *failed;
+  auto metric = !request.hessians.empty()
+                    ? metric_of_hessians(request, intersected.value(), left_out, made)
+                : !request.solution.empty() ? metric_of_solution(request, intersected.value(), made)
+                                            : metric_given(request, intersected.value(), made);
   if (!metric) return metric.failure();
   for (std::size_t v = 0; v < made.background.sites.size(); ++v)
     made.background.sites[v].metric = metric.value().tensors[v];

@@ -16,9 +16,11 @@
 namespace asterism::internal {
 
 struct metric_request {
-  std::string mesh, solution;            // files; no solution where the mesh's own metric is wanted
-  std::string metric;                    // file of a metric in place of a solution
-  std::vector<std::string> fields;       // names; none: all scalars and vectors
+  std::string mesh, solution;  // files; no solution where the mesh's own metric is wanted
+  std::string metric;          // file of a metric in place of a solution
+  // File of second derivatives that the metric is made of; a solution besides only comes along.
+  std::string hessians = {};
+  std::vector<std::string> fields;       // names; none: all scalars and vectors, or all tensors
   std::vector<std::string> intersected;  // files of metrics on the same mesh
   bool implied = false;                  // the mesh's own metric in place of a solution
   std::string carried = {};  // file of fields that come along and have no part in the metric
@@ -26,6 +28,11 @@ struct metric_request {
   bool names_gradation = false;  // else the default of the source holds
   bool names_hessian = false, names_norm = false;
 };
+
+// True if the metric is made of second derivatives, recovered or given.
+inline bool is_of_fields(const metric_request& request) {
+  return !request.solution.empty() || !request.hessians.empty();
+}
 
 // Before the names of fields that are carried: those of two files may be the same.
 inline constexpr const char* carried_prefix = "carried.";

@@ -57,6 +57,7 @@ class word_reader {
     return value ? std::optional(value.value()) : std::nullopt;
   }
   bool flag(const std::string& name) { return text(name) == "yes"; }
+  bool has(const std::string& name) const { return all_.contains("adapt-" + name); }
   const std::optional<std::string>& failed() const { return failed_; }
 
  private:
@@ -88,6 +89,10 @@ words words_of(const metric_request& request) {
                {"gradation-space", w.gradation_keeps_shape ? "metric" : "mixed"},
                {"isotropic", yes_or_no(w.isotropic)},
                {"step", optional_text(w.step)}};
+  // Wishes that few runs have are named by these alone.
+  if (!request.hessians.empty()) all["given-hessian"] = request.hessians;
+  if (w.relative) all["relative"] = "yes";
+  if (w.cutoff) all["cutoff"] = number_text(*w.cutoff);
   words named;
   for (auto& [name, text] : all) named["adapt-" + name] = text.empty() ? "none" : std::move(text);
   return named;
@@ -117,6 +122,9 @@ result<metric_request> request_of(const words& all) {
   w.gradation_keeps_shape = read.text("gradation-space") == "metric";
   w.isotropic = read.flag("isotropic");
   w.step = read.real("step");
+  if (read.has("given-hessian")) request.hessians = read.text("given-hessian");
+  w.relative = read.has("relative") && read.flag("relative");
+  if (read.has("cutoff")) w.cutoff = read.real("cutoff");
   if (read.failed()) return error{*read.failed()};
   if (const auto carried = all.find("transfer-carried"); carried != all.end())
     request.carried = carried->second;

@@ -12,8 +12,9 @@
 namespace asterism::internal {
 
 // Returns the names of the steps that these wishes lead to, a word each and what it was done with.
-// `fields` is 0 for a metric that is given, `others` counts the metrics to intersect with.
+// `fields` is 0 for a metric that is given, `others` counts the metrics to intersect with; `given`
+// says that second derivatives were not recovered.
 std::vector<std::string> metric_steps(const solution_metric_options& options, std::size_t fields,
-                                      std::size_t others);
+                                      std::size_t others, bool given);
 
 }  // namespace asterism::internal

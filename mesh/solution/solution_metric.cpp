@@ -23,6 +23,7 @@
 #include "asterism/mesh/solution/metric_steps.hpp"
 #include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
+#include "asterism/mesh/solution/relative_error.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -41,6 +42,10 @@ failure check(const solution_metric_options& o) {
       return bad(fmt::format("a target must be positive, not {}", *target));
   if (o.vertices.has_value() + o.complexity.has_value() + o.error.has_value() > 1)
     return bad("one of vertices, complexity and error can be wanted, not several");
+  if (o.relative && !o.error) return bad("a relative error is wanted, and no error is named");
+  if (o.cutoff && !o.relative) return bad("a cutoff is of a relative error, and none is wanted");
+  if (o.cutoff && !(*o.cutoff > 0 && *o.cutoff <= 1))
+    return bad(fmt::format("the cutoff must be above 0 and at most 1, not {}", *o.cutoff));
   if (o.norm && !(*o.norm >= 1 && *o.norm <= 1e6))
     return bad(fmt::format("the norm must be from 1 to 1e6, or infinity, not {}", *o.norm));
   if (!(o.least_size >= 0) || !(o.greatest_size > o.least_size))
@@ -82,6 +87,7 @@ class metric_maker {
         extent_(extent_of(m)) {}
 
   const std::vector<double>& areas() const { return areas_; }
+  double extent() const { return extent_; }
   const mesh_links& links() const { return links_; }
   solution_metric_report& report() { return report_; }
   void set_raw(tensors raw) { raw_ = std::move(raw); }
@@ -90,7 +96,10 @@ class metric_maker {
     raw_ = std::move(given);
     is_given_ = true;
   }
-  void set_recovered(std::vector<tensors> recovered) { recovered_ = std::move(recovered); }
+  void set_recovered(std::vector<tensors> recovered, bool are_given) {
+    recovered_ = std::move(recovered);
+    hessians_given_ = are_given;
+  }
   failure set_implied();
   result<solution_metric> run();
 
@@ -110,7 +119,7 @@ class metric_maker {
   mesh_links links_;
   std::vector<double> areas_;
   double extent_;
-  bool is_given_ = false;
+  bool is_given_ = false, hessians_given_ = false;
   tensors raw_, implied_, made_;
   std::vector<tensors> recovered_;
   solution_metric_report report_;
@@ -258,12 +267,13 @@ void metric_maker::say(double target, double got) {
 result<solution_metric> metric_maker::run() {
   if (implied_.empty())
     if (auto failed = set_implied()) return *failed;
-  report_.steps = metric_steps(options_, recovered_.size(), others_.size());
+  report_.steps = metric_steps(options_, recovered_.size(), others_.size(), hessians_given_);
   for (const tensors& other : others_)
     if (other.size() != mesh_.sites.size())
       return error{fmt::format("{} tensors to intersect with, for {} vertices", other.size(),
                                mesh_.sites.size())};
-  if (is_given_ && !options_.vertices && !options_.complexity) {
+  const bool has_scale = is_given_ && !options_.vertices && !options_.complexity;
+  if (has_scale || options_.relative) {
     measure(1);
     report_.reached = true;
   } else if (options_.error) {
@@ -279,10 +289,11 @@ result<solution_metric> metric_maker::run() {
     const metric_tensor& m = made_[v];
     const bool is_finite = std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
     if (is_finite && kernel.is_positive_definite(m)) continue;
-    return error{fmt::format("vertex {}: the metric made is {} {} {}, not finite and positive "
-                             "definite",
-                             v + 1, format_number(m.m11), format_number(m.m12), format_number(m.m22)),
-                 error_code::invalid_metric};
+    return error{
+        fmt::format("vertex {}: the metric made is {} {} {}, not finite and positive "
+                    "definite",
+                    v + 1, format_number(m.m11), format_number(m.m12), format_number(m.m22)),
+        error_code::invalid_metric};
   }
   return solution_metric{std::move(made_), std::move(report_)};
 }
@@ -297,17 +308,25 @@ tensors rounded(const tensors& given) {
   return made;
 }
 
+constexpr double most_second_derivative = 1e150;  // products of two are finite
+
+bool are_below(const metric_tensor& h, double most) {
+  return std::abs(h.m11) < most && std::abs(h.m12) < most && std::abs(h.m22) < most;
+}
+
 // Second derivatives of the fields in the order of their names: as recovered, and with the means of
 // moduli that the metric is made of.
 struct field_derivatives {
   std::vector<std::string> names;
   std::vector<tensors> recovered, moduli;
+  std::vector<std::vector<double>> scales;  // of a relative error; none for one that is not
   std::size_t noise = 0, at_boundary = 0;
 };
 
 result<field_derivatives> derivatives_of(const mesh& m, const mesh_links& links,
                                          const std::vector<nodal_values>& fields,
-                                         hessian_method method) {
+                                         const solution_metric_options& options) {
+  const hessian_method method = options.hessian;
   std::vector<const nodal_values*> sorted;
   sorted.reserve(fields.size());
   for (const nodal_values& f : fields) sorted.push_back(&f);
@@ -324,6 +343,36 @@ result<field_derivatives> derivatives_of(const mesh& m, const mesh_links& links,
                                ? mean_moduli(m, links, hessian.value().at)
                                : hessian.value().at);
     found.recovered.push_back(std::move(hessian.value().at));
+    if (options.relative) found.scales.push_back(scales_of_error(f->values, options.cutoff));
+  }
+  return found;
+}
+
+bool is_zero(const metric_tensor& h) { return h.m11 == 0 && h.m12 == 0 && h.m22 == 0; }
+
+// Takes second derivatives as they are. The optimum needs no more of them than their moduli.
+result<field_derivatives> derivatives_given(const mesh& m,
+                                            const std::vector<nodal_hessian>& fields) {
+  std::vector<const nodal_hessian*> sorted;
+  sorted.reserve(fields.size());
+  for (const nodal_hessian& f : fields) sorted.push_back(&f);
+  std::sort(sorted.begin(), sorted.end(),
+            [](const auto* a, const auto* b) { return a->name < b->name; });
+  field_derivatives found;
+  for (const nodal_hessian* f : sorted) {
+    if (f->at.size() != m.sites.size())
+      return error{fmt::format("field {}: {} tensors for {} vertices", f->name, f->at.size(),
+                               m.sites.size())};
+    for (std::size_t v = 0; v < f->at.size(); ++v)
+      if (!are_below(f->at[v], most_second_derivative))
+        return error{
+            fmt::format("field {}: the second derivatives {} {} {} at vertex {} are "
+                        "beyond what can be computed with",
+                        f->name, format_number(f->at[v].m11), format_number(f->at[v].m12),
+                        format_number(f->at[v].m22), v + 1)};
+    found.names.push_back(f->name);
+    found.moduli.push_back(f->at);
+    found.recovered.push_back(f->at);
   }
   return found;
 }
@@ -352,6 +401,54 @@ optimum intersected_optima(const std::vector<tensors>& moduli, const std::vector
   return made;
 }
 
+// Intersects the metrics in which each field has the relative error. Where all values of a field
+// are alike, or all second derivatives zero, its metric is that of the greatest size.
+optimum intersected_relative(const field_derivatives& found, const metric_maker& maker,
+                             const solution_metric_options& options) {
+  optimum made;
+  for (std::size_t k = 0; k < found.moduli.size(); ++k) {
+    const tensors& h = found.moduli[k];
+    const bool is_flat = found.scales[k].empty() || std::all_of(h.begin(), h.end(), is_zero);
+    made.flat += is_flat ? 1 : 0;
+    tensors own =
+        relative_metric(h, found.scales[k], *options.error, maker.extent(), options.isotropic);
+    if (made.raw.empty()) {
+      made.raw = std::move(own);
+      continue;
+    }
+    for_each_node(made.raw.size(), [&](std::size_t v) {
+      made.raw[v] = simultaneous_intersection(made.raw[v], own[v]);
+    });
+  }
+  return made;
+}
+
+error no_second_derivatives() {
+  return {"the fields have no second derivatives: any mesh has an error of 0, and none is best",
+          error_code::bad_option};
+}
+
+// Enters what is known of the fields before their metric is made.
+void report_fields(const field_derivatives& found, const optimum& optima,
+                   solution_metric_report& report) {
+  const std::size_t all = found.moduli.size() * found.moduli.front().size();
+  report = {};
+  report.fields = found.names;
+  report.flat_fields = optima.flat;
+  report.share_noise = share(found.noise, all);
+  report.share_at_boundary = share(found.at_boundary, all);
+  report.share_floored = share(optima.floored, all);
+}
+
+result<solution_metric> relative_metric_of(const field_derivatives& found, metric_maker& maker,
+                                           const solution_metric_options& options) {
+  optimum made = intersected_relative(found, maker, options);
+  if (made.flat == found.moduli.size()) return no_second_derivatives();
+  report_fields(found, made, maker.report());
+  maker.set_raw(std::move(made.raw));
+  return maker.run();
+}
+
 // Makes the metric of the fields, its greatest size such that all places that have it take as much
 // of the complexity as is usual. Where least sizes and the like take complexity away, the factor is
 // greater than the complexity that comes out, and so would be that part: then the floor is lowered.
@@ -359,22 +456,11 @@ result<solution_metric> metric_of(const field_derivatives& found, metric_maker& 
                                   const solution_metric_options& options) {
   constexpr int most_rounds = 5;
   constexpr double tolerable_times = 1.5;
-  const std::size_t all = found.moduli.size() * found.moduli.front().size();
   double share_at_floor = usual_floor_share;
   for (int round = 1;; ++round) {
     auto optima = intersected_optima(found.moduli, maker.areas(), options, share_at_floor);
-    if (options.error && optima.flat == found.moduli.size())
-      return error{
-          "the fields have no second derivatives: any mesh has an error of 0, and none is "
-          "best",
-          error_code::bad_option};
-    solution_metric_report& report = maker.report();
-    report = {};
-    report.fields = found.names;
-    report.flat_fields = optima.flat;
-    report.share_noise = share(found.noise, all);
-    report.share_at_boundary = share(found.at_boundary, all);
-    report.share_floored = share(optima.floored, all);
+    if (options.error && optima.flat == found.moduli.size()) return no_second_derivatives();
+    report_fields(found, optima, maker.report());
     maker.set_raw(std::move(optima.raw));
     auto made = maker.run();
     if (!made || !made.value().report.reached || round == most_rounds) return made;
@@ -398,10 +484,31 @@ result<solution_metric> make_solution_metric(const mesh& m, const std::vector<no
   if (auto failed = check(options)) return *failed;
   if (auto failed = check_mesh(m)) return *failed;
   if (fields.empty()) return error{"there is no field to make a metric of"};
-  metric_maker maker(m, options, intersected);
-  const auto found = derivatives_of(m, maker.links(), fields, options.hessian);
+  solution_metric_options wishes = options;
+  if (wishes.relative) wishes.norm.reset();
+  metric_maker maker(m, wishes, intersected);
+  const auto found = derivatives_of(m, maker.links(), fields, wishes);
   if (!found) return found.failure();
-  maker.set_recovered(found.value().recovered);
+  maker.set_recovered(found.value().recovered, false);
+  return wishes.relative ? relative_metric_of(found.value(), maker, wishes)
+                         : metric_of(found.value(), maker, wishes);
+}
+
+result<solution_metric> make_hessian_metric(const mesh& m, const std::vector<nodal_hessian>& fields,
+                                            const solution_metric_options& options,
+                                            const std::vector<tensors>& intersected) {
+  if (auto failed = check(options)) return *failed;
+  if (auto failed = check_mesh(m)) return *failed;
+  if (options.relative)
+    return error{
+        "a relative error is of values, and second derivatives are given: divide them by "
+        "what the error is to be a part of",
+        error_code::bad_option};
+  if (fields.empty()) return error{"there is no field to make a metric of"};
+  metric_maker maker(m, options, intersected);
+  const auto found = derivatives_given(m, fields);
+  if (!found) return found.failure();
+  maker.set_recovered(found.value().recovered, true);
   return metric_of(found.value(), maker, options);
 }
 

@@ -13,6 +13,8 @@
 //   7. sizes are clipped to hmin and hmax, and the weaker eigenvalue is raised to keep the aspect;
 //   8. gradation.
 // The factor of step 4 is found such that the outcome of steps 4 to 8 has the complexity wanted.
+// With a relative error step 2 is M = 0.94 |H| / (E s) in place of that, as adaptmesh's err has it
+// (mesh/solution/relative_error.hpp), and the factor is 1.
 #pragma once
 
 #include <cstddef>
@@ -27,6 +29,12 @@
 #include "asterism/mesh/solution/solution_metric_options.hpp"
 
 namespace asterism {
+
+// Second derivatives of a field at the vertices of a mesh, of either sign, from elsewhere.
+struct nodal_hessian {
+  std::string name;
+  std::vector<metric_tensor> at;  // m11 = xx, m12 = xy, m22 = yy
+};
 
 // Numbers of what was done. Shares are parts of the vertices.
 struct solution_metric_report {
@@ -60,6 +68,12 @@ struct solution_metric {
 // Time and memory are linear; parallel, the same for any number of threads.
 ASTERISM_EXPORT result<solution_metric> make_solution_metric(
     const mesh& m, const std::vector<nodal_values>& fields, const solution_metric_options& options,
+    const std::vector<std::vector<metric_tensor>>& intersected = {});
+
+// Makes it of second derivatives that are given, in place of step 1: of a solution of higher order,
+// say, or weighted by an adjoint. Fails with options.relative, which is of values.
+ASTERISM_EXPORT result<solution_metric> make_hessian_metric(
+    const mesh& m, const std::vector<nodal_hessian>& fields, const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});
 
 // Puts bounds and gradation on a metric that is given, and scales it where a target is asked for;

@@ -29,6 +29,10 @@ struct solution_metric_options {
   bool gradation_keeps_shape = false;    // in metric space; else in mixed space
   bool isotropic = false;
   std::optional<double> step = {};  // greatest factor by which a length changes, above 1
+  // The error is a part of the field's greatest less its least value, or, with a cutoff C, of the
+  // modulus at each vertex and at least of C times the greatest. The norm has no part in it.
+  bool relative = false;
+  std::optional<double> cutoff = {};  // above 0, at most 1
 };
 
 }  // namespace asterism

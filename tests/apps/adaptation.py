@@ -53,6 +53,11 @@ class AdaptationTest(command.CommandTest):
         self.write("g.mesh", mesh_text(points, triangles))
         self.write("u.sol", solution_text([(front(x, y),) for x, y in points]))
 
+    def metric(self, *arguments, status=0):
+        done = self.run_command("metric", "g.mesh", *arguments, "-o", "m.mesh")
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done
+
     def refused(self, *arguments, sentence):
         before = self.files()
         done = self.run_command(*arguments)
@@ -62,11 +67,6 @@ class AdaptationTest(command.CommandTest):
 
 
 class MetricTest(AdaptationTest):
-    def metric(self, *arguments, status=0):
-        done = self.run_command("metric", "g.mesh", *arguments, "-o", "m.mesh")
-        self.assertEqual(done.returncode, status, done.stderr)
-        return done
-
     def test_target_is_met_and_said(self):
         done = self.metric("--solution", "u.sol", "--complexity", "900", "--gradation", "1.5",
                            "--hmax", "0.2")
@@ -174,6 +174,167 @@ class MetricTest(AdaptationTest):
                      ("--gradation", "1"), ("--norm", "x"), ("--vertices", "9", "--error", "1")):
             self.refused("metric", "g.mesh", "--solution", "u.sol", *wish, "-o", "n.mesh",
                          sentence=wish[0].removeprefix("--vertices"))
+
+
+def exact_hessian(x, y):
+    """Second derivatives of the front, and of a saddle."""
+    t = math.tanh(20 * (x * x + y * y - 0.5))
+    slope, bend = 20 * (1 - t * t), -800 * t * (1 - t * t)
+    return (bend * 4 * x * x + 2 * slope, bend * 4 * x * y, bend * 4 * y * y + 2 * slope)
+
+
+def data_text(rows, name):
+    """A file of gmsh with the grid's nodes and tensors at them."""
+    points, triangles = grid(20)
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(points))]
+    lines += [f"{k + 1} {x!r} {y!r} 0" for k, (x, y) in enumerate(points)]
+    lines += ["$EndNodes", "$Elements", str(len(triangles))]
+    lines += [f"{k + 1} 2 2 1 1 {a + 1} {b + 1} {c + 1}" for k, (a, b, c) in enumerate(triangles)]
+    lines += ["$EndElements", "$NodeData", "1", f'"{name}"', "1", "0", "3", "0", "9", str(len(points))]
+    lines += [f"{k + 1} {a!r} {b!r} 0 {b!r} {c!r} 0 0 0 0" for k, (a, b, c) in enumerate(rows)]
+    return "\n".join(lines + ["$EndNodeData", ""])
+
+
+def vtu_text(rows, name, width=9):
+    points, _ = grid(20)
+    tensors = "\n".join(f"{a!r} {b!r} 0 {b!r} {c!r} 0 0 0 0" for a, b, c in rows)
+    places = "\n".join(f"{x!r} {y!r} 0" for x, y in points)
+    return ('<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>'
+            f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="0"><PointData>'
+            f'<DataArray type="Float64" Name="{name}" NumberOfComponents="{width}" format="ascii">\n{tensors}\n'
+            '</DataArray></PointData><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">\n'
+            f'{places}\n</DataArray></Points><Cells></Cells></Piece></UnstructuredGrid></VTKFile>\n')
+
+
+class GivenHessianTest(AdaptationTest):
+    """Second derivatives that somebody else has."""
+
+    def setUp(self):
+        super().setUp()
+        self.rows = [exact_hessian(x, y) for x, y in self.points]
+        self.write("h.sol", solution_text(self.rows, (3,)))
+
+    def tensors(self, *arguments):
+        self.metric(*arguments)
+        return rows_after(self.folder / "m.sol", "SolAtVertices", 2)
+
+    def test_metric_is_the_optimum_of_the_tensors(self):
+        """Where no bound holds M is D det|H|^(-1/6) |H|: its shape is that of |H|."""
+        found = self.tensors("--given-hessian", "h.sol", "--vertices", "800", "--gradation", "none")
+        factors = []
+        for h, m in list(zip(self.rows, found))[::7]:
+            det, mean = h[0] * h[2] - h[1] * h[1], (h[0] + h[2]) / 2
+            radius = math.sqrt(max(mean * mean - det, 0))
+            low, high = sorted((abs(mean + radius), abs(mean - radius)))
+            if low * 1e3 < high or m[0] < 10:
+                continue
+            trace = (low + high) * (low * high) ** (-1 / 6)
+            factors.append((m[0] + m[2]) / trace)
+        self.assertGreater(len(factors), 10)
+        self.assertLess(max(factors) / min(factors), 1 + 1e-9)
+
+    def test_sign_of_a_tensor_has_no_part_in_it(self):
+        first = self.tensors("--given-hessian", "h.sol", "--vertices", "800")
+        self.write("h.sol", solution_text([tuple(-x for x in row) for row in self.rows], (3,)))
+        self.assertEqual(first, self.tensors("--given-hessian", "h.sol", "--vertices", "800"))
+
+    def test_files_of_all_forms_say_the_same(self):
+        wanted = self.tensors("--given-hessian", "h.sol", "--error", "1e-3", "--norm", "1")
+        self.write("h.msh", data_text(self.rows, "H"))
+        self.write("h.vtu", vtu_text(self.rows, "H"))
+        for file in ("h.msh", "h.vtu"):
+            words = ("--given-hessian", file, "--error", "1e-3", "--norm", "1")
+            self.assertEqual(wanted, self.tensors(*words))
+            self.assertEqual(wanted, self.tensors(*words, "--field", "H"))
+            self.refused("metric", "g.mesh", *words, "--field", "K", "-o", "n.mesh",
+                         sentence="there is no field 'K'; there are 'H'")
+
+    def test_several_fields_are_intersected(self):
+        saddle = [(0.0, 300.0, 0.0)] * len(self.points)
+        self.write("two.sol", solution_text([(*a, *b) for a, b in zip(self.rows, saddle)], (3, 3)))
+        done = self.metric("--given-hessian", "two.sol", "--vertices", "900", "--json")
+        said = json.loads(done.stdout)
+        self.assertEqual(said["fields"], ["1", "2"])
+        self.assertEqual(said["steps"][:3], ["hessian given", "optimum 2", "fields 2"])
+
+    def test_adapt_brings_the_solution_and_verify_makes_the_metric_again(self):
+        done = self.run_command("adapt", "g.mesh", "--given-hessian", "h.sol", "--solution", "u.sol", "--vertices",
+                                "500", "-o", "n.mesh", "--solution-out", "v.sol")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertLess(abs(int(re.search(r"(\d+) sites", done.stdout).group(1)) / 500 - 1), 0.1)
+        certificate = (self.folder / "n.certificate.json").read_text()
+        self.assertIn('"adapt-given-hessian": "h.sol"', certificate)
+        self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+        self.write("h.sol", solution_text([(2.0, 1.0, -1.0)] * len(self.points), (3,)))
+        self.assertNotEqual(self.run_command("verify", "n.mesh").returncode, 0)
+
+    def test_what_cannot_be_meant_is_refused(self):
+        job = ("metric", "g.mesh", "-o", "n.mesh")
+        self.refused(*job, "--given-hessian", "h.sol", "--hessian", "lsq", sentence="leave one of the two out")
+        self.refused(*job, "--given-hessian", "h.sol", "--error", "0.01", "--relative",
+                     sentence="divide the second derivatives")
+        self.refused(*job, "--given-hessian", "h.sol", "--implied", sentence="there are several")
+        self.refused(*job, "--given-hessian", "u.sol", sentence="there is no symmetric tensor")
+        self.refused(*job, "--given-hessian", "none.sol", sentence="none.sol")
+        self.write("far.sol", solution_text([(1e151, 0.0, 0.0)] + self.rows[1:], (3,)))
+        self.refused(*job, "--given-hessian", "far.sol", sentence="at vertex 1 are beyond")
+        self.write("nan.sol", (self.folder / "h.sol").read_text().replace(repr(self.rows[3][0]), "nan", 1))
+        self.refused(*job, "--given-hessian", "nan.sol", sentence="vertex")
+
+
+class RelativeErrorTest(AdaptationTest):
+    """The error as a part of values, as adaptmesh's err."""
+
+    def tensors(self, values, *arguments):
+        self.write("u.sol", solution_text([(u,) for u in values]))
+        self.metric("--solution", "u.sol", "--relative", "--gradation", "none", *arguments)
+        return rows_after(self.folder / "m.sol", "SolAtVertices", 2)
+
+    def test_metric_is_the_formula(self):
+        """u = 3 x^2 + y^2 + 2: the recovery has its second derivatives to rounding on a grid."""
+        values = [3 * x * x + y * y + 2 for x, y in self.points]
+        for cutoff in (None, 0.5):
+            words = () if cutoff is None else ("--cutoff", cutoff)
+            found = self.tensors(values, "--error", "0.01", "--hessian", "lsq", *words)
+            for u, m in list(zip(values, found))[::13]:
+                scale = 4.0 if cutoff is None else max(u, cutoff * 6)
+                for wanted, got in zip((6, 0, 2), m):
+                    self.assertAlmostEqual(got, 0.94 * wanted / (0.01 * scale), delta=1e-6 * 600)
+
+    def test_units_of_the_field_have_no_part_in_it(self):
+        values = [front(x, y) for x, y in self.points]
+        first = self.tensors(values, "--error", "0.02")
+        self.assertEqual(first, self.tensors([1024 * u for u in values], "--error", "0.02"))
+        pointwise = self.tensors(values, "--error", "0.02", "--cutoff", "0.25")
+        self.assertEqual(pointwise, self.tensors([u / 1024 for u in values], "--error", "0.02", "--cutoff", "0.25"))
+
+    def test_no_size_is_greater_than_the_mesh(self):
+        found = self.tensors([x for x, _ in self.points[:-1]] + [1.001], "--error", "10")
+        for m in found:
+            self.assertGreaterEqual(m[0] * (1 + 1e-12), 1)
+
+    def test_count_follows_the_error_and_verify_makes_it_again(self):
+        self.write("u.sol", solution_text([(math.exp(-40 * ((x - 0.4) ** 2 + (y - 0.5) ** 2)),)
+                                           for x, y in self.points]))
+        counts = []
+        for error in ("0.02", "0.005"):
+            done = self.run_command("adapt", "g.mesh", "--solution", "u.sol", "--error", error, "--relative", "-o",
+                                    "n.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            counts.append(int(re.search(r"(\d+) sites", done.stdout).group(1)))
+            self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+        self.assertIn('"adapt-relative": "yes"', (self.folder / "n.certificate.json").read_text())
+        self.assertIn("relative 0.005", (self.folder / "n.certificate.json").read_text())
+        self.assertLess(abs(counts[1] / counts[0] / 4 - 1), 0.25)
+
+    def test_what_cannot_be_meant_is_refused(self):
+        job = ("metric", "g.mesh", "--solution", "u.sol", "-o", "n.mesh")
+        self.refused(*job, "--relative", sentence="--relative is of an --error, and there is none")
+        self.refused(*job, "--error", "0.1", "--cutoff", "0.1", sentence="--cutoff is of --relative")
+        self.refused(*job, "--error", "0.1", "--relative", "--norm", "2", sentence="--norm has no part")
+        self.refused(*job, "--error", "0.1", "--relative", "--cutoff", "2", sentence="above 0, at most 1")
+        self.write("u.sol", solution_text([(7.0,)] * len(self.points)))
+        self.refused(*job, "--error", "0.1", "--relative", sentence="no second derivatives")
 
 
 class AdaptTest(AdaptationTest):
