@@ -43,11 +43,11 @@ inline constexpr std::array<std::string_view, 3> piece_option_names = {"metric-b
 inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-bound", "mesh",
                                                                          "repair", "size"};
 
-// A transfer adds names that begin with "transfer-", some for each component.
 // Words that are there only where somebody asked for what they are about.
 inline constexpr std::array<std::string_view, 4> rare_option_names = {
     "adapt-cutoff", "adapt-given-hessian", "adapt-relative", "split-across"};
 
+// A transfer adds names that begin with "transfer-", some for each component.
 inline constexpr std::array<std::string_view, 48> adapt_option_names = {
     "adapt-aspect",
     "adapt-complexity",

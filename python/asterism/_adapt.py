@@ -29,11 +29,12 @@ def _metrics(given: Sequence[npt.ArrayLike], count: int) -> List[Any]:
     return [tensor_rows("intersect", one, count) for one in given]
 
 
-def metric(mesh: Mesh, values: Fields, *, norm: Union[float, str] = 2, complexity: Optional[float] = None,
+def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, str] = 2, complexity: Optional[float] = None,
            vertices: Optional[float] = None, error: Optional[float] = None, gradation: Gradation = "default",
            hmin: Optional[float] = None, hmax: Optional[float] = None, aspect: Optional[float] = None,
            intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None, isotropic: bool = False,
-           gradation_keeps_shape: bool = False, hessian: str = "green") -> ReportedArray:
+           gradation_keeps_shape: bool = False, hessian: Union[str, Fields] = "green",
+           relative: bool = False, cutoff: Optional[float] = None) -> ReportedArray:
     """The metric (n, 3) at the mesh's points in which the next mesh interpolates `values` best.
 
     values: a number a point (n,) or a vector (n, 2); a dict of such fields by name, whose metrics are
@@ -45,15 +46,24 @@ def metric(mesh: Mesh, values: Fields, *, norm: Union[float, str] = 2, complexit
     gradation: neighbouring lengths grow by this factor at most over a length of one; None: by any. By
     default 6 for fields, with which loops do best, and None for a metric.
     intersect: metrics (n, 3) that are to hold besides. step: how many times a length may change from
-    what it is in the mesh. hessian: 'l2', 'green' or 'least_squares' (docs/manual/adaptation.md).
+    what it is in the mesh. hessian: 'l2', 'green' or 'least_squares' (docs/manual/adaptation.md); or the
+    second derivatives themselves, (n, 3) = xx xy yy or (n, 2, 2) of either sign, one or a dict of them,
+    of which the metric is made then, without values.
+    relative: the error is a part of the greatest less the least value of each field, or with a cutoff C
+    of the value at each point and at least of C times the greatest, as adaptmesh's err.
     A target that cannot be met is a NotReachedWarning; `report` of the result has the numbers.
     """
     made = _mesh_made(mesh)
-    fields, given = fields_and_tensors(values)
+    method, hessians = _hessians(hessian, len(mesh.points))
+    if (values is None) != bool(hessians):
+        raise InputError("values: a metric is made of values or of a hessian (n, 3), and "
+                         + ("both are" if hessians else "neither is") + " given")
+    fields, given = ([], None) if values is None else fields_and_tensors(values)
     words = {"norm": norm_of(norm), "complexity": complexity, "vertices": vertices, "error": error,
              "gradation": gradation_of(gradation, given is None), "hmin": hmin, "hmax": hmax, "aspect": aspect,
              "step": step, "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape,
-             "hessian": hessian, "intersect": _metrics(intersect, len(mesh.points))}
+             "hessian": method, "hessians": hessians, "relative": relative, "cutoff": cutoff,
+             "intersect": _metrics(intersect, len(mesh.points))}
     tensors, report = _asterism._metric(made, fields, given, words)
     if not report["reached"]:
         warnings.warn(report["reason"], NotReachedWarning, stacklevel=2)
@@ -114,7 +124,8 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
           norm: Union[float, str] = 2, gradation: Gradation = "default", hmin: Optional[float] = None,
           hmax: Optional[float] = None, aspect: Optional[float] = None,
           intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None, isotropic: bool = False,
-          gradation_keeps_shape: bool = False, hessian: str = "green",
+          gradation_keeps_shape: bool = False, hessian: Union[str, Fields] = "green",
+          relative: bool = False, cutoff: Optional[float] = None,
           domain: Optional[AnyDomain] = None, chord_tolerance: Optional[float] = None,
           corner_angle: Optional[float] = None, hausd: Optional[float] = None, keep: str = "auto",
           angle_bound: float = 20, metric_tolerance: Optional[float] = None,
@@ -128,7 +139,8 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
     carry: fields (n,), (n, 2) or (n, 3), or a dict of them, that come along and have no part in the
     metric. how: in which way all of them are brought, as asterism.transfer() has it.
     metric: a metric in place of values, in any form that tensors have; or implied=True: that of the
-    mesh's edges. norm to hessian: as asterism.metric() has them.
+    mesh's edges. norm to cutoff: as asterism.metric() has them; of a hessian (n, 3) the metric is made,
+    and values only come along.
     domain: what is meshed, in any form that asterism.mesh() takes, with chord_tolerance for its curves;
     None: what the mesh covers. Of that, vertices where the boundary turns by more than corner_angle (30)
     stay, and the new boundary is within hausd of the old one, both ways (None: where vertices go, a
@@ -138,14 +150,16 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
     A goal that is not reached is a NotReachedWarning, and `report` says why.
     """
     made = _mesh_made(mesh)
-    wanted, given = _wanted(mesh, values, metric, implied)
+    method, hessians = _hessians(hessian, len(mesh.points))
+    wanted, given = _wanted(mesh, values, metric, implied, bool(hessians))
     carried = [] if carry is None else named_fields(carry, "carried")
     _check_names(wanted, carried)
     words = {
         "vertices": vertices, "complexity": complexity, "error": error, "how": how, "implied": implied,
         "norm": norm_of(norm), "gradation": gradation_of(gradation, given is None and not implied), "hmin": hmin,
         "hmax": hmax, "aspect": aspect, "intersect": _metrics(intersect, len(mesh.points)), "step": step,
-        "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape, "hessian": hessian,
+        "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape, "hessian": method,
+        "hessians": hessians, "relative": relative, "cutoff": cutoff,
         "chord_tolerance": chord_tolerance, "corner_angle": corner_angle, "hausd": hausd, "keep": keep,
         "angle_bound": angle_bound, "metric_tolerance": metric_tolerance, "max_sites": max_sites,
         "max_seconds": max_seconds, "threads": threads, "progress": progress}
@@ -161,8 +175,27 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
                    reported(tensors, report["metric"]), report)
 
 
-def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[npt.ArrayLike], implied: bool) -> Any:
-    """The fields that the metric is made of, or the metric that is given."""
+def _hessians(hessian: Union[str, Fields], count: int) -> Any:
+    """How second derivatives are recovered, and those that are given by name."""
+    if isinstance(hessian, str):
+        return hessian, []
+    given = [(name, tensor_rows(name, of, count)) for name, of in named_fields(hessian, "hessian")]
+    for name, rows in given:
+        if rows.shape != (count, 3):
+            raise InputError(f"{name}: second derivatives (n, 3) = xx xy yy or (n, 2, 2) are wanted, a row a point")
+    if not given:
+        raise InputError("hessian: there is none in it")
+    return "green", given
+
+
+def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[npt.ArrayLike], implied: bool,
+            has_hessians: bool) -> Any:
+    """The fields that the metric is made of or that come along, or the metric that is given."""
+    if has_hessians:
+        if metric is not None or implied:
+            raise InputError("hessian: the metric is made of it, and another one is wanted besides")
+        values = values if values is not None else mesh.values
+        return (fields_and_tensors(values)[0] if values else []), None
     if values is None and metric is None and not implied and mesh.values:
         values = mesh.values
     if (values is not None) + (metric is not None) + bool(implied) != 1:

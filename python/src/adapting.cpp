@@ -20,8 +20,9 @@ namespace {
 
 // Everything that was asked for.
 struct adapt_request {
-  solution fields;                   // the metric is made of
-  std::vector<metric_tensor> given;  // in place of fields
+  solution fields;                      // the metric is made of
+  std::vector<metric_tensor> given;     // in place of fields
+  std::vector<nodal_hessian> hessians;  // that the metric is made of, in place of fields
   bool implied = false;
   std::vector<std::vector<metric_tensor>> besides;
   solution carried;  // brought to the next mesh
@@ -76,6 +77,8 @@ mesh_adaptation_options options_of(const keywords& given, const py::object& exac
 }
 
 result<solution_metric> metric_of(const mesh& m, const adapt_request& asked) {
+  if (!asked.hessians.empty())
+    return make_hessian_metric(m, asked.hessians, asked.wishes, asked.besides);
   if (asked.given.empty() && !asked.implied) {
     const auto fields = select_values(asked.fields, {});
     if (!fields) return fields.failure();
@@ -94,6 +97,7 @@ void describe(const adapt_request& asked, const mesh& background, adapt_answer& 
   request.mesh = in_memory;
   request.implied = asked.implied;
   (asked.given.empty() ? request.solution : request.metric) = asked.implied ? "" : in_memory;
+  if (!asked.hessians.empty()) request.hessians = in_memory;
   for (std::size_t k = 0; k < asked.besides.size(); ++k) request.intersected.push_back(in_memory);
   request.wishes = asked.wishes;
   internal::describe_adaptation(made.next,
@@ -166,6 +170,7 @@ py::tuple adapt(const py_mesh& on, const named_fields& fields, const py::object&
   asked.carried = solution_of(carried, count);
   asked.implied = words.flag("implied");
   if (!given.is_none()) asked.given = tensors_of(given, count, "metric");
+  asked.hessians = hessians_of(words.object("hessians"), count);
   asked.besides = all_tensors_of(words.object("intersect"), count, "intersect");
   asked.how = way_of(words.word("how"));
   asked.wishes = wishes_of(words);

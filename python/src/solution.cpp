@@ -24,12 +24,16 @@ py::tuple metric_for(const py_mesh& on, const named_fields& fields, const py::ob
   const auto besides = all_tensors_of(words.object("intersect"), m.sites.size(), "intersect");
   std::vector<metric_tensor> shaped;
   if (!given.is_none()) shaped = tensors_of(given, m.sites.size(), "values");
+  const auto hessians = hessians_of(words.object("hessians"), m.sites.size());
   std::optional<result<solution_metric>> made;
   {
     const py::gil_scoped_release unlocked;
-    made = given.is_none() ? make_solution_metric(m, value_or_raise(select_values(values, {})),
-                                                  options, besides)
-                           : shape_metric(m, shaped, options, besides);
+    if (!hessians.empty())
+      made = make_hessian_metric(m, hessians, options, besides);
+    else if (given.is_none())
+      made = make_solution_metric(m, value_or_raise(select_values(values, {})), options, besides);
+    else
+      made = shape_metric(m, shaped, options, besides);
   }
   const solution_metric answer = value_or_raise(std::move(*made));
   return py::make_tuple(array_of(answer.tensors), dict_of(answer.report));

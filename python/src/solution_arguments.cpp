@@ -50,6 +50,19 @@ std::vector<std::vector<metric_tensor>> all_tensors_of(const py::object& from, s
   return all;
 }
 
+std::vector<nodal_hessian> hessians_of(const py::object& from, std::size_t count) {
+  std::vector<nodal_hessian> all;
+  for (const auto& [name, rows] : from.cast<named_fields>()) {
+    all.push_back({name, tensors_of(rows, count, name.c_str())});
+    for (std::size_t v = 0; v < count; ++v) {
+      const metric_tensor& h = all.back().at[v];
+      if (!std::isfinite(h.m11) || !std::isfinite(h.m12) || !std::isfinite(h.m22))
+        throw input_error(name + ": row " + std::to_string(v) + " is not finite");
+    }
+  }
+  return all;
+}
+
 solution solution_of(const named_fields& given, std::size_t count) {
   solution s;
   s.vertices = count;
@@ -92,6 +105,13 @@ solution_metric_options wishes_of(const keywords& given) {
   options.vertices = given.positive("vertices");
   options.complexity = given.positive("complexity");
   options.error = given.positive("error");
+  options.relative = given.flag("relative");
+  options.cutoff = given.positive("cutoff");
+  if (options.relative && !options.error)
+    throw input_error("relative: it is of an error, and none is wanted");
+  if (options.cutoff && !options.relative) throw input_error("cutoff: it is of relative=True");
+  if (options.cutoff && *options.cutoff > 1)
+    throw input_error("cutoff: above 0 and at most 1 is wanted");
   options.least_size = given.from_zero("hmin").value_or(options.least_size);
   options.greatest_size = given.real("hmax").value_or(options.greatest_size);
   options.aspect = given.real("aspect").value_or(options.aspect);

@@ -27,6 +27,9 @@ std::vector<metric_tensor> tensors_of(const py::object& from, std::size_t count,
 std::vector<std::vector<metric_tensor>> all_tensors_of(const py::object& from, std::size_t count,
                                                        const char* name);
 
+// Returns second derivatives by name; all numbers are finite.
+std::vector<nodal_hessian> hessians_of(const py::object& from, std::size_t count);
+
 // All numbers are finite; raises for others.
 solution solution_of(const named_fields& given, std::size_t count);
 // Returns a list of arrays, (n, c) with c components.

@@ -120,3 +120,41 @@ def test_transfer_of_vectors_and_by_name(background):
         asterism.transfer(background, x, finer, "guess")
     with pytest.raises(asterism.InputError, match="rows of one, two or three"):
         asterism.transfer(background, x[1:], finer)
+
+
+def second_derivatives(points):
+    """Of the ridge: 8 (r^2 - 1/2) is s, and the second derivatives of tanh s are by the chain rule."""
+    x, y = points.T
+    t = np.tanh(8 * (x * x + y * y - 0.5))
+    slope, bend = 8 * (1 - t * t), -2 * 64 * t * (1 - t * t)
+    return np.stack([4 * x * x * bend + 2 * slope, 4 * x * y * bend, 4 * y * y * bend + 2 * slope], axis=1)
+
+
+def test_second_derivatives_take_the_place_of_values(background):
+    given = second_derivatives(background.points)
+    wanted = asterism.metric(background, hessian=given, vertices=500)
+    assert wanted.report["reached"] and wanted.report["steps"][0] == "hessian given"
+    matrices = given[:, [0, 1, 1, 2]].reshape(-1, 2, 2)
+    assert np.array_equal(wanted, asterism.metric(background, hessian={"w": -matrices}, vertices=500))
+    u = ridge(background.points)
+    made = asterism.adapt(background, u, hessian=given, vertices=400, gradation=None)
+    assert abs(len(made.mesh.points) / 400 - 1) < 0.1 and made.values.shape == (len(made.mesh.points),)
+    assert made.mesh.certified
+    with pytest.raises(asterism.InputError, match="neither is given"):
+        asterism.metric(background)
+    with pytest.raises(asterism.InputError, match="both are given"):
+        asterism.metric(background, u, hessian=given)
+    with pytest.raises(asterism.InputError, match="not finite"):
+        asterism.metric(background, hessian=np.where(given > given.max() / 2, np.nan, given))
+
+
+def test_errors_relative_to_the_values(background):
+    u = ridge(background.points)
+    first = asterism.metric(background, u, error=0.02, relative=True, gradation=None)
+    assert np.array_equal(first, asterism.metric(background, 1024 * u, error=0.02, relative=True, gradation=None))
+    assert first.report["steps"][2] == "relative 0.02"
+    pointwise = asterism.metric(background, u, error=0.02, relative=True, cutoff=0.1)
+    assert pointwise.report["complexity_delivered"] > first.report["complexity_delivered"]
+    for words in ({"relative": True}, {"error": 0.1, "cutoff": 0.1}, {"error": 0.1, "relative": True, "cutoff": 2}):
+        with pytest.raises(asterism.InputError):
+            asterism.metric(background, u, **words)

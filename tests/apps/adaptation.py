@@ -226,7 +226,8 @@ class GivenHessianTest(AdaptationTest):
             det, mean = h[0] * h[2] - h[1] * h[1], (h[0] + h[2]) / 2
             radius = math.sqrt(max(mean * mean - det, 0))
             low, high = sorted((abs(mean + radius), abs(mean - radius)))
-            if low * 1e3 < high or m[0] < 10:
+            weak = ((m[0] + m[2]) - math.hypot(m[0] - m[2], 2 * m[1])) / 2
+            if weak < 10:  # sizes are bounded there
                 continue
             trace = (low + high) * (low * high) ** (-1 / 6)
             factors.append((m[0] + m[2]) / trace)

@@ -52,6 +52,22 @@ cout << "GOT " << Th.nv << " " << Tb.nv << endl;
 """
 
 
+HESSIANS = """
+mesh Th = square(16, 16);
+fespace Wh(Th, P2);
+fespace Vh(Th, P1);
+Wh u = tanh(15 * (x - y^2));
+Wh ux = dx(u), uy = dy(u);
+Vh h11 = dx(ux), h12 = (dy(ux) + dx(uy)) / 2, h22 = dy(uy);
+asterismadapt(Th, [h11, h12, h22], IsHessian = 1; vertices = 600)
+cout << "GOT " << Th.nv << endl;
+Vh a = 1, b = 3, c = -2;
+Vh d = y * y;
+asterismadapt(Th, [a, b, c, d, a, a], IsHessian = 1; vertices = 300)
+cout << "GOT " << Th.nv << endl;
+"""
+
+
 def run(body):
     with tempfile.TemporaryDirectory(prefix="asterism-idp-") as folder:
         with open(os.path.join(folder, "script.edp"), "w", encoding="ascii") as file:
@@ -91,7 +107,18 @@ class IncludeTest(unittest.TestCase):
         status, numbers, text, _ = run(LOOP)
         self.assertEqual(status, 0, text)
         ours, theirs = numbers[0]
-        self.assertLess(abs(ours / theirs - 1), 0.25, text)
+        self.assertLess(abs(ours / theirs - 1), 0.1, text)
+
+    def test_second_derivatives_of_a_script(self):
+        status, numbers, text, _ = run(HESSIANS)
+        self.assertEqual(status, 0, text)
+        self.assertLess(abs(numbers[0][0] / 600 - 1), 0.1)
+        self.assertLess(abs(numbers[1][0] / 300 - 1), 0.1)
+        status, numbers, text, _ = call("[x, y, x]", "IsHessian = 1; IsMetric = 1")
+        self.assertEqual((status, numbers), (2, []), text)
+        status, numbers, text, _ = call("[x, y]", "IsHessian = 1")
+        self.assertEqual((status, numbers), (2, []), text)
+        self.assertIn("not 2 fields", text)
 
     def test_failure_stops_the_script_with_the_message_of_the_command(self):
         status, numbers, text, _ = call("x * x", "hmin = 1; hmax = 0.1")
