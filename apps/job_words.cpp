@@ -35,7 +35,7 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
                                               const mesh_outcome& outcome) {
   const mesh_options& asked = job.refinement;
   const std::array<const char*, 3> strategies = {"voronoi", "darts", "fill"};
-  return {
+  std::map<std::string, std::string> words = {
       {"domain", job.domain},
       {"angle-bound", number_text(asked.angle_bound)},
       {"vertices", asked.vertices ? std::to_string(*asked.vertices) : "none"},
@@ -64,6 +64,8 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
        input.background_fingerprint ? std::to_string(*input.background_fingerprint) : "none"},
       {"metric-tolerance", asked.metric_tolerance ? number_text(*asked.metric_tolerance) : "none"},
       {"seed", std::to_string(asked.seed)}};
+  if (job.guarantee) words.emplace("guarantee", "asked");
+  return words;
 }
 
 std::string file_note_of(const certificate& claim) {

@@ -128,6 +128,19 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
       ->type_name("T");
 }
 
+// Adds the option that chooses the size itself; whatever else chooses how a mesh is made excludes
+// it.
+void add_guarantee_option(CLI::App& app, mesh_job& job) {
+  auto* const guarantee =
+      app.add_flag("--guarantee", job.guarantee,
+                   "Make edges shorter, until the theorem on nets applies to the mesh: angles, "
+                   "agreement and dual are proved then; refused where a corner is too sharp for "
+                   "it, or the metric jumps");
+  for (const char* other : {"--vertices", "--complexity", "--refine", "--metric-tolerance", "--tol",
+                            "--improve", "--pieces"})
+    guarantee->excludes(other);
+}
+
 // Adds the limits on a run, and what its course depends on besides.
 void add_run_options(CLI::App& app, mesh_job& job) {
   mesh_options& options = job.refinement;
@@ -228,10 +241,12 @@ void add_mesh_command(CLI::App& program, command& chosen, piece_team* team) {
   add_refinement_options(*app, *job);
   add_run_options(*app, *job);
   add_piece_options(*app, *job);
+  add_guarantee_option(*app, *job);
   add_output_options(*app, *job);
   app->footer(mesh_examples);
   app->callback([app, job, sizes_asked, team, &chosen] {
     take_sizes(*job, *sizes_asked);
+    if (job->guarantee && !job->size && job->sizes.is_empty() && !job->sizes_of_file) job->size = 1;
     job->refinement.limit_size = job->size || job->complexity || job->refinement.vertices ||
                                  !job->sizes.is_empty() || job->sizes_of_file;
     job->keeps_site_limit = app->count("--max-sites") > 0;

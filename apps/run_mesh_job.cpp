@@ -35,6 +35,7 @@
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 
 namespace asterism::apps {
@@ -150,8 +151,10 @@ void tell(const mesh_job& job, const prepared_input& input, const certified_mesh
   if (!job.tells()) return;
   const mesh_outcome& outcome = made.outcome;
   std::optional<double> unit_edges;
-  if (job.size) unit_edges = made.claim.measured.at("unit_edges");
+  if (job.size && !job.guarantee) unit_edges = made.claim.measured.at("unit_edges");
   write_summary(std::cout, made, unit_edges);
+  if (made.claim.guarantee)
+    std::cout << "guarantee: " << text_of(*made.claim.guarantee, *made.claim.theorem) << '\n';
   if (outcome.delivered) std::cout << "delivered: " << text_of(*outcome.delivered) << '\n';
   if (outcome.one_metric && made.certified())
     std::cout << "last resort: " << made.claim.reason << '\n';
@@ -190,13 +193,13 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_in
   // all sizes come and go before it is at its largest (3 % of all at a million triangles).
   const std::size_t many = options.limit_size ? 100'000 : 300'000;
   bool keeps_blocks = !job.max_megabytes;
-  return make_certified_mesh(input.shape, *input.field, options,
-                             [&](const mesh_progress& progress) {
-                               if (progress.sites > many && std::exchange(keeps_blocks, false))
-                                 give_back_large_blocks();
-                               limits.expect(progress.sites);
-                               line.show(progress);
-                             });
+  const auto show = [&](const mesh_progress& progress) {
+    if (progress.sites > many && std::exchange(keeps_blocks, false)) give_back_large_blocks();
+    limits.expect(progress.sites);
+    line.show(progress);
+  };
+  return job.guarantee ? make_guaranteed_mesh(input.shape, *input.field, options, show)
+                       : make_certified_mesh(input.shape, *input.field, options, show);
 }
 
 // Raises the default limit where the domain has many vertices: an angle bound alone takes two to

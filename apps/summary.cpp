@@ -69,6 +69,16 @@ std::string text_of(const improvement_report& done, std::size_t sites) {
          (done.stopped ? "; stopped" : "");
 }
 
+std::string text_of(const guarantee_claim& kept, const theorem_hypotheses& measured) {
+  std::string text = fmt::format(
+      "edges {:.4g} times shorter than asked for; the theorem on nets applies: angles of {} "
+      "degrees are proved at eps {:.4g} and sigma {:.4g}",
+      kept.size_factor, measured.proved_angle, kept.eps, kept.sigma);
+  if (kept.times_least)
+    text += fmt::format(", and at most {:.3g} times the least sites inside", *kept.times_least);
+  return text;
+}
+
 std::string text_of(const delivered_report& done) {
   return fmt::format(
       "{:.1f} % of the sites have lengths changed by more than 10 %, median {:.1f} %, 90 % below "

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "asterism/mesh/audit/audit_report.hpp"
+#include "asterism/mesh/audit/guarantee_claim.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/outcome.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
@@ -27,6 +28,9 @@ std::string text_of(const domain_repairs& done);
 std::string text_of(const gradation_report& done);
 // Tells what the passes over the finished mesh did, in one line; `sites` are there now.
 std::string text_of(const improvement_report& done, std::size_t sites);
+
+// Tells what a guarantee says, in one line.
+std::string text_of(const guarantee_claim& kept, const theorem_hypotheses& measured);
 
 // Tells how far the metric of the mesh is from the one wanted, in one line.
 std::string text_of(const delivered_report& done);

@@ -19,6 +19,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/audit/audit_report.hpp"
+#include "asterism/mesh/audit/guarantee_claim.hpp"
 #include "asterism/mesh/audit/region_areas.hpp"
 #include "asterism/mesh/audit/theorem_report.hpp"
 #include "asterism/mesh/data/delivered_report.hpp"
@@ -70,6 +71,9 @@ struct certificate {
   // Measurements for the theorem on nets, which say whether it applies to the sites. Set for a
   // certified mesh with an angle bound alone.
   std::optional<theorem_hypotheses> theorem;
+  // Set if a guarantee was asked for and is kept: the theorem applies then. Left to whoever ran the
+  // mesher.
+  std::optional<guarantee_claim> guarantee;
 
   std::optional<domain> original;  // the domain that point 2 is repeated against
   // The boundary that the mesh took the place of, where its domain was made of a mesh; left to

@@ -44,8 +44,8 @@ inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-
                                                                          "repair", "size"};
 
 // Words that are there only where somebody asked for what they are about.
-inline constexpr std::array<std::string_view, 4> rare_option_names = {
-    "adapt-cutoff", "adapt-given-hessian", "adapt-relative", "split-across"};
+inline constexpr std::array<std::string_view, 5> rare_option_names = {
+    "adapt-cutoff", "adapt-given-hessian", "adapt-relative", "guarantee", "split-across"};
 
 // A transfer adds names that begin with "transfer-", some for each component.
 inline constexpr std::array<std::string_view, 48> adapt_option_names = {

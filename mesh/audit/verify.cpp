@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <string>
 #include <string_view>
@@ -30,6 +31,11 @@ std::string text_of(const std::vector<vertex_index>& numbers) {
 std::string text_of(const std::string& text) { return text; }
 std::string text_of(voronoi_verdict verdict) {
   return std::string(voronoi_verdict_names[static_cast<std::size_t>(verdict)]);
+}
+
+std::string option_of(const certificate& claim, const char* name) {
+  const auto place = claim.options.find(name);
+  return place == claim.options.end() ? std::string() : place->second;
 }
 
 // The claims that do not hold, a sentence each.
@@ -93,6 +99,29 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
   }
 }
 
+// What a guarantee says of the sites is what the hypotheses, measured again, say. Its factor is
+// held against the covering radius, which it makes as many times smaller, and against the size.
+void compare_guarantee(contradictions& all, const certificate& claim, const certificate& found) {
+  const bool is_asked = option_of(claim, "guarantee") == "asked";
+  if (!claim.metric.empty() && claim.guarantee.has_value() != (is_asked && claim.complete))
+    all.add(std::string("\"guarantee\" is ") + (claim.guarantee ? "there" : "missing") +
+            ", which does not go with \"asked.options.guarantee\"");
+  if (!claim.guarantee) return;
+  const guarantee_claim& said = *claim.guarantee;
+  if (!found.theorem || !found.theorem->applies)
+    return all.add("the certificate says that a guarantee is kept, and the theorem on nets " +
+                   (found.theorem ? "does not apply: " + found.theorem->reason
+                                  : std::string("was not measured again")));
+  const guarantee_claim kept = guarantee_of(*found.theorem, said.size_factor, said.field_variation);
+  all.compare("guarantee.sigma", said.sigma, kept.sigma);
+  all.compare("guarantee.eps", said.eps, kept.eps);
+  all.compare("guarantee.times_least", said.times_least.value_or(0), kept.times_least.value_or(0));
+  if (!(said.size_factor > 0 && kept.eps * said.size_factor <= guaranteed_covering))
+    all.add("\"guarantee.size_factor\" is " + text_of(said.size_factor) +
+            " in the certificate, and the covering radius is " + text_of(kept.eps) +
+            ": their product is not " + text_of(guaranteed_covering) + " at most");
+}
+
 // Compares the areas of regions. Those of the domain are compared where it is the claimed one;
 // those before an adaptation are for whoever has the mesh that was adapted.
 void compare_regions(contradictions& all, const certificate& claim, const certificate& found,
@@ -139,6 +168,7 @@ void compare_audit(contradictions& all, const certificate& claim, const certific
   all.compare("audit.certified", claim.certified, found.certified);
   all.compare("audit.stars_checked", claim.stars_checked, found.stars_checked);
   compare_theorems(all, claim.theorem, found.theorem);
+  compare_guarantee(all, claim, found);
   // Findings about the diagram count among the others: the lists are the same only where it was
   // asked for in both audits, or in neither.
   if (claim.voronoi != found.voronoi) return;
@@ -217,11 +247,6 @@ bool is_of_mesh(const std::string& metric) {
                      [&lower](std::string_view ending) { return lower.ends_with(ending); });
 }
 
-std::string option_of(const certificate& claim, const char* name) {
-  const auto place = claim.options.find(name);
-  return place == claim.options.end() ? std::string() : place->second;
-}
-
 // Compares with the rule for a metric that nobody limited.
 void compare_with_rule(contradictions& all, const delivered_report& delivered) {
   if (delivered.median > most_median_distance)
@@ -234,6 +259,16 @@ void compare_with_rule(contradictions& all, const delivered_report& delivered) {
             text_of(density_ratio(delivered)) + " times as dense or as thin as the one wanted");
 }
 
+// True if edges are as long as they were asked to be: as many times shorter, with a guarantee.
+bool is_size_delivered(const certificate& claim) {
+  if (claim.options.count("size-delivered") == 0) return true;
+  const std::string asked = option_of(claim, "size"), done = option_of(claim, "size-delivered");
+  if (!claim.guarantee) return asked == done;
+  const auto size = number_of(asked), delivered = number_of(done);
+  return size && delivered &&
+         std::abs(*delivered * claim.guarantee->size_factor - *size) <= 0x1p-40 * *size;
+}
+
 // Derives from the numbers of the certificate whether its mesh was completed, where it says so. A
 // metric farther from the one wanted than is tolerated is no reason to refuse a mesh, but the run
 // was not complete then; nor was it with longer edges. The numbers themselves are measured again.
@@ -244,8 +279,7 @@ void compare_completeness(contradictions& all, const certificate& claim) {
   if (!(tolerated >= 0))
     return all.add("\"asked.options.metric-tolerance\" is no number of at least 0");
   if (!claim.complete) return;
-  if (option_of(claim, "size") != option_of(claim, "size-delivered") &&
-      claim.options.count("size-delivered") != 0)
+  if (!is_size_delivered(claim))
     all.add(
         "the certificate says that its mesh was completed, and \"asked.options.size\" is not "
         "\"asked.options.size-delivered\"");

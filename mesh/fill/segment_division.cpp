@@ -52,6 +52,22 @@ double shift_along(const point& direction) {
          (std::abs(direction.x) + std::abs(direction.y));
 }
 
+// Returns the points at these distances along the segment, the last of which is its length.
+division at_lengths(const point& a, const point& b, const arc_length& measured,
+                    const std::vector<double>& lengths) {
+  division made;
+  for (std::size_t i = 0; i + 1 < lengths.size(); ++i) {
+    const point q = at_fraction(a, b, measured.parameter_at(lengths[i]));
+    if (q == b || (!made.points.empty() && q == made.points.back())) continue;
+    made.points.push_back(q);
+    made.lengths.push_back(lengths[i]);
+  }
+  // Not interpolated: that can miss the end by rounding, which would leave a subsegment as short.
+  made.points.push_back(b);
+  made.lengths.push_back(lengths.back());
+  return made;
+}
+
 // Divides a segment of which the first and the last subsegment are to be from_a and from_b long.
 // Keeps to both if at least half a subsegment is left between them, so that none comes out shorter
 // than that. Otherwise there are two or three: of about equal length if the ends want about the
@@ -88,43 +104,81 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
   } else {
     lengths.push_back(total);
   }
-  division made;
-  lengths.pop_back();
-  for (const double length : lengths) {
-    const point q = at_fraction(a, b, measured.parameter_at(length));
-    if (q == b || (!made.points.empty() && q == made.points.back())) continue;
-    made.points.push_back(q);
-    made.lengths.push_back(length);
+  return at_lengths(a, b, measured, lengths);
+}
+
+// Returns into how many parts of equal length a segment is divided so that their length is nearest
+// to `wanted`, as ratios go: n rather than n + 1 where the mean of the two lengths is below it.
+std::size_t parts_nearest_to(double total, double wanted) {
+  const double fewer = std::max(1.0, std::floor(total / wanted));
+  const bool one_more = total * total > fewer * (fewer + 1) * wanted * wanted;
+  return static_cast<std::size_t>(fewer) + (one_more ? 1 : 0);
+}
+
+division divide_evenly(const point& a, const point& b, const arc_length& measured, double wanted) {
+  const double total = measured.total(), shift = shift_along({b.x - a.x, b.y - a.y});
+  const std::size_t parts = parts_nearest_to(total, wanted);
+  std::vector<double> lengths{0};
+  for (std::size_t i = 1; i < parts; ++i)
+    lengths.push_back((static_cast<double>(i) + shift) * (total / static_cast<double>(parts)));
+  lengths.push_back(total);
+  return at_lengths(a, b, measured, lengths);
+}
+
+// The segments of a domain, and how many subsegments they want.
+struct measured_segments {
+  std::vector<arc_length> of_each;
+  double subsegments = 0;
+};
+
+result<measured_segments> measure_segments(const domain& d, const metric_field& field,
+                                           double longest) {
+  // Part of a subsegment's length below which lengths are not sampled further.
+  constexpr double finest_part = 1.0 / 16;
+  measured_segments measured;
+  for (const segment& s : d.segments) {
+    auto one = length_along(field, d.vertices[s.a], d.vertices[s.b], finest_part * longest);
+    if (!one) return one.failure();
+    measured.subsegments += one.value().total() / longest;
+    measured.of_each.push_back(std::move(one).value());
   }
-  // Not interpolated: that can miss the end by rounding, which would leave a subsegment as short.
-  made.points.push_back(b);
-  made.lengths.push_back(total);
-  return made;
+  if (std::isfinite(measured.subsegments)) return measured;
+  return error{"the lengths of the domain's segments in this metric leave the range of doubles",
+               error_code::invalid_metric};
 }
 
 }  // namespace
 
 result<segment_divisions> divide_segments(const domain& d, const metric_field& field,
                                           double longest, std::size_t most_points) {
-  // Part of a subsegment's length below which lengths are not sampled further.
-  constexpr double finest_part = 1.0 / 16;
-  std::vector<arc_length> measured;
+  const auto measured = measure_segments(d, field, longest);
+  if (!measured) return measured.failure();
   segment_divisions made;
-  for (const segment& s : d.segments) {
-    auto one = length_along(field, d.vertices[s.a], d.vertices[s.b], finest_part * longest);
-    if (!one) return one.failure();
-    made.subsegments += one.value().total() / longest;
-    measured.push_back(std::move(one).value());
-  }
-  if (!std::isfinite(made.subsegments))
-    return error{"the lengths of the domain's segments in this metric leave the range of doubles",
-                 error_code::invalid_metric};
+  made.subsegments = measured.value().subsegments;
   if (made.subsegments > static_cast<double>(most_points)) return made;
-  const std::vector<double> wanted = first_subsegments(d, measured, longest);
+  const std::vector<arc_length>& of_each = measured.value().of_each;
+  const std::vector<double> wanted = first_subsegments(d, of_each, longest);
   for (std::size_t s = 0; s < d.segments.size(); ++s) {
     const segment& one = d.segments[s];
-    made.of_each.push_back(divide(d.vertices[one.a], d.vertices[one.b], measured[s], wanted[one.a],
+    made.of_each.push_back(divide(d.vertices[one.a], d.vertices[one.b], of_each[s], wanted[one.a],
                                   wanted[one.b], longest));
+  }
+  return made;
+}
+
+result<segment_divisions> divide_segments_evenly(const domain& d, const metric_field& field,
+                                                 double shortest, double longest,
+                                                 std::size_t most_points) {
+  const auto measured = measure_segments(d, field, longest);
+  if (!measured) return measured.failure();
+  segment_divisions made;
+  made.subsegments = measured.value().subsegments;
+  if (made.subsegments > static_cast<double>(most_points)) return made;
+  for (std::size_t s = 0; s < d.segments.size(); ++s) {
+    const segment& one = d.segments[s];
+    made.of_each.push_back(divide_evenly(d.vertices[one.a], d.vertices[one.b],
+                                         measured.value().of_each[s],
+                                         std::sqrt(shortest * longest)));
   }
   return made;
 }

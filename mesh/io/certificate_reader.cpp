@@ -220,6 +220,16 @@ std::optional<theorem_hypotheses> theorem_of(const json& object) {
   return h;
 }
 
+guarantee_claim guarantee_of(const json& object) {
+  guarantee_claim g;
+  g.size_factor = read<double>(object, "size_factor");
+  g.field_variation = bound_of(object, "field_variation");
+  g.sigma = bound_of(object, "sigma");
+  g.eps = bound_of(object, "eps");
+  if (!member(object, "times_least").is_null()) g.times_least = read<double>(object, "times_least");
+  return g;
+}
+
 region_area region_of(const json& object) {
   region_area r;
   r.number = read<int>(object, "region");
@@ -294,6 +304,7 @@ certificate certificate_of(const json& root) {
   if (root.contains("measured")) c.measured = read<std::map<std::string, double>>(root, "measured");
   read_audit(member(root, "audit"), c);
   c.theorem = theorem_of(member(root, "theorem"));
+  if (root.contains("guarantee")) c.guarantee = guarantee_of(member(root, "guarantee"));
   if (!member(root, "domain").is_null()) c.original = domain_of(member(root, "domain"));
   if (root.contains("former_boundary"))
     c.former =

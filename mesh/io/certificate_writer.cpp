@@ -201,6 +201,14 @@ json theorem_json(const certificate& c) {
           {"variation", bound_json(h.variation)}};
 }
 
+json guarantee_json(const guarantee_claim& g) {
+  return {{"size_factor", g.size_factor},
+          {"field_variation", bound_json(g.field_variation)},
+          {"sigma", bound_json(g.sigma)},
+          {"eps", bound_json(g.eps)},
+          {"times_least", g.times_least ? json(*g.times_least) : json(nullptr)}};
+}
+
 json json_with(const certificate& c, bool lists_of_domain) {
   json options = json::object();
   for (const auto& [name, value] : c.options) options[name] = value;
@@ -223,6 +231,7 @@ json json_with(const certificate& c, bool lists_of_domain) {
       {"audit", audit_json(c)},
       {"theorem", theorem_json(c)},
       {"domain", c.original ? domain_json(*c.original, lists_of_domain) : json(nullptr)}};
+  if (c.guarantee) written["guarantee"] = guarantee_json(*c.guarantee);
   if (c.former) written["former_boundary"] = former_json(*c.former);
   return written;
 }

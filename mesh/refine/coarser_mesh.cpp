@@ -21,7 +21,8 @@ metric_tensor scaled(const metric_tensor& m, int exponent) {
 // Returns the length times 2^(halvings / 2), rounded once.
 double restored(double length, int halvings) {
   const bool is_odd = halvings % 2 != 0;
-  return std::scalbn(is_odd ? length * std::numbers::sqrt2 : length, halvings / 2);
+  return std::scalbn(is_odd ? length * std::numbers::sqrt2 : length,
+                     (halvings - (is_odd ? 1 : 0)) / 2);
 }
 
 double sites_on_segments(const mesh& m) {

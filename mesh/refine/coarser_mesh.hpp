@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes the edges of meshes longer than asked for, all by the same factor. The squared lengths of
-// the metric are divided by a power of two, which loses nothing, and multiplied again afterwards.
+// Makes the edges of meshes longer or shorter than asked for, all by the same factor. The squared
+// lengths of the metric are divided by a power of two, which loses nothing, and multiplied again
+// afterwards.
 #pragma once
 
 #include "asterism/core/result.hpp"
@@ -11,7 +12,8 @@
 
 namespace asterism::internal {
 
-// Divides the squared lengths of a field by 2^halvings. Each halving halves the number of sites.
+// Divides the squared lengths of a field by 2^halvings. Each halving halves the number of sites;
+// halvings below 0 double it.
 class coarser_field : public metric_field {
  public:
   // `field` must outlive it.

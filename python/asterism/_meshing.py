@@ -33,7 +33,7 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
          size_at: Places = (), size_box: Places = (), size_in: Optional[Sizes] = None,
          size_near: Optional[Sizes] = None, layers: Optional[Sizes] = None, hmin: Optional[float] = None,
          hmax: Optional[float] = None, aspect: Optional[float] = None,
-         repair: "bool | float" = False, max_seconds: Optional[float] = None,
+         repair: "bool | float" = False, guarantee: bool = False, max_seconds: Optional[float] = None,
          threads: Optional[int] = None, progress: Optional[Progress] = None) -> Mesh:
     """Makes a mesh whose angles are at least angle_bound degrees, each measured by the metric of all
     three vertices of its triangle, and audits it.
@@ -73,6 +73,9 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     the domain.
     repair: True, or the distance within which points are joined: a domain whose segments cross or leave
     gaps is mended, told in a UserWarning.
+    guarantee: edges are made shorter until the theorem on nets applies to the mesh, which then has its
+    angles by proof; InputError where a corner is too sharp for it, or the metric jumps. Goes with size or
+    sizes, not with vertices, complexity, improve and metric_tolerance.
     max_seconds: refinement ends after this time, and the mesh says so. threads: as many are used; the
     mesh is the same for any number. progress: called now and then with a dict of counts. Ctrl-C ends the
     run.
@@ -89,7 +92,7 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
         "chord_tolerance": chord_tolerance, "keep_if_complete": covered._is_meshed, "max_seconds": max_seconds,
         "sizes": words_of(size_at, size_box, size_in, size_near, layers,
                           {"hmin": hmin, "hmax": hmax, "aspect": aspect}),
-        "threads": threads, "progress": progress}))
+        "guarantee": guarantee, "threads": threads, "progress": progress}))
     if not made.complete:
         warnings.warn(made.reason, NotReachedWarning, stacklevel=2)
     return made

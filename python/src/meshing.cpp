@@ -13,6 +13,7 @@
 #include "asterism/mesh/metric/local_sizes.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/counted_mesh.hpp"
+#include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
 #include "asterism/mesh/pipeline/layer_rows.hpp"
 #include "bindings.hpp"
 #include "py_domain.hpp"
@@ -27,6 +28,7 @@ struct mesh_arguments {
   std::optional<double> size, gradation, complexity, chord_tolerance;
   mesh_options options;
   size_wishes sizes;
+  bool guarantee = false;
 };
 
 // Raises the default limit where more sites are asked for in numbers, with room for what boundaries
@@ -43,6 +45,9 @@ void check_ranges(const mesh_arguments& a) {
   const mesh_options& o = a.options;
   if (a.size.has_value() + o.vertices.has_value() + a.complexity.has_value() > 1)
     throw input_error("size, vertices, complexity: one of them at most is wanted");
+  if (a.guarantee && (o.vertices || a.complexity || o.improve_passes > 0 || o.metric_tolerance))
+    throw input_error(
+        "guarantee: vertices, complexity, improve and metric_tolerance do not go with it");
   if (o.vertices && *o.vertices > o.max_sites)
     throw input_error("vertices: from 3 to max_sites is wanted");
   if (!(o.angle_bound < 60))
@@ -65,6 +70,9 @@ mesh_arguments arguments_of(const keywords& given, std::size_t vertices_of_domai
   a.options.improve_passes = given.count("improve").value_or(0);
   a.options.keep_if_complete = given.flag("keep_if_complete");
   a.sizes = value_or_raise(size_wishes_of(given.has("sizes") ? given.word("sizes") : "none"));
+  a.guarantee = given.flag("guarantee");
+  if (a.guarantee && !a.size && !a.options.vertices && !a.complexity && a.sizes.is_empty())
+    a.size = 1;
   a.options.limit_size = a.size || a.options.vertices || a.complexity || !a.sizes.is_empty();
   check_ranges(a);
   return a;
@@ -124,6 +132,7 @@ py_mesh packaged(certified_mesh made, const python_metric& metric, const mesh_ar
       {"metric-tolerance",
        a.options.metric_tolerance ? text_of(*a.options.metric_tolerance) : "none"},
       {"seed", "1"}};
+  if (a.guarantee) made.claim.options.emplace("guarantee", "asked");
   py_mesh m;
   m.complete = made.outcome.complete;
   m.certified = made.certified();
@@ -180,6 +189,17 @@ void check_counts(const domain& d, const mesh_arguments& a) {
     throw input_error("vertices: the domain has " + std::to_string(d.vertices.size()) + " already");
 }
 
+// Makes a mesh to which the theorem on nets applies, in the metric scaled as asked.
+result<counted_mesh> make_guaranteed(const domain& d, const field_of_size& metric,
+                                     const scale_demand& scale, const mesh_arguments& a,
+                                     const progress_listener& progress) {
+  auto scaled = make_scaled_metric(d, metric, scale);
+  if (!scaled) return scaled.failure();
+  auto made = make_guaranteed_mesh(d, *scaled.value().field, a.options, progress);
+  if (!made) return made.failure();
+  return counted_mesh{std::move(made).value(), std::move(scaled).value()};
+}
+
 py_mesh run(const py_domain& held, const py::object& metric, const py::dict& more) {
   const domain& d = held.shape;
   const keywords given(more);
@@ -202,7 +222,9 @@ py_mesh run(const py_domain& held, const py::object& metric, const py::dict& mor
     const bool is_divided = !d.curves.empty() && (a.options.limit_size || a.chord_tolerance);
     auto shape = is_divided ? divided_for(d, metric_of_size, scale, a) : result<domain>(d);
     if (shape) shape = with_rows(std::move(shape).value(), metric_of_size, scale, a);
-    if (shape)
+    if (shape && a.guarantee)
+      made = make_guaranteed(shape.value(), metric_of_size, scale, a, watch.listener());
+    else if (shape)
       made = make_counted_mesh(shape.value(), metric_of_size, scale, a.options, watch.listener());
     else
       made = shape.failure();

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Samples how fast a metric field varies in a domain, and looks for places where it jumps.
+#pragma once
+
+#include <optional>
+
+#include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+
+namespace asterism::internal {
+
+// Two points next to each other, as doubles of the domain's size go, at which the metrics differ.
+struct field_jump {
+  point from, to;
+  double factor = 1;  // the distortion between them
+};
+
+// What the samples say. No more is known of the field than that: it may vary faster, and jump,
+// between them.
+struct field_samples {
+  // The greatest (1 - 1 / tau) / d of two points that were looked at, d the smaller of their
+  // distances: the field's sigma is at least that (docs/math/refinement.md, H1).
+  double variation = 0;
+  std::optional<field_jump> jump;  // the first that was found
+};
+
+// Samples the field on a grid of points inside the domain, and between neighbours of the grid that
+// differ by more than a little: there the half over which it changes more is followed. Fails where
+// the field does. `d` must have been accepted by check_domain.
+result<field_samples> sample_variation(const domain& d, const metric_field& field);
+
+}  // namespace asterism::internal

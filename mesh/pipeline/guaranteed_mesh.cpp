@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/core/number_text.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/audit/theorem_hypotheses.hpp"
+#include "asterism/mesh/audit/theorem_table.hpp"
+#include "asterism/mesh/fill/segment_division.hpp"
+#include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/pipeline/guarantee_hypotheses.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
+#include "asterism/mesh/pipeline/unit_image.hpp"
+#include "asterism/mesh/refine/coarser_mesh.hpp"
+#include "asterism/mesh/refine/mesh_domain.hpp"
+#include "asterism/mesh/stars/work_limit.hpp"
+
+namespace asterism {
+using namespace internal;
+namespace {
+
+// Least distance of a site that mends from all others, metric length: it leaves the covering radius
+// of 0.75 below 1.1 times the spacing, for which the table proves 26.75 degrees at small variation.
+constexpr double guaranteed_spacing = 0.69;
+// Bound on the ladder: 2^60 times shorter edges are more than doubles tell apart.
+constexpr int most_steps = 120;
+
+// Returns the greatest variation of the table for which the angle bound is proved of sites that are
+// as far apart as they cover.
+double greatest_variation(double angle_bound) {
+  double greatest = 0;
+  for (std::size_t i = 0; i < theorem::variations.size(); ++i)
+    if (theorem::proved_angles[i][0] >= angle_bound) greatest = theorem::variations[i];
+  return greatest;
+}
+
+// Returns the last step of the ladder, k = 2^(step / 2), that is not beyond what the variation
+// asks for. Sites see less of a field than its steepest place, so one step less may do.
+int first_step(double variation, double angle_bound) {
+  const double k = variation * largest_circumradius / greatest_variation(angle_bound);
+  if (!(k > 1)) return 0;
+  return std::min(most_steps, static_cast<int>(std::floor(2 * elementary::log2(k))));
+}
+
+double factor_of(int step) { return elementary::exp2(step / 2.0); }
+
+// Returns the points that divide the segments by metric length, ends left out; nothing where there
+// would be more than `most`.
+result<prescribed_divisions> even_divisions(const domain& d, const metric_field& field,
+                                            std::size_t most) {
+  const auto made =
+      divide_segments_evenly(d, field, largest_circumradius, longest_subsegment_of_fill, most);
+  if (!made) return made.failure();
+  prescribed_divisions divisions(d.segments.size());
+  for (std::size_t s = 0; s < made.value().of_each.size(); ++s) {
+    const std::vector<point>& all = made.value().of_each[s].points;
+    divisions[s].emplace(all.begin() + 1, all.end() - 1);
+  }
+  return divisions;
+}
+
+mesh_options options_of_step(const mesh_options& asked) {
+  mesh_options options = asked;
+  options.strategy = refinement_strategy::fill;
+  options.tolerance = guaranteed_spacing;
+  options.limit_size = true;
+  options.improve_passes = 0;
+  options.keep_if_complete = false;
+  options.metric_tolerance = 0;
+  options.stop = with_run_work(asked.stop);
+  return options;
+}
+
+// Makes a mesh with edges 2^(step / 2) times shorter, in the metric of `field`.
+result<mesh_outcome> mesh_of_step(const domain& d, const metric_field& field,
+                                  const mesh_options& asked, int step,
+                                  const progress_listener& progress) {
+  const mesh_options options = options_of_step(asked);
+  options.stop.expect(d.vertices.size());
+  const coarser_field finer(field, -step);
+  const unit_image image(d, finer, options);
+  const auto divisions = even_divisions(image.shape(), image.field(), options.max_sites);
+  if (!divisions) return divisions.failure();
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> stars_on(decided);
+  auto made = mesh_domain({stars_on, image.shape(), image.field(), options, progress, 1,
+                           star_confirmation::by_mesher, &divisions.value()});
+  if (!made) return made;
+  mesh_outcome& outcome = made.value();
+  image.outward(outcome);
+  restore_lengths(-step, outcome);
+  outcome.counters = decided;
+  assign_regions(outcome.result, d);
+  return made;
+}
+
+// A mesh of one step, and why the theorem does not apply to it; empty if it does.
+struct step_taken {
+  mesh_outcome outcome;
+  int step = 0;
+  std::string obstacle;
+};
+
+bool is_beyond_limit(const mesh_outcome& made) { return made.how() == ending::site_limit; }
+
+// Says of a mesh that the guarantee is not kept, why, and how far the run came.
+certified_mesh without_guarantee(certified_mesh judged, int step, const std::string& why) {
+  judged.outcome.complete = false;
+  judged.claim.complete = false;
+  judged.claim.reason = "no guarantee: with edges " + format_number(factor_of(step)) +
+                        " times shorter than asked for, and " +
+                        std::to_string(judged.outcome.sites) + " sites, " + why;
+  return judged;
+}
+
+// Climbs the ladder of sizes until the theorem applies.
+class size_ladder {
+ public:
+  size_ladder(const domain& d, const metric_field& field, const mesh_options& options,
+              const progress_listener& progress, double variation)
+      : domain_(d), field_(field), options_(options), progress_(progress), variation_(variation) {}
+
+  result<certified_mesh> run() {
+    for (int step = first_step(variation_, options_.angle_bound);; ++step) {
+      auto made = mesh_of_step(domain_, field_, options_, step, progress_);
+      if (!made) return made.failure();
+      step_taken now{std::move(made).value(), step, {}};
+      now.obstacle = obstacle_of(now.outcome, factor_of(step));
+      if (now.obstacle.empty()) {
+        certified_mesh judged = judge(now);
+        if (is_kept(judged)) return guaranteed(std::move(judged), step);
+        now.obstacle = "the audit refuses it";
+      }
+      if (is_beyond_limit(now.outcome) || now.outcome.stopped || step >= most_steps)
+        return ended(std::move(now));
+      if (now.outcome.complete || !last_) last_ = std::move(now);
+    }
+  }
+
+ private:
+  // Returns why the theorem does not apply, empty if it does.
+  std::string obstacle_of(const mesh_outcome& outcome, double factor) const {
+    if (!outcome.complete) return "the run ended: " + ending_text(outcome);
+    const theorem_hypotheses h =
+        measure_theorem_hypotheses(outcome.result, options_.angle_bound, options_.stop);
+    if (!h.applies) return "the theorem on nets does not apply: " + h.reason;
+    if (h.covering_radius * factor <= guaranteed_covering) return "";
+    return "the domain is covered within " + format_number(h.covering_radius) + " alone";
+  }
+
+  // Audits the mesh of a step, which says how long its edges are.
+  certified_mesh judge(const step_taken& taken) const {
+    mesh_outcome outcome = taken.outcome;
+    outcome.ended.length_factor = 1 / factor_of(taken.step);
+    if (progress_) progress_({.phase = mesh_phase::auditing, .sites = outcome.sites});
+    return judge_outcome(std::move(outcome), domain_, options_);
+  }
+
+  static bool is_kept(const certified_mesh& judged) {
+    return judged.certified() && judged.claim.theorem && judged.claim.theorem->applies;
+  }
+
+  certified_mesh guaranteed(certified_mesh judged, int step) const {
+    judged.claim.guarantee = guarantee_of(*judged.claim.theorem, factor_of(step), variation_);
+    return judged;
+  }
+
+  // Returns the last complete mesh there is, else the one that ended the ladder.
+  certified_mesh ended(step_taken now) {
+    if (!last_ || !last_->outcome.complete || now.outcome.complete)
+      return without_guarantee(judge(now), now.step, now.obstacle);
+    return without_guarantee(judge(*last_), last_->step,
+                             last_->obstacle + "; with edges " +
+                                 format_number(factor_of(now.step)) + " times shorter " +
+                                 now.obstacle);
+  }
+
+  const domain& domain_;
+  const metric_field& field_;
+  const mesh_options& options_;
+  const progress_listener& progress_;
+  const double variation_;
+  std::optional<step_taken> last_;  // the last complete one, if there is one
+};
+
+}  // namespace
+
+result<certified_mesh> make_guaranteed_mesh(const domain& d, const metric_field& field,
+                                            const mesh_options& options,
+                                            const progress_listener& progress) {
+  if (auto refused = check_options(d, options)) return *refused;
+  double variation = 0;
+  if (auto refused = refused_guarantee(d, field, options, variation)) return *refused;
+  return size_ladder(d, field, options, progress, variation).run();
+}
+
+}  // namespace asterism

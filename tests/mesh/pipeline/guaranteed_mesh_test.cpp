@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes meshes to which the theorem on nets applies, names beforehand what it cannot be made to
+// apply to, and says how far a run came that does not reach it.
+#include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "asterism/mesh/fill/segment_division.hpp"
+#include "asterism/mesh/mesher.hpp"
+
+using namespace asterism;
+
+namespace {
+
+domain polygon(std::vector<point> corners) {
+  domain d;
+  d.vertices = std::move(corners);
+  const auto n = static_cast<vertex_index>(d.vertices.size());
+  for (vertex_index k = 0; k < n; ++k) d.segments.push_back({k, (k + 1) % n, 1});
+  auto checked = check_domain(d);
+  REQUIRE(checked.ok());
+  return std::move(checked).value();
+}
+
+std::unique_ptr<metric_field> field(const std::string& spec, const domain& d, double size) {
+  auto made = make_metric_field(spec, d.box(), size);
+  REQUIRE(made.ok());
+  return std::move(made).value();
+}
+
+std::string refusal(const domain& d, const std::string& spec, double size,
+                    const mesh_options& options = {}) {
+  const auto made = make_guaranteed_mesh(d, *field(spec, d, size), options);
+  return made ? "" : made.failure().message;
+}
+
+}  // namespace
+
+TEST_CASE("a guaranteed mesh has the metric asked for, and the theorem applies to it") {
+  const domain d = polygon({{0, 0}, {2, 0}, {2.2, 1.5}, {0.5, 2}});
+  for (const std::string spec : {"identity", "sink:3", "layer:0.3,1", "swirl:3"}) {
+    CAPTURE(spec);
+    const auto asked = field(spec, d, 0.4);
+    const auto made = make_guaranteed_mesh(d, *asked, {});
+    REQUIRE(made.ok());
+    const certified_mesh& m = made.value();
+    INFO(m.claim.reason);
+    REQUIRE(m.claim.guarantee);
+    CHECK(m.certified());
+    CHECK(m.claim.theorem->applies);
+    CHECK(m.claim.theorem->proved_angle >= 20);
+    const guarantee_claim& kept = *m.claim.guarantee;
+    CHECK(kept.eps * kept.size_factor <= guaranteed_covering);
+    CHECK(kept.times_least.value_or(0) >= 4);
+    const double steps = 2 * std::log2(kept.size_factor);
+    CHECK(std::abs(steps - std::round(steps)) < 1e-12);
+    for (const site& s : m.outcome.result.sites)
+      CHECK(identical(s.metric, asked->at(s.position).value()));
+  }
+}
+
+TEST_CASE("a metric that varies too fast at the size asked for gets shorter edges") {
+  const domain d = square();
+  const auto asked = field("swirl:3", d, 0.4);
+  const auto plain = make_certified_mesh(d, *asked, {.limit_size = true});
+  REQUIRE(plain.ok());
+  CHECK_FALSE((plain.value().claim.theorem && plain.value().claim.theorem->applies));
+  // The corners of the square are 41 degrees sharp in this metric; those of a square in the middle
+  // are not.
+  const domain middle = polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
+  const auto made = make_guaranteed_mesh(middle, *field("swirl:2", d, 0.4), {});
+  REQUIRE(made.ok());
+  INFO(made.value().claim.reason);
+  REQUIRE(made.value().claim.guarantee);
+  CHECK(made.value().claim.guarantee->size_factor > 1);
+  CHECK(made.value().claim.guarantee->field_variation > 0.1);
+}
+
+TEST_CASE("what a guarantee cannot be given for is refused by name") {
+  const domain sharp = polygon({{0, 0}, {4, 0}, {4, 1}});
+  CHECK(refusal(sharp, "identity", 0.2).find("corner at vertex 1 (0, 0) has 14.0") !=
+        std::string::npos);
+  // A notch of 22.6 degrees, outside.
+  const domain notched = polygon({{0, 0}, {4, 0}, {4, 4}, {2.4, 4}, {2, 2}, {1.6, 4}, {0, 4}});
+  CHECK(refusal(notched, "identity", 0.4).find("outer corner at vertex 5 (2, 2) has 22.6") !=
+        std::string::npos);
+  CHECK(refusal(square(), "swirl:3", 0.4).find("has 41.4") != std::string::npos);
+  const std::string jump = refusal(square(), "expr:x<0.2?1:9;0;1", 0.2);
+  CHECK(jump.find("no jump is allowed") != std::string::npos);
+  CHECK(jump.find("factor of 3 ") != std::string::npos);
+  CHECK(refusal(square(), "identity", 0.2, {.angle_bound = 25}).find("at most 20 degrees") !=
+        std::string::npos);
+}
+
+TEST_CASE("a run that does not reach its guarantee says how far it came") {
+  const domain d = polygon({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+  const auto asked = field("sink:12", d, 0.4);
+  const auto made = make_guaranteed_mesh(d, *asked, {.max_sites = 300});
+  REQUIRE(made.ok());
+  CHECK_FALSE(made.value().certified());
+  CHECK_FALSE(made.value().claim.guarantee);
+  CHECK(made.value().claim.reason.find("no guarantee: with edges ") == 0);
+  CHECK(made.value().outcome.sites <= 300);
+}
+
+TEST_CASE("what a certificate says of a guarantee is proved again") {
+  const domain d = square();
+  const auto made = make_guaranteed_mesh(d, *field("sink:1", d, 0.4), {});
+  REQUIRE(made.ok());
+  REQUIRE(made.value().claim.guarantee);
+  const mesh& m = made.value().outcome.result;
+  const auto contradictions = [&](auto change) {
+    certificate claim = made.value().claim;
+    change(*claim.guarantee);
+    return verify(m, claim, {}).contradictions;
+  };
+  CHECK(contradictions([](guarantee_claim&) {}).empty());
+  CHECK_FALSE(contradictions([](guarantee_claim& g) { g.sigma *= 0.5; }).empty());
+  CHECK_FALSE(contradictions([](guarantee_claim& g) { g.eps *= 0.5; }).empty());
+  CHECK_FALSE(contradictions([](guarantee_claim& g) { g.size_factor *= 2; }).empty());
+  CHECK_FALSE(contradictions([](guarantee_claim& g) { g.times_least.reset(); }).empty());
+  const auto read = parse_certificate(certificate_text(made.value().claim), "again");
+  REQUIRE(read.ok());
+  REQUIRE(read.value().guarantee);
+  CHECK(read.value().guarantee->eps == made.value().claim.guarantee->eps);
+
+  // A mesh to which the theorem does not apply has no guarantee to claim.
+  const auto plain = make_certified_mesh(d, *field("swirl:3", d, 0.4), {.limit_size = true});
+  REQUIRE(plain.ok());
+  certificate claim = plain.value().claim;
+  claim.guarantee = guarantee_claim{};
+  CHECK_FALSE(verify(plain.value().outcome.result, claim, {}).verified);
+}
+
+TEST_CASE("segments are divided by metric length, all parts between 1 and 1.2 times the shortest") {
+  const domain d = polygon({{0, 0}, {7, 0.3}, {6, 9.1}, {-1.5, 4}});
+  const auto metric = field("expr:1+x*x/20;0;1", d, 1);
+  const auto divided = internal::divide_segments_evenly(d, *metric, 0.75, 0.9, 1000);
+  REQUIRE(divided.ok());
+  const double shift = 1.0 / 64 + 1e-3;  // and what the integral of a length is off by
+  for (const internal::division& one : divided.value().of_each) {
+    REQUIRE(one.points.size() >= 6);
+    for (std::size_t i = 0; i + 1 < one.lengths.size(); ++i) {
+      const double length = one.lengths[i + 1] - one.lengths[i];
+      CHECK(length >= 0.75 * (1 - shift));
+      CHECK(length <= 0.9 * (1 + shift));
+    }
+  }
+}
