@@ -175,6 +175,30 @@ void describe(const adapt_job& job, adapted& made) {
                   made.values ? &made.values->report : nullptr, job.how});
 }
 
+// Returns the fields of the solution alone, without those that are carried along.
+solution own_fields(const solution& all, std::size_t own) {
+  solution shown{all.vertices, all.fields};
+  if (shown.fields.size() > own) shown.fields.resize(own);
+  return shown;
+}
+
+// Puts the mesh before and the solution on both onto the page. Where no transfer was asked for, the
+// one shown is the interpolated.
+void show_solution(const adapt_job& job, const adapted& made, report_facts& facts) {
+  const solution& old = made.wanted.values;
+  const std::size_t own = made.wanted.own_fields;
+  facts.label = "Adapted";
+  facts.before = {{"Before", made.wanted.background, own_fields(old, own), {}}};
+  if (old.fields.empty()) return;
+  if (made.values) {
+    facts.fields = own_fields(made.values->values, own);
+    return;
+  }
+  auto shown = transfer_solution(made.wanted.background, own_fields(old, own),
+                                 made.next.made.outcome.result, job.how);
+  if (shown) facts.fields = std::move(shown).value().values;
+}
+
 report_facts facts_of_page(const adapt_job& job, const fs::path& certificate_path,
                            const adapted& made) {
   const certified_mesh& next = made.next.made;
@@ -187,6 +211,7 @@ report_facts facts_of_page(const adapt_job& job, const fs::path& certificate_pat
   if (next.outcome.delivered && adopted)
     facts.wanted =
         tensors_at_sites(*make_sampled_field(adopted.value().subject, 1), next.outcome.result);
+  show_solution(job, made, facts);
   return facts;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iomanip>
@@ -61,6 +63,7 @@ struct certify_options {
   bool prove_voronoi = false;
   std::optional<std::size_t> max_sites;
   std::optional<double> max_seconds;
+  std::size_t threads = 0;  // 0: as many as there are processors
   bool all_findings = false, all_edges = false;
   bool strict = false;          // what readers change is refused
   bool metric_assumed = false;  // as there is none
@@ -261,6 +264,10 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   report_facts facts;
   facts.title = options.mesh.string() + ", repaired";
   facts.claim_from = "As the run that made this page judged the mesh it had repaired.";
+  if (has_page(options.outputs)) {
+    facts.label = "Repaired";
+    facts.before = {{"As it came", adopted.subject, {}, before.not_in_all}};
+  }
   const bool reached = made.value().certified();
   const proof_output proof = find_proof(options.proof, outcome.result, nullptr, judged.certified);
   if (const auto failure = write_result(options, outcome.result, claim, facts, proof))
@@ -338,6 +345,9 @@ result<measured_mesh> read_measured(certify_options& options) {
 }
 
 int run_certify(certify_options options) {
+  std::optional<tbb::global_control> threads;
+  if (options.threads > 0)
+    threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
   const bool is_medit = has_ending(options.mesh.string(), ".mesh");
   if (const fs::path beside = solution_path(options.mesh);
       options.solution.empty() && is_medit && internal::holds_tensors(beside))
@@ -419,6 +429,10 @@ void add_certify_command(CLI::App& program, command& chosen) {
       *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
       "Ends after this time: NOT certified, unless it was done; a repair writes what there is")
       ->type_name("S");
+  add_count(
+      *app, "--threads", 1, 1024, [options](std::uint64_t n) { options->threads = n; },
+      "Threads that work; the answer does not depend on it (default: one a processor)")
+      ->type_name("N");
   add_judging_flags(*app, options->all_findings, options->all_edges);
   app->add_flag("--strict", options->strict, "Refuse a file that is read with a note");
   app->footer(certify_examples);

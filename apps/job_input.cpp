@@ -251,6 +251,7 @@ result<prepared_input> prepare(const mesh_job& job) {
   if (!prepared) return prepared;
   prepared.value().repairs = std::move(repairs);
   prepared.value().of_mesh = of_mesh;
+  if (job.repair) prepared.value().before_repair = std::move(loaded);
   return prepared;
 }
 

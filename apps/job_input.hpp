@@ -27,6 +27,7 @@ struct prepared_input {
   std::optional<std::uint64_t> background_fingerprint = {};  // of the mesh with the metric
   size_wishes sizes = {};  // of the job, and of the domain's file where they are asked for
   bool of_mesh = false;    // the domain is what a finished mesh covers
+  std::optional<domain> before_repair = {};  // as the file has it, where it was repaired
 };
 
 // Reads and checks the domain, adds the random points, and makes the metric. Notes on repairs go to

@@ -28,6 +28,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
+#include "asterism/mesh/draw/outline.hpp"
 #include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
@@ -85,13 +86,17 @@ void describe(certified_mesh& made, const mesh_job& job, const prepared_input& i
 }
 
 report_facts facts_of_page(const mesh_job& job, const fs::path& certificate_path,
-                           const metric_field& wanted, const certified_mesh& made) {
+                           const prepared_input& input, const certified_mesh& made) {
   report_facts facts;
   facts.title = job.domain + ", metric " + job.metric;
   facts.claim = made.claim;
   facts.claim_from = "As the run that made this page judged the mesh it had made.";
   facts.repeat = repeating_command(job.outputs, certificate_path);
-  if (made.outcome.delivered) facts.wanted = tensors_at_sites(wanted, made.outcome.result);
+  if (made.outcome.delivered) facts.wanted = tensors_at_sites(*input.field, made.outcome.result);
+  if (input.before_repair) {
+    facts.label = "Repaired and meshed";
+    facts.before = {{"As the file has it", outline_of(*input.before_repair), {}, {}}};
+  }
   return facts;
 }
 
@@ -103,8 +108,7 @@ std::optional<error> write_files(const mesh_job& job, const fs::path& certificat
                                  const proof_output& proof) {
   const certificate& claim = made.claim;
   write_options options;
-  if (has_page(job.outputs))
-    options.report = facts_of_page(job, certificate_path, *input.field, made);
+  if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, input, made);
   options.names = names_in(job.domain);
   options.smooth = smooth_vertices(input.shape);
   for (const repair_place& place : input.repairs.places) options.picture.marks.push_back(place.at);

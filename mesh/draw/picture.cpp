@@ -14,6 +14,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/draw/cairo_functions.hpp"
 #include "asterism/mesh/draw/canvas.hpp"
+#include "asterism/mesh/draw/picture_colours.hpp"
 #include "asterism/mesh/numerics/metric_angle.hpp"
 
 namespace asterism {
@@ -36,7 +37,7 @@ constexpr colour ellipse_fill{0.10, 0.55, 0.45, 0.13};
 // Maps the plane, y upwards, to the page, y downwards.
 struct page {
   bounding_box box;
-  double scale = 1, margin = 0;
+  double scale = 1, margin = 0, foot = 0;  // the foot has the legend
   int width = 0, height = 0;
 
   point at(const point& p) const {
@@ -46,7 +47,7 @@ struct page {
   double unit() const { return width / 1000.0; }
 };
 
-result<page> lay_out(const mesh& m, const picture_options& options) {
+result<page> lay_out(const mesh& m, const picture_options& options, const picture_legend& legend) {
   if (options.width < 16 || options.width > largest_extent)
     return error{"a picture is 16 to 20000 wide, not " + std::to_string(options.width),
                  error_code::bad_option};
@@ -61,7 +62,8 @@ result<page> lay_out(const mesh& m, const picture_options& options) {
   p.width = options.width;
   p.margin = 0.03 * options.width;
   p.scale = (options.width - 2 * p.margin) / (p.box.high.x - p.box.low.x);
-  const double height = (p.box.high.y - p.box.low.y) * p.scale + 2 * p.margin;
+  p.foot = legend_height(legend, options.width);
+  const double height = (p.box.high.y - p.box.low.y) * p.scale + 2 * p.margin + p.foot;
   if (!(p.scale > 0) || !std::isfinite(p.scale) || !std::isfinite(height))
     return error{"the mesh has no width to draw, or too large a one"};
   if (height > largest_extent) return error{"the picture would be more than 20000 high"};
@@ -75,11 +77,18 @@ void trace(canvas& on, const page& p, const mesh& m, const triangle& t) {
   on.close_path();
 }
 
-void fill_triangles(canvas& on, const page& p, const mesh& m, double angle_bound) {
+void fill_triangles(canvas& on, const page& p, const mesh& m, double angle_bound,
+                    const std::vector<colour>& colours) {
   on.use(low_angle_fill);
-  for (const triangle& t : m.triangles)
-    if (smallest_angle(m, t) < angle_bound) trace(on, p, m, t);
+  if (colours.empty())
+    for (const triangle& t : m.triangles)
+      if (smallest_angle(m, t) < angle_bound) trace(on, p, m, t);
   on.fill();
+  for (std::size_t t = 0; t < colours.size(); ++t) {
+    trace(on, p, m, m.triangles[t]);
+    on.use(colours[t]);
+    on.fill();
+  }
   on.use(disagreeing_fill);
   // One by one: they may overlap, and shades add up.
   for (const triangle& t : m.disagreeing) {
@@ -103,14 +112,19 @@ void stroke_edges(canvas& on, const page& p, const mesh& m) {
   on.stroke();
 }
 
-void stroke_boundary(canvas& on, const page& p, const mesh& m) {
+void stroke_boundary(canvas& on, const page& p, const mesh& m, const std::vector<colour>& colours) {
   on.use(bold_ink);
+  const double wider = colours.empty() ? 1 : 1.8;
   for (const bool internal : {false, true}) {
-    on.set_line_width((internal ? 1.8 : 2.6) * p.unit());
-    for (const boundary_edge& e : m.boundary) {
+    on.set_line_width((internal ? 1.8 : 2.6) * wider * p.unit());
+    for (std::size_t i = 0; i < m.boundary.size(); ++i) {
+      const boundary_edge& e = m.boundary[i];
       if (e.internal != internal) continue;
       on.move_to(p.at(m.sites[e.a].position));
       on.line_to(p.at(m.sites[e.b].position));
+      if (colours.empty()) continue;
+      on.use(colours[i]);
+      on.stroke();
     }
     on.stroke();
   }
@@ -243,18 +257,22 @@ std::optional<error> missing_for_pictures() {
 
 result<std::string> draw_picture(const mesh& m, picture_format format,
                                  const picture_options& options) {
-  const auto layout = lay_out(m, options);
+  const auto coloured = colours_of(m, options);
+  if (!coloured) return coloured.failure();
+  const auto& [triangles, boundary, legend] = coloured.value();
+  const auto layout = lay_out(m, options, legend);
   if (!layout.ok()) return layout.failure();
   const page& p = layout.value();
   return paint_file(format, p.width, p.height, [&](canvas& on) {
     on.use(paper);
     on.paint();
-    fill_triangles(on, p, m, options.angle_bound);
+    fill_triangles(on, p, m, options.angle_bound, triangles);
     stroke_edges(on, p, m);
-    stroke_boundary(on, p, m);
+    stroke_boundary(on, p, m, boundary);
     if (options.ellipses) draw_ellipses(on, p, m);
     if (options.sites) draw_sites(on, p, m);
     draw_marks(on, p, options.marks);
+    draw_legend(on, legend, {p.margin, p.height - p.foot}, p.width);
   });
 }
 

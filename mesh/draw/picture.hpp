@@ -2,7 +2,8 @@
 //
 // Draws a mesh: one drawing for SVG, PDF and PNG.
 //
-// Triangles are drawn in thin lines, the boundary in a bold one, internal segments in between.
+// Triangles are drawn in thin lines, the boundary in a bold one, internal segments in between. A
+// domain is a mesh without triangles (mesh/draw/outline.hpp).
 // Disagreeing triangles are red, triangles with an angle below the bound tinted. Sites are dots,
 // with the given ones marked. Unit circles of the metric are thinned out so that they stay
 // readable, all drawn to one scale.
@@ -23,7 +24,8 @@ namespace asterism {
 ASTERISM_EXPORT std::optional<error> missing_for_pictures();
 
 // Returns the bytes of the file. Fails for a width out of range, a mesh without extent or with
-// numbers that are not finite, a height beyond 20000, and when cairo does.
+// numbers that are not finite, a height beyond 20000, colours of what is not there, and when cairo
+// does.
 ASTERISM_EXPORT result<std::string> draw_picture(const mesh& m, picture_format format,
                                                  const picture_options& options = {});
 

@@ -24,7 +24,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::optional<error> refusal(const mesh& m, const report_facts& facts) {
+std::optional<error> refusal(const mesh& m, const solution& fields) {
   if (m.sites.empty()) return error{"there is nothing to show: the mesh has no sites"};
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     const auto& [p, t] = m.sites[v];
@@ -33,8 +33,19 @@ std::optional<error> refusal(const mesh& m, const report_facts& facts) {
         return error{"vertex " + std::to_string(v + 1) + " is not finite",
                      error_code::invalid_mesh};
   }
+  for (const solution_field& field : fields.fields)
+    if (field.values.size() != m.sites.size() * components_of(field.kind))
+      return error{"the field " + field.name + " has not one value for each site",
+                   error_code::bad_option};
+  return std::nullopt;
+}
+
+std::optional<error> refusal(const mesh& m, const report_facts& facts) {
+  if (auto refused = refusal(m, facts.fields)) return refused;
   if (!facts.wanted.empty() && facts.wanted.size() != m.sites.size())
     return error{"there are not as many tensors wanted as sites", error_code::bad_option};
+  for (const report_frame& frame : facts.before)
+    if (auto refused = refusal(frame.content, frame.fields)) return refused->at(frame.label);
   return std::nullopt;
 }
 
@@ -51,7 +62,7 @@ std::vector<float> distances(const mesh& m, const std::vector<metric_tensor>& wa
   return all;
 }
 
-void add_sites(packed_arrays& arrays, const mesh& m) {
+void add_sites(packed_arrays& arrays, const std::string& prefix, const mesh& m) {
   std::vector<double> positions, metrics;
   positions.reserve(2 * m.sites.size());
   metrics.reserve(3 * m.sites.size());
@@ -59,11 +70,11 @@ void add_sites(packed_arrays& arrays, const mesh& m) {
     positions.insert(positions.end(), {s.position.x, s.position.y});
     metrics.insert(metrics.end(), {s.metric.m11, s.metric.m12, s.metric.m22});
   }
-  arrays.add("positions", "f64", positions);
-  arrays.add("metrics", "f64", metrics);
+  arrays.add(prefix + "positions", "f64", positions);
+  arrays.add(prefix + "metrics", "f64", metrics);
 }
 
-void add_boundary(packed_arrays& arrays, const mesh& m) {
+void add_boundary(packed_arrays& arrays, const std::string& prefix, const mesh& m) {
   std::vector<vertex_index> ends;
   std::vector<std::int32_t> markers;
   std::vector<std::uint8_t> inside;
@@ -72,43 +83,92 @@ void add_boundary(packed_arrays& arrays, const mesh& m) {
     markers.push_back(e.marker);
     inside.push_back(e.internal ? 1 : 0);
   }
-  arrays.add("boundary", "u32", ends);
-  arrays.add("markers", "i32", markers);
-  arrays.add("inside", "u8", inside);
+  arrays.add(prefix + "boundary", "u32", ends);
+  arrays.add(prefix + "markers", "i32", markers);
+  arrays.add(prefix + "inside", "u8", inside);
 }
 
-packed_arrays pack(const mesh& m, const report_facts& facts) {
-  packed_arrays arrays;
-  add_sites(arrays, m);
+// The arrays of one mesh, whose names begin with the prefix.
+void add_mesh(packed_arrays& arrays, const std::string& prefix, const mesh& m) {
+  add_sites(arrays, prefix, m);
   std::vector<vertex_index> corners;
   corners.reserve(3 * (m.triangles.size() + m.disagreeing.size()));
   for (const auto* triangles : {&m.triangles, &m.disagreeing})
     for (const triangle& t : *triangles) corners.insert(corners.end(), t.begin(), t.end());
-  arrays.add("triangles", "u32", corners);
-  arrays.add("regions", "i32", std::vector<std::int32_t>(m.regions.begin(), m.regions.end()));
-  add_boundary(arrays, m);
+  arrays.add(prefix + "triangles", "u32", corners);
+  arrays.add(prefix + "regions", "i32",
+             std::vector<std::int32_t>(m.regions.begin(), m.regions.end()));
+  add_boundary(arrays, prefix, m);
+}
+
+std::string field_array(const std::string& prefix, std::size_t k) {
+  return prefix + "field" + std::to_string(k);
+}
+
+void add_fields(packed_arrays& arrays, const std::string& prefix, const solution& fields) {
+  for (std::size_t k = 0; k < fields.fields.size(); ++k)
+    arrays.add(field_array(prefix, k), "f64", fields.fields[k].values);
+}
+
+std::string prefix_of_frame(std::size_t i) { return "frame" + std::to_string(i) + "."; }
+
+packed_arrays pack(const mesh& m, const report_facts& facts) {
+  packed_arrays arrays;
+  add_mesh(arrays, "", m);
   arrays.add("distances", "f32", distances(m, facts.wanted));
   arrays.add("not_of_stars", "u32", facts.not_of_stars);
+  add_fields(arrays, "", facts.fields);
+  for (std::size_t i = 0; i < facts.before.size(); ++i) {
+    const report_frame& frame = facts.before[i];
+    const std::string prefix = prefix_of_frame(i);
+    add_mesh(arrays, prefix, frame.content);
+    arrays.add(prefix + "distances", "f32", std::vector<float>());
+    arrays.add(prefix + "not_of_stars", "u32", frame.not_of_stars);
+    add_fields(arrays, prefix, frame.fields);
+  }
   return arrays;
 }
 
-json facts_json(const mesh& m, const report_facts& facts, const packed_arrays& arrays) {
-  const std::uint64_t fingerprint = mesh_fingerprint(m);
-  json entries = json::array();
-  for (const auto& entry : arrays.entries())
-    entries.push_back({{"name", entry.name}, {"type", entry.type}, {"length", entry.length}});
-  return {{"format", "asterism report 1"},
-          {"program", ASTERISM_VERSION_TEXT},
-          {"title", facts.title.empty() ? "Mesh" : facts.title},
+json fields_json(const std::string& prefix, const solution& fields) {
+  json all = json::array();
+  for (std::size_t k = 0; k < fields.fields.size(); ++k)
+    all.push_back({{"name", fields.fields[k].name},
+                   {"components", components_of(fields.fields[k].kind)},
+                   {"array", field_array(prefix, k)}});
+  return all;
+}
+
+// What a page says of each mesh: its counts and the names of its fields.
+json counts_json(const mesh& m, const std::string& label, const std::string& prefix,
+                 const solution& fields) {
+  return {{"label", label},
           {"vertices", m.sites.size()},
           {"given", m.given},
           {"triangles", m.triangles.size()},
           {"disagreeing", m.disagreeing.size()},
-          {"fingerprint", fmt::format("{:016x}", fingerprint)},
-          {"is_of_this_mesh", facts.claim && facts.claim->fingerprint == fingerprint},
-          {"claim_from", facts.claim_from},
-          {"repeat", facts.repeat},
-          {"arrays", std::move(entries)}};
+          {"fields", fields_json(prefix, fields)}};
+}
+
+json facts_json(const mesh& m, const report_facts& facts, const packed_arrays& arrays) {
+  const std::uint64_t fingerprint = mesh_fingerprint(m);
+  json entries = json::array(), frames = json::array();
+  for (const auto& entry : arrays.entries())
+    entries.push_back({{"name", entry.name}, {"type", entry.type}, {"length", entry.length}});
+  for (std::size_t i = 0; i < facts.before.size(); ++i) {
+    const report_frame& frame = facts.before[i];
+    frames.push_back(counts_json(frame.content, frame.label, prefix_of_frame(i), frame.fields));
+  }
+  json all = {{"format", "asterism report 1"},
+              {"program", ASTERISM_VERSION_TEXT},
+              {"title", facts.title.empty() ? "Mesh" : facts.title}};
+  all.update(counts_json(m, facts.label.empty() ? "After" : facts.label, "", facts.fields));
+  all.update({{"fingerprint", fmt::format("{:016x}", fingerprint)},
+              {"is_of_this_mesh", facts.claim && facts.claim->fingerprint == fingerprint},
+              {"claim_from", facts.claim_from},
+              {"repeat", facts.repeat},
+              {"frames", std::move(frames)},
+              {"arrays", std::move(entries)}});
+  return all;
 }
 
 // Text of a script element: without "<", which could end it.

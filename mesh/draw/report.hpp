@@ -17,8 +17,19 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/solution.hpp"
 
 namespace asterism {
+
+// A mesh that a page shows before its own: as it was before a repair or an adaptation, or in an
+// earlier round of a loop. A domain without triangles is one, too (mesh/draw/outline.hpp).
+struct report_frame {
+  std::string label;  // a word or two, for a button
+  mesh content = {};
+  solution fields = {};  // on it
+  // Triangles that are not in the stars of all their vertices, where that was looked at.
+  std::vector<vertex_index> not_of_stars = {};
+};
 
 // Facts that a page gives beside the mesh.
 struct report_facts {
@@ -33,11 +44,15 @@ struct report_facts {
   std::vector<metric_tensor> wanted = {};
   // Triangles that are not in the stars of all their vertices, where that was looked at.
   std::vector<vertex_index> not_of_stars = {};
+  solution fields = {};                   // on the mesh, to colour by; default: none
+  std::string label = {};                 // of the mesh among those before it; default: "After"
+  std::vector<report_frame> before = {};  // shown by buttons or a slider, in this order
 };
 
 // Returns the bytes of the file, which depend on the arguments and on the version of zlib. Every
-// index of the mesh must be in range. Fails for a mesh without sites, for positions and tensors
-// that are not finite, for tensors wanted that are not as many as the sites, and when zlib does.
+// index of the meshes must be in range. Fails for a mesh without sites, for positions and tensors
+// that are not finite, for tensors wanted or fields that are not as many as the sites, and when
+// zlib does.
 ASTERISM_EXPORT result<std::string> report_page(const mesh& m, const report_facts& facts);
 
 }  // namespace asterism

@@ -120,6 +120,11 @@ result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                                  const medit_read_options& options) {
   const whole_file_format* const format = format_of_file(path);
   auto read = format == nullptr ? read_listed_medit(path, options) : read_whole(*format, path);
+  if (!read && !is_mesh_file(path.string()))
+    return error{read.failure().message +
+                     "; read as Medit's .mesh, as its name ends in none of .mesh, .meshb, .msh, "
+                     ".msh2, .vtu, .vtk, .su2, .14, .grd, .2dm and .stl",
+                 read.failure().code};
   if (!read) return read.failure();
   listed_mesh& m = read.value();
   const bool is_mesh = !m.content.triangles.empty();

@@ -59,9 +59,9 @@ function disagreementMode(mesh) {
 }
 
 // Least angles from the bound upwards, those below it in a colour of their own; from the worst without a bound.
-function angleMode(mesh, bound) {
-  const { least, worst } = mesh.angles, name = "least angle (degrees)";
-  if (bound === null || !(bound < 60)) return continuousMode(name, (t) => least[t], Math.min(59, Math.max(0, worst.degrees)), 60, badToGood);
+function angleMode(mesh, bound, meshes) {
+  const { least } = mesh.angles, name = "least angle (degrees)", worst = Math.min(...meshes.map((m) => m.angles?.worst.degrees ?? 60));
+  if (bound === null || !(bound < 60)) return continuousMode(name, (t) => least[t], Math.min(59, Math.max(0, worst)), 60, badToGood);
   const below = least.reduce((n, x) => n + (x < bound), 0), scale = continuousMode(name, (t) => least[t], bound, 60, boundToGood);
   return {
     ...scale,
@@ -71,23 +71,42 @@ function angleMode(mesh, bound) {
   };
 }
 
+// The ends of a scale, over all meshes of the page, so that one colour means one value whichever is shown.
+function sharedRange(meshes, name, rangeOf) {
+  const known = (meshes.ranges ??= new Map());
+  if (!known.has(name)) {
+    const ranges = meshes.filter(({ count }) => count > 0).map(rangeOf);
+    known.set(name, [Math.min(...ranges.map(([low]) => low)), Math.max(...ranges.map(([, high]) => high))]);
+  }
+  return known.get(name);
+}
+
 // A mode whose values are the logarithm of what it shows, computed when it is chosen.
-function logarithmicMode(mesh, name, of) {
-  const values = new Float32Array(mesh.count);
-  let low = Infinity;
-  for (let t = 0; t < mesh.count; ++t) low = Math.min(low, values[t] = Math.log10(of(t)));
-  const high = Math.max(low + 0.1, upperEnd(values));
-  return continuousMode(name, (t) => values[t], low, high, lightToDark, (x) => short(10 ** x));
+function logarithmicMode(mesh, name, of, meshes) {
+  const valuesOf = (m) => {
+    const values = new Float32Array(m.count);
+    for (let t = 0; t < m.count; ++t) values[t] = Math.log10(of(m, t));
+    return values;
+  };
+  const values = valuesOf(mesh);
+  const [low, high] = sharedRange(meshes, name, (m) => {
+    const all = m === mesh ? values : valuesOf(m);
+    return [all.reduce((a, b) => Math.min(a, b), Infinity), upperEnd(all)];
+  });
+  return continuousMode(name, (t) => values[t], low, Math.max(low + 0.1, high), lightToDark, (x) => short(10 ** x));
 }
 
 function findingMode(mesh, named) {
-  return namedMode("findings", [["no finding names it", [190, 205, 220]], ["a finding names it", belowBound]], (t) => (named.has(t) ? 1 : 0));
+  const mode = namedMode("findings", [["no finding names it", [190, 205, 220]], ["a finding names it", belowBound]], (t) => (named.has(t) ? 1 : 0));
+  return Object.assign(mode, { shownTriangles: [...named].slice(0, 100) });
 }
 
 // The mode to begin with shows where the fault lies; of a mesh without one the metric's shapes, or if they are all
-// round its sizes, or if these are all alike the angles.
+// round its sizes, or if these are all alike the angles. Where there is a solution, it is what the mesh is for.
 function firstMode(mesh, modes, named) {
   if (named.size > 0) return modes.length - 1;
+  const solution = modes.findIndex((mode) => mode.isField);
+  if (solution >= 0) return solution;
   const some = Math.max(1, Math.floor(mesh.count / 2000)), aspects = [], sizes = [];
   for (let t = 0; t < mesh.count; t += some) {
     aspects.push(triangleAspect(mesh, t));
@@ -98,10 +117,12 @@ function firstMode(mesh, modes, named) {
 }
 
 // Every mode that the mesh has something to say in; what is costly is computed when it is chosen.
-function makeModes(mesh, bound, claim) {
-  const { least } = mesh.angles, modes = [angleMode(mesh, bound)];
+function makeModes(mesh, bound, claim, meshes) {
+  if (mesh.count === 0) return Object.assign([namedMode("no triangles", [["a domain: its segments alone", [190, 205, 220]]], () => 0)], { first: 0 });
+  const { least } = mesh.angles, modes = [angleMode(mesh, bound, meshes)];
   for (const [label, of] of [["aspect: length over width", triangleAspect], ["size: root of the area", triangleSize]])
-    modes.push(Object.assign(() => logarithmicMode(mesh, label, (t) => of(mesh, t)), { label }));
+    modes.push(Object.assign(() => logarithmicMode(mesh, label, of, meshes), { label }));
+  modes.push(...fieldModes(mesh, meshes));
   if (mesh.regions.length > 0) modes.push(regionMode(mesh));
   if (mesh.distances.length > 0) {
     const values = new Float32Array(mesh.count);

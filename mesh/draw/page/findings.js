@@ -52,7 +52,8 @@ function placeOf(sentence) {
 
 // A sentence of the certificate, "kind: sentence", without the kind and without coordinates.
 function plainSentence(witness) {
-  const text = witness.replace(/^\w+: /, "").replace(/ \(-?[\d.][^()]*\)/g, "").replace(/, vertex (?=\d)/g, ", ");
+  const text = witness.replace(/^\w+: /, "").replace(/ \(-?[\d.][^()]*\)/g, "").replace(/, vertex (?=\d)/g, ", ")
+    .replace(/of vertex (?=\d+, \d+, )/g, "of vertices ").replace(/\d+\.\d{6,}/g, (x) => angleText(Number(x)));
   return text[0].toUpperCase() + text.slice(1);
 }
 

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
 // What lies under the mouse, and how long things are in the picture.
 
-function hoverText(mesh, t, bound) {
+function hoverText(mesh, t, bound, point) {
   const nine = nineAngles(mesh, t), least = Math.min(...nine), greatest = Math.max(...nine);
   return [`Triangle ${count(t + 1)}`,
           `angles ${angleText(least)}° to ${greatest.toFixed(2)}°${bound !== null && least < bound ? ", below the bound" : ""}`,
-          `length over width ${short(triangleAspect(mesh, t))}`];
+          `length over width ${short(triangleAspect(mesh, t))}`,
+          ...shownFields(mesh).slice(0, 4).map(({ name, values }) => `${name} ${short(valueAt(mesh, values, t, point))}`)];
 }
 
 // Shows a box beside the mouse, at most once a frame.
-function makeHover(stage, mesh, bound) {
+function makeHover(stage, bound) {
   const box = element("hover");
   let place = null, waiting = false;
   const show = () => {
     waiting = false;
     const point = place && stage.camera.toMesh(place.x, place.y);
-    const t = place === null ? -1 : triangleAt(mesh, stage.places, point.x, point.y);
+    const { mesh } = stage, t = place === null ? -1 : triangleAt(mesh, stage.places, point.x, point.y);
     box.hidden = t < 0;
     if (t < 0) return;
-    box.replaceChildren(...[...hoverText(mesh, t, bound), `at ${point.x.toPrecision(5)}, ${point.y.toPrecision(5)}`]
+    box.replaceChildren(...[...hoverText(mesh, t, bound, point), `at ${point.x.toPrecision(5)}, ${point.y.toPrecision(5)}`]
       .map((line, i) => make(i === 0 ? "strong" : "span", {}, line)));
     const right = place.x > stage.camera.width / 2, low = place.y > stage.camera.height / 2;
     box.style.left = right ? "" : `${place.x + 14}px`;

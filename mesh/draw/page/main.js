@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Puts the page together and answers keys and buttons.
 
-function readMesh(facts, arrays) {
-  const mesh = {
-    ...arrays, notOfStars: arrays.not_of_stars, vertices: facts.vertices,
-    agreeing: facts.triangles, count: facts.triangles + facts.disagreeing,
-    box: boxOf(arrays.positions), scratch: new Float64Array(6),
-  };
-  mesh.angles = measureAngles(mesh);
-  return mesh;
-}
+// Meshes of at most so many triangles together are measured at once, so that they can be compared.
+const measuredAtOnce = 500000;
 
 function addKeys(stage, canvas, actions) {
   const step = 60, { camera } = stage;
@@ -19,6 +12,7 @@ function addKeys(stage, canvas, actions) {
     "+": () => camera.zoom(1.5), "=": () => camera.zoom(1.5), "-": () => camera.zoom(1 / 1.5), 0: () => camera.fit(),
     Enter: () => actions.chooseAt(camera.width / 2, camera.height / 2), Escape: () => actions.choose(null),
     n: () => actions.next(1), p: () => actions.next(-1),
+    ",": () => actions.frames.step(-1), ".": () => actions.frames.step(1),
   };
   canvas.addEventListener("keydown", (event) => {
     const act = keys[event.key] ?? keys[event.key.toLowerCase()];
@@ -48,13 +42,14 @@ function itemOfAddress(mesh) {
   return kind && index >= 0 && index < most ? { [kind]: index } : null;
 }
 
-function makeActions(stage, mesh, told) {
-  const { facts, claim, bound } = told;
+function makeActions(stage, frames, bound) {
   let all = [], at = -1;
+  const frame = () => frames.find(({ mesh }) => mesh === stage.mesh);
   const actions = {
-    hover: makeHover(stage, mesh, bound),
+    hover: makeHover(stage, bound),
     lists: (lists) => { all = lists.flatMap(({ items }) => items).filter((i) => i.triangle !== undefined || i.vertex !== undefined); },
     choose(item) {
+      const { facts, claim, mesh } = frame();
       const there = item !== null && (item.triangle < mesh.count || item.vertex < mesh.vertices);
       stage.chosen = there ? item : null;
       showChosen(facts, claim, mesh, bound, stage.chosen);
@@ -62,11 +57,11 @@ function makeActions(stage, mesh, told) {
     },
     go(item) {
       actions.choose(item);
-      if (stage.chosen !== null) stage.camera.show(boxOfItem(mesh, item));
+      if (stage.chosen !== null) stage.camera.show(boxOfItem(stage.mesh, item));
       stage.moved();
     },
     chooseAt(x, y) {
-      const point = stage.camera.toMesh(x, y), t = triangleAt(mesh, stage.places, point.x, point.y);
+      const point = stage.camera.toMesh(x, y), t = triangleAt(stage.mesh, stage.places, point.x, point.y);
       actions.choose(t < 0 ? null : { triangle: t });
     },
     next(step) {
@@ -78,23 +73,42 @@ function makeActions(stage, mesh, told) {
   return actions;
 }
 
-function addModes(stage, mesh, bound, claim) {
-  const modes = makeModes(mesh, bound, claim), choice = element("mode");
-  modes.forEach((mode, i) => choice.append(make("option", { value: i }, typeof mode === "function" ? mode.label : mode.name)));
-  const show = () => {
+// The choice of colours, which outlasts the mesh where another has the same.
+function makeColouring(stage, frames, bound) {
+  const choice = element("mode"), meshes = frames.map(({ mesh }) => mesh), nameOf = (mode) => (typeof mode === "function" ? mode.label : mode.name);
+  let modes = [], wanted = null;
+  const use = (changed) => {
     const i = Number(choice.value);
     if (typeof modes[i] === "function") modes[i] = modes[i]();
     stage.mode = modes[i];
     stage.view.setMode(modes[i]);
     showLegend(modes[i]);
-    stage.changed();
+    changed();
   };
-  choice.value = modes.first;
-  choice.addEventListener("change", show);
-  show();
+  choice.addEventListener("change", () => {
+    wanted = nameOf(modes[Number(choice.value)]);
+    stage.pictures.outdate();
+    use(stage.changed);
+    for (const { scene } of frames) if (scene !== undefined) scene.colouredBy = scene === stage.scene ? wanted : null;
+  });
+  return (frame, changed) => {
+    frame.modes ??= makeModes(frame.mesh, bound, frame.claim, meshes);
+    modes = frame.modes;
+    choice.replaceChildren(...modes.map((mode, i) => make("option", { value: i }, nameOf(mode))));
+    const same = modes.findIndex((mode) => nameOf(mode) === wanted), value = same < 0 ? modes.first : same;
+    choice.value = value;
+    if (frame.scene.colouredBy === nameOf(modes[value])) {
+      stage.mode = modes[value];
+      showLegend(modes[value]);
+      return;
+    }
+    frame.scene.pictures.outdate();
+    use(changed);
+    frame.scene.colouredBy = nameOf(modes[value]);
+  };
 }
 
-function addControls(stage, mesh, actions) {
+function addControls(stage, actions) {
   const { camera } = stage;
   const on = (id, act, then = stage.moved) => element(id).addEventListener("click", () => { act(); then(); });
   on("nearer", () => camera.zoom(1.5));
@@ -104,7 +118,7 @@ function addControls(stage, mesh, actions) {
   element("ellipses").addEventListener("change", stage.marked);
   element("find").addEventListener("submit", () => {
     const t = Number(element("number").value) - 1;
-    if (t >= 0 && t < mesh.count) actions.go({ triangle: t });
+    if (t >= 0 && t < stage.mesh.count) actions.go({ triangle: t });
   });
   const system = matchMedia("(prefers-color-scheme: dark)"), root = document.documentElement;
   const other = () => ((root.dataset.theme ?? (system.matches ? "dark" : "light")) === "dark" ? "light" : "dark");
@@ -113,38 +127,66 @@ function addControls(stage, mesh, actions) {
   system.addEventListener("change", () => { name(); stage.changed(); });
   name();
   new ResizeObserver(stage.resize).observe(element("stage"));
-  addEventListener("hashchange", () => { const item = itemOfAddress(mesh); if (item) actions.go(item); });
+  addEventListener("hashchange", () => { const item = itemOfAddress(stage.mesh); if (item) actions.go(item); });
+}
+
+function measure(mesh) {
+  mesh.angles ??= measureAngles(mesh);
+  return mesh;
+}
+
+// All that is said of one mesh beside its picture.
+function showNumbers({ facts, claim, mesh }, bound, actions) {
+  element("canvas").setAttribute("aria-label", `The mesh: ${plural(mesh.vertices, "vertex", "vertices")}, ${plural(mesh.count, "triangle")}.`);
+  element("number").max = mesh.count;
+  showAngles(mesh, bound);
+  const lists = listsOf(facts, claim, mesh);
+  actions.lists(lists);
+  showLists(lists, actions.go);
+  actions.choose(null);
+}
+
+function showFrame(frames, i, stage, actions, page) {
+  const frame = frames[i];
+  measure(frame.mesh);
+  frame.scene ??= makeScene(frame.mesh, frame.claim);
+  stage.take(frame.scene);
+  page.colour(frame, () => {});
+  stage.refresh();
+  showNumbers(frame, page.bound, actions);
+  showLengths(frame.mesh);
+  showCompared(frames, page.bound, (k) => actions.frames.go(k));
 }
 
 async function start() {
   const facts = readJson("facts"), claim = readJson("certificate");
   const bound = claim?.asked.angle_bound ?? null;
   showVerdict(facts, claim);
-  const mesh = readMesh(facts, await readArrays(facts));
-  mesh.repairs = repairsOf(facts.is_of_this_mesh ? claim : null, mesh);
-  const stage = makeStage(mesh, facts.is_of_this_mesh ? claim : null);
-  const actions = makeActions(stage, mesh, { facts, claim, bound });
-  element("canvas").setAttribute("aria-label", `The mesh: ${plural(mesh.vertices, "vertex", "vertices")}, ${plural(mesh.count, "triangle")}.`);
-  element("number").max = mesh.count;
-  addModes(stage, mesh, bound, facts.is_of_this_mesh ? claim : null);
+  const frames = framesOf(facts, await readArrays(facts), claim), own = frames[frames.length - 1];
+  const all = frames.reduce((n, { mesh }) => n + mesh.count, 0);
+  for (const frame of frames) if (frame === own || all <= measuredAtOnce) measure(frame.mesh);
+  own.scene = makeScene(own.mesh, own.claim);
+  const stage = makeStage(own.scene), actions = makeActions(stage, frames, bound);
+  const page = { bound, colour: makeColouring(stage, frames, bound) };
+  page.colour(own, stage.changed);
+  if (stage.mode.shownTriangles !== undefined || stage.mode.isField) element("ellipses").checked = false;  // they would hide what is shown
   stage.resize();
   stage.camera.fit();
   stage.paint();  // the first one makes the shaders ready
   stage.paint();
+  actions.frames = makeFrameControl(frames, (i) => showFrame(frames, i, stage, actions, page));
   addPointers(stage, element("canvas"), actions);
   addKeys(stage, element("canvas"), actions);
-  addControls(stage, mesh, actions);
-  showAsked(facts, claim, mesh);
-  showAngles(mesh, bound);
-  const lists = listsOf(facts, claim, mesh);
-  actions.lists(lists);
-  showLists(lists, actions.go);
+  addControls(stage, actions);
+  showAsked(facts, claim, own.mesh);
+  showNumbers(own, bound, actions);
+  showCompared(frames, bound, (k) => actions.frames.go(k));
   showAgain(facts, claim);
-  const item = itemOfAddress(mesh);
+  const item = itemOfAddress(own.mesh);
   if (item) actions.go(item);
-  mesh.lengths = measureLengths(mesh);
-  showLengths(mesh);
-  window.asterism = { facts, claim, mesh, stage, actions };  // for whoever drives the page
+  showLengths(own.mesh);
+  // For whoever drives the page.
+  window.asterism = { facts, claim, stage, actions, frames, get mesh() { return stage.mesh; } };
   document.documentElement.dataset.state = "ready";
 }
 

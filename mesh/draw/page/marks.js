@@ -88,3 +88,16 @@ function drawCorners(context, camera, mesh, vertices, colour) {
     strokeWithHalo(context, colour, 2);
   }
 }
+
+// Rings around triangles that are too small to be seen.
+function drawRings(context, camera, mesh, triangles) {
+  const least = 10;
+  for (const t of triangles) {
+    const corners = [0, 1, 2].map((i) => 2 * mesh.triangles[3 * t + i]).map((v) => camera.toPage(mesh.positions[v], mesh.positions[v + 1]));
+    const x = (corners[0].x + corners[1].x + corners[2].x) / 3, y = (corners[0].y + corners[1].y + corners[2].y) / 3;
+    if (Math.max(...corners.map((at) => Math.hypot(at.x - x, at.y - y))) > least) continue;
+    context.beginPath();
+    context.arc(x, y, least, 0, 2 * Math.PI);
+    strokeWithHalo(context, markPlace, 2);
+  }
+}

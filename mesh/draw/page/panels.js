@@ -52,10 +52,12 @@ function showVerdict(facts, claim) {
   element("badge").textContent = badge;
   element("badge").className = kind;
   element("why").textContent = why.replace(/\.\.$/, ".");
+  if (kind === "bad") element("numbers").prepend(element("s-places"));  // what is wrong comes first
 }
 
 function metricRow(claim) {
   const { delivered } = claim.outcome;
+  if (delivered && delivered.vertices_changed === 0) return ["Metric", claim.asked.metric, "as asked, at every vertex"];
   if (delivered)
     return ["Metric", claim.asked.metric, `another at ${plural(delivered.vertices_changed, "vertex", "vertices")}; at ${short(100 * delivered.beyond_tenth)} % of all some length differs by more than a tenth, at most ${short(Math.exp(delivered.greatest))} times`];
   return ["Metric", claim.asked.metric, "the tensors at the vertices"];
@@ -70,7 +72,7 @@ function askedRows(facts, claim, mesh) {
   if (audit.worst_exempt_angle !== null) rows.push(["of exempt corners", "", angleCell(audit.worst_exempt_angle)]);
   if (audit.worst_collateral_angle !== null) rows.push(["of collateral triangles", "", angleCell(audit.worst_collateral_angle)]);
   if (audit.angles_checked)
-    rows.push(["Least of all, measured by this page", "", { text: `${angleText(mesh.angles.worst.degrees)} degrees, ${same ? "the same" : "NOT the same"}`, title: full(mesh.angles.worst.degrees), kind: same ? "" : "bad" }]);
+    rows.push(["Least of all, measured by this page", "", { text: `${angleText(mesh.angles.worst.degrees)} degrees, ${same ? "the same" : audit.certified ? "NOT the same" : "with triangles that were not judged"}`, title: full(mesh.angles.worst.degrees), kind: same || !audit.certified ? "" : "bad" }]);
   const delivered = options["size-delivered"];
   rows.push(["Size", options.size ?? "none", delivered && delivered !== options.size ? delivered : options.size && options.size !== "none" ? "as asked" : "not asked for"]);
   rows.push(["Vertices", options["max-sites"] ? `at most ${count(options["max-sites"])}` : "", count(claim.mesh.vertices)]);
@@ -116,6 +118,7 @@ function chart(holder, name, bars, ticks, mark) {
 }
 
 function showAngles(mesh, bound) {
+  if (mesh.count === 0) return element("angles").replaceChildren(make("p", {}, "There are no triangles."));
   const bars = [];
   for (let from = 0; from < 180; from += 3)
     bars.push({ name: `${from} to ${from + 3} degrees`, low: bound !== null && from + 3 <= bound,
@@ -124,10 +127,11 @@ function showAngles(mesh, bound) {
   chart(element("angles"), "Angles, each as all three vertices measure it", bars,
         [[0, "0"], [60 / 180, "60"], [120 / 180, "120"], [1, "180 degrees"]], bound === null ? null : bound / 180);
   element("angles").append(make("p", {}, `${count(total)} angles: three of each triangle, each as its three vertices measure it. The least is ${angle(mesh.angles.worst.degrees)}${bound === null ? "" : `; the line is the bound, ${full(bound)} degrees`}.`));
+  return undefined;
 }
 
 function showLengths(mesh) {
-  const { bins, edges, unit } = mesh.lengths, bars = [];
+  const { bins, edges, unit } = mesh.lengths ??= measureLengths(mesh), bars = [];
   const text = (i) => short(2 ** (i / 12 - 3));
   for (let i = 0; i < bins.length; i += 2)
     bars.push({ name: i === 0 ? `below ${text(1)}` : i === 72 ? `above ${text(71)}` : `${text(i - 1)} to ${text(i + 1)}`, n: bins[i] + bins[i + 1] });
@@ -221,6 +225,7 @@ function tensorTable(mesh, corners) {
   const words = (name, of) => [name, ...circles.map((circle) => ({ text: of(circle), kind: "n" }))];
   return table(["Vertex", ...corners.map((v) => ({ text: v + 1, kind: "n" }))], [
     row("x", (v) => p[2 * v]), row("y", (v) => p[2 * v + 1]),
+    ...shownFields(mesh).slice(0, 12).map(({ name, values }) => row(name, (v) => values[v])),
     row("m11", (v) => m[3 * v]), row("m12", (v) => m[3 * v + 1]), row("m22", (v) => m[3 * v + 2]),
     words("unit circle, length", (circle) => short(2 * circle.longest)),
     words("and width", (circle) => short(2 * circle.shortest)),
@@ -293,6 +298,6 @@ function showLegend(mode) {
 }
 
 function showEllipses({ number, scale }) {
-  const told = number === 0 ? "" : `Ellipses: the metric's unit circles, ${short(scale)} of their size`;
+  const told = number === 0 ? "" : `Ellipses: the metric's unit circles, ${scale === 1 ? "in their own size" : `${short(scale)} times their size`}`;
   if (element("scaled").textContent !== told) element("scaled").textContent = told;
 }

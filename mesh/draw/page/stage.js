@@ -15,11 +15,19 @@ const lookOfPage = () => ({
   paper: numbersOfColour(colourOf("--card")), ink: numbersOfColour(colourOf("--ink")),
 });
 
+// One mesh of the page, put in order for drawing.
+function makeScene(mesh, claim) {
+  const places = makeChunks(mesh), view = makeView(element("canvas"), mesh, places);
+  const corners = (claim?.audit.exempt_corners ?? []).map((n) => n - 1).filter((v) => v < mesh.vertices);
+  return { mesh, places, view, pictures: makePictures(mesh, places, view), corners };
+}
+
 // What is drawn above the mesh. An overlay with nothing on it is hidden: putting it on the page costs as much
 // as one that is full.
-function makeMarks(stage, mesh, corners) {
-  const overlay = element("overlay"), context = overlay.getContext("2d"), { camera, places } = stage;
+function makeMarks(stage) {
+  const overlay = element("overlay"), context = overlay.getContext("2d"), { camera } = stage;
   return () => {
+    const { mesh, places, corners } = stage.scene;
     context.setTransform(camera.ratio, 0, 0, camera.ratio, 0, 0);
     context.clearRect(0, 0, camera.width, camera.height);
     const drawn = element("ellipses").checked ? drawEllipses(context, camera, mesh, places) : { number: 0, scale: 0, longest: 0, gap: 0 };
@@ -28,55 +36,71 @@ function makeMarks(stage, mesh, corners) {
     showScale(camera);
     drawCorners(context, camera, mesh, corners, markPlace);
     drawCorners(context, camera, mesh, mesh.repairs.map(({ vertex }) => vertex), markPlace);
+    const small = stage.mode?.shownTriangles ?? [];
+    drawRings(context, camera, mesh, small);
     if (stage.chosen?.triangle !== undefined) drawChosen(context, camera, mesh, stage.chosen.triangle);
     if (stage.chosen?.vertex !== undefined) drawCorners(context, camera, mesh, [stage.chosen.vertex], markInk);
-    const empty = stage.ellipses === 0 && corners.length === 0 && mesh.repairs.length === 0 && stage.chosen === null;
+    const empty = stage.ellipses === 0 && corners.length === 0 && mesh.repairs.length === 0 && small.length === 0 && stage.chosen === null;
     overlay.style.visibility = empty ? "hidden" : "";
   };
 }
 
-function makeStage(mesh, claim) {
-  const canvas = element("canvas"), places = makeChunks(mesh);
-  const view = makeView(canvas, mesh, places), camera = new Camera(mesh.box);
-  const pictures = makePictures(mesh, places, view);
-  const stage = { camera, places, view, pictures, chosen: null, ellipses: 0, get seconds() { return pictures.seconds; } };
-  const corners = (claim?.audit.exempt_corners ?? []).map((n) => n - 1).filter((v) => v < mesh.vertices);
-  const paintMarks = makeMarks(stage, mesh, corners);
-  let settled = 0, going = false;
+// Shows one scene at a time, all by the same camera.
+function makeStage(scene) {
+  const canvas = element("canvas"), camera = new Camera(scene.mesh.box);
+  const stage = {
+    camera, scene, chosen: null, ellipses: 0,
+    get mesh() { return stage.scene.mesh; }, get places() { return stage.scene.places; }, get view() { return stage.scene.view; },
+    get pictures() { return stage.scene.pictures; }, get seconds() { return stage.pictures.seconds; },
+  };
+  const paintMarks = makeMarks(stage);
+  let settled = 0, going = false, looks = 0;  // changes of colours so far
   const show = () => {
-    pictures.show(camera, lookOfPage());
+    stage.pictures.show(camera, lookOfPage());
     paintMarks();
   };
   // The exact picture, at once.
   stage.paint = () => {
     clearTimeout(settled);
-    pictures.paint(camera, lookOfPage());
+    stage.pictures.paint(camera, lookOfPage());
     show();
   };
   const goOn = () => {
-    going = pictures.busy;
+    going = stage.pictures.busy;
     if (!going) return;
-    if (pictures.step()) {
+    if (stage.pictures.step()) {
       show();
-      pictures.startWhole(camera, lookOfPage());
+      stage.pictures.startWhole(camera, lookOfPage());
     }
     requestAnimationFrame(goOn);
   };
   // The exact picture, a part of it each frame.
   stage.settle = () => {
-    pictures.start(camera, lookOfPage());
+    stage.pictures.start(camera, lookOfPage());
     if (!going) goOn();
   };
   // While the view moves: the exact picture if it takes less than a frame, kept ones otherwise, and the
   // exact one as soon as the view rests.
   stage.move = () => {
-    if (pictures.shows(camera)) return paintMarks();
-    if (pictures.quick(camera)) return stage.paint();
+    if (stage.pictures.shows(camera)) return paintMarks();
+    if (stage.pictures.quick(camera)) return stage.paint();
     clearTimeout(settled);
-    pictures.stop();
+    stage.pictures.stop();
     show();
     settled = setTimeout(stage.settle, 150);
     return undefined;
+  };
+  // Another scene from the same place.
+  stage.take = (next) => {
+    clearTimeout(settled);
+    stage.pictures.stop();
+    Object.assign(stage, { scene: next, chosen: null });
+  };
+  // The scene as it was kept, or drawn anew where the view or the colours are others.
+  stage.refresh = () => {
+    const kept = stage.scene.look === looks && stage.pictures.shows(camera);
+    stage.scene.look = looks;
+    return kept ? show() : stage.paint();
   };
   const soon = (act) => {
     let waiting = false;
@@ -90,7 +114,8 @@ function makeStage(mesh, claim) {
   stage.marked = soon(paintMarks);
   // The same view in other colours.
   stage.changed = soon(() => {
-    pictures.outdate();
+    stage.scene.look = ++looks;
+    stage.pictures.outdate();
     stage.settle();
     paintMarks();
   });

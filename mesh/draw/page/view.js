@@ -1,29 +1,32 @@
 // SPDX-License-Identifier: MIT
 // Draws the mesh by WebGL 2.
 
-const fillVertex = `#version 300 es
+// A triangle has one colour, or where `smooth` is set the colours between those of its corners.
+const fillVertex = (smooth) => `#version 300 es
 precision highp float; precision highp int;
 layout(location = 0) in uvec2 at;
 layout(location = 1) in float shade;
 uniform uvec2 centre;
 uniform vec2 scale;
 uniform sampler2D palette;
-flat out vec3 colour;
+${smooth ? "out float place" : "flat out vec3 colour"};
 out vec3 corner;
 void main() {
   gl_Position = vec4(vec2(ivec2(at - centre)) * scale, 0.0, 1.0);
-  colour = texelFetch(palette, ivec2(int(shade * 255.0 + 0.5), 0), 0).rgb;
+  ${smooth ? "place = shade" : "colour = texelFetch(palette, ivec2(int(shade * 255.0 + 0.5), 0), 0).rgb"};
   int i = gl_VertexID % 3;
   corner = vec3(i == 0, i == 1, i == 2);
 }`;
 // Edges lie where a barycentric coordinate is nearly 0; they fade where triangles are a few pixels.
-const fillFragment = `#version 300 es
+const fillFragment = (smooth) => `#version 300 es
 precision highp float;
-flat in vec3 colour;
+${smooth ? "in float place" : "flat in vec3 colour"};
 in vec3 corner;
 uniform vec4 edge;
+uniform sampler2D palette;
 out vec4 result;
 void main() {
+  ${smooth ? "vec3 colour = texelFetch(palette, ivec2(int(place * 255.0 + 0.5), 0), 0).rgb;" : ""}
   vec3 width = max(fwidth(corner), vec3(1e-12));
   vec3 pixels = corner / width;
   float nearest = min(min(pixels.x, pixels.y), pixels.z);
@@ -144,7 +147,8 @@ function copyPicture(gl, copier, picture, camera) {
 // canvas, the last on top; finish, which waits for what was asked.
 function makeCardView(gl, mesh, places) {
   const { order } = places;
-  const triangles = makeProgram(gl, fillVertex, fillFragment), lines = makeProgram(gl, lineVertex, lineFragment);
+  const flat = makeProgram(gl, fillVertex(false), fillFragment(false)), lines = makeProgram(gl, lineVertex, lineFragment);
+  let triangles = flat, smooth = null;  // made when it is first wanted
   const copier = makeProgram(gl, copyVertex, copyFragment);
   const filled = makeFillArray(gl, mesh, order), edges = makeLineArray(gl, mesh);
   const palette = gl.createTexture();
@@ -158,7 +162,9 @@ function makeCardView(gl, mesh, places) {
   return {
     setMode(mode) {
       const shades = new Uint8Array(3 * mesh.count), colours = new Uint8Array(4 * 256);
-      for (let k = 0; k < mesh.count; ++k) shades.fill(mode.of(order[k]), 3 * k, 3 * k + 3);
+      if (mode.atVertex === undefined) for (let k = 0; k < mesh.count; ++k) shades.fill(mode.of(order[k]), 3 * k, 3 * k + 3);
+      else for (let k = 0; k < 3 * mesh.count; ++k) shades[k] = mode.atVertex(mesh.triangles[3 * order[Math.floor(k / 3)] + k % 3]);
+      triangles = mode.atVertex === undefined ? flat : smooth ??= makeProgram(gl, fillVertex(true), fillFragment(true));
       for (let i = 0; i < 256; ++i) colours.set([...mode.colour(i).map(Math.round), 255], 4 * i);
       gl.bindBuffer(gl.ARRAY_BUFFER, filled.shades);
       gl.bufferData(gl.ARRAY_BUFFER, shades, gl.STATIC_DRAW);

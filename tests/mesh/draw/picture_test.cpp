@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/draw/picture.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
+#include <set>
+#include <string>
 
+#include "asterism/mesh/draw/outline.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 
 using namespace asterism;
@@ -104,4 +109,64 @@ TEST_CASE("metrics of any size and shape are drawn") {
   m.sites[12].metric = {1, 2, 1};
   for (const auto format : {picture_format::svg, picture_format::pdf, picture_format::png})
     REQUIRE(drawn(m, format, {400, true, true, 10}).size() > 1000);
+}
+
+TEST_CASE("colours fill every triangle, and a legend stands below") {
+  mesh m = sample_mesh(5);
+  for (std::size_t t = 0; t < m.triangles.size(); ++t) m.regions.push_back(t % 2 == 0 ? 3 : 8);
+  const auto svg = [&](picture_by colours, double bound = 0) {
+    picture_options options{800, false, false, bound};
+    options.colours = colours;
+    options.field = {"u", field_kind::scalar, std::vector<double>(m.sites.size(), 2)};
+    options.field.values[4] = 5;
+    return drawn(m, picture_format::svg, options);
+  };
+  const std::string plain = svg(picture_by::nothing);
+  const auto height = [](const std::string& text) {
+    const std::size_t at = text.find("height=\"") + 8;
+    return std::stod(text.substr(at));
+  };
+  std::set<std::string> all = {plain};
+  for (const auto by : {picture_by::angle, picture_by::aspect, picture_by::size, picture_by::region,
+                        picture_by::marker, picture_by::field}) {
+    const std::string coloured = svg(by);
+    CHECK(height(coloured) > height(plain) + 20);
+    if (by != picture_by::marker)
+      CHECK(count(coloured, "<path") >= count(plain, "<path") + m.triangles.size());
+    all.insert(coloured);
+  }
+  CHECK(all.size() == 7);
+  CHECK(svg(picture_by::angle, 20) != svg(picture_by::angle));
+  // As many colours as regions, one of them of two triangles or more and of a box of the legend.
+  std::map<std::string, int> fills;
+  const std::string regions = svg(picture_by::region);
+  for (std::size_t at = regions.find("rgb("); at != std::string::npos;
+       at = regions.find("rgb(", at + 1))
+    ++fills[regions.substr(at, regions.find(')', at) - at)];
+  CHECK(std::count_if(fills.begin(), fills.end(), [](const auto& f) { return f.second > 3; }) >= 2);
+}
+
+TEST_CASE("colours of what is not there are refused") {
+  mesh m = sample_mesh(2);
+  picture_options options;
+  options.colours = picture_by::field;
+  options.field = {"u", field_kind::scalar, {1}};
+  REQUIRE_THAT(draw_picture(m, picture_format::svg, options).failure().message,
+               Catch::Contains("u"));
+  options.colours = picture_by::marker;
+  m.boundary.clear();
+  REQUIRE_FALSE(draw_picture(m, picture_format::svg, options).ok());
+  options.colours = picture_by::angle;
+  m.triangles.clear();
+  REQUIRE_FALSE(draw_picture(m, picture_format::svg, options).ok());
+}
+
+TEST_CASE("the outline of a domain is drawn, whatever is wrong with it") {
+  domain d;
+  d.vertices = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+  d.segments = {{0, 1, 4}, {1, 3, 5}, {2, 9}};
+  const mesh shown = internal::outline_of(d);
+  REQUIRE(shown.boundary.size() == 2);
+  REQUIRE(shown.boundary[1].marker == 5);
+  REQUIRE(drawn(shown, picture_format::png, {400}).size() > 500);
 }

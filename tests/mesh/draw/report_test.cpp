@@ -140,3 +140,37 @@ TEST_CASE("a mesh that cannot be shown is refused with what is wrong") {
   m = sample_mesh(2);
   REQUIRE_FALSE(report_page(m, {.wanted = {m.sites[0].metric}}).ok());
 }
+
+TEST_CASE("fields and the meshes before have their arrays, and their counts are told") {
+  const mesh m = sample_mesh(3);
+  report_facts facts;
+  facts.fields.fields.push_back({"u", field_kind::vector, std::vector<double>(2 * m.sites.size())});
+  const mesh earlier = sample_mesh(2);
+  facts.before.push_back({"Before", earlier, {}, {}});
+  facts.before[0].fields.fields.push_back(
+      {"u", field_kind::scalar, std::vector<double>(earlier.sites.size(), 7)});
+  const auto told = nlohmann::json::parse(part(page_of(m, facts), "facts"));
+  REQUIRE(told["label"] == "After");
+  REQUIRE(told["fields"][0]["components"] == 2);
+  const auto& frame = told["frames"][0];
+  REQUIRE(frame["label"] == "Before");
+  REQUIRE(frame["triangles"] == earlier.triangles.size());
+  const auto length_of = [&](const std::string& name) {
+    for (const auto& entry : told["arrays"])
+      if (entry["name"] == name) return entry["length"].get<std::size_t>();
+    return std::size_t{0};
+  };
+  REQUIRE(length_of(told["fields"][0]["array"]) == 2 * m.sites.size());
+  REQUIRE(length_of(frame["fields"][0]["array"]) == earlier.sites.size());
+  REQUIRE(length_of("frame0.triangles") == 3 * earlier.triangles.size());
+}
+
+TEST_CASE("fields and meshes before that do not fit are refused by name") {
+  const mesh m = sample_mesh(2);
+  report_facts facts;
+  facts.fields.fields.push_back({"pressure", field_kind::scalar, {1, 2}});
+  REQUIRE_THAT(report_page(m, facts).failure().message, Catch::Contains("pressure"));
+  facts.fields.fields.clear();
+  facts.before.push_back({"round 3", mesh{}, {}, {}});
+  REQUIRE_THAT(report_page(m, facts).failure().message, Catch::Contains("round 3: "));
+}

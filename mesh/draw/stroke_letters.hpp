@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes words as lines, so that a picture needs no font and is the same on every machine.
+#pragma once
+
+#include <string_view>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/draw/canvas.hpp"
+
+namespace asterism::internal {
+
+// Returns how wide a text of capitals `height` high is.
+double text_width(std::string_view text, double height);
+
+// Strokes a text in the colour in use, from the left end of its base line. ASCII alone: a byte that
+// is none becomes a question mark.
+void draw_text(canvas& on, const point& at, double height, std::string_view text);
+
+}  // namespace asterism::internal
