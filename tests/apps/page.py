@@ -2,12 +2,13 @@
 """Pages (-o NAME.html) in headless Chromium, as a reader has them: what is drawn, measured and said, by
 mouse and by keys, dark and light. Skipped where Chromium, its driver or Selenium are missing."""
 import json
+import math
 import shutil
 import sys
 import tempfile
 import unittest
 
-from command import CommandTest
+from command import CommandTest, section
 
 NEEDED = "chromium, chromium-driver and python3-selenium (scripts/setup.sh, large_packages)"
 try:
@@ -248,7 +249,10 @@ class PageTest(CommandTest):
         self.assertTrue(self.text("verdict").startswith("NOT certified"))
         places = self.text("places")
         self.assertIn("Findings: triangles that turn clockwise or are flat (1)", places)
-        self.assertIn("Triangle 1 of vertex", places)
+        self.assertIn("Triangle 1 of vertices", places)
+        self.assertLess(self.ask("document.body.innerText.indexOf('Places to look at')"),
+                        self.ask("document.body.innerText.indexOf('Asked and delivered')"))
+        self.assertFalse(self.ask("document.getElementById('ellipses').checked"))
         self.assertLess(places.index("turn clockwise"), places.index("Findings that may follow from those"))
         self.assertNotRegex(places + self.text("asked"), r"\w_\w")
         self.assertIn("1 triangles that turn clockwise or are flat", self.text("verdict"))
@@ -256,6 +260,91 @@ class PageTest(CommandTest):
                                   ".filter((t) => asterism.stage.mode.of(t) === 0).length"), 1)
         self.open("bad.html", "#triangle=1")
         self.assertIn("Witnesses:", self.text("chosen"))
+
+    def write_solution(self, name="u.sol", height=1.0):
+        """On a.mesh: a scalar, and a vector whose length is 5."""
+        lines = (self.folder / "a.mesh").read_text().split("\n")
+        start, count = section(lines, "Vertices")
+        at = [tuple(map(float, line.split()[:2])) for line in lines[start:start + count]]
+        self.write(name, f"MeshVersionFormatted 2\nDimension 2\nSolAtVertices {count}\n2 1 2\n"
+                   + "".join(f"{height * math.tanh(8 * (x + y))!r} 3 4\n" for x, y in at) + "End\n")
+
+    def counts(self):
+        return self.ask("[asterism.mesh.vertices, asterism.mesh.count]")
+
+    def test_a_solution_is_shown_before_and_after_adaptation(self):
+        self.make()
+        self.write_solution()
+        done = self.run_command("adapt", "a.mesh", "--solution", "u.sol", "--field", "1", "--vertices", "400", "-o", "b.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.open("b.html")
+        self.assertEqual(self.ask("asterism.stage.mode.name"), "solution: 1")
+        self.assertGreater(len(browser.colours_of_canvas(self.driver)), 50)
+        buttons = self.driver.find_elements("css selector", "#frames button")
+        self.assertEqual([one.text for one in buttons], ["Before", "Adapted"])
+        after, camera = self.counts(), self.ask("[asterism.stage.camera.x, asterism.stage.camera.scale]")
+        self.driver.find_element("id", "canvas").send_keys(",")
+        self.assertEqual(buttons[0].get_attribute("aria-pressed"), "true")
+        self.assertNotEqual(self.counts(), after)
+        self.assertEqual(self.counts()[0], self.ask("asterism.facts.frames[0].vertices"))
+        self.assertEqual(self.ask("asterism.stage.mode.name"), "solution: 1")
+        self.assertEqual(self.ask("[asterism.stage.camera.x, asterism.stage.camera.scale]"), camera)
+        browser.hover_middle(self.driver)
+        hover = self.driver.execute_async_script(
+            "requestAnimationFrame(() => requestAnimationFrame(() => arguments[0](document.getElementById('hover').innerText)))")
+        self.assertRegex(hover, r"\n1 -?[\d.e-]+\n2, length 5\n2.x 3\n2.y 4\nat ")
+        browser.click_middle(self.driver)
+        self.assertIn("2.y", self.text("chosen"))
+        buttons[1].click()
+        self.assertEqual(self.counts(), after)
+        self.assertEqual(self.text("chosen"), "None chosen.")
+        self.assertTrue(self.text("verdict").startswith("Certified"))
+        rows = self.driver.find_elements("css selector", "#compared tbody tr")
+        self.assertEqual(len(rows), 2)
+        self.assertIn(f"{after[0]:,}", rows[1].text)
+
+    def test_a_field_has_one_scale_in_all_rounds_of_a_loop(self):
+        self.make()
+        for round_ in range(4):
+            self.write(f"r{round_}.mesh", (self.folder / "a.mesh").read_text())
+            self.write_solution(f"r{round_}.sol", 1.0 + round_)
+        meshes = [f"r{i}.mesh" for i in range(4)]
+        done = self.run_command("draw", *meshes, "-o", "loop.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.open("loop.html")
+        self.assertTrue(self.text("verdict").startswith("Not judged"))
+        self.assertIn("no metric", self.text("asked"))
+        slider = self.driver.find_element("id", "frame")
+        self.assertEqual((slider.get_attribute("min"), slider.get_attribute("max")), ("1", "4"))
+        legend = self.text("colours")
+        self.assertRegex(legend, r"solution: 1\s+-?[\d.]+\s+[34]")
+        self.driver.find_element("id", "play").click()
+        seen = set()
+        for _ in range(100):
+            seen.add((self.text("framed"), self.text("colours")))
+            if self.driver.find_element("id", "play").text == "Play":
+                break
+            self.driver.execute_async_script("setTimeout(arguments[0], 60)")
+        self.assertEqual({name for name, _ in seen}, {"r0", "r1", "r2", "r3"})
+        self.assertEqual({colours for _, colours in seen}, {legend})
+
+    def test_a_domain_is_shown_as_it_was_before_it_was_repaired(self):
+        self.write("crossed.poly", "5 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n5 -0.1 0.5\n6 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n"
+                   "5 5 3 5\n6 5 1 6\n0\n")
+        done = self.run_command("mesh", "crossed.poly", "--repair-domain", "--size", "0.3", "-o", "a.mesh", "-o", "a.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.open("a.html")
+        meshed = browser.colours_of_canvas(self.driver)
+        self.driver.find_elements("css selector", "#frames button")[0].click()
+        self.assertEqual(self.counts(), [5, 0])
+        outline = browser.colours_of_canvas(self.driver)
+        self.assertGreater(len(outline), 1)
+        self.assertTrue(outline != meshed)
+        self.assertIn("There are no triangles.", self.text("angles"))
+        self.assertIn("Repairs of the domain", self.text("places"))
+        self.assertEqual(self.run_command("draw", "crossed.poly", "-o", "b.html").returncode, 0)
+        self.open("b.html")
+        self.assertEqual(self.counts(), [5, 0])
 
     def test_a_picture_of_files_claims_what_their_certificate_does_and_no_more(self):
         self.make()

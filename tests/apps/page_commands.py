@@ -36,7 +36,7 @@ class PageCommands(command.CommandTest):
             self.write(f"{name}.poly", FAULTY)
         for example in (TOP / "examples").glob("*.poly"):
             self.write(example.name, example.read_text())
-        for name in ("swirl", "plate", "old", "made", "m"):
+        for name in ("swirl", "plate", "old", "made", "m", "round1", "round2", "round3"):
             done = self.run_command("mesh", "square", "--metric", "swirl:3", "--size", "0.4", "-o", f"{name}.mesh")
             self.assertEqual(done.returncode, 0)
         lines = (self.folder / "old.mesh").read_text().split("\n")
