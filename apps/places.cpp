@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <system_error>
 
@@ -14,13 +15,27 @@ namespace asterism::apps {
 using namespace internal;
 namespace fs = std::filesystem;
 
+namespace {
+
+// True if a file can be made there: a file system may forbid what the rights of the folder allow.
+bool takes_files(const fs::path& folder) {
+  std::string name = (folder / ".asterism-XXXXXX").string();
+  const int made = mkstemp(name.data());
+  if (made < 0) return false;
+  close(made);
+  unlink(name.c_str());
+  return true;
+}
+
+}  // namespace
+
 std::optional<error> check_place(const fs::path& path) {
   std::error_code ignored;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
     return error{path.string() + ": there is no directory " + folder.string(),
                  error_code::unwritable_file};
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
+  if (access(folder.c_str(), W_OK | X_OK) != 0 || !takes_files(folder))
     return error{path.string() + ": directory " + folder.string() + " is not writable",
                  error_code::unwritable_file};
   if (!path.has_filename() || (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)))

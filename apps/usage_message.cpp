@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
 #include <numeric>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace asterism::apps {
 namespace {
@@ -53,7 +56,7 @@ struct foreign_option {
 };
 
 // Options of other meshers, and what they are called here.
-constexpr std::array<foreign_option, 17> foreign_options = {{
+constexpr std::array<foreign_option, 27> foreign_options = {{
     {"hmax", "--size", "the length of an edge of metric length 1"},
     {"hsiz", "--size", "the length of an edge of metric length 1"},
     {"clmax", "--size", "the length of an edge of metric length 1"},
@@ -68,9 +71,20 @@ constexpr std::array<foreign_option, 17> foreign_options = {{
     {"out", "-o", "the file to write"},
     {"nt", "--threads", "how many threads work"},
     {"j", "--threads", "how many threads work"},
-    {"q", "--angle-bound", "the least angle in degrees, in the metric"},
+    {"q", "--angle-bound", "the least angle in degrees, in the metric; --quiet says nothing"},
     {"a", "--size", "the length of an edge; a triangle of it has 0.433 of its square as area"},
     {"p", "-o", "the file to write; a .poly is read without an option"},
+    {"f", "-o", "the file to write; its ending names the format"},
+    {"format", "-o", "the file to write; its ending names the format"},
+    {"force", "-o", "the file to write; one that is there is replaced"},
+    {"overwrite", "-o", "the file to write; one that is there is replaced"},
+    {"y", "-o", "the file to write; one that is there is replaced"},
+    {"nosurf", "-o",
+     "the file to write; edges of the domain are kept, and divided where they must be"},
+    {"Y", "-o", "the file to write; edges of the domain are kept, and divided where they must be"},
+    {"v", "--json", "all that is known of the run"},
+    {"verbose", "--json", "all that is known of the run"},
+    {"V", "--help", "`asterism --version` says which this is"},
 }};
 
 // Returns what an unknown option is called here, as the end of a message; empty if that is not
@@ -127,16 +141,47 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
   const std::string help = "\n'asterism " + app->get_name() + " --help' lists the options.";
   const std::vector<std::string> known = options_of(*app);
   const std::string unknown = unknown_option(words, known);
-  if (dynamic_cast<const CLI::ExtrasError*>(&failure) == nullptr || unknown.empty())
-    return failure.what() + help;
+  // What is required may have been given under a wrong name.
+  const bool may_be_name = dynamic_cast<const CLI::ExtrasError*>(&failure) != nullptr ||
+                           dynamic_cast<const CLI::RequiredError*>(&failure) != nullptr;
+  if (!may_be_name || unknown.empty()) return failure.what() + help;
   return no_such_option(*app, unknown);
+}
+
+// Commands of other programs, and what they are called here.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> foreign_commands = {
+    {{"plot", "draw"},
+     {"view", "draw"},
+     {"show", "draw"},
+     {"render", "draw"},
+     {"generate", "mesh"},
+     {"triangulate", "mesh"},
+     {"create", "mesh"},
+     {"make", "mesh"},
+     {"refine", "adapt"},
+     {"remesh", "adapt"},
+     {"optimize", "adapt"},
+     {"interpolate", "transfer"},
+     {"check-mesh", "certify"},
+     {"quality", "certify"}}};
+
+// What was meant by a word that is no command: a domain, a file, or the command of another program.
+std::string meant_instead(const std::string& word) {
+  for (const auto& [theirs, ours] : foreign_commands)
+    if (theirs == word) return "; here it is " + std::string(ours);
+  std::error_code ignored;
+  const bool is_file = std::filesystem::is_regular_file(word, ignored);
+  if (word == "square" || word == "airfoil") return "; did you mean asterism mesh " + word + "?";
+  return is_file ? "; did you mean asterism info " + word + ", or mesh, certify or draw?" : "";
 }
 
 std::string no_such_command(const CLI::App& program, const std::string& word) {
   std::vector<std::string> commands;
   for (const CLI::App* one : program.get_subcommands([](const CLI::App*) { return true; }))
     commands.push_back(one->get_name());
-  return "there is no command '" + word + "'" + meant(word, commands) +
+  const std::string instead = meant_instead(word);
+  return "there is no command '" + word + "'" +
+         (instead.empty() ? meant(word, commands) : instead) +
          "\n'asterism --help' lists the commands.";
 }
 
