@@ -24,7 +24,7 @@ constexpr std::array<heading, 4> headings = {{
     {"What is wanted",
      " metric size hmin hmax aspect vertices complexity gradation angle-bound metric-tolerance tol "
      "improve "
-     "refine certify voronoi solution carry hessian norm target error relative cutoff "
+     "refine voronoi solution carry hessian norm target error relative cutoff "
      "given-hessian floor keep "
      "size-at size-in size-near size-box layers frozen sizes-of-file transfer how "},
     {"Domain",

@@ -50,6 +50,11 @@ const std::map<std::string, refinement_strategy> strategies = {
 
 constexpr real_range complexities = {0, 1e100, false, true, "positive, at most 1e100"};
 
+void take_gradation(const std::string& text, mesh_job& job) {
+  job.gradation.reset();
+  if (text != "none") job.gradation = real_of("--gradation", text, gradations);
+}
+
 void add_domain_options(CLI::App& app, mesh_job& job) {
   app.add_option("DOMAIN", job.domain, "What to mesh")->required();
   app.add_option("--metric", job.metric, "The metric wanted (default identity)")->type_name("SPEC");
@@ -68,9 +73,11 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
       ->type_name("C")
       ->excludes(size)
       ->excludes(vertices);
-  add_real(
-      app, "--gradation", gradations, [&job](double x) { job.gradation = x; },
-      "Make the metric change slowly: neighbouring edges differ by a factor of about BETA")
+  app.add_option_function<std::string>(
+         "--gradation", [&job](const std::string& text) { take_gradation(text, job); },
+         "Make the metric change slowly: neighbouring edges differ by a factor of about BETA, or "
+         "none "
+         "(default)")
       ->type_name("BETA");
   auto* const repair = app.add_flag("--repair-domain", job.repair,
                                     "Make crossings of segments vertices, join points that nearly "
@@ -215,13 +222,15 @@ void add_output_options(CLI::App& app, mesh_job& job) {
                  "The certificate's file (default: first OUT with extension .certificate.json)")
       ->type_name("FILE");
   add_proof_option(app, job.proof);
+  app.add_flag("--voronoi", job.refinement.prove_voronoi,
+               "Prove it the dual of the anisotropic Voronoi diagram, or end with status 1");
+  // The older spelling, which help does not show.
   app.add_option_function<std::string>(
          "--certify",
-         [&job](const std::string& what) { job.refinement.prove_voronoi = what == "voronoi"; },
-         "stars (default): every triangle is in the stars of its corners; voronoi: moreover, the "
-         "mesh is the dual of the anisotropic Voronoi diagram, or the exit status is 1")
+         [&job](const std::string& what) { job.refinement.prove_voronoi = what == "voronoi"; })
       ->check(CLI::IsMember({"stars", "voronoi"}))
-      ->type_name("WHAT");
+      ->type_name("WHAT")
+      ->group("");
   app.add_flag("--ellipses", job.ellipses, "Draw the metric in pictures");
   app.add_flag("--strict", job.strict,
                "Refuse a domain of which something would be changed or passed over, with a note");

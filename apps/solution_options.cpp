@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "asterism/apps/option_values.hpp"
+#include "asterism/apps/other_names.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 
@@ -75,6 +76,7 @@ void add_target_options(CLI::App& app, metric_request& request) {
            request.wishes.hessian = hessian_methods.at(name);
          },
          "green (default): weak form; lsq: fitted quadratics; l2: averages of averages")
+      ->transform(also("least_squares", "lsq"))
       ->check(CLI::IsMember(hessian_methods))
       ->type_name("HOW");
   app.add_option_function<std::string>(

@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "asterism/apps/other_names.hpp"
+
 namespace asterism::apps {
 namespace {
 
@@ -21,6 +23,7 @@ void add_transfer_option(CLI::App& app, transfer_method& how) {
          "interpolate (default): values at the new vertices; project: the nearest field in the "
          "mean "
          "square, which keeps integrals; bounded: that, without new extrema")
+      ->transform(also("conservative", "project"))
       ->check(CLI::IsMember(transfer_methods))
       ->type_name("HOW");
 }

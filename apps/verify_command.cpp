@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <filesystem>
 #include <iostream>
@@ -26,6 +27,8 @@
 #include "asterism/apps/verify_question.hpp"
 #include "asterism/apps/verify_surface.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/pipeline/field_claims.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
@@ -231,11 +234,24 @@ result<asked_domain> find_shape(const verify_options& options, judged_mesh& subj
   return shape;
 }
 
+// Adds to a refusal what judges a mesh that no run of ours wrote.
+error with_way_out(const error& refusal, const fs::path& mesh) {
+  const std::string name = mesh.string();
+  std::error_code ignored;
+  if (has_ending(name, ".poly") || has_ending(name, ".wkt") || has_ending(name, ".geojson"))
+    return {refusal.message + "; " + name + " is a domain, and a mesh of it is wanted",
+            refusal.code};
+  const bool is_medit = has_ending(name, ".mesh") || has_ending(name, ".meshb");
+  if (!is_medit || fs::exists(solution_path(mesh), ignored)) return refusal;
+  return {refusal.message + "; `asterism certify " + name + "` judges a mesh without a metric",
+          refusal.code};
+}
+
 int run_verify(const verify_options& options) {
   if (const auto status = verify_surface(options)) return *status;
   run_limits limits(options.max_seconds, std::nullopt);
   auto subject = read_judged(options);
-  if (!subject) return complain(subject.failure(), refused);
+  if (!subject) return complain(with_way_out(subject.failure(), options.mesh), refused);
   const auto claim = find_certificate(options);
   if (!claim) return complain(claim.failure(), refused);
   auto shape = find_shape(options, subject.value(), claim.value());
@@ -312,10 +328,17 @@ void add_verify_command(CLI::App& program, command& chosen, piece_team* team) {
   app->add_flag("--long", options->tells_theorem,
                 "Say, too, whether the theorem on nets applies to the mesh, and why not");
   app->add_flag("--json", options->json, "The verdict as a JSON object, in place of lines");
+  const auto threads = std::make_shared<std::size_t>(0);
+  add_count(
+      *app, "--threads", 1, 1024, [threads](std::uint64_t n) { *threads = n; },
+      "Threads that work; the answer does not depend on it (default: one a processor)")
+      ->type_name("N");
   add_judging_flags(*app, options->all_findings, options->all_edges);
   app->footer(verify_examples);
-  app->callback([options, team, &chosen] {
-    chosen = [options, team] {
+  app->callback([options, team, threads, &chosen] {
+    chosen = [options, team, threads] {
+      std::optional<tbb::global_control> limit;
+      if (*threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, *threads);
       return team != nullptr || is_of_pieces(*options) ? run_verify_pieces(*options, team)
                                                        : run_verify(*options);
     };

@@ -46,7 +46,7 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
     gradation: neighbouring lengths grow by this factor at most over a length of one; None: by any. By
     default 6 for fields, with which loops do best, and None for a metric.
     intersect: metrics (n, 3) that are to hold besides. step: how many times a length may change from
-    what it is in the mesh. hessian: 'l2', 'green' or 'least_squares' (docs/manual/adaptation.md); or the
+    what it is in the mesh. hessian: 'l2', 'green' or 'lsq' (docs/manual/adaptation.md); or the
     second derivatives themselves, (n, 3) = xx xy yy or (n, 2, 2) of either sign, one or a dict of them,
     of which the metric is made then, without values.
     relative: the error is a part of the greatest less the least value of each field, or with a cutoff C
@@ -75,11 +75,11 @@ def implied_metric(mesh: Mesh) -> npt.NDArray[np.float64]:
     return _asterism._implied_metric(_mesh_made(mesh))
 
 
-def transfer(mesh: Mesh, values: Fields, to: Mesh, how: str = "conservative") -> Any:
+def transfer(mesh: Mesh, values: Fields, to: Mesh, how: str = "project") -> Any:
     """Brings values at the points of `mesh` to those of `to`, a mesh of the same domain.
 
     values: (n,), (n, 2) or (n, 3), or a dict of such arrays by name; the same comes back, with a
-    `report`. how: 'interpolate' (no new extrema, integrals change), 'conservative' (the nearest in
+    `report`. how: 'interpolate' (no new extrema, integrals change), 'project' (the nearest in
     the mean square; integrals stay to rounding, may overshoot) or 'bounded' (both kept).
     """
     fields = named_fields(values)

@@ -22,7 +22,8 @@ def verify(subject: "Mesh | str | os.PathLike[str]", certificate: Optional[str] 
 
 
 def certify(points: "npt.ArrayLike | Mesh", triangles: Optional[npt.ArrayLike] = None,
-            metric: npt.ArrayLike = (1, 0, 1), angle_bound: float = 20, prove_voronoi: bool = False) -> Dict[str, Any]:
+            metric: npt.ArrayLike = (1, 0, 1), angle_bound: float = 20, voronoi: bool = False,
+            prove_voronoi: bool = False) -> Dict[str, Any]:
     """Is a triangulation from elsewhere the mesh of its points' stars, with no angle below the bound?
     `certified`, `not_in_all_stars`, `low_triangles`, `findings` (each with `kind` and `witness`) and
     what was measured."""
@@ -32,4 +33,4 @@ def certify(points: "npt.ArrayLike | Mesh", triangles: Optional[npt.ArrayLike] =
         raise InputError("triangles: (t, 3) are wanted beside the points")
     else:
         of = Mesh(points, triangles, metric)
-    return judged(_asterism._certify(of._made, {"angle_bound": angle_bound, "prove_voronoi": prove_voronoi}))
+    return judged(_asterism._certify(of._made, {"angle_bound": angle_bound, "prove_voronoi": voronoi or prove_voronoi}))

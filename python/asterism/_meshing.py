@@ -27,14 +27,15 @@ class NotReachedWarning(UserWarning):
 
 def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] = None,
          angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: Optional[int] = None,
-         gradation: Union[float, str, None] = None, prove_voronoi: bool = False, improve: int = 0,
+         gradation: Union[float, str, None] = None, voronoi: bool = False, improve: int = 0,
          vertices: Optional[int] = None, complexity: Optional[float] = None,
          metric_tolerance: Optional[float] = None, chord_tolerance: Optional[float] = None,
          size_at: Places = (), size_box: Places = (), size_in: Optional[Sizes] = None,
          size_near: Optional[Sizes] = None, layers: Optional[Sizes] = None, hmin: Optional[float] = None,
          hmax: Optional[float] = None, aspect: Optional[float] = None,
          repair: "bool | float" = False, guarantee: bool = False, max_seconds: Optional[float] = None,
-         threads: Optional[int] = None, progress: Optional[Progress] = None) -> Mesh:
+         threads: Optional[int] = None, progress: Optional[Progress] = None,
+         prove_voronoi: bool = False) -> Mesh:
     """Makes a mesh whose angles are at least angle_bound degrees, each measured by the metric of all
     three vertices of its triangle, and audits it.
 
@@ -71,6 +72,8 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     hmin, hmax, aspect: bounds on all edges, and on how many times as long as wide triangles are.
     With any of these and without size, vertices or complexity the size elsewhere is hmax, or the width of
     the domain.
+    voronoi: it is to be proved the dual of the anisotropic Voronoi diagram, too (prove_voronoi is an older
+    name of it).
     repair: True, or the distance within which points are joined: a domain whose segments cross or leave
     gaps is mended, told in a UserWarning.
     guarantee: edges are made shorter until the theorem on nets applies to the mesh, which then has its
@@ -87,7 +90,7 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     wanted, size = _metric_and_size(metric, on, covered, size, (vertices, complexity) == (None, None))
     made = Mesh._of(_asterism._mesh(covered._made, wanted, {
         "size": size, "angle_bound": angle_bound, "max_sites": max_sites,
-        "gradation": gradation_of(gradation, False), "prove_voronoi": prove_voronoi, "improve": improve,
+        "gradation": gradation_of(gradation, False), "prove_voronoi": voronoi or prove_voronoi, "improve": improve,
         "vertices": vertices, "complexity": complexity, "metric_tolerance": metric_tolerance,
         "chord_tolerance": chord_tolerance, "keep_if_complete": covered._is_meshed, "max_seconds": max_seconds,
         "sizes": words_of(size_at, size_box, size_in, size_near, layers,

@@ -118,7 +118,7 @@ def adapt(mesh: Any, values: Values = None, cell_tags: Any = None, facet_tags: A
                           made.metric, made.report)
 
 
-def transfer(values: Values, to: Any, how: str = "conservative", *, mesh: Any = None) -> Any:
+def transfer(values: Values, to: Any, how: str = "project", *, mesh: Any = None) -> Any:
     """Functions, or arrays at the nodes of the geometry of `mesh`, brought to the dolfinx mesh `to`, in the
     ways of asterism.transfer(). Functions of degree 2 are interpolated: how="interpolate"."""
     source = mesh if mesh is not None else _mesh_of(values)
