@@ -15,6 +15,7 @@
 #include "asterism/mesh/draw/cairo_functions.hpp"
 #include "asterism/mesh/draw/canvas.hpp"
 #include "asterism/mesh/draw/picture_colours.hpp"
+#include "asterism/mesh/draw/picture_legend.hpp"
 #include "asterism/mesh/numerics/metric_angle.hpp"
 
 namespace asterism {

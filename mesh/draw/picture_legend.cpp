@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/mesh/draw/picture_legend.hpp"
+
 #include <algorithm>
 
-#include "asterism/mesh/draw/picture_colours.hpp"
 #include "asterism/mesh/draw/stroke_letters.hpp"
 
 namespace asterism::internal {
