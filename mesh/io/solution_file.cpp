@@ -152,7 +152,9 @@ failure check_fields(const solution& s, const std::string& file) {
   if (s.fields.empty())
     return error{file + ": there is no field in it", error_code::malformed_file};
   if (s.fields.size() == 1 && s.fields[0].kind == field_kind::tensor)
-    return error{file + ": one symmetric tensor a vertex is a metric, and a solution is wanted; --metric takes it",
+    return error{file +
+                     ": one symmetric tensor a vertex is a metric, and a solution is wanted; "
+                     "--metric takes it",
                  error_code::malformed_file};
   return {};
 }
