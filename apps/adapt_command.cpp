@@ -22,6 +22,7 @@
 #include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/page_facts.hpp"
+#include "asterism/apps/periodic_options.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/proof_output.hpp"
@@ -291,6 +292,7 @@ void summarize(const adapt_job& job, const adapted& made) {
         "domain: {} of {} boundary vertices kept; old and new boundary within {:.3g} of each "
         "other\n",
         made.next.boundary_kept, made.next.boundary_vertices, made.next.boundary_distance);
+  write_periodic(std::cout, made.next.made.claim);
   say_kept(job, made);
   if (made.next.made.outcome.delivered)
     std::cout << "delivered: " << text_of(*made.next.made.outcome.delivered) << '\n';
@@ -360,6 +362,7 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
       "hundredth of the size wanted across it)")
       ->excludes(exact)
       ->type_name("D");
+  add_periodic_option(app, job.options.periodic);
   add_real(
       app, "--angle-bound", angle_bounds,
       [&job](double x) { job.options.refinement.angle_bound = x; },

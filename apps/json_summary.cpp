@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 namespace asterism::apps {
 namespace {
@@ -57,6 +58,21 @@ void add_audit(json& object, const audit_report& audit, const std::vector<region
   object["witnesses"] = witnesses;
 }
 
+// Adds how sides match, where that was asked.
+void add_periodic(json& object, const std::vector<periodic_match>& matches) {
+  if (matches.empty()) return;
+  json all = json::array();
+  for (const periodic_match& one : matches)
+    all.push_back({{"sides", {one.sides.first, one.sides.second}},
+                   {"kind", periodic_kind_names[static_cast<std::size_t>(one.kind)]},
+                   {"turn", one.turn},
+                   {"shift", {one.shift.x, one.shift.y}},
+                   {"vertices", one.vertices},
+                   {"greatest_offset", one.greatest_offset},
+                   {"metrics_apart", number(one.metrics_apart)}});
+  object["periodic"] = std::move(all);
+}
+
 // Adds whether the theorem on nets applies to the mesh, and how far its hypotheses hold; null where
 // that was not asked.
 void add_theorem(json& object, const std::optional<theorem_hypotheses>& measured) {
@@ -80,6 +96,7 @@ std::string summary_json(const certified_mesh& made, int status,
                  {"complete", outcome.complete},
                  {"reason", made.claim.reason}};
   add_audit(object, made.report, made.claim.regions);
+  add_periodic(object, made.claim.periodic);
   add_theorem(object, made.claim.theorem);
   object["disagreeing"] = outcome.disagreeing;
   object["too_large"] = outcome.too_large;
@@ -137,6 +154,8 @@ json distance_of(const metric_answer& metric) {
 
 std::string summary_json(const judgement& judged, int status, const std::string& scope) {
   const verify_report& verdict = judged.verdict;
+  std::vector<std::string> refusals = judged.metric.refusals;
+  refusals.insert(refusals.end(), judged.side_refusals.begin(), judged.side_refusals.end());
   json object = {{"command", "verify"},
                  {"status", status},
                  {"verified", verdict.verified},
@@ -145,8 +164,9 @@ std::string summary_json(const judgement& judged, int status, const std::string&
                  {"metric_checked", judged.metric.made},
                  {"metric_delivered", distance_of(judged.metric)},
                  {"contradictions", verdict.contradictions},
-                 {"refusals", judged.metric.refusals}};
+                 {"refusals", refusals}};
   add_audit(object, verdict.audit, verdict.regions);
+  add_periodic(object, verdict.periodic);
   add_theorem(object, verdict.theorem);
   return text_of(object);
 }

@@ -7,6 +7,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/mesh_job.hpp"
 #include "asterism/apps/option_values.hpp"
+#include "asterism/apps/periodic_options.hpp"
 #include "asterism/apps/pieces_job.hpp"
 #include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_mesh_job.hpp"
@@ -41,6 +42,7 @@ Examples:
   asterism mesh coast.poly --size 0.001 --pieces 64 -o coast/
   asterism mesh wing.poly --size 0.5 --size-near 2:0.01,1.2 --size-at 3,0,1:0.1 -o wing.mesh
   asterism mesh pipe.msh --size 0.1 --layers wall:1e-3,1.2 -o pipe.mesh
+  asterism mesh square --size 0.2 --periodic 4,2 --periodic 1,3 -o torus.mesh
   asterism mesh part.poly --refine darts --angle-bound 10 -o part.mesh --certificate part.json)";
 
 const std::map<std::string, refinement_strategy> strategies = {
@@ -93,6 +95,7 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
       "Greatest distance of a curve from its chords (default: a fiftieth of each chord, and with a "
       "size a fiftieth of it, as the metric has it across the curve)")
       ->type_name("D");
+  add_periodic_option(app, job.periodic);
   app.add_flag("--convex-hull", job.convex_hull,
                "Close the domain by the convex hull of its vertices: of a .node file, or segments "
                "that bound nothing");
@@ -144,7 +147,7 @@ void add_guarantee_option(CLI::App& app, mesh_job& job) {
                    "agreement and dual are proved then; refused where a corner is too sharp for "
                    "it, or the metric jumps");
   for (const char* other : {"--vertices", "--complexity", "--refine", "--metric-tolerance", "--tol",
-                            "--improve", "--pieces"})
+                            "--improve", "--pieces", "--periodic"})
     guarantee->excludes(other);
 }
 

@@ -31,7 +31,8 @@ struct mesh_job {
   double vertices_factor = 1;             // of those aimed at, to those wanted
   bool number_regions = false;            // those the domain does not number, too
   bool convex_hull = false;               // of the vertices, as segments
-  bool guarantee = false;  // edges are made shorter until the theorem on nets applies
+  bool guarantee = false;               // edges are made shorter until the theorem on nets applies
+  std::vector<periodic_pair> periodic;  // sides that are to have the same points
   std::size_t random_points = 0;
   std::size_t pieces = 0;                  // 0: the mesh is made in one
   std::vector<std::string> piece_formats;  // endings of further files of each piece

@@ -48,6 +48,8 @@ std::optional<error> check_job(const mesh_job& job) {
   if (job.pieces == 0) return refuse("--pieces is wanted: asterism-mpi makes meshes in pieces");
   if (job.outputs.size() != 1)
     return refuse("--pieces: one folder is wanted for -o, and there are several");
+  if (!job.periodic.empty())
+    return refuse("--periodic: both sides want the whole domain, which no piece has");
   if (!job.certificate.empty())
     return refuse("--certificate: each piece has its own beside it, with --pieces");
   if (!job.sizes.near.empty() || !job.sizes.layers.empty() || !job.sizes.regions.empty() ||

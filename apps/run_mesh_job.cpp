@@ -19,6 +19,7 @@
 #include "asterism/apps/memory_account.hpp"
 #include "asterism/apps/next_step.hpp"
 #include "asterism/apps/page_facts.hpp"
+#include "asterism/apps/periodic_options.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/proof_output.hpp"
@@ -163,6 +164,7 @@ void tell(const mesh_job& job, const prepared_input& input, const certified_mesh
   if (outcome.one_metric && made.certified())
     std::cout << "last resort: " << made.claim.reason << '\n';
   tell_scale(job, input, outcome);
+  write_periodic(std::cout, made.claim);
   if (input.gradation) std::cout << "gradation: " << text_of(*input.gradation) << '\n';
   if (input.repairs.distance > 0) std::cout << "repaired: " << text_of(input.repairs) << '\n';
   if (outcome.improved)
@@ -203,7 +205,7 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_in
     line.show(progress);
   };
   return job.guarantee ? make_guaranteed_mesh(input.shape, *input.field, options, show)
-                       : make_certified_mesh(input.shape, *input.field, options, show);
+                       : make_periodic_mesh(input.shape, *input.field, options, job.periodic, show);
 }
 
 // Raises the default limit where the domain has many vertices: an angle bound alone takes two to

@@ -83,6 +83,13 @@ std::string former_text(const std::optional<certificate>& claim) {
                      claim->former_distance.largest_distance);
 }
 
+std::string periodic_text(const std::vector<periodic_match>& matches) {
+  std::string text;
+  for (const periodic_match& one : matches)
+    text += (text.empty() ? "; periodic: " : "; ") + asterism::text_of(one);
+  return text;
+}
+
 std::string cut_short_text(const audit_report& report) {
   if (!report.stars_cut_short) return "";
   return "not all stars were looked at, as a tenth of the sites or more was refused already";

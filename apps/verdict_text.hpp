@@ -36,6 +36,10 @@ std::string curves_text(const audit_report& report);
 // and verify() compared it; nothing where there is none.
 std::string former_text(const std::optional<certificate>& claim);
 
+// Returns "; periodic: " and how the sides match that are to have the same points; nothing where
+// there are none.
+std::string periodic_text(const std::vector<periodic_match>& matches);
+
 // Returns "areas of regions before and after: 1 (0.25, 0.25), 3 (0.75, 0.75)", the first ten, with
 // what they are in the domain for those before where no mesh was adapted; nothing where there is
 // but region 1.

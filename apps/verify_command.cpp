@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "asterism/apps/json_summary.hpp"
 #include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
+#include "asterism/apps/periodic_options.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
@@ -116,6 +118,7 @@ std::string scope_text(const judgement& judged, const std::optional<certificate>
   if (!verdict.regions.empty()) text += "; " + regions_text(verdict.regions);
   if (!verdict.audit.stars_checked) text += "; stars not checked";
   if (verdict.audit.stars_cut_short) text += "; " + cut_short_text(verdict.audit);
+  text += periodic_text(verdict.periodic);
   text += size_text(claim);
   if (verdict.theorem && tells_theorem)
     text += "; the theorem on nets, " + theorem_metric_text(judged.metric) +
@@ -127,7 +130,8 @@ void write_verdict(const judgement& judged, const std::string& scope) {
   const verify_report& verdict = judged.verdict;
   const audit_report& audit = verdict.audit;
   const bool unasked = audit.certified && verdict.contradictions.empty() &&
-                       judged.metric.refusals.empty() && !audit.angles_checked;
+                       judged.metric.refusals.empty() && judged.side_refusals.empty() &&
+                       !audit.angles_checked;
   std::cout << (verdict.verified ? in_colour("certified", ink::green, 1) + ": "
                 : unasked ? in_colour("no bound asked for: not certified", ink::yellow, 1) + ": "
                           : in_colour("REFUSED", ink::red, 1) + ": ")
@@ -137,6 +141,8 @@ void write_verdict(const judgement& judged, const std::string& scope) {
     std::cout << "certificate: " << contradiction << '\n';
   for (const std::string& refusal : judged.metric.refusals)
     std::cout << "metric: " << refusal << '\n';
+  for (const std::string& refusal : judged.side_refusals)
+    std::cout << "periodic: " << refusal << '\n';
   write_findings(std::cout, audit);
 }
 
@@ -169,11 +175,39 @@ void judge_claimed(const mesh& subject, const std::optional<certificate>& claim,
   contradict(contradictions_in_outcome(*claim), judged.verdict);
 }
 
+// How the sides match that options name.
+struct side_answer {
+  std::vector<periodic_match> matches;
+  std::vector<std::string> refusals;
+};
+
+side_answer match_sides(const std::vector<periodic_pair>& pairs, const mesh& subject) {
+  side_answer found;
+  for (const periodic_pair& one : pairs) {
+    auto match = match_periodic(subject, one);
+    if (match)
+      found.matches.push_back(std::move(match).value());
+    else
+      found.refusals.push_back(match.failure().message);
+  }
+  return found;
+}
+
+// Adds it to the verdict. Sides that do not match are refused as what was asked.
+void take_sides(side_answer found, judgement& judged) {
+  std::vector<periodic_match>& known = judged.verdict.periodic;
+  for (const periodic_match& one : found.matches)
+    if (std::find(known.begin(), known.end(), one) == known.end()) known.push_back(one);
+  if (!found.refusals.empty()) judged.verdict.verified = false;
+  judged.side_refusals = std::move(found.refusals);
+}
+
 // Judges the mesh. Its own boundary is its domain where nobody says what that is.
 result<judgement> judge(const verify_options& options, judged_mesh read,
                         const std::optional<certificate>& claim, asked_domain shape,
                         const cancellation& stop) {
   judgement judged;
+  side_answer sides;
   judged.shape = std::move(shape);
   audit_options asked = questions_of(options, judged.shape);
   asked.stop = stop;
@@ -192,11 +226,14 @@ result<judgement> judge(const verify_options& options, judged_mesh read,
     if (!adopted) return adopted.failure().at(options.mesh.string());
     if (auto refusal = say_notes(adopted.value().subject.notes, {})) return *refusal;
     judged.verdict = verify_alone(adopted.value(), asked);
+    sides = match_sides(options.periodic, adopted.value().subject);
   } else {
     if (auto refusal = say_notes(subject.notes, {})) return *refusal;
     judge_claimed(subject, claim, asked, judged);
+    sides = match_sides(options.periodic, subject);
   }
   contradict(judged.metric.contradictions, judged.verdict);
+  take_sides(std::move(sides), judged);
   if (!judged.metric.refusals.empty()) judged.verdict.verified = false;
   if (!judged.verdict.audit.angles_checked) return judged;
   judged.bound_by = options.angle_bound ? asked_by::option : asked_by::certificate;
@@ -307,6 +344,7 @@ void add_question(CLI::App& app, verify_options& options) {
       "How far the metric of the mesh may be from the one asked for: the logarithm of the greatest "
       "ratio of lengths (default: what the certificate says was asked of its metric, and 0)")
       ->type_name("T");
+  add_periodic_option(app, options.periodic);
   app.add_flag("--voronoi", options.prove_voronoi,
                "Prove it the dual of the anisotropic Voronoi diagram (done without, too, when "
                "the certificate claims it)");

@@ -224,10 +224,11 @@ int run_verify_pieces(const verify_options& options, piece_team* given_team) {
   };
   if (!is_of_pieces(options))
     return complain_once({options.mesh.string() + ": asterism-mpi verifies folders of pieces"});
-  if (!options.certificate.empty() || options.prove_voronoi || options.metric_tolerance)
+  if (!options.certificate.empty() || options.prove_voronoi || options.metric_tolerance ||
+      !options.periodic.empty())
     return complain_once({options.mesh.string() +
-                          ": a folder of pieces is verified without --certificate, --voronoi and "
-                          "--metric-tolerance"});
+                          ": a folder of pieces is verified without --certificate, --voronoi, "
+                          "--metric-tolerance and --periodic"});
   const auto index = read_index(index_in(options.mesh));
   if (!index) return complain_once(index.failure());
   pieces_question asked;

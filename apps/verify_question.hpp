@@ -28,6 +28,7 @@ struct verify_options {
   std::string metric;
   std::optional<double> size, gradation, metric_tolerance;
   bool prove_voronoi = false;
+  std::vector<periodic_pair> periodic;  // sides to match, besides the certificate's
   bool all_findings = false, all_edges = false, json = false;
   bool tells_theorem = false;  // in the line of the verdict
   std::optional<double> max_seconds;
@@ -76,7 +77,8 @@ struct judgement {
   asked_domain shape;
   metric_answer metric;
   verify_report verdict;
-  std::string completed;  // what is not of the file, for the verdict's line
+  std::string completed;                   // what is not of the file, for the verdict's line
+  std::vector<std::string> side_refusals;  // sides that do not match, of those that options name
   asked_by bound_by = asked_by::nobody;
   double bound = 0;  // degrees
 };

@@ -92,7 +92,7 @@ int tell(const verify_options& options, const shell_certificate& c, const shell_
 
 int judge(const verify_options& options, const std::string& text, const fs::path& path) {
   if (!options.metric.empty() || options.repair_distance || options.number_regions ||
-      options.prove_voronoi)
+      options.prove_voronoi || !options.periodic.empty())
     return complain({options.mesh.string() + ": this is a mesh of a surface: of its question "
                                              "--domain and --angle-bound can be named",
                      error_code::bad_option},

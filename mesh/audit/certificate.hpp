@@ -20,6 +20,7 @@
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/audit/audit_report.hpp"
 #include "asterism/mesh/audit/guarantee_claim.hpp"
+#include "asterism/mesh/audit/periodic_match.hpp"
 #include "asterism/mesh/audit/region_areas.hpp"
 #include "asterism/mesh/audit/theorem_report.hpp"
 #include "asterism/mesh/data/delivered_report.hpp"
@@ -79,6 +80,11 @@ struct certificate {
   // The boundary that the mesh took the place of, where its domain was made of a mesh; left to
   // whoever ran the mesher, as is how far it is.
   std::optional<former_boundary> former;
+
+  // The sides that were to have the same points, a part of the question, and how they match, in the
+  // same order; left to whoever ran the mesher. Sides that do not match have no entry.
+  std::vector<periodic_pair> periodic_asked;
+  std::vector<periodic_match> periodic;
 };
 
 // Returns a 64-bit FNV-1a hash of everything a .mesh and its .sol hold: numbers of each, positions

@@ -361,6 +361,22 @@ void compare_former(contradictions& all, const mesh& subject, const certificate&
             " away from the former one, and " + text_of(*allowed) + " was asked for");
 }
 
+// Finds again how the sides match that were to have the same points.
+void compare_periodic(contradictions& all, const mesh& subject, const certificate& claim,
+                      verify_report& report) {
+  for (const periodic_pair& sides : claim.periodic_asked) {
+    const auto found = match_periodic(subject, sides);
+    if (!found) {
+      all.add(found.failure().message);
+      continue;
+    }
+    report.periodic.push_back(found.value());
+  }
+  if (all.none() && report.periodic != claim.periodic)
+    all.add(
+        "\"audit.periodic\" says in the certificate how other sides match than those of this mesh");
+}
+
 // Returns the contradictions. `as_claimed`: the audit answered the question that the certificate
 // answers.
 std::vector<std::string> contradictions_of(const certificate& claim, const certificate& found,
@@ -412,9 +428,10 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
   report.regions = found.regions;
   if (claim) {
     report.contradictions = contradictions_of(*claim, found, report.audit, as_claimed);
-    contradictions of_former;
-    compare_former(of_former, subject, *claim);
-    for (std::string& sentence : of_former.take())
+    contradictions of_boundary;
+    compare_former(of_boundary, subject, *claim);
+    compare_periodic(of_boundary, subject, *claim, report);
+    for (std::string& sentence : of_boundary.take())
       report.contradictions.push_back(std::move(sentence));
   }
   report.verified = report.audit.certified && report.audit.angles_checked &&

@@ -10,6 +10,7 @@
 #include "asterism/core/export.h"
 #include "asterism/mesh/audit/audit_report.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/audit/periodic_match.hpp"
 #include "asterism/mesh/audit/region_areas.hpp"
 #include "asterism/mesh/audit/theorem_report.hpp"
 #include "asterism/mesh/data/mesh.hpp"
@@ -24,6 +25,7 @@ struct verify_report {
   std::vector<region_area> regions;         // measured again
   // Measured again, of a certified mesh with an angle bound.
   std::optional<theorem_hypotheses> theorem;
+  std::vector<periodic_match> periodic;  // found again, of the sides that the certificate names
 };
 
 // Audits again, from the mesh and the certificate alone. From the certificate come the domain and

@@ -253,6 +253,31 @@ former_boundary former_of(const json& object, std::size_t segments) {
   return former;
 }
 
+periodic_pair pair_of(const json& object, const std::string& key) {
+  if (!object.is_array() || object.size() != 2 || !object[0].is_number_integer() ||
+      !object[1].is_number_integer())
+    throw malformed(key,
+                    "\"" + key + "\" holds " + shown(object) + ", which is no pair of markers");
+  return {object[0].get<int>(), object[1].get<int>()};
+}
+
+periodic_match match_of(const json& object) {
+  periodic_match match;
+  match.sides = pair_of(member(object, "sides"), "sides");
+  const auto kind = read<std::string>(object, "kind");
+  const auto place = std::find(periodic_kind_names.begin(), periodic_kind_names.end(), kind);
+  if (place == periodic_kind_names.end())
+    throw malformed("kind", "\"kind\" holds \"" + kind + "\", which is no way for sides to match");
+  match.kind = static_cast<periodic_kind>(place - periodic_kind_names.begin());
+  match.turn = read<double>(object, "turn");
+  const auto shift = read<std::array<double, 2>>(object, "shift");
+  match.shift = {shift[0], shift[1]};
+  match.vertices = count_of(object, "vertices");
+  match.greatest_offset = read<double>(object, "greatest_offset");
+  match.metrics_apart = bound_of(object, "metrics_apart");
+  return match;
+}
+
 void read_audit(const json& object, certificate& c) {
   c.certified = read<bool>(object, "certified");
   c.domain_checked = read<bool>(object, "domain_checked");
@@ -278,6 +303,8 @@ void read_audit(const json& object, certificate& c) {
     const json& former = member(object, "former_boundary");
     c.former_distance = {count_of(former, "vertices_gone"), bound_of(former, "largest_distance")};
   }
+  if (object.contains("periodic"))
+    for (const json& one : array_of(object, "periodic")) c.periodic.push_back(match_of(one));
   if (!object.contains("curves")) return;
   const json& curves = member(object, "curves");
   c.curves = {count_of(curves, "curves"), count_of(curves, "vertices"),
@@ -294,6 +321,9 @@ certificate certificate_of(const json& root) {
   c.metric = read<std::string>(asked, "metric");
   if (!member(asked, "angle_bound").is_null()) c.angle_bound = read<double>(asked, "angle_bound");
   c.options = read<std::map<std::string, std::string>>(asked, "options");
+  if (asked.contains("periodic_sides"))
+    for (const json& one : array_of(asked, "periodic_sides"))
+      c.periodic_asked.push_back(pair_of(one, "periodic_sides"));
   const json& outcome = member(root, "outcome");
   c.complete = read<bool>(outcome, "complete");
   c.reason = read<std::string>(outcome, "reason");

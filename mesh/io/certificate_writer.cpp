@@ -160,6 +160,25 @@ json former_json(const former_boundary& former) {
           {"segments", std::move(segments)}};
 }
 
+json pairs_json(const std::vector<periodic_pair>& pairs) {
+  json written = json::array();
+  for (const periodic_pair& one : pairs) written.push_back({one.first, one.second});
+  return written;
+}
+
+json periodic_json(const std::vector<periodic_match>& matches) {
+  json written = json::array();
+  for (const periodic_match& one : matches)
+    written.push_back({{"sides", {one.sides.first, one.sides.second}},
+                       {"kind", periodic_kind_names[static_cast<std::size_t>(one.kind)]},
+                       {"turn", one.turn},
+                       {"shift", {one.shift.x, one.shift.y}},
+                       {"vertices", one.vertices},
+                       {"greatest_offset", one.greatest_offset},
+                       {"metrics_apart", bound_json(one.metrics_apart)}});
+  return written;
+}
+
 json audit_json(const certificate& c) {
   json found = json::object();
   for (const auto& [kind, count] : c.found) found[kind] = count;
@@ -183,6 +202,7 @@ json audit_json(const certificate& c) {
   if (c.original && !c.original->curves.empty()) written["curves"] = curves_json(c.curves);
   if (!c.regions.empty()) written["regions"] = regions_json(c.regions);
   if (c.former) written["former_boundary"] = former_report_json(c.former_distance);
+  if (!c.periodic_asked.empty()) written["periodic"] = periodic_json(c.periodic);
   return written;
 }
 
@@ -233,6 +253,7 @@ json json_with(const certificate& c, bool lists_of_domain) {
       {"domain", c.original ? domain_json(*c.original, lists_of_domain) : json(nullptr)}};
   if (c.guarantee) written["guarantee"] = guarantee_json(*c.guarantee);
   if (c.former) written["former_boundary"] = former_json(*c.former);
+  if (!c.periodic_asked.empty()) written["asked"]["periodic_sides"] = pairs_json(c.periodic_asked);
   return written;
 }
 

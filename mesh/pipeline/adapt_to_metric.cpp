@@ -61,6 +61,13 @@ void stay(const keeping& kept, const mesh_adaptation_options& options, adapted_m
   if (!same) return;
   done.kept = true;
   done.made = judge_outcome(*std::move(same), done.shape, options.refinement);
+  claim_periodic(options.periodic, done.made);
+}
+
+// True if the sides of the mesh match that are to.
+bool has_periodic_sides(const mesh& m, const std::vector<periodic_pair>& pairs) {
+  return std::all_of(pairs.begin(), pairs.end(),
+                     [&m](const periodic_pair& one) { return match_periodic(m, one).ok(); });
 }
 
 // Sets the number of vertices wanted, and room for it. A metric alone gets ten times as many as the
@@ -135,8 +142,9 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     done.keeps_boundary = found.keeps_all;
     done.boundary_kept = found.keeps_all ? found.boundary_vertices : found.kept;
     done.former = found.former;
-    own = as_mesh_of(background, found);
+    if (has_periodic_sides(background, options.periodic)) own = as_mesh_of(background, found);
   }
+  if (const auto failed = check_periodic(done.shape, options.periodic)) return *failed;
   keeping kept(own, options);
   if (kept.is_at_once()) stay(kept, options, done);
   if (done.kept) {
@@ -145,7 +153,7 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
   }
   const auto field = make_sampled_field(background, 1);
   const mesh_options how = options_for(background, options);
-  auto made = make_certified_mesh(done.shape, *field, how, progress);
+  auto made = make_periodic_mesh(done.shape, *field, how, options.periodic, progress);
   if (!made) return made.failure();
   done.made = std::move(made).value();
   if (kept.is_as_good_as(done.made)) stay(kept, options, done);

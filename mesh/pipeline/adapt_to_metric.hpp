@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
@@ -20,6 +21,7 @@
 #include "asterism/mesh/data/mesh_marks.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/periodic_mesh.hpp"
 
 namespace asterism {
 
@@ -46,6 +48,9 @@ struct mesh_adaptation_options {
   // included.
   mesh_options refinement = {};
   keep_rule keep = keep_rule::automatic;
+  // Sides that are to have the same points, by their markers; a mesh in which they do not does not
+  // stay.
+  std::vector<periodic_pair> periodic = {};
   // Else max_sites is raised to three times the vertices wanted, most_sites_unasked at most, and
   // where the metric alone wants
   // them, to ten times those of the mesh at most.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -11,7 +11,8 @@ import numpy.typing as npt
 from . import _asterism
 from ._asterism import InputError
 from ._domain import AnyDomain, as_domain
-from ._forms import Fields, fields_and_tensors, gradation_of, like, named_fields, norm_of, tensor_rows
+from ._forms import (
+    Fields, fields_and_tensors, gradation_of, like, marker_pairs, named_fields, norm_of, tensor_rows)
 from ._mesh import Mesh
 from ._meshing import NotReachedWarning, Progress
 from ._reported import ReportedArray, reported
@@ -128,6 +129,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
           relative: bool = False, cutoff: Optional[float] = None,
           domain: Optional[AnyDomain] = None, chord_tolerance: Optional[float] = None,
           corner_angle: Optional[float] = None, hausd: Optional[float] = None, keep: str = "auto",
+          periodic: Sequence[Tuple[int, int]] = (),
           angle_bound: float = 20, metric_tolerance: Optional[float] = None,
           max_sites: Optional[int] = None, max_seconds: Optional[float] = None,
           threads: Optional[int] = None, progress: Optional[Progress] = None) -> Adapted:
@@ -145,6 +147,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
     None: what the mesh covers. Of that, vertices where the boundary turns by more than corner_angle (30)
     stay, and the new boundary is within hausd of the old one, both ways (None: where vertices go, a
     hundredth of the size wanted across it).
+    periodic: pairs of markers of sides that get the same points, as asterism.mesh() has them.
     keep: whether the mesh may stay: 'auto' where it is as good as a new one, 'never', or 'always' where
     it is certified in the metric. The rest is as in asterism.mesh().
     A goal that is not reached is a NotReachedWarning, and `report` says why.
@@ -161,6 +164,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
         "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape, "hessian": method,
         "hessians": hessians, "relative": relative, "cutoff": cutoff,
         "chord_tolerance": chord_tolerance, "corner_angle": corner_angle, "hausd": hausd, "keep": keep,
+        "periodic": marker_pairs(periodic),
         "angle_bound": angle_bound, "metric_tolerance": metric_tolerance, "max_sites": max_sites,
         "max_seconds": max_seconds, "threads": threads, "progress": progress}
     exact = None if domain is None else as_domain(domain)._made

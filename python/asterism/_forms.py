@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -154,3 +154,15 @@ def path_of(path: "str | os.PathLike[str]") -> str:
         return os.fspath(path)
     except TypeError:
         raise InputError(f"a file's name is wanted, not {type(path).__name__}") from None
+
+
+def marker_pairs(periodic: Sequence[Tuple[int, int]]) -> List[Tuple[int, int]]:
+    """Pairs of markers of sides that are to have the same points."""
+    pairs = []
+    for one in periodic:
+        is_pair = isinstance(one, (tuple, list)) and len(one) == 2 and all(
+            isinstance(m, (int, np.integer)) and not isinstance(m, bool) and -2**31 <= m < 2**31 for m in one)
+        if not is_pair:
+            raise InputError(f"periodic: pairs of markers are wanted, as [(4, 2)], and not {one!r}")
+        pairs.append((int(one[0]), int(one[1])))
+    return pairs

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, Callable, Dict, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _asterism
 from ._asterism import InputError
 from ._domain import AnyDomain, Domain, as_domain
-from ._forms import CalledMetric, constant_text, doubles, gradation_of, tensor_rows
+from ._forms import CalledMetric, constant_text, doubles, gradation_of, marker_pairs, tensor_rows
 from ._mesh import Mesh
 from ._reported import ReportedArray
 from ._sizes import Places, Sizes, words_of
@@ -33,6 +33,7 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
          size_at: Places = (), size_box: Places = (), size_in: Optional[Sizes] = None,
          size_near: Optional[Sizes] = None, layers: Optional[Sizes] = None, hmin: Optional[float] = None,
          hmax: Optional[float] = None, aspect: Optional[float] = None,
+         periodic: Sequence[Tuple[int, int]] = (),
          repair: "bool | float" = False, guarantee: bool = False, max_seconds: Optional[float] = None,
          threads: Optional[int] = None, progress: Optional[Progress] = None,
          prove_voronoi: bool = False) -> Mesh:
@@ -74,6 +75,8 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     the domain.
     voronoi: it is to be proved the dual of the anisotropic Voronoi diagram, too (prove_voronoi is an older
     name of it).
+    periodic: pairs of markers, [(4, 2)]: both sides get the same points, the one the other shifted or
+    turned; how they match is the certificate's `periodic`.
     repair: True, or the distance within which points are joined: a domain whose segments cross or leave
     gaps is mended, told in a UserWarning.
     guarantee: edges are made shorter until the theorem on nets applies to the mesh, which then has its
@@ -95,7 +98,7 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
         "chord_tolerance": chord_tolerance, "keep_if_complete": covered._is_meshed, "max_seconds": max_seconds,
         "sizes": words_of(size_at, size_box, size_in, size_near, layers,
                           {"hmin": hmin, "hmax": hmax, "aspect": aspect}),
-        "guarantee": guarantee, "threads": threads, "progress": progress}))
+        "guarantee": guarantee, "periodic": marker_pairs(periodic), "threads": threads, "progress": progress}))
     if not made.complete:
         warnings.warn(made.reason, NotReachedWarning, stacklevel=2)
     return made

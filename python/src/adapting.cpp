@@ -10,6 +10,7 @@
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
 #include "bindings.hpp"
+#include "periodic_arguments.hpp"
 #include "py_domain.hpp"
 #include "py_mesh.hpp"
 #include "solution_arguments.hpp"
@@ -54,6 +55,7 @@ mesh_adaptation_options options_of(const keywords& given, const py::object& exac
   options.largest_boundary_distance = given.positive("hausd");
   options.chord_tolerance = given.positive("chord_tolerance");
   options.keep = rule_of(given.word("keep"));
+  options.periodic = periodic_of(given);
   options.refinement.metric_tolerance = given.from_zero("metric_tolerance");
   options.refinement.angle_bound = given.from_zero("angle_bound").value_or(20);
   if (!(options.refinement.angle_bound < 60))

@@ -16,6 +16,7 @@
 #include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
 #include "asterism/mesh/pipeline/layer_rows.hpp"
 #include "bindings.hpp"
+#include "periodic_arguments.hpp"
 #include "py_domain.hpp"
 #include "py_mesh.hpp"
 #include "python_metric.hpp"
@@ -29,6 +30,7 @@ struct mesh_arguments {
   mesh_options options;
   size_wishes sizes;
   bool guarantee = false;
+  std::vector<periodic_pair> periodic;
 };
 
 // Raises the default limit where more sites are asked for in numbers, with room for what boundaries
@@ -48,6 +50,8 @@ void check_ranges(const mesh_arguments& a) {
   if (a.guarantee && (o.vertices || a.complexity || o.improve_passes > 0 || o.metric_tolerance))
     throw input_error(
         "guarantee: vertices, complexity, improve and metric_tolerance do not go with it");
+  if (a.guarantee && !a.periodic.empty())
+    throw input_error("guarantee: it is of meshes without periodic sides");
   if (o.vertices && *o.vertices > o.max_sites)
     throw input_error("vertices: from 3 to max_sites is wanted");
   if (!(o.angle_bound < 60))
@@ -74,6 +78,7 @@ mesh_arguments arguments_of(const keywords& given, std::size_t vertices_of_domai
   if (a.guarantee && !a.size && !a.options.vertices && !a.complexity && a.sizes.is_empty())
     a.size = 1;
   a.options.limit_size = a.size || a.options.vertices || a.complexity || !a.sizes.is_empty();
+  a.periodic = periodic_of(given);
   check_ranges(a);
   return a;
 }
@@ -225,7 +230,8 @@ py_mesh run(const py_domain& held, const py::object& metric, const py::dict& mor
     if (shape && a.guarantee)
       made = make_guaranteed(shape.value(), metric_of_size, scale, a, watch.listener());
     else if (shape)
-      made = make_counted_mesh(shape.value(), metric_of_size, scale, a.options, watch.listener());
+      made = make_counted_mesh(shape.value(), metric_of_size, scale, a.options, watch.listener(),
+                               a.periodic);
     else
       made = shape.failure();
   }

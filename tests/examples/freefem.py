@@ -46,6 +46,14 @@ class LoopTest(unittest.TestCase):
     def test_layer_at_the_boundary(self):
         self.compare("boundary_layer.edp", 1.5)
 
+    def test_periodic_space(self):
+        """FreeFEM refuses the space where the sides do not match."""
+        rounds = lines_of("periodic.edp", "-vertices", "1000", "-rounds", "4")
+        self.assertEqual(len(rounds), 4)
+        n, error, _ = rounds[-1]
+        self.assertLess(abs(n / 1000 - 1), 0.1)
+        self.assertLess(error, rounds[0][1] / 5)
+
     def test_twenty_steps_keep_the_integral(self):
         _, error, drift = lines_of("moving_bump.edp", "-vertices", "400")[-1]
         self.assertLess(drift, 1e-11)  # FreeFEM's own sums, and numbers as text, are part of it

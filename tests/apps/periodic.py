@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: MIT
+"""Periodic sides through the real command: both have the same points, verify proves it again, and what cannot
+match is refused."""
+import collections
+import fractions
+import json
+import math
+import unittest
+
+import command
+
+# A quarter of a ring, its straight sides 1 and 2 on the axes; the arcs are curves.
+SECTOR = ("4 2\n1 1 0\n2 3 0\n3 0 3\n4 0 1\n4 1\n1 1 2 1\n2 2 3 7\n3 3 4 2\n4 4 1 8\n0\n0\n"
+          "curves 2\n1 arc 2 0 0 ccw\n2 arc 4 0 0 cw\n")
+# The same with sides that meet at 30 degrees, as polygons.
+WEDGE = "4 2\n1 1 0\n2 3 0\n3 {0} {1}\n4 {2} {3}\n4 1\n1 1 2 1\n2 2 3 7\n3 3 4 2\n4 4 1 8\n0\n".format(
+    3 * math.cos(math.pi / 6), 3 * math.sin(math.pi / 6), math.cos(math.pi / 6), math.sin(math.pi / 6))
+# Strips whose slanted sides are shifted by one: with doubles that are sums of few powers of two, and without.
+SLANTED = "4 2\n1 0 0\n2 1 0\n3 1.25 1\n4 0.25 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n"
+ROUNDED = "4 2\n1 0 0\n2 1 0\n3 1.3 1\n4 0.3 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n"
+# A square whose left side has a corner that its right side has not, and a line inside that ends at another.
+CORNERS = ("7 2\n1 0 0\n2 1 0\n3 1 0.375\n4 1 1\n5 0 1\n6 0 0.6875\n7 0.5 0.375\n"
+           "7 1\n1 1 2 1\n2 2 3 2\n3 3 4 2\n4 4 5 3\n5 5 6 4\n6 6 1 4\n7 3 7 9\n0\n")
+# A left side that bends, and a straight right side of the same length.
+BENT = ("5 2\n1 0 0\n2 1 0\n3 1 1.1180339887498949\n4 0 1\n5 -0.25 0.5\n"
+        "5 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 5 4\n5 5 1 4\n0\n")
+
+
+class Periodic(command.CommandTest):
+    def mesh(self, domain, *arguments):
+        self.write("d.poly", domain)
+        done = self.run_command("mesh", "d.poly", *arguments, "-o", "m.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        again = self.run_command("verify", "m.mesh")
+        self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+        self.assertIn("; periodic: ", again.stdout)
+        return done.stdout, self.certificate()["audit"]["periodic"]
+
+    def certificate(self, name="m"):
+        return json.loads((self.folder / f"{name}.certificate.json").read_text())
+
+    def sides(self, name="m.mesh"):
+        """Points of each marker's edges, as fractions."""
+        words = (self.folder / name).read_text().split()
+        at = words.index("Vertices")
+        points = [tuple(fractions.Fraction(float(x)) for x in words[at + 2 + 3 * i:at + 4 + 3 * i])
+                  for i in range(int(words[at + 1]))]
+        found = collections.defaultdict(set)
+        at = words.index("Edges")
+        for i in range(int(words[at + 1])):
+            a, b, marker = map(int, words[at + 2 + 3 * i:at + 5 + 3 * i])
+            found[marker] |= {points[a - 1], points[b - 1]}
+        return found
+
+    def test_both_pairs_of_a_square(self):
+        for sizes in (["--size", "0.2"], ["--metric", "swirl:12", "--size", "0.3"], [],
+                      ["--metric", "layer:0.01,0.2", "--vertices", "400"]):
+            done = self.run_command("mesh", "square", *sizes, "--periodic", "4,2", "--periodic", "1,3", "-o", "m.mesh")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertIn("periodic: 4 and 2: translated exactly by (2, 0), ", done.stdout)
+            self.assertIn("periodic: 1 and 3: translated exactly by (0, 2), ", done.stdout)
+            sides = self.sides()
+            self.assertEqual({(x + 2, y) for x, y in sides[4]}, sides[2])
+            self.assertEqual({(x, y + 2) for x, y in sides[1]}, sides[3])
+            again = self.run_command("verify", "m.mesh", "--domain", "square")
+            self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+            self.assertIn("periodic: 4 and 2: translated exactly by (2, 0), ", again.stdout)
+
+    def test_quarter_of_a_ring(self):
+        for sizes in (["--size", "0.3"], ["--metric", "sink:5", "--size", "0.4"]):
+            told, (match,) = self.mesh(SECTOR, *sizes, "--periodic", "1,2")
+            self.assertIn("periodic: 1 and 2: turned exactly by 90 degrees about the origin", told)
+            self.assertEqual(match["turn"], 90)
+            sides = self.sides()
+            self.assertEqual({(-y, x) for x, y in sides[1]}, sides[2])
+
+    def test_sector_of_thirty_degrees(self):
+        told, (match,) = self.mesh(WEDGE, "--size", "0.2", "--periodic", "1,2")
+        self.assertIn("matched by lengths, turned by 30 degrees", told)
+        self.assertAlmostEqual(match["turn"], 30, delta=1e-9)
+        self.assertLess(match["greatest_offset"], 1e-14)
+        self.assertEqual(len(self.sides()[1]), len(self.sides()[2]))
+
+    def test_slanted_strips(self):
+        told, (match,) = self.mesh(SLANTED, "--metric", "expr:9;3;4", "--size", "0.25", "--periodic", "4,2")
+        self.assertIn("translated exactly by (1, 0)", told)
+        self.assertEqual(match["metrics_apart"], 0)
+        self.assertEqual({(x + 1, y) for x, y in self.sides()[4]}, self.sides()[2])
+        told, (match,) = self.mesh(ROUNDED, "--size", "0.1", "--periodic", "4,2")
+        self.assertIn("matched by lengths, translated by (1, 0) but for up to ", told)
+        self.assertLess(match["greatest_offset"], 1e-15)
+        self.assertGreater(match["greatest_offset"], 0)
+
+    def test_corners_of_one_side_alone(self):
+        told, _ = self.mesh(CORNERS, "--size", "0.2", "--periodic", "4,2")
+        self.assertIn("translated exactly by (1, 0)", told)
+        sides = self.sides()
+        self.assertEqual({(x + 1, y) for x, y in sides[4]}, sides[2])
+        self.assertIn((0, fractions.Fraction(3, 8)), sides[4])
+        self.assertIn((1, fractions.Fraction(11, 16)), sides[2])
+
+    def test_metric_that_differs(self):
+        """The finer side's size is that of both, and the summary says how far they differ."""
+        told, (match,) = self.mesh(SLANTED, "--metric", "expr:(1+3*x)^2;0;(1+3*x)^2", "--size", "0.2",
+                                   "--periodic", "4,2")
+        self.assertIn("lengths of partners apart by up to ", told)
+        self.assertGreater(match["metrics_apart"], 0.5)
+        self.assertGreater(match["vertices"], 15)
+
+    def test_same_bytes_for_any_number_of_threads(self):
+        texts = set()
+        for threads in "1", "2", "3", "7":
+            done = self.run_command("mesh", "square", "--metric", "swirl:12", "--size", "0.3", "--periodic", "4,2",
+                                    "--threads", threads, "-o", "m.mesh", "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            texts.add((self.folder / "m.mesh").read_bytes())
+        self.assertEqual(len(texts), 1)
+
+    def refuse(self, domain, pairs, *words):
+        self.write("d.poly", domain)
+        options = [word for pair in pairs for word in ("--periodic", pair)]
+        done = self.run_command("mesh", "d.poly", "--size", "0.3", *options, "-o", "no.mesh")
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertNotIn("no.mesh", self.files())
+
+    def test_refusals(self):
+        both = "the sides with markers 4 and 2 cannot be periodic: "
+        self.refuse(SLANTED, ["1,2"], "markers 1 and 2", "their lengths are 1 and 1.03")
+        self.refuse(SLANTED.replace("1.25 1", "1.25 2"), ["4,2"], both + "their lengths are ")
+        self.refuse(BENT, ["4,2"], both + "the one is not the other shifted or turned: where (-0.25, 0.5) would come to")
+        self.refuse(SLANTED, ["4,6"], "markers 4 and 6", "no segment has marker 6")
+        self.refuse(SLANTED, ["4,4"], "marker 4 is named twice")
+        self.refuse(SLANTED, ["4,2", "2,1"], "markers 2 and 1", "marker 2 is named twice")
+        self.refuse(SLANTED.replace("3 3 4 3", "3 3 4 4"), ["4,2"], both)
+        self.refuse(SLANTED.replace("1 1 2 1", "1 1 2 3"), ["4,3"], "the segments with marker 3 are more than one line")
+        self.refuse(SECTOR, ["7,8"], "markers 7 and 8", "is of a curve, and straight sides are wanted")
+        self.refuse(CORNERS, ["4,9"], "markers 4 and 9", "the domain is on both sides of the segment from ")
+        for word in "4", "4,", "4,2,1", "a,b", "4;2", "4.5,2":
+            self.refuse(SLANTED, [word], "--periodic", "two markers are wanted, as 4,2")
+        self.write("d.poly", SLANTED)
+        done = self.run_command("mesh", "d.poly", "--size", "0.3", "--periodic", "4,2", "--pieces", "2", "-o", "p/")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--periodic: both sides want the whole domain", done.stderr)
+
+    def test_spoiled_matchings(self):
+        """Claims of sides that do not match are refused by name, whatever else holds."""
+        self.mesh(SLANTED, "--size", "0.2", "--periodic", "4,2")
+        path = self.folder / "m.certificate.json"
+        claim = self.certificate()
+        for spoil, words in (
+                (lambda c: c["asked"]["periodic_sides"].append([1, 2]), "the sides with markers 1 and 2 do not match"),
+                (lambda c: c["asked"]["periodic_sides"].append([1, 6]), "no boundary edge has marker 6"),
+                (lambda c: c["asked"].update(periodic_sides=[[2, 4]]), "audit.periodic"),
+                (lambda c: c["audit"]["periodic"][0].update(vertices=3), "audit.periodic"),
+                (lambda c: c["audit"]["periodic"][0].update(kind="matched by lengths"), "audit.periodic"),
+                (lambda c: c["audit"]["periodic"][0].update(shift=[1, 1e-20]), "audit.periodic"),
+                (lambda c: c["audit"]["periodic"][0].update(metrics_apart=0.5), "audit.periodic"),
+                (lambda c: c["audit"]["periodic"].clear(), "audit.periodic")):
+            spoiled = json.loads(json.dumps(claim))
+            spoil(spoiled)
+            path.write_text(json.dumps(spoiled))
+            done = self.run_command("verify", "m.mesh")
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            self.assertIn("REFUSED", done.stdout)
+            self.assertIn(words, done.stdout)
+        path.write_text(json.dumps(claim))
+        self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+
+    def test_verify_asks_by_itself(self):
+        self.write("d.poly", SLANTED)
+        for pairs, status in ([], 1), (["--periodic", "4,2"], 0):
+            made = self.run_command("mesh", "d.poly", "--metric", "expr:(1+9*y)^2;x;4", "--size", "0.4", *pairs,
+                                    "-o", "m.mesh")
+            self.assertEqual(made.returncode, 0, made.stderr)
+            done = self.run_command("verify", "m.mesh", "--periodic", "4,2")
+            self.assertEqual(done.returncode, status, done.stdout)
+            self.assertIn("periodic: ", done.stdout)
+        done = self.run_command("verify", "m.mesh", "--periodic", "4,3")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("periodic: the sides with markers 4 and 3 do not match: ", done.stdout)
+
+    def test_adapt(self):
+        self.run_command("mesh", "square", "--size", "0.15", "-o", "old.mesh", "--quiet")
+        text = (self.folder / "old.mesh").read_text().split()
+        at = text.index("Vertices")
+        rows = [[float(x) for x in text[at + 2 + 3 * i:at + 4 + 3 * i]] for i in range(int(text[at + 1]))]
+        values = [math.tanh(10 * math.sin(math.pi * (x - y))) for x, y in rows]
+        self.write("u.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n%d\n1 1\n%s\nEnd\n"
+                   % (len(values), "\n".join(map(repr, values))))
+        done = self.run_command("adapt", "old.mesh", "--solution", "u.sol", "--vertices", "500", "--periodic", "4,2",
+                                "--periodic", "1,3", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("periodic: 4 and 2: translated exactly by (2, 0), ", done.stdout)
+        sides = self.sides()
+        self.assertEqual({(x + 2, y) for x, y in sides[4]}, sides[2])
+        self.assertEqual({(x, y + 2) for x, y in sides[1]}, sides[3])
+        again = self.run_command("verify", "m.mesh")
+        self.assertEqual(again.returncode, 0, again.stdout)
+        # What is delivered stays, with sides that match, and not where they do not.
+        stays = self.run_command("adapt", "m.mesh", "--metric", "m.sol", "--periodic", "4,2", "-o", "same.mesh")
+        self.assertIn("stays as it is", stays.stdout)
+        self.assertIn("periodic: 4 and 2: ", stays.stdout)
+        self.assertEqual(self.run_command("verify", "same.mesh").returncode, 0)
+        done = self.run_command("adapt", "old.mesh", "--metric", "old.sol", "--keep", "always", "-o", "plain.mesh")
+        self.assertIn("stays as it is", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
