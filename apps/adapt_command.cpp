@@ -29,6 +29,7 @@
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/solution_options.hpp"
 #include "asterism/apps/summary.hpp"
+#include "asterism/apps/thread_limit.hpp"
 #include "asterism/apps/transfer_text.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
@@ -395,7 +396,7 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
       "Refinement ends after this time")
       ->type_name("S");
   add_count(
-      app, "--threads", 1, 1024,
+      app, "--threads", 1, most_threads,
       [&job](std::uint64_t n) { job.threads = static_cast<std::size_t>(n); },
       "Threads to use (default: one a processor); everything is the same for any number")
       ->type_name("N");

@@ -27,6 +27,7 @@
 #include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
+#include "asterism/apps/thread_limit.hpp"
 #include "asterism/apps/verdict_text.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
@@ -430,7 +431,7 @@ void add_certify_command(CLI::App& program, command& chosen) {
       "Ends after this time: NOT certified, unless it was done; a repair writes what there is")
       ->type_name("S");
   add_count(
-      *app, "--threads", 1, 1024, [options](std::uint64_t n) { options->threads = n; },
+      *app, "--threads", 1, most_threads, [options](std::uint64_t n) { options->threads = n; },
       "Threads that work; the answer does not depend on it (default: one a processor)")
       ->type_name("N");
   add_judging_flags(*app, options->all_findings, options->all_edges);

@@ -13,6 +13,7 @@
 #include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/surface_input.hpp"
+#include "asterism/apps/thread_limit.hpp"
 #include "asterism/mesh/surface_audit/deviation.hpp"
 #include "asterism/mesh/surface_io/space_mesh_reader.hpp"
 
@@ -144,7 +145,7 @@ void add_deviation_command(CLI::App& program, command& chosen) {
       "How wide the enclosures may be, as a share (default 0.01)")
       ->type_name("W");
   add_count(
-      *app, "--threads", 1, 1024,
+      *app, "--threads", 1, most_threads,
       [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
       "Threads to use (default: one a processor); the answer is the same for any number")
       ->type_name("N");

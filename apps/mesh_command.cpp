@@ -12,6 +12,7 @@
 #include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_mesh_job.hpp"
 #include "asterism/apps/size_options.hpp"
+#include "asterism/apps/thread_limit.hpp"
 
 namespace asterism::apps {
 namespace {
@@ -174,7 +175,7 @@ void add_run_options(CLI::App& app, mesh_job& job) {
       "Refinement ends when this much is in use, in megabytes")
       ->type_name("MB");
   add_count(
-      app, "--threads", 1, 1024,
+      app, "--threads", 1, most_threads,
       [&job](std::uint64_t n) { job.threads = static_cast<std::size_t>(n); },
       "Threads to use (default: one a processor); the mesh is the same for any number")
       ->type_name("N");

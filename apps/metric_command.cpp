@@ -14,6 +14,7 @@
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/solution_options.hpp"
+#include "asterism/apps/thread_limit.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
@@ -88,7 +89,7 @@ void add_metric_command(CLI::App& program, command& chosen) {
   add_solution_options(*app, job->request);
   app->add_option("-o,--output", job->output, "File to write")->required()->type_name("OUT");
   add_count(
-      *app, "--threads", 1, 1024,
+      *app, "--threads", 1, most_threads,
       [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
       "Threads to use (default: one a processor); the metric is the same for any number")
       ->type_name("N");

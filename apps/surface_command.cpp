@@ -17,6 +17,7 @@
 #include "asterism/apps/surface_commands.hpp"
 #include "asterism/apps/surface_input.hpp"
 #include "asterism/apps/surface_summary.hpp"
+#include "asterism/apps/thread_limit.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/surface/surface_mesher.hpp"
@@ -173,7 +174,7 @@ void add_surface_command(CLI::App& program, command& chosen) {
       "Making meshes ends after this time; what there is is judged and written")
       ->type_name("S");
   add_count(
-      *app, "--threads", 1, 1024,
+      *app, "--threads", 1, most_threads,
       [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
       "Threads to use (default: one a processor); the mesh is the same for any number")
       ->type_name("N");

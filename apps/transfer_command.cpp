@@ -15,6 +15,7 @@
 #include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
+#include "asterism/apps/thread_limit.hpp"
 #include "asterism/apps/transfer_text.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
@@ -117,7 +118,7 @@ void add_transfer_command(CLI::App& program, command& chosen) {
       ->required()
       ->type_name("OUT");
   add_count(
-      *app, "--threads", 1, 1024,
+      *app, "--threads", 1, most_threads,
       [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
       "Threads to use (default: one a processor); the values are the same for any number")
       ->type_name("N");

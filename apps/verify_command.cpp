@@ -21,6 +21,7 @@
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
+#include "asterism/apps/thread_limit.hpp"
 #include "asterism/apps/verdict_text.hpp"
 #include "asterism/apps/verify_domain.hpp"
 #include "asterism/apps/verify_mesh.hpp"
@@ -368,7 +369,7 @@ void add_verify_command(CLI::App& program, command& chosen, piece_team* team) {
   app->add_flag("--json", options->json, "The verdict as a JSON object, in place of lines");
   const auto threads = std::make_shared<std::size_t>(0);
   add_count(
-      *app, "--threads", 1, 1024, [threads](std::uint64_t n) { *threads = n; },
+      *app, "--threads", 1, most_threads, [threads](std::uint64_t n) { *threads = n; },
       "Threads that work; the answer does not depend on it (default: one a processor)")
       ->type_name("N");
   add_judging_flags(*app, options->all_findings, options->all_edges);

@@ -22,6 +22,10 @@ endif()
 asterism_pkg_config(asterism-predicates asterism_predicates
                     "Exact predicates of anisotropic triangulation" ${of_predicates})
 if(TARGET asterism)
+  set(of_threads)
+  if(ASTERISM_THREADS)
+    set(of_threads -ltbb)
+  endif()
   asterism_pkg_config(asterism asterism "Certified anisotropic triangle meshes"
-                      -lasterism_predicates -lfmt -ltbb -lmuparser -lz -lmpfr ${of_predicates})
+                      -lasterism_predicates -lfmt ${of_threads} -lmuparser -lz -lmpfr ${of_predicates})
 endif()

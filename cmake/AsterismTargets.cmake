@@ -53,3 +53,15 @@ function(asterism_unite target)
   # A name inside one file may be that of a constant of another's.
   target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()
+
+# asterism_use_threads(TARGET): oneTBB; without ASTERISM_THREADS what stands in for the little that is used of
+# it, with one thread (packages/one_thread).
+function(asterism_use_threads target)
+  if(ASTERISM_THREADS)
+    find_package(TBB REQUIRED)
+    target_link_libraries(${target} PRIVATE TBB::tbb)
+  else()
+    target_include_directories(${target} SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/packages/one_thread)
+    target_compile_definitions(${target} PRIVATE ASTERISM_ONE_THREAD)
+  endif()
+endfunction()

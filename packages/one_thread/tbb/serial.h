@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Stands in for what the mesher uses of oneTBB where there is one thread: WebAssembly without
-// shared memory. The mesher's results do not depend on the number of threads
-// (mesh/support/parallel.hpp).
+// Stands in for what the mesher uses of oneTBB where there is one thread: builds with
+// ASTERISM_THREADS off, and WebAssembly without shared memory. What the mesher gives does not
+// depend on the number of threads (mesh/support/parallel.hpp).
 #pragma once
 
 #include <algorithm>
