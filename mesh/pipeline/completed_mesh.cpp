@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 
 namespace asterism::internal {
@@ -83,7 +84,7 @@ class segment_walk {
     const point &o = m_.sites[at].position, &p = m_.sites[next].position,
                 &q = m_.sites[end].position;
     const double x = p.x - o.x, y = p.y - o.y, u = q.x - o.x, v = q.y - o.y;
-    return (x * u + y * v) / (std::hypot(x, y) * std::hypot(u, v));
+    return (x * u + y * v) / (elementary::hypot(x, y) * elementary::hypot(u, v));
   }
 
   const domain& d_;

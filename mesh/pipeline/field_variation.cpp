@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 
@@ -69,7 +70,7 @@ class sampling {
     found_.variation = std::max(found_.variation, variation(p, q));
     while (distortion(p.metric, q.metric) > little_distortion) {
       const point a = p.position, b = q.position;
-      if (std::hypot(b.x - a.x, b.y - a.y) <= least) {
+      if (elementary::hypot(b.x - a.x, b.y - a.y) <= least) {
         if (!found_.jump) found_.jump = {a, b, distortion(p.metric, q.metric)};
         return;
       }
