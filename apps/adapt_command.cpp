@@ -17,6 +17,7 @@
 #include "asterism/apps/adaptation_json.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/frozen.hpp"
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/job_words.hpp"
 #include "asterism/apps/notes.hpp"
@@ -27,6 +28,7 @@
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_limits.hpp"
+#include "asterism/apps/second_order.hpp"
 #include "asterism/apps/solution_options.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/apps/thread_limit.hpp"
@@ -47,6 +49,7 @@
 #include "asterism/mesh/pipeline/adapt_to_metric.hpp"
 #include "asterism/mesh/pipeline/adaptation_target.hpp"
 #include "asterism/mesh/pipeline/adaptation_words.hpp"
+#include "asterism/mesh/pipeline/curved_sides.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 
 namespace asterism::apps {
@@ -63,7 +66,9 @@ struct adapt_job {
   fs::path values, carried, certificate;  // the solution, and what is carried, on the new mesh
   fs::path proof;
   std::optional<double> chord_tolerance, max_seconds;
+  std::vector<std::string> frozen;  // regions, by number or name
   std::size_t threads = 0;
+  int order = 1;  // of the triangles in files that hold second ones
   bool quiet = false, json = false;
   bool strict = false;  // what readers change is refused
 };
@@ -94,9 +99,19 @@ struct adapted {
   std::optional<transferred_solution> values;
   std::optional<std::size_t> vertices_wanted;  // none where the metric alone says how many
   proof_output proof = {};
+  std::vector<side_node> curved = {};  // of triangles of second order
+  // With frozen regions: the rest with its metric, and what is written.
+  mesh rest = {}, together = {};
+  frozen_facts frozen = {};
+  std::size_t border_split = 0;  // edges, where no way was found to leave them whole
+
+  bool has_frozen() const { return !frozen.regions.empty(); }
+  const mesh& written() const { return has_frozen() ? together : next.made.outcome.result; }
+  const mesh& background() const { return has_frozen() ? rest : wanted.background; }
 };
 
 std::optional<error> check_files(const adapt_job& job, const fs::path& certificate_path) {
+  if (auto failed = check_order(job.order, job.outputs)) return failed;
   std::vector<fs::path> used = files_of(job.request);
   std::error_code ignored;
   if (fs::is_regular_file(job.domain, ignored)) used.emplace_back(job.domain);
@@ -144,6 +159,29 @@ std::optional<error> take_domain(adapt_job& job) {
   return std::nullopt;
 }
 
+// Makes the next mesh, of all or of what is not frozen.
+std::optional<error> make_next(const marked_mesh& from, const adapt_job& job,
+                               const mesh_adaptation_options& options, adapted& made) {
+  progress_line line(!job.quiet);
+  const auto show = [&line](const mesh_progress& p) { line.show(p); };
+  if (job.frozen.empty()) {
+    auto next = adapt_to_metric(from, options, show);
+    if (!next) return next.failure();
+    made.next = std::move(next).value();
+    return std::nullopt;
+  }
+  const auto regions = frozen_regions(job.frozen, job.request.mesh);
+  if (!regions) return regions.failure();
+  auto run = adapt_the_rest(regions.value(), from, options, show);
+  if (!run) return run.failure();
+  made.next = std::move(run.value().next);
+  made.rest = std::move(run.value().background);
+  made.together = std::move(run.value().together);
+  made.frozen = std::move(run.value().facts);
+  made.border_split = run.value().border_split;
+  return std::nullopt;
+}
+
 result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   auto wanted = answer(job.request);
   if (!wanted) return wanted.failure();
@@ -158,23 +196,34 @@ result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   if (auto failed = take_target(wish, "--max-sites", options)) return *failed;
   made.vertices_wanted = options.refinement.vertices;
   options.refinement.stop = [&limits] { return limits.reason(); };
-  progress_line line(!job.quiet);
-  auto next = adapt_to_metric({made.wanted.background, marks.value()}, options,
-                              [&line](const mesh_progress& p) { line.show(p); });
-  if (!next) return next.failure();
-  made.next = std::move(next).value();
+  if (auto failed = make_next({made.wanted.background, marks.value()}, job, options, made))
+    return *failed;
+  if (made.border_split > 0) return made;
   if (job.values.empty() && job.carried.empty()) return made;
+  const mesh& joined = made.written();
   auto values = transfer_solution(made.wanted.background, made.wanted.values,
-                                  made.next.made.outcome.result, job.how);
+                                  part_cracks(joined, made.next.cracks).content, job.how);
   if (!values) return values.failure();
   made.values = std::move(values).value();
   return made;
 }
 
 void describe(const adapt_job& job, adapted& made) {
-  describe_adaptation(
-      made.next, {job.request, made.wanted.background, made.wanted.report, job.options, job.domain,
-                  made.values ? &made.values->report : nullptr, job.how});
+  describe_adaptation(made.next,
+                      {job.request, made.background(), made.wanted.report, job.options, job.domain,
+                       made.values ? &made.values->report : nullptr, job.how});
+  describe_frozen(made.frozen, made.next.made.claim);
+}
+
+// Makes triangles of second order, where they are asked for, and adds their proof to the
+// certificate.
+std::optional<error> curve(const adapt_job& job, adapted& made) {
+  if (job.order == 1) return std::nullopt;
+  auto sides = curve_sides(made.written(), made.next.shape);
+  if (!sides) return sides.failure();
+  made.next.made.claim.second_order = sides.value().report;
+  made.curved = std::move(sides.value().nodes);
+  return say_notes(notes_of_order(job.outputs, sides.value().report), {job.quiet});
 }
 
 // Returns the fields of the solution alone, without those that are carried along.
@@ -192,12 +241,13 @@ void show_solution(const adapt_job& job, const adapted& made, report_facts& fact
   facts.label = "Adapted";
   facts.before = {{"Before", made.wanted.background, own_fields(old, own), {}}};
   if (old.fields.empty()) return;
-  if (made.values) {
+  // A page has one vertex at each place, and values of both sides of a slit have none there.
+  if (made.values && made.next.cracks.empty()) {
     facts.fields = own_fields(made.values->values, own);
     return;
   }
-  auto shown = transfer_solution(made.wanted.background, own_fields(old, own),
-                                 made.next.made.outcome.result, job.how);
+  auto shown =
+      transfer_solution(made.wanted.background, own_fields(old, own), made.written(), job.how);
   if (shown) facts.fields = std::move(shown).value().values;
 }
 
@@ -209,10 +259,11 @@ report_facts facts_of_page(const adapt_job& job, const fs::path& certificate_pat
   facts.claim = next.claim;
   facts.claim_from = "As the run that made this page judged the mesh it had made.";
   facts.repeat = repeating_command(job.outputs, certificate_path);
-  const auto adopted = adopt_mesh(made.wanted.background);
+  const auto adopted =
+      adopt_mesh(made.wanted.background, region_edges::segments, slit_rule::joined);
   if (next.outcome.delivered && adopted)
     facts.wanted =
-        tensors_at_sites(*make_sampled_field(adopted.value().subject, 1), next.outcome.result);
+        tensors_at_sites(*make_sampled_field(adopted.value().subject, 1), made.written());
   show_solution(job, made, facts);
   return facts;
 }
@@ -250,13 +301,16 @@ std::optional<error> write_all(const adapt_job& job, const fs::path& certificate
                                const adapted& made) {
   write_options options;
   options.names = names_in(job.request.mesh);
+  options.order = job.order;
+  options.curved = made.curved;
+  options.cracks = made.next.cracks;
   const certificate& claim = made.next.made.claim;
   options.smooth = smooth_vertices(made.next.shape);
   if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, made);
   options.note = file_note_of(claim);
   std::vector<output_file> files;
   for (const fs::path& output : job.outputs) {
-    auto rendered = render_mesh(output, made.next.made.outcome.result, options);
+    auto rendered = render_mesh(output, made.written(), options);
     if (!rendered) return rendered.failure();
     std::move(rendered.value().begin(), rendered.value().end(), std::back_inserter(files));
   }
@@ -284,6 +338,8 @@ void say_kept(const adapt_job& job, const adapted& made) {
 
 void summarize(const adapt_job& job, const adapted& made) {
   write_summary(std::cout, made.next.made, made.next.made.claim.measured.at("unit_edges"));
+  if (made.has_frozen())
+    std::cout << text_of(made.frozen, job.options.refinement.angle_bound) << '\n';
   std::cout << "metric: " << internal::text_of(made.wanted.report) << '\n';
   if (made.next.keeps_boundary)
     std::cout << "domain: all boundary vertices kept, as its parts touch; --domain names one "
@@ -294,6 +350,7 @@ void summarize(const adapt_job& job, const adapted& made) {
         "other\n",
         made.next.boundary_kept, made.next.boundary_vertices, made.next.boundary_distance);
   write_periodic(std::cout, made.next.made.claim);
+  std::cout << cracks_text(made.next.cracks);
   say_kept(job, made);
   if (made.next.made.outcome.delivered)
     std::cout << "delivered: " << text_of(*made.next.made.outcome.delivered) << '\n';
@@ -319,11 +376,18 @@ int run_adapt(adapt_job job) {
   if (const auto failed = take_domain(job)) return complain(*failed, refused);
   auto made = adapt(job, limits);
   if (!made) return complain(made.failure(), refused);
+  if (made.value().border_split > 0)
+    return complain({fmt::format("not reached: {} edges of the border of the frozen regions are "
+                                 "split, however coarse the metric is made there; nothing is "
+                                 "written",
+                                 made.value().border_split)},
+                    not_reached);
   describe(job, made.value());
   const certified_mesh& next = made.value().next.made;
   made.value().proof =
       find_proof(job.proof, next.outcome.result, &made.value().next.shape, next.report.certified);
   limits.conclude();
+  if (const auto failed = curve(job, made.value())) return complain(*failed, not_reached);
   if (const auto failed = write_all(job, certificate_path, made.value()))
     return complain(*failed, not_reached);
   const auto missed =
@@ -410,6 +474,12 @@ void add_adapt_command(CLI::App& program, command& chosen) {
   add_solution_options(*app, job->request);
   add_mesh_options(*app, *job);
   add_transfer_option(*app, job->how);
+  app->add_option("--frozen", job->frozen,
+                  "A region whose triangles stay exactly as they are, by number or name; may be "
+                  "given several times. The rest is adapted and certified by itself")
+      ->excludes(app->get_option("--domain"))
+      ->type_name("REGION")
+      ->allow_extra_args(false);
   app->add_option("-o,--output", job->outputs, "File to write; may be given several times")
       ->required()
       ->type_name("OUT")
@@ -429,7 +499,9 @@ void add_adapt_command(CLI::App& program, command& chosen) {
   app->add_option("--certificate", job->certificate,
                   "The certificate's file (default: first OUT with extension .certificate.json)")
       ->type_name("FILE");
+  add_order_option(*app, job->order);
   add_proof_option(*app, job->proof);
+  app->get_option("--frozen")->excludes(app->get_option("--proof"));
   auto* const quiet = app->add_flag("--quiet", job->quiet, "No progress, no summary");
   app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
       ->excludes(quiet);

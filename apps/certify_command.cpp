@@ -26,6 +26,7 @@
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_limits.hpp"
+#include "asterism/apps/second_order.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/apps/thread_limit.hpp"
 #include "asterism/apps/verdict_text.hpp"
@@ -142,9 +143,10 @@ std::optional<error> write_together(const output_files& files) {
 }
 
 std::optional<error> write_result(const certify_options& options, const mesh& m,
-                                  const certificate& claim, report_facts facts,
-                                  const proof_output& proof) {
+                                  const crack_markers& cracks, const certificate& claim,
+                                  report_facts facts, const proof_output& proof) {
   write_options how;
+  how.cracks = cracks;
   how.picture.angle_bound = options.angle_bound;
   how.note = file_note_of(claim);
   facts.claim = claim;
@@ -214,7 +216,8 @@ int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
   claim.complete = true;
   claim.reason = certified_as_it_came;
   const report_facts facts = facts_of_page(options, report);
-  if (const auto failure = write_result(options, adopted.subject, claim, facts, proof))
+  if (const auto failure =
+          write_result(options, adopted.subject, adopted.cracks, claim, facts, proof))
     return complain(*failure, not_reached);
   return proof.conclude(status);
 }
@@ -271,7 +274,8 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
   }
   const bool reached = made.value().certified();
   const proof_output proof = find_proof(options.proof, outcome.result, nullptr, judged.certified);
-  if (const auto failure = write_result(options, outcome.result, claim, facts, proof))
+  if (const auto failure =
+          write_result(options, outcome.result, adopted.cracks, claim, facts, proof))
     return complain(*failure, not_reached);
   std::cout << (reached ? "certified" : "NOT certified") << ", repaired: " << outcome.sites
             << " sites, " << outcome.sites - adopted.subject.sites.size() << " of them new, "
@@ -313,6 +317,7 @@ made_field measure_by_formula(const certify_options& options, mesh& m) {
 
 struct measured_mesh {
   adopted_mesh adopted;
+  std::optional<second_order_report> second_order = {};  // of the triangles in the file
   std::unique_ptr<metric_field> field;
 };
 
@@ -325,6 +330,11 @@ result<measured_mesh> read_measured(certify_options& options) {
   how.all_edges = options.all_edges;
   auto read = read_mesh_file(options.mesh, how);
   if (!read) return read.failure();
+  std::optional<second_order_report> second_order;
+  if (read.value().second_order > 0) {
+    second_order = prove_second_order(read.value().content, read.value().curved, nullptr);
+    if (options.outputs.empty()) take_back_note_of_corners(read.value());
+  }
   mesh& subject = read.value().content;
   if (!options.metric && !read.value().has_metric) {
     options.metric = "identity";
@@ -338,11 +348,12 @@ result<measured_mesh> read_measured(certify_options& options) {
   }
   // Adds segments between regions for a repair alone: a mesh to be judged is taken as listed.
   auto adopted = adopt_mesh(std::move(subject),
-                            options.repair ? region_edges::segments : region_edges::as_listed);
+                            options.repair ? region_edges::segments : region_edges::as_listed,
+                            slit_rule::joined);
   if (!adopted) return adopted.failure().at(options.mesh.string());
   if (auto refused = say_notes(adopted.value().subject.notes, {false, options.strict}))
     return *refused;
-  return measured_mesh{std::move(adopted).value(), std::move(formula)};
+  return measured_mesh{std::move(adopted).value(), std::move(second_order), std::move(formula)};
 }
 
 int run_certify(certify_options options) {
@@ -372,12 +383,16 @@ int run_certify(certify_options options) {
     return certify(adopted, options.angle_bound, options.prove_voronoi,
                    findings_kept(options.all_findings), [&limits] { return limits.reason(); });
   }();
+  const auto& second_order = measured.value().second_order;
+  const bool folds = second_order && !second_order->proved();
   if (options.json) {
-    const bool good = report.certified() && is_dual_as_asked(options, report.audit);
-    std::cout << summary_json(report, good ? done : not_reached, options.angle_bound);
+    const bool good = report.certified() && !folds && is_dual_as_asked(options, report.audit);
+    std::cout << summary_json(report, good ? done : not_reached, options.angle_bound, second_order);
   } else {
     write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
+    if (second_order) std::cout << text_of(*second_order) << '\n';
   }
+  if (folds) return complain({"NOT certified: " + text_of(*second_order)}, not_reached);
   if (report.certified() || !options.repair) limits.conclude();
   if (report.certified()) return write_as_it_is(options, adopted, report);
   if (!options.repair) {

@@ -19,12 +19,14 @@
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/notes.hpp"
+#include "asterism/apps/second_order.hpp"
 #include "asterism/mesh/io/fields_of_mesh.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/pipeline/curved_sides.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -34,6 +36,7 @@ namespace {
 struct convert_job {
   std::string in, out;
   std::vector<std::string> formats;  // of what is '-', in order
+  int order = 1;
   bool quiet = false, strict = false;
 };
 
@@ -41,7 +44,8 @@ constexpr const char* convert_examples =
     R"(IN is any mesh that is read: .mesh, .meshb (with .sol or .solb beside it), .msh, .vtu, .vtk, .su2,
 .14, .grd, .2dm, .stl. OUT is any that is written: .mesh, .meshb, .msh, .msh2, .vtu, .su2, .2dm, .14,
 .grd, .node, or a picture. Vertices, triangles, regions, markers, names, the metric and fields at the
-vertices go over, bit for bit; what OUT has no place for is told. '-' is standard input or output, and
+vertices go over, bit for bit; what OUT has no place for is told. With --order 2 the nodes of sides
+that IN has go over, too; sides without one are straight. '-' is standard input or output, and
 --format says what is there.
 
 Exit status: 0 converted; 1 OUT could not be written; 2 bad usage or input, nothing is written.
@@ -166,7 +170,7 @@ std::optional<error> put_to_standard_output(const output_file& file) {
 }
 
 // Checks names and places before anything is read.
-std::optional<error> check_places(const places& where) {
+std::optional<error> check_places(const places& where, int order) {
   if (!is_mesh_file(where.in.string()))
     return error{where.in.string() + ": unknown kind of file '" + where.in.extension().string() +
                      "'; meshes are read of .mesh, .meshb, .msh, .msh2, .vtu, .vtk, .su2, .14, "
@@ -174,6 +178,7 @@ std::optional<error> check_places(const places& where) {
                  error_code::bad_option};
   const auto format = check_output(where.out);
   if (!format) return format.failure();
+  if (auto refused = check_order(order, {where.out})) return refused;
   std::error_code ignored;
   if (fs::equivalent(where.in, where.out, ignored))
     return error{where.out.string() + ": is what is read", error_code::bad_option};
@@ -196,6 +201,11 @@ std::optional<error> convert(const convert_job& job, const places& where,
     return error{where.in.string() +
                  ": there are no triangles: it is a domain, which `asterism "
                  "mesh` takes"};
+  if (job.order == 2) {
+    const auto sides = given_sides(made.read.content, made.read.curved);
+    if (!sides) return sides.failure().at(where.in.string());
+    take_back_note_of_corners(made.read);
+  }
   auto fields = fields_of_mesh(where.in, made.read);
   if (!fields) return fields.failure();
   made.fields = std::move(fields).value();
@@ -217,6 +227,8 @@ std::optional<error> convert(const convert_job& job, const places& where,
   how.names = made.read.names;
   how.with_metric = made.read.has_metric;
   how.fields = &made.fields;
+  how.order = job.order;
+  how.curved = made.read.curved;
   how.report.title = where.in.string();
   how.report.repeat = "asterism certify " + where.in.string();
   auto files = render_mesh(where.out, made.read.content, how);
@@ -234,7 +246,7 @@ int run_convert(const convert_job& job) {
   if (!where) return fail(where.failure(), refused);
   if (where.value().from_standard_input)
     if (const auto failed = take_standard_input(where.value().in)) return fail(*failed, refused);
-  if (const auto failed = check_places(where.value())) return fail(*failed, refused);
+  if (const auto failed = check_places(where.value(), job.order)) return fail(*failed, refused);
   conversion made;
   if (const auto failed = convert(job, where.value(), folder, made)) return fail(*failed, refused);
   const held_signals held;
@@ -258,6 +270,7 @@ void add_convert_command(CLI::App& program, command& chosen) {
                   "where both are")
       ->type_name("ENDING")
       ->allow_extra_args(false);
+  add_order_option(*app, job->order);
   app->add_flag("--strict", job->strict, "Refuse what would be changed or left out, with a note");
   app->add_flag("--quiet", job->quiet, "No notes");
   app->footer(convert_examples);

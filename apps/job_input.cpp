@@ -171,7 +171,7 @@ result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repair
 
 // Returns what a mesh covers, with its vertices, boundary edges and regions; its metric is not
 // used.
-result<domain> domain_of_mesh(const mesh_job& job, mesh read) {
+result<domain> domain_of_mesh(const mesh_job& job, mesh read, crack_markers& cracks) {
   if (job.repair)
     return error{"--repair-domain: " + job.domain + " is a mesh, whose edges are kept as they are"};
   if (job.sizes_of_file)
@@ -180,8 +180,9 @@ result<domain> domain_of_mesh(const mesh_job& job, mesh read) {
     return error{"--regions: " + job.domain + " is a mesh, which has its regions already"};
   if (job.convex_hull)
     return error{"--convex-hull: " + job.domain + " is a mesh, which has its boundary already"};
-  auto adopted = checked_triangulation(std::move(read), job.domain);
+  auto adopted = checked_triangulation(std::move(read), job.domain, slit_rule::joined);
   if (!adopted) return adopted.failure();
+  cracks = std::move(adopted.value().cracks);
   if (auto refused = say_notes(adopted.value().subject.notes, notes_of(job))) return *refused;
   return std::move(adopted.value().shape);
 }
@@ -189,11 +190,11 @@ result<domain> domain_of_mesh(const mesh_job& job, mesh read) {
 // Reads the domain of a mesh file: what its triangles cover, or what its edges bound where it has
 // no triangles.
 result<domain> read_mesh_domain(const mesh_job& job, domain& loaded, domain_repairs& repairs,
-                                size_wishes& sizes, bool& of_mesh) {
+                                size_wishes& sizes, bool& of_mesh, crack_markers& cracks) {
   auto read = read_mesh_file(job.domain, {.without_solution = true});
   if (!read) return read.failure();
   of_mesh = !has_edges_alone(read.value());
-  if (of_mesh) return domain_of_mesh(job, std::move(read.value().content));
+  if (of_mesh) return domain_of_mesh(job, std::move(read.value().content), cracks);
   auto bounded = domain_of_edges(std::move(read).value(), job.domain);
   if (!bounded) return bounded;
   loaded = std::move(bounded).value();
@@ -226,8 +227,10 @@ result<prepared_input> prepare(const mesh_job& job) {
     return error{"sizes at places with --metric " + job.metric +
                  ": --size says how long edges are in that"};
   bool of_mesh = false;
-  auto checked = is_mesh_file(job.domain) ? read_mesh_domain(job, loaded, repairs, sizes, of_mesh)
-                                          : load_and_check(job, loaded, repairs, sizes);
+  crack_markers cracks;
+  auto checked = is_mesh_file(job.domain)
+                     ? read_mesh_domain(job, loaded, repairs, sizes, of_mesh, cracks)
+                     : load_and_check(job, loaded, repairs, sizes);
   if (!checked) return checked.failure();
   // Curves are divided for the metric once it is known. What is placed in the domain's box is made
   // anew then: in the box of the chords that are meshed, which the certificate holds.
@@ -252,6 +255,7 @@ result<prepared_input> prepare(const mesh_job& job) {
   prepared.value().repairs = std::move(repairs);
   prepared.value().of_mesh = of_mesh;
   if (job.repair) prepared.value().before_repair = std::move(loaded);
+  prepared.value().cracks = std::move(cracks);
   return prepared;
 }
 

@@ -12,6 +12,7 @@
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/cracks.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/metric/size_wishes.hpp"
 
@@ -28,6 +29,7 @@ struct prepared_input {
   size_wishes sizes = {};  // of the job, and of the domain's file where they are asked for
   bool of_mesh = false;    // the domain is what a finished mesh covers
   std::optional<domain> before_repair = {};  // as the file has it, where it was repaired
+  crack_markers cracks = {};                 // of that mesh
 };
 
 // Reads and checks the domain, adds the random points, and makes the metric. Notes on repairs go to

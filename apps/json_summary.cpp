@@ -73,6 +73,15 @@ void add_periodic(json& object, const std::vector<periodic_match>& matches) {
   object["periodic"] = std::move(all);
 }
 
+void add_second_order(json& object, const std::optional<second_order_report>& r) {
+  if (!r) return;
+  object["second_order"] = {
+      {"triangles", r->triangles},          {"curved_sides", r->curved_sides},
+      {"on_curves", r->on_curves},          {"kept_straight", r->kept_straight},
+      {"folded", r->folded.size()},         {"undecided", r->undecided.size()},
+      {"least_jacobian", r->least_jacobian}};
+}
+
 // Adds whether the theorem on nets applies to the mesh, and how far its hypotheses hold; null where
 // that was not asked.
 void add_theorem(json& object, const std::optional<theorem_hypotheses>& measured) {
@@ -98,6 +107,7 @@ std::string summary_json(const certified_mesh& made, int status,
   add_audit(object, made.report, made.claim.regions);
   add_periodic(object, made.claim.periodic);
   add_theorem(object, made.claim.theorem);
+  add_second_order(object, made.claim.second_order);
   object["disagreeing"] = outcome.disagreeing;
   object["too_large"] = outcome.too_large;
   object["length_factor"] = outcome.ended.length_factor;
@@ -168,16 +178,19 @@ std::string summary_json(const judgement& judged, int status, const std::string&
   add_audit(object, verdict.audit, verdict.regions);
   add_periodic(object, verdict.periodic);
   add_theorem(object, verdict.theorem);
+  add_second_order(object, judged.second_order);
   return text_of(object);
 }
 
-std::string summary_json(const certify_report& report, int status, double angle_bound) {
+std::string summary_json(const certify_report& report, int status, double angle_bound,
+                         const std::optional<second_order_report>& second_order) {
   json object = {{"command", "certify"},
                  {"status", status},
                  {"certified", report.certified()},
                  {"angle_bound", angle_bound}};
   add_audit(object, report.audit, report.regions);
   add_theorem(object, report.theorem);
+  add_second_order(object, second_order);
   object["compared"] = report.compared;
   object["in_stars_of_all"] = report.compared ? json(report.in_stars[3]) : json();
   object["inverted"] = report.inverted;

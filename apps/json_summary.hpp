@@ -23,6 +23,7 @@ std::string summary_json(const certified_mesh& made, int status,
 std::string summary_json(const judgement& judged, int status, const std::string& scope);
 
 // Returns the object of `certify`.
-std::string summary_json(const certify_report& report, int status, double angle_bound);
+std::string summary_json(const certify_report& report, int status, double angle_bound,
+                         const std::optional<second_order_report>& second_order);
 
 }  // namespace asterism::apps

@@ -11,6 +11,7 @@
 #include "asterism/apps/pieces_job.hpp"
 #include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_mesh_job.hpp"
+#include "asterism/apps/second_order.hpp"
 #include "asterism/apps/size_options.hpp"
 #include "asterism/apps/thread_limit.hpp"
 
@@ -225,6 +226,7 @@ void add_output_options(CLI::App& app, mesh_job& job) {
   app.add_option("--certificate", job.certificate,
                  "The certificate's file (default: first OUT with extension .certificate.json)")
       ->type_name("FILE");
+  add_order_option(app, job.order)->excludes(app.get_option("--pieces"));
   add_proof_option(app, job.proof);
   app.add_flag("--voronoi", job.refinement.prove_voronoi,
                "Prove it the dual of the anisotropic Voronoi diagram, or end with status 1");

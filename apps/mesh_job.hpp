@@ -45,6 +45,7 @@ struct mesh_job {
   std::size_t threads = 0;              // 0: as many as there are processors
   std::optional<double> max_seconds;    // of wall time, for refinement
   std::optional<double> max_megabytes;  // of resident memory
+  int order = 1;                        // of the triangles in files that hold second ones
   bool ellipses = false;
   bool quiet = false;
   bool strict = false;  // what readers change is refused

@@ -18,12 +18,14 @@
 #include "asterism/apps/json_summary.hpp"
 #include "asterism/apps/memory_account.hpp"
 #include "asterism/apps/next_step.hpp"
+#include "asterism/apps/notes.hpp"
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/periodic_options.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_limits.hpp"
+#include "asterism/apps/second_order.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/apps/vertex_count.hpp"
 #include "asterism/core/number_text.hpp"
@@ -37,6 +39,7 @@
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/curved_sides.hpp"
 #include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 
@@ -47,6 +50,7 @@ namespace {
 
 // Checks that every file the job reads or writes is a different one, and each can be written.
 std::optional<error> check_files(const mesh_job& job, const fs::path& certificate_path) {
+  if (auto failure = check_order(job.order, job.outputs)) return failure;
   std::vector<fs::path> used = {certificate_path};
   std::error_code ignored;
   std::vector<fs::path> read = {job.domain};
@@ -101,15 +105,31 @@ report_facts facts_of_page(const mesh_job& job, const fs::path& certificate_path
   return facts;
 }
 
+// Makes triangles of second order, where they are asked for, and adds their proof to the
+// certificate.
+result<std::vector<side_node>> curve(const mesh_job& job, const prepared_input& input,
+                                     certified_mesh& made) {
+  if (job.order == 1) return std::vector<side_node>{};
+  auto sides = curve_sides(made.outcome.result, input.shape);
+  if (!sides) return sides.failure();
+  if (auto refused = say_notes(notes_of_order(job.outputs, sides.value().report), {job.quiet}))
+    return *refused;
+  made.claim.second_order = sides.value().report;
+  return std::move(sides.value().nodes);
+}
+
 // Writes all files before the first gets its name, the certificate last: where it is,
 // everything else is too. Each is written as soon as it is made, since all of them together may
 // take more room than the mesh.
 std::optional<error> write_files(const mesh_job& job, const fs::path& certificate_path,
                                  const prepared_input& input, const certified_mesh& made,
-                                 const proof_output& proof) {
+                                 const proof_output& proof, std::vector<side_node> curved) {
   const certificate& claim = made.claim;
   write_options options;
   if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, input, made);
+  options.order = job.order;
+  options.curved = std::move(curved);
+  options.cracks = input.cracks;
   options.names = names_in(job.domain);
   options.smooth = smooth_vertices(input.shape);
   for (const repair_place& place : input.repairs.places) options.picture.marks.push_back(place.at);
@@ -166,6 +186,7 @@ void tell(const mesh_job& job, const prepared_input& input, const certified_mesh
   tell_scale(job, input, outcome);
   write_periodic(std::cout, made.claim);
   if (input.gradation) std::cout << "gradation: " << text_of(*input.gradation) << '\n';
+  std::cout << cracks_text(input.cracks);
   if (input.repairs.distance > 0) std::cout << "repaired: " << text_of(input.repairs) << '\n';
   if (outcome.improved)
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
@@ -260,7 +281,10 @@ int run_within_limits(const mesh_job& asked) {
   const proof_output proof = find_proof(job.proof, made.value().outcome.result,
                                         &input.value().shape, made.value().report.certified);
   limits.conclude();
-  if (const auto failure = write_files(job, certificate_path, input.value(), made.value(), proof))
+  auto curved = curve(job, input.value(), made.value());
+  if (!curved) return complain(curved.failure(), not_reached);
+  if (const auto failure = write_files(job, certificate_path, input.value(), made.value(), proof,
+                                       std::move(curved).value()))
     return complain(*failure, not_reached);
   tell(job, input.value(), made.value());
   if (job.tells())

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <iomanip>
 #include <ostream>
+#include <utility>
 
+#include "asterism/apps/second_order.hpp"
 #include "asterism/apps/terminal.hpp"
 #include "asterism/apps/verdict_text.hpp"
 #include "asterism/core/elementary.hpp"
@@ -79,6 +81,17 @@ std::string text_of(const guarantee_claim& kept, const theorem_hypotheses& measu
   return text;
 }
 
+std::string cracks_text(const crack_markers& cracks) {
+  if (cracks.empty()) return "";
+  std::string text = "slits: vertices are there once for each side, along edges of the markers";
+  bool is_first = true;
+  for (const auto& [number, sides] : cracks) {
+    text += fmt::format("{} {}", std::exchange(is_first, false) ? "" : ",", sides.left);
+    if (sides.right != sides.left) text += fmt::format(" and {}", sides.right);
+  }
+  return text + '\n';
+}
+
 std::string text_of(const delivered_report& done) {
   return fmt::format(
       "{:.1f} % of the sites have lengths changed by more than 10 %, median {:.1f} %, 90 % below "
@@ -107,6 +120,7 @@ void write_summary(std::ostream& out, const certified_mesh& made,
         << voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)];
   out << deviation_text(report) << curves_text(report) << '\n';
   if (!made.claim.regions.empty()) out << regions_text(made.claim.regions) << '\n';
+  if (made.claim.second_order) out << text_of(*made.claim.second_order) << '\n';
 }
 
 void write_files_written(std::ostream& out, const std::vector<std::filesystem::path>& files,

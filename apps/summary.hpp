@@ -16,6 +16,7 @@
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/outcome.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/cracks.hpp"
 #include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
@@ -31,6 +32,9 @@ std::string text_of(const improvement_report& done, std::size_t sites);
 
 // Tells what a guarantee says, in one line.
 std::string text_of(const guarantee_claim& kept, const theorem_hypotheses& measured);
+
+// Returns a line on the slits whose vertices are there twice in the files; empty without any.
+std::string cracks_text(const crack_markers& cracks);
 
 // Tells how far the metric of the mesh is from the one wanted, in one line.
 std::string text_of(const delivered_report& done);

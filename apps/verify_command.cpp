@@ -20,6 +20,7 @@
 #include "asterism/apps/periodic_options.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
+#include "asterism/apps/second_order.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/apps/thread_limit.hpp"
 #include "asterism/apps/verdict_text.hpp"
@@ -28,6 +29,7 @@
 #include "asterism/apps/verify_metric.hpp"
 #include "asterism/apps/verify_pieces_command.hpp"
 #include "asterism/apps/verify_question.hpp"
+#include "asterism/apps/verify_subject.hpp"
 #include "asterism/apps/verify_surface.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
@@ -44,7 +46,8 @@ namespace {
 
 constexpr const char* verify_examples =
     R"(MESH is a mesh in any format that is written and read: NAME.mesh with its metric in NAME.sol,
-.meshb, .msh, .vtu. Everything is checked again from the files, in exact arithmetic. .su2, .14, .grd
+.meshb, .msh, .vtu. Everything is checked again from the files, in exact arithmetic; so are triangles
+of second order, where the file holds them. .su2, .14, .grd
 and .2dm have no place for the metric and for segments: these are taken from the certificate, and the
 verdict says so. NAME.certificate.json beside the mesh is used when there is one and none is
 named. Each part of the question that an option names is judged: the domain, the bound, the
@@ -117,6 +120,11 @@ std::string scope_text(const judgement& judged, const std::optional<certificate>
                      "; metric: " + text_of(judged.metric) + judged.completed;
   text += deviation_text(verdict.audit) + curves_text(verdict.audit) + former_text(claim);
   if (!verdict.regions.empty()) text += "; " + regions_text(verdict.regions);
+  if (!judged.frozen.empty()) text += "; " + judged.frozen;
+  if (judged.second_order)
+    text += "; " + text_of(*judged.second_order);
+  else if (claim && claim->second_order)
+    text += "; triangles of second order are in other files, not checked";
   if (!verdict.audit.stars_checked) text += "; stars not checked";
   if (verdict.audit.stars_cut_short) text += "; " + cut_short_text(verdict.audit);
   text += periodic_text(verdict.periodic);
@@ -206,10 +214,16 @@ void take_sides(side_answer found, judgement& judged) {
 // Judges the mesh. Its own boundary is its domain where nobody says what that is.
 result<judgement> judge(const verify_options& options, judged_mesh read,
                         const std::optional<certificate>& claim, asked_domain shape,
-                        const cancellation& stop) {
+                        std::vector<std::string> of_file, const cancellation& stop) {
   judgement judged;
   side_answer sides;
+  judged.frozen = read.frozen;
   judged.shape = std::move(shape);
+  const domain* const numbered = judged.shape.shape         ? &*judged.shape.shape
+                                 : claim && claim->original ? &*claim->original
+                                                            : nullptr;
+  if (numbered != nullptr) number_segments(options, *numbered, read);
+  judged.second_order = judge_second_order(read, claim, numbered, of_file);
   audit_options asked = questions_of(options, judged.shape);
   asked.stop = stop;
   const std::optional<domain> placed = claim ? placed_in(*claim) : std::nullopt;
@@ -223,7 +237,7 @@ result<judgement> judge(const verify_options& options, judged_mesh read,
   judged.metric = std::move(metric).value();
   judged.metric.is_taken = read.took_metric;
   if (!claim && !judged.shape.shape) {
-    auto adopted = adopt_mesh(std::move(subject), region_edges::as_listed);
+    auto adopted = adopt_mesh(std::move(subject), region_edges::as_listed, slit_rule::joined);
     if (!adopted) return adopted.failure().at(options.mesh.string());
     if (auto refusal = say_notes(adopted.value().subject.notes, {})) return *refusal;
     judged.verdict = verify_alone(adopted.value(), asked);
@@ -235,6 +249,7 @@ result<judgement> judge(const verify_options& options, judged_mesh read,
   }
   contradict(judged.metric.contradictions, judged.verdict);
   take_sides(std::move(sides), judged);
+  contradict(std::move(of_file), judged.verdict);
   if (!judged.metric.refusals.empty()) judged.verdict.verified = false;
   if (!judged.verdict.audit.angles_checked) return judged;
   judged.bound_by = options.angle_bound ? asked_by::option : asked_by::certificate;
@@ -292,14 +307,18 @@ int run_verify(const verify_options& options) {
   if (!subject) return complain(with_way_out(subject.failure(), options.mesh), refused);
   const auto claim = find_certificate(options);
   if (!claim) return complain(claim.failure(), refused);
+  std::vector<std::string> of_file;
+  if (const auto failed = take_frozen(claim.value(), subject.value(), of_file))
+    return complain(*failed, refused);
   auto shape = find_shape(options, subject.value(), claim.value());
   if (!shape) return complain(shape.failure(), refused);
   const std::size_t sites = subject.value().content.sites.size();
   limits.expect(sites);
   progress_line line(true);
   line.show({.phase = mesh_phase::auditing, .sites = sites});
-  const auto judged = judge(options, std::move(subject).value(), claim.value(),
-                            std::move(shape).value(), [&limits] { return limits.reason(); });
+  const auto judged =
+      judge(options, std::move(subject).value(), claim.value(), std::move(shape).value(),
+            std::move(of_file), [&limits] { return limits.reason(); });
   limits.conclude();
   line.clear();
   if (!judged) return complain(judged.failure(), refused);

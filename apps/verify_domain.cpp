@@ -113,7 +113,8 @@ std::optional<error> read_domain(const verify_options& options,
   if (options.repair_distance)
     return error{"--repair-distance: " + options.domain +
                  " is a mesh, whose edges are kept as they are"};
-  auto adopted = checked_triangulation(std::move(read.value().content), options.domain);
+  auto adopted =
+      checked_triangulation(std::move(read.value().content), options.domain, slit_rule::joined);
   if (!adopted) return adopted.failure();
   if (auto refused = say_notes(adopted.value().subject.notes, {})) return refused;
   asked.shape = std::move(adopted.value().shape);

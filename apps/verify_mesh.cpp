@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "asterism/apps/verify_metric.hpp"
+#include "asterism/mesh/domain/cracks.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
@@ -41,6 +43,16 @@ std::optional<error> measure_by(const metric_field& field, mesh& m) {
     m.sites[v].metric = metric.value();
   }
   return std::nullopt;
+}
+
+// Returns the nodes of sides in the numbers of a mesh whose cracks are joined.
+std::vector<side_node> nodes_of_joined(const joined_cracks& joined, std::vector<side_node> nodes) {
+  if (joined.number.empty()) return nodes;
+  std::map<std::pair<vertex_index, vertex_index>, point> made;
+  for (const side_node& s : nodes) made[std::minmax(joined.number[s.a], joined.number[s.b])] = s.at;
+  nodes.clear();
+  for (const auto& [ends, at] : made) nodes.push_back({ends.first, ends.second, at});
+  return nodes;
 }
 
 error no_metric(const verify_options& options, const std::string& why) {
@@ -78,6 +90,7 @@ result<judged_mesh> read_judged(const verify_options& options) {
   if (!is_mesh_file(name) || has_ending(name, ".mesh") || has_ending(name, ".meshb")) {
     auto read = read_medit(options.mesh, how);
     if (!read) return read.failure();
+    if (const auto joined = join_cracks(read.value()); !joined) return joined.failure().at(name);
     made.content = std::move(read).value();
     return made;
   }
@@ -86,6 +99,11 @@ result<judged_mesh> read_judged(const verify_options& options) {
   if (!read) return read.failure();
   if (read.value().content.triangles.empty())
     return error{name + ": there are no triangles", error_code::invalid_mesh};
+  take_back_note_of_corners(read.value());
+  const auto joined = join_cracks(read.value().content);
+  if (!joined) return joined.failure().at(name);
+  made.second_order = read.value().second_order;
+  made.curved = nodes_of_joined(joined.value(), std::move(read.value().curved));
   made.content = std::move(read.value().content);
   made.has_metric = read.value().has_metric;
   made.has_segments = !is_of_solver(name);

@@ -3,14 +3,17 @@
 // Reads the mesh that `verify` judges, in any format that is written and read.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "asterism/apps/verify_question.hpp"
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/side_nodes.hpp"
 
 namespace asterism::apps {
 
@@ -19,12 +22,19 @@ struct judged_mesh {
   mesh content;
   bool has_metric = true;    // else the identity stands for one that is still to be found
   bool has_segments = true;  // else the format has no place for given vertices and inner segments
+  std::size_t second_order = 0;   // elements of it
+  std::vector<side_node> curved;  // nodes of their sides that are not the middles
+  // The mesh as read, where frozen triangles were taken out of `content`.
+  std::optional<mesh> together = {};
+  std::string frozen = {};  // what is said of them
   // What was taken from elsewhere.
   bool took_metric = false, took_segments = false, took_regions = false;
+
+  const mesh& whole() const { return together ? *together : content; }
 };
 
 // Reads the mesh. Medit's formats are taken as they are listed; others are put in order by their
-// readers, with notes. Refuses what is written alone: pictures, pages, .node.
+// readers, with notes. Slits are joined. Refuses what is written alone: pictures, pages, .node.
 result<judged_mesh> read_judged(const verify_options& options);
 
 // Takes subsegments, markers and regions from the domain for a mesh whose format has no place for

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/audit/curved_triangles.hpp"
 #include "asterism/mesh/audit/verify.hpp"
 #include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
@@ -80,7 +81,9 @@ struct judgement {
   std::string completed;                   // what is not of the file, for the verdict's line
   std::vector<std::string> side_refusals;  // sides that do not match, of those that options name
   asked_by bound_by = asked_by::nobody;
-  double bound = 0;  // degrees
+  double bound = 0;                                 // degrees
+  std::optional<second_order_report> second_order;  // of the triangles in the file
+  std::string frozen = {};  // what is said of triangles that were not adapted
 };
 
 }  // namespace asterism::apps

@@ -19,6 +19,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/kernels/tier_counters.hpp"
 #include "asterism/mesh/audit/audit_report.hpp"
+#include "asterism/mesh/audit/curved_triangles.hpp"
 #include "asterism/mesh/audit/guarantee_claim.hpp"
 #include "asterism/mesh/audit/periodic_match.hpp"
 #include "asterism/mesh/audit/region_areas.hpp"
@@ -75,6 +76,8 @@ struct certificate {
   // Set if a guarantee was asked for and is kept: the theorem applies then. Left to whoever ran the
   // mesher.
   std::optional<guarantee_claim> guarantee;
+  // Proof of the second-order triangles of the files that hold them. Set by whoever wrote these.
+  std::optional<second_order_report> second_order;
 
   std::optional<domain> original;  // the domain that point 2 is repeated against
   // The boundary that the mesh took the place of, where its domain was made of a mesh; left to

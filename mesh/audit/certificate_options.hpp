@@ -46,6 +46,10 @@ inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-
 // Words that are there only where somebody asked for what they are about.
 inline constexpr std::array<std::string_view, 5> rare_option_names = {
     "adapt-cutoff", "adapt-given-hessian", "adapt-relative", "guarantee", "split-across"};
+// Names that a run with frozen regions (pipeline/frozen_regions.hpp) has besides.
+inline constexpr std::array<std::string_view, 6> frozen_option_names = {
+    "frozen",     "frozen-border-coarser", "frozen-border-length",
+    "frozen-low", "frozen-triangles",      "frozen-worst-angle"};
 
 // A transfer adds names that begin with "transfer-", some for each component.
 inline constexpr std::array<std::string_view, 48> adapt_option_names = {

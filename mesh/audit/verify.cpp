@@ -223,14 +223,20 @@ void compare_mesh_names(contradictions& all, const certificate& claim) {
   compare_names(all, without, mesh_option_names);
 }
 
-// Words about what was transferred are there for each component, or not at all.
+// Words about what was transferred are there for each component, or not at all, and those about
+// frozen regions all, or none.
 void compare_adapted_names(contradictions& all, const certificate& claim) {
   certificate without = claim;
+  if (claim.options.count("frozen") != 0)
+    for (const std::string_view name : frozen_option_names)
+      if (without.options.erase(std::string(name)) == 0)
+        all.add("\"asked.options." + std::string(name) + "\" is missing");
+  const std::size_t unfrozen = without.options.size();
   std::erase_if(without.options, [](const auto& o) { return o.first.starts_with("transfer-"); });
   const std::size_t left = without.options.size();
   erase_rare(without);
   compare_names(all, without, adapt_option_names);
-  if (left != claim.options.size() && claim.options.count("transfer-how") == 0)
+  if (left != unfrozen && claim.options.count("transfer-how") == 0)
     all.add("\"asked.options.transfer-how\" is missing");
 }
 

@@ -311,6 +311,17 @@ void read_audit(const json& object, certificate& c) {
               count_of(curves, "vertices_off"), bound_of(curves, "largest_distance")};
 }
 
+// Reads a proof of all triangles: of others none is written.
+second_order_report second_order_of(const json& object) {
+  second_order_report r;
+  r.triangles = count_of(object, "triangles");
+  r.curved_sides = count_of(object, "curved_sides");
+  r.on_curves = count_of(object, "on_curves");
+  r.kept_straight = count_of(object, "kept_straight");
+  r.least_jacobian = read<double>(object, "least_jacobian");
+  return r;
+}
+
 certificate certificate_of(const json& root) {
   const bool is_named = root.is_object() && root.contains("format") && root["format"].is_string();
   if (!is_named || root["format"].get<std::string>() != certificate_format)
@@ -336,6 +347,7 @@ certificate certificate_of(const json& root) {
   c.theorem = theorem_of(member(root, "theorem"));
   if (root.contains("guarantee")) c.guarantee = guarantee_of(member(root, "guarantee"));
   if (!member(root, "domain").is_null()) c.original = domain_of(member(root, "domain"));
+  if (root.contains("second_order")) c.second_order = second_order_of(member(root, "second_order"));
   if (root.contains("former_boundary"))
     c.former =
         former_of(member(root, "former_boundary"), c.original ? c.original->segments.size() : 0);

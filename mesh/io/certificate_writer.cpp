@@ -206,6 +206,12 @@ json audit_json(const certificate& c) {
   return written;
 }
 
+json second_order_json(const second_order_report& r) {
+  return {{"triangles", r.triangles}, {"curved_sides", r.curved_sides},
+          {"on_curves", r.on_curves}, {"kept_straight", r.kept_straight},
+          {"proved", r.proved()},     {"least_jacobian", r.least_jacobian}};
+}
+
 // Null where it was not asked whether the theorem on nets applies.
 json theorem_json(const certificate& c) {
   if (!c.theorem) return nullptr;
@@ -252,6 +258,7 @@ json json_with(const certificate& c, bool lists_of_domain) {
       {"theorem", theorem_json(c)},
       {"domain", c.original ? domain_json(*c.original, lists_of_domain) : json(nullptr)}};
   if (c.guarantee) written["guarantee"] = guarantee_json(*c.guarantee);
+  if (c.second_order) written["second_order"] = second_order_json(*c.second_order);
   if (c.former) written["former_boundary"] = former_json(*c.former);
   if (!c.periodic_asked.empty()) written["asked"]["periodic_sides"] = pairs_json(c.periodic_asked);
   return written;

@@ -4,7 +4,8 @@
 //
 // Written: the vertices with the tags 1, 2, ...; one surface a region, one curve a marker, each
 // with a physical group of that number and its name; a point element for each given vertex; the
-// triangles; the boundary subsegments as lines, domain on the left, internal ones too; and the
+// triangles, of second order (types 9 and 8) with nodes for their sides after the vertices, if they
+// are given; the boundary subsegments as lines, domain on the left, internal ones too; and the
 // metric as node data "metric", nine components. All numbers have 17 significant digits. The
 // number of a physical group must be positive: 0 and negative numbers take a free one, with their
 // own in the name, "marker -7", where it is read back from.
@@ -27,6 +28,7 @@
 #include "asterism/mesh/data/solution.hpp"
 #include "asterism/mesh/io/listed_mesh.hpp"
 #include "asterism/mesh/io/physical_names.hpp"
+#include "asterism/mesh/io/side_node_mesh.hpp"
 
 namespace asterism::internal {
 
@@ -42,6 +44,8 @@ struct gmsh_contents {
   physical_names names = {};
   bool with_metric = true;
   const solution* fields = nullptr;  // node data; none, or not owned
+  // Nodes of second-order triangles and lines; none, or not owned, and the mesh is its content.
+  const side_node_mesh* nodes = nullptr;
 };
 
 // Returns the contents of the file.

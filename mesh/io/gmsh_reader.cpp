@@ -71,8 +71,11 @@ class gmsh_reader : private gmsh_source {
   failure read_element_block();
   // Reads the vertices of an element, which is in the groups of that number.
   failure read_element(const element_kind& kind, std::size_t line, int groups);
-  void add_element(const element_kind& kind, const std::array<vertex_index, 4>& corners,
-                   std::size_t line, int groups);
+  using element_nodes = std::array<vertex_index, 9>;
+  void add_element(const element_kind& kind, const element_nodes& nodes, std::size_t line,
+                   int groups);
+  // Takes the nodes of sides, which follow the corners in their order.
+  void add_sides(const element_kind& kind, const element_nodes& nodes);
   // Returns the dimension whose groups an element of these corners is in.
   static int dimension_of(const element_kind& kind) {
     return static_cast<int>(std::min<std::size_t>(kind.corners, 3)) - 1;
@@ -207,25 +210,36 @@ result<element_kind> gmsh_reader::read_kind() {
 failure gmsh_reader::read_element(const element_kind& kind, std::size_t line, int groups) {
   constexpr std::array<std::string_view, 5> meanings = {
       "", "point", "end of a line", "corner of a triangle", "corner of a quadrilateral"};
-  std::array<vertex_index, 4> corners{};
+  element_nodes nodes{};
   for (std::size_t k = 0; k < kind.nodes; ++k) {
     const auto v = vertex(meanings[kind.corners]);
     if (!v.ok()) return v.failure();
-    if (k < kind.corners) corners[k] = v.value();
+    if (k < nodes.size()) nodes[k] = v.value();
   }
-  add_element(kind, corners, line, groups);
+  add_element(kind, nodes, line, groups);
   return {};
 }
 
-void gmsh_reader::add_element(const element_kind& kind, const std::array<vertex_index, 4>& corners,
+void gmsh_reader::add_sides(const element_kind& kind, const element_nodes& nodes) {
+  constexpr std::array<long long, 4> second_order = {8, 9, 16, 10};
+  if (std::find(second_order.begin(), second_order.end(), kind.type) == second_order.end()) return;
+  const std::size_t sides = kind.corners == 2 ? 1 : kind.corners;
+  for (std::size_t k = 0; k < sides; ++k)
+    file_.sides.push_back({nodes[k], nodes[(k + 1) % kind.corners], nodes[kind.corners + k]});
+}
+
+void gmsh_reader::add_element(const element_kind& kind, const element_nodes& corners,
                               std::size_t line, int groups) {
   mesh& m = file_.content;
   if (kind.nodes > kind.corners) ++file_.second_order;
+  add_sides(kind, corners);
   if (kind.corners == 1) file_.marks.required_vertices.push_back(corners[0]);
   if (kind.corners == 2)
     m.boundary.push_back(
         {corners[0], corners[1], static_cast<vertex_index>(m.boundary.size()), groups});
-  if (kind.corners == 4) file_.quadrilaterals.push_back({corners, groups, line});
+  if (kind.corners == 4)
+    file_.quadrilaterals.push_back(
+        {{corners[0], corners[1], corners[2], corners[3]}, groups, line});
   if (kind.corners != 3) return;
   m.triangles.push_back({corners[0], corners[1], corners[2]});
   m.regions.push_back(groups);

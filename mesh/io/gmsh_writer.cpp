@@ -110,6 +110,34 @@ class gmsh_writer {
     text_ += "$EndNodes\n";
   }
 
+  int edge_type() const { return more_.nodes == nullptr ? 1 : 8; }
+  int triangle_type() const { return more_.nodes == nullptr ? 2 : 9; }
+
+  // Appends number, type and groups of an element of version 2, without an end.
+  static void append_words_of(std::string& text, int type, std::size_t tag, int count, int group,
+                              std::size_t entity) {
+    append_words(text, tag, type, count, group, entity);
+    text.pop_back();
+  }
+  static void append_nodes(std::string& text, std::initializer_list<vertex_index> nodes) {
+    for (const vertex_index v : nodes) append_integer(text += ' ', std::size_t{v} + 1);
+  }
+  void append_edge(std::string& text, std::size_t i) const {
+    const boundary_edge& e = m_.boundary[i];
+    append_nodes(text, {e.a, e.b});
+    if (more_.nodes != nullptr) append_nodes(text, {more_.nodes->of_edges[i]});
+    text += '\n';
+  }
+  void append_triangle(std::string& text, std::size_t t) const {
+    const triangle& c = m_.triangles[t];
+    append_nodes(text, {c[0], c[1], c[2]});
+    if (more_.nodes != nullptr) {
+      const auto& on = more_.nodes->of_triangles[t];
+      append_nodes(text, {on[0], on[1], on[2]});
+    }
+    text += '\n';
+  }
+
   std::size_t element_count() const { return m_.given + m_.boundary.size() + m_.triangles.size(); }
 
   void write_elements_of_two() {
@@ -117,15 +145,15 @@ class gmsh_writer {
     line(element_count());
     std::size_t tag = 0;
     for (std::size_t v = 0; v < m_.given; ++v) line(++tag, 15, 2, 1, v + 1, v + 1);
-    for (const boundary_edge& e : m_.boundary) {
-      const gmsh_group& g = curves_.at(e.marker);
-      line(++tag, 1, 2, g.tag, g.entity, std::size_t{e.a} + 1, std::size_t{e.b} + 1);
+    for (std::size_t i = 0; i < m_.boundary.size(); ++i) {
+      const gmsh_group& g = curves_.at(m_.boundary[i].marker);
+      append_words_of(text_, edge_type(), ++tag, 2, g.tag, g.entity);
+      append_edge(text_, i);
     }
     append_lines(text_, m_.triangles.size(), [&](std::size_t t, std::string& text) {
       const gmsh_group& g = surfaces_.at(region_of(m_, t));
-      const triangle& c = m_.triangles[t];
-      append_words(text, tag + t + 1, 2, 2, g.tag, g.entity, std::size_t{c[0]} + 1,
-                   std::size_t{c[1]} + 1, std::size_t{c[2]} + 1);
+      append_words_of(text, triangle_type(), tag + t + 1, 2, g.tag, g.entity);
+      append_triangle(text, t);
     });
     text_ += "$EndElements\n";
   }
@@ -142,16 +170,16 @@ class gmsh_writer {
     write_runs(
         m_.boundary.size(), count, [&](std::size_t i) { return m_.boundary[i].marker; },
         [&](std::size_t i, std::size_t run) {
-          if (run > 0) line(1, curves_.at(m_.boundary[i].marker).entity, 1, run);
-          const boundary_edge& e = m_.boundary[i];
-          line(++tag, std::size_t{e.a} + 1, std::size_t{e.b} + 1);
+          if (run > 0) line(1, curves_.at(m_.boundary[i].marker).entity, edge_type(), run);
+          append_integer(text_, ++tag);
+          append_edge(text_, i);
         });
     write_runs(
         m_.triangles.size(), count, [&](std::size_t t) { return region_of(m_, t); },
         [&](std::size_t t, std::size_t run) {
-          if (run > 0) line(2, surfaces_.at(region_of(m_, t)).entity, 2, run);
-          const triangle& c = m_.triangles[t];
-          line(++tag, std::size_t{c[0]} + 1, std::size_t{c[1]} + 1, std::size_t{c[2]} + 1);
+          if (run > 0) line(2, surfaces_.at(region_of(m_, t)).entity, triangle_type(), run);
+          append_integer(text_, ++tag);
+          append_triangle(text_, t);
         });
     std::swap(blocks, text_);
     text_ += "$Elements\n";

@@ -328,6 +328,44 @@ void renumber(listed_mesh& from, const std::vector<vertex_index>& number) {
     if (number[e[0]] != none && number[e[1]] != none)
       from.marks.required_edges[kept++] = {number[e[0]], number[e[1]]};
   from.marks.required_edges.resize(kept);
+  kept = 0;
+  for (const side_node& s : from.curved)
+    if (number[s.a] != none && number[s.b] != none)
+      from.curved[kept++] = {number[s.a], number[s.b], s.at};
+  from.curved.resize(kept);
+}
+
+// Finds the nodes of sides that are not the middles of their ends. Those of two elements at one
+// side have to be at one place.
+failure find_curved_sides(listed_mesh& from) {
+  const mesh& m = from.content;
+  for (const listed_side& s : from.sides)
+    from.curved.push_back({std::min(s.a, s.b), std::max(s.a, s.b), m.sites[s.node].position});
+  const auto key = [](const side_node& s) { return std::pair(s.a, s.b); };
+  std::sort(from.curved.begin(), from.curved.end(), [key](const side_node& p, const side_node& q) {
+    return key(p) != key(q) ? key(p) < key(q)
+                            : std::pair(p.at.x, p.at.y) < std::pair(q.at.x, q.at.y);
+  });
+  std::size_t kept = 0;
+  for (const side_node& s : from.curved) {
+    if (kept > 0 && key(from.curved[kept - 1]) == key(s)) {
+      if (from.curved[kept - 1].at == s.at) continue;
+      return error{fmt::format("{}: the side from {} to {} has nodes at ({:.17g}, {:.17g}) and at "
+                               "({:.17g}, {:.17g}): elements at one side have to share it",
+                               from.file, place(m, s.a), place(m, s.b), from.curved[kept - 1].at.x,
+                               from.curved[kept - 1].at.y, s.at.x, s.at.y),
+                   error_code::invalid_mesh};
+    }
+    from.curved[kept++] = s;
+  }
+  from.curved.resize(kept);
+  from.curved.erase(std::remove_if(from.curved.begin(), from.curved.end(),
+                                   [&m](const side_node& s) {
+                                     return s.at == middle_of_side(m.sites[s.a].position,
+                                                                   m.sites[s.b].position);
+                                   }),
+                    from.curved.end());
+  return {};
 }
 
 // Leaves out vertices in no triangle, and the edges at them.
@@ -337,13 +375,19 @@ void drop_lone_vertices(listed_mesh& from) {
   for (const auto* const triangles : {&m.triangles, &m.disagreeing})
     for (const triangle& t : *triangles)
       for (const vertex_index v : t) lone[v] = 0;
+  std::vector<char> is_node(m.sites.size(), 0);
+  for (const listed_side& s : from.sides) is_node[s.node] = 1;
+  std::size_t count = 0;
+  vertex_index first = none;
   std::vector<vertex_index> number(m.sites.size(), none);
   vertex_index next = 0;
   for (vertex_index v = 0; v < number.size(); ++v) {
-    if (lone[v] == 0)
+    if (lone[v] == 0) {
       number[v] = next++;
-    else
-      from.left_out.push_back(v);
+      continue;
+    }
+    from.left_out.push_back(v);
+    if (is_node[v] == 0 && count++ == 0) first = v;
   }
   if (from.left_out.empty()) return;
   std::vector<char> at_lone(m.boundary.size(), 0);
@@ -354,11 +398,10 @@ void drop_lone_vertices(listed_mesh& from) {
       ++edges;
     }
   drop_edges(from, at_lone);
-  m.notes.push_back(counted(from.left_out.size(), "vertex", "vertices") +
-                    " in no triangle left out" +
-                    (edges == 0 ? "" : ", with " + counted(edges, "edge", "edges")) +
-                    fmt::format(", the first: vertex {} at {}", from.left_out[0] + 1,
-                                place(m, from.left_out[0])));
+  if (count > 0)
+    m.notes.push_back(counted(count, "vertex", "vertices") + " in no triangle left out" +
+                      (edges == 0 ? "" : ", with " + counted(edges, "edge", "edges")) +
+                      fmt::format(", the first: vertex {} at {}", first + 1, place(m, first)));
   keep(m.references, lone);
   keep(m.sites, lone);
   renumber(from, number);
@@ -420,13 +463,16 @@ failure put_right(listed_mesh& m) {
 
 }  // namespace
 
+std::string note_of_higher_order(std::size_t elements) {
+  return counted(elements, "element is", "elements are") +
+         " of higher order: taken by their corners, with straight sides between them";
+}
+
 std::optional<error> put_in_order(listed_mesh& m, listed_order how) {
   settle(m);
   if (auto failed = flatten(m)) return failed;
-  if (m.second_order > 0)
-    m.content.notes.push_back(
-        counted(m.second_order, "element is", "elements are") +
-        " of higher order: taken by their corners, with straight sides between them");
+  if (m.second_order > 0) m.content.notes.push_back(note_of_higher_order(m.second_order));
+  if (auto failed = find_curved_sides(m)) return failed;
   if (auto failed = split_quadrilaterals(m)) return failed;
   if (m.content.triangles.empty() && m.content.disagreeing.empty()) return {};
   if (how == listed_order::put_right)

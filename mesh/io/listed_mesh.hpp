@@ -6,9 +6,10 @@
 // Changed, with a note each: heights up to rounding and one height for all are left out;
 // quadrilaterals are split in two; elements of higher order keep their corners alone; clockwise
 // triangles are turned over; a triangle or an edge that is listed again is left out; and so are
-// vertices in no triangle, with the edges at them. Refused, naming file and line: vertices out of
-// the plane, quadrilaterals that no diagonal splits, one triangle in two regions, one edge with two
-// markers. A list without triangles stays as it is: its edges may be a domain.
+// vertices in no triangle, with the edges at them. Nodes of sides are kept aside. Refused, naming
+// file and line: vertices out of the plane, quadrilaterals that no diagonal splits, one triangle in
+// two regions, one edge with two markers. A list without triangles stays as it is: its edges may be
+// a domain.
 #pragma once
 
 #include <array>
@@ -20,6 +21,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/mesh_marks.hpp"
+#include "asterism/mesh/data/side_nodes.hpp"
 #include "asterism/mesh/io/physical_names.hpp"
 #include "asterism/mesh/io/side_of_edge.hpp"
 #include "asterism/mesh/io/wide_references.hpp"
@@ -42,6 +44,11 @@ struct listed_quadrilateral {
   std::size_t line;
 };
 
+// A side of an element of second order with its node, as listed.
+struct listed_side {
+  vertex_index a, b, node;
+};
+
 struct listed_mesh {
   std::string file;
   // Triangles and edges in either direction. Regions: one a triangle, or none.
@@ -49,6 +56,9 @@ struct listed_mesh {
   std::vector<listed_height> heights;
   std::vector<listed_quadrilateral> quadrilaterals;
   std::size_t second_order = 0;  // elements of which the corners alone were taken
+  std::vector<listed_side> sides;
+  // Nodes of sides that are not their middles, ascending by their ends; put_in_order finds them.
+  std::vector<side_node> curved;
   // Edges that the file requires, by their numbers in content.boundary from 0.
   std::vector<std::size_t> required_edges;
   bool all_edges = false;          // every edge listed is a segment
@@ -69,6 +79,9 @@ enum class listed_order {
   as_listed,  // triangles and vertices as they are in the file: of a mesh that is judged by its
               // file
 };
+
+// Returns the note on elements of higher order, which whoever takes their sides too takes back.
+std::string note_of_higher_order(std::size_t elements);
 
 // Puts the mesh in order.
 std::optional<error> put_in_order(listed_mesh& m, listed_order how);

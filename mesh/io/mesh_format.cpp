@@ -80,4 +80,8 @@ result<mesh_format> check_output(const std::filesystem::path& path) {
   return format;
 }
 
+bool holds_second_order(mesh_format format) {
+  return format == mesh_format::gmsh || format == mesh_format::gmsh2 || format == mesh_format::vtu;
+}
+
 }  // namespace asterism

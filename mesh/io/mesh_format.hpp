@@ -41,4 +41,7 @@ ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& pa
 ASTERISM_EXPORT std::vector<std::filesystem::path> files_of_output(
     const std::filesystem::path& path);
 
+// True if files of the format can hold triangles of second order.
+ASTERISM_EXPORT bool holds_second_order(mesh_format format);
+
 }  // namespace asterism

@@ -133,7 +133,8 @@ result<mesh_file> read_mesh_file(const std::filesystem::path& path,
   if (format != nullptr && is_mesh)
     if (auto failed = check_metric(*format, m, options)) return *failed;
   return mesh_file{std::move(m.content),  std::move(m.marks), std::move(m.names),
-                   std::move(m.left_out), m.has_metric,       std::move(m.parts)};
+                   std::move(m.left_out), m.has_metric,       std::move(m.parts),
+                   m.second_order,        std::move(m.curved)};
 }
 
 result<mesh> read_mesh(const std::filesystem::path& path, const medit_read_options& options) {
@@ -147,6 +148,12 @@ result<mesh_marks> read_mesh_marks(const std::filesystem::path& path) {
   auto read = read_mesh_file(path, {.without_solution = true});
   if (!read) return read.failure();
   return std::move(read.value().marks);
+}
+
+void take_back_note_of_corners(mesh_file& read) {
+  auto& notes = read.content.notes;
+  notes.erase(std::remove(notes.begin(), notes.end(), note_of_higher_order(read.second_order)),
+              notes.end());
 }
 
 physical_names names_in(const std::filesystem::path& path) {

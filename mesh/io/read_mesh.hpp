@@ -18,6 +18,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/mesh_marks.hpp"
+#include "asterism/mesh/data/side_nodes.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/physical_names.hpp"
 #include "asterism/mesh/io/side_of_edge.hpp"
@@ -36,7 +37,15 @@ struct mesh_file {
   // The parts of a domain of edges alone that are inside, as BAMG's SubDomainFromGeom has them;
   // empty: all that the edges enclose.
   std::vector<side_of_edge> parts = {};
+  // Elements of second order, and the nodes of their sides that are not the middles, ascending by
+  // the ends. `content` has a note that they are taken by their corners.
+  std::size_t second_order = 0;
+  std::vector<side_node> curved = {};
 };
+
+// Takes the note of a file back that its elements are taken by their corners alone: for whoever
+// takes their sides, too.
+ASTERISM_EXPORT void take_back_note_of_corners(mesh_file& read);
 
 // True if a file of this name is a mesh: .mesh, .meshb, .msh, .msh2, .vtu, .vtk, .su2, .14, .grd,
 // .2dm or .stl. It may be one of edges alone, which are a domain.

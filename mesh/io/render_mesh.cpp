@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +20,7 @@
 #include "asterism/mesh/io/medit_writer.hpp"
 #include "asterism/mesh/io/mesh_format.hpp"
 #include "asterism/mesh/io/plain_meshes.hpp"
+#include "asterism/mesh/io/side_node_mesh.hpp"
 #include "asterism/mesh/io/solution_output.hpp"
 #include "asterism/mesh/io/vtu.hpp"
 
@@ -89,8 +92,10 @@ std::string comment(const std::string& mark, std::string note) {
 }
 
 // The note follows the first section, before which nothing may stand.
-std::string render_gmsh(const mesh& m, const write_options& options, gmsh_version version) {
-  std::string text = gmsh_text(m, {options.names, options.with_metric, options.fields}, version);
+std::string render_gmsh(const mesh& m, const write_options& options, gmsh_version version,
+                        const side_node_mesh* nodes) {
+  std::string text =
+      gmsh_text(m, {options.names, options.with_metric, options.fields, nodes}, version);
   if (options.note.empty()) return text;
   const std::string_view first = "$EndMeshFormat\n";
   return text.insert(text.find(first) + first.size(),
@@ -120,13 +125,37 @@ output_files with_solutions(output_file first, const mesh& m, const write_option
   return files;
 }
 
+result<output_files> render_vtu(const fs::path& path, const mesh& m, const write_options& options) {
+  const vtu_contents values{options.with_metric, options.fields};
+  const auto vtu = [&m, values](const byte_sink& put) { write_vtu(m, values, put); };
+  return output_files{{.path = path, .rest = with_note(vtu, mesh_format::vtu, options.note)}};
+}
+
+// Writes the triangles with nodes of their sides, and what is at the vertices at these, too.
+result<output_files> render_second_order(const fs::path& path, mesh_format format, const mesh& m,
+                                         const write_options& options) {
+  const auto nodes =
+      std::make_shared<side_node_mesh>(with_side_nodes(m, options.curved, options.fields));
+  write_options how = options;
+  how.fields = options.fields == nullptr ? nullptr : &nodes->fields;
+  if (format != mesh_format::vtu) {
+    const auto version = format == mesh_format::gmsh ? gmsh_version::four : gmsh_version::two;
+    return output_files{{path, render_gmsh(nodes->content, how, version, nodes.get())}};
+  }
+  const vtu_contents values{how.with_metric, how.fields, nodes.get()};
+  const auto vtu = [nodes, values](const byte_sink& put) {
+    write_vtu(nodes->content, values, put);
+  };
+  return output_files{{.path = path, .rest = with_note(vtu, format, options.note)}};
+}
+
 result<output_files> render(const fs::path& path, mesh_format format, const mesh& m,
                             const write_options& options) {
+  if (options.order == 2 && holds_second_order(format))
+    return render_second_order(path, format, m, options);
   const bool keeps_comments = format == mesh_format::medit;
   const auto medit = [&m, smooth = medit_smooth{options.smooth, keeps_comments}](
                          const byte_sink& put) { write_medit_mesh(m, smooth, put); };
-  const vtu_contents values{options.with_metric, options.fields};
-  const auto vtu = [&m, values](const byte_sink& put) { write_vtu(m, values, put); };
   switch (format) {
     case mesh_format::medit:
       return with_solutions({.path = path, .rest = with_note(medit, format, options.note)}, m,
@@ -135,11 +164,11 @@ result<output_files> render(const fs::path& path, mesh_format format, const mesh
       return with_solutions({path, medit_binary_of_text(bytes_of(medit), inner_edges(m))}, m,
                             options);
     case mesh_format::vtu:
-      return output_files{{.path = path, .rest = with_note(vtu, format, options.note)}};
+      return render_vtu(path, m, options);
     case mesh_format::gmsh:
-      return output_files{{path, render_gmsh(m, options, gmsh_version::four)}};
+      return output_files{{path, render_gmsh(m, options, gmsh_version::four, nullptr)}};
     case mesh_format::gmsh2:
-      return output_files{{path, render_gmsh(m, options, gmsh_version::two)}};
+      return output_files{{path, render_gmsh(m, options, gmsh_version::two, nullptr)}};
     case mesh_format::su2:
       return output_files{{path, comment("% ", options.note) + su2_text(m, options.names)}};
     case mesh_format::sms:
@@ -157,6 +186,61 @@ result<output_files> render(const fs::path& path, mesh_format format, const mesh
   }
 }
 
+// Returns the nodes of sides in the numbers of a parted mesh: of the boundary's edges.
+std::vector<side_node> nodes_in(const parted_mesh& parted, const std::vector<side_node>& nodes) {
+  std::map<std::pair<vertex_index, vertex_index>, point> at;
+  for (const side_node& s : nodes) at[{s.a, s.b}] = s.at;
+  std::map<std::pair<vertex_index, vertex_index>, point> made;
+  for (const boundary_edge& e : parted.content.boundary) {
+    const auto found = at.find(std::minmax(parted.original[e.a], parted.original[e.b]));
+    if (found != at.end()) made[std::minmax(e.a, e.b)] = found->second;
+  }
+  std::vector<side_node> all;
+  for (const auto& [ends, place] : made) all.push_back({ends.first, ends.second, place});
+  return all;
+}
+
+solution fields_in(const parted_mesh& parted, const solution& fields) {
+  solution made = fields;
+  for (std::size_t v = fields.vertices; v < parted.original.size(); ++v)
+    for (solution_field& field : made.fields) {
+      const std::size_t c = components_of(field.kind);
+      for (std::size_t i = 0; i < c; ++i)
+        field.values.push_back(field.values[parted.original[v] * c + i]);
+    }
+  made.vertices = parted.original.size();
+  return made;
+}
+
+// Writes the mesh with the vertices of both sides of its cracks. It lives as long as the files are
+// made.
+result<output_files> render_parted(const fs::path& path, mesh_format format, const mesh& m,
+                                   const write_options& options) {
+  struct parted {
+    parted_mesh made;
+    solution fields;
+  };
+  const auto held = std::make_shared<parted>(parted{part_cracks(m, options.cracks), {}});
+  write_options how = options;
+  how.curved = nodes_in(held->made, options.curved);
+  if (options.fields != nullptr) {
+    held->fields = fields_in(held->made, *options.fields);
+    how.fields = &held->fields;
+  }
+  auto files = render(path, format, held->made.content, how);
+  if (!files) return files;
+  for (output_file& file : files.value())
+    if (file.rest)
+      file.rest = [held, rest = std::move(file.rest)](const byte_sink& put) { rest(put); };
+  return files;
+}
+
+// Pictures and pages show the mesh with one vertex at each place, as their facts have it.
+bool is_drawn(mesh_format format) {
+  return format == mesh_format::svg || format == mesh_format::png || format == mesh_format::pdf ||
+         format == mesh_format::html;
+}
+
 }  // namespace
 
 fs::path fields_path(const fs::path& mesh_path) {
@@ -169,7 +253,9 @@ result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, 
   const auto format = check_output(path);
   if (!format.ok()) return format.failure();
   if (auto failed = check_indices(m)) return failed->at(path.string());
-  return render(path, format.value(), m, options);
+  if (options.cracks.empty() || is_drawn(format.value()))
+    return render(path, format.value(), m, options);
+  return render_parted(path, format.value(), m, options);
 }
 
 }  // namespace asterism::internal

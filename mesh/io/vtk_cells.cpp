@@ -96,6 +96,10 @@ std::optional<error> vtk_cells::add(const vtk_cell& cell) {
 
 std::optional<error> vtk_cells::add_corners(const vtk_cell& cell, std::size_t corners) {
   if (cell.count > corners) ++made_.second_order;
+  constexpr std::array<int, 5> quadratic = {21, 22, 23, 28, 34};
+  if (std::find(quadratic.begin(), quadratic.end(), cell.type) != quadratic.end())
+    for (std::size_t k = 0; k < (corners == 2 ? 1 : corners); ++k)
+      made_.sides.push_back({found_[k], found_[(k + 1) % corners], found_[corners + k]});
   mesh& m = made_.content;
   if (corners == 2) {
     lines_.push_back(cell.number);

@@ -166,14 +166,20 @@ void add_cell_data(vtu_writer& out, const mesh_cells& cells, bool with_metric) {
   out.add("</CellData>\n");
 }
 
-void add_cells(vtu_writer& out, const mesh_cells& cells) {
-  constexpr std::uint8_t vtk_triangle = 5;
+void add_cells(vtu_writer& out, const mesh_cells& cells, const side_node_mesh* nodes) {
+  constexpr std::uint8_t vtk_triangle = 5, vtk_quadratic_triangle = 22;
+  const std::size_t each = nodes == nullptr ? 3 : 6;
+  const std::uint8_t type = nodes == nullptr ? vtk_triangle : vtk_quadratic_triangle;
   out.add("<Cells>\n");
-  out.add_array<std::int64_t>("connectivity", 1, 3 * cells.size(),
-                              [cells](std::size_t i) { return std::int64_t{cells[i / 3][i % 3]}; });
-  out.add_array<std::int64_t>("offsets", 1, cells.size(),
-                              [](std::size_t i) { return static_cast<std::int64_t>(3 * (i + 1)); });
-  out.add_array<std::uint8_t>("types", 1, cells.size(), [](std::size_t) { return vtk_triangle; });
+  out.add_array<std::int64_t>(
+      "connectivity", 1, each * cells.size(), [cells, nodes, each](std::size_t i) {
+        const std::size_t cell = i / each, k = i % each;
+        return std::int64_t{k < 3 ? cells[cell][k] : nodes->of_triangles[cell][k - 3]};
+      });
+  out.add_array<std::int64_t>("offsets", 1, cells.size(), [each](std::size_t i) {
+    return static_cast<std::int64_t>(each * (i + 1));
+  });
+  out.add_array<std::uint8_t>("types", 1, cells.size(), [type](std::size_t) { return type; });
   out.add("</Cells>\n");
 }
 
@@ -192,7 +198,7 @@ void write_vtu(const mesh& m, const vtu_contents& values, const byte_sink& put) 
   out.add(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", m.sites.size(),
                       cells.size()));
   add_points(out, m);
-  add_cells(out, cells);
+  add_cells(out, cells, values.nodes);
   add_point_data(out, m, stars, values);
   add_cell_data(out, cells, values.with_metric);
   out.add("</Piece>\n</UnstructuredGrid>\n");

@@ -3,7 +3,8 @@
 // Writes VTK unstructured grids (.vtu) for ParaView and VTK: markup, and after it the numbers
 // as they are in memory, little-endian ("appended", "raw"), each array behind a count of 64 bits.
 //
-// Cells: the triangles, then the disagreeing triangles. Point data: `metric` (m11 m12 m22),
+// Cells: the triangles, then the disagreeing triangles, of second order (type 22) with nodes for
+// their sides after the vertices, if they are given. Point data: `metric` (m11 m12 m22),
 // `metric_tensor` (3x3, rows one after the other, 1 for z), `star_size` (triangles at the vertex),
 // `given` (1 for the domain's own vertices). Cell data: `smallest_angle` (degrees, the least of the
 // nine angles seen from the three vertices), `disagreeing` (1 or 0), `region` (0 for disagreeing
@@ -14,6 +15,7 @@
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/solution.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/side_node_mesh.hpp"
 
 namespace asterism::internal {
 
@@ -21,6 +23,8 @@ namespace asterism::internal {
 struct vtu_contents {
   bool with_metric = true;
   const solution* fields = nullptr;  // point data; none, or not owned
+  // Nodes of second-order triangles; none, or not owned, and the mesh is its content.
+  const side_node_mesh* nodes = nullptr;
 };
 
 // Gives the contents of the file to the sink; the first line is in the first piece.

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/side_nodes.hpp"
 #include "asterism/mesh/data/solution.hpp"
+#include "asterism/mesh/domain/cracks.hpp"
 #include "asterism/mesh/draw/picture_options.hpp"
 #include "asterism/mesh/draw/report.hpp"
 #include "asterism/mesh/io/physical_names.hpp"
@@ -29,6 +31,15 @@ struct write_options {
   // Fields on the mesh: node data of .msh and .vtu; in NAME.sol beside a .mesh, where there is no
   // metric, and else in NAME.fields.sol. Other formats have no place for them. Not owned.
   const solution* fields = nullptr;
+  // 2: triangles of second order, for .msh, .msh2 and .vtu; other formats have straight sides
+  // alone. What is at the vertices is at the nodes of sides, too: the mean of what is at their
+  // ends.
+  int order = 1;
+  // Nodes of the sides that are not straight, ascending by their ends (pipeline/curved_sides.hpp
+  // makes them, and proves that no triangle folds).
+  std::vector<side_node> curved = {};
+  // Edges of these markers are parted: files of meshes have the vertices of both their sides.
+  crack_markers cracks = {};
 };
 
 }  // namespace asterism

@@ -11,6 +11,7 @@
 #include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/kept_mesh.hpp"
 
 namespace asterism {
@@ -123,17 +124,22 @@ void compare_boundaries(adapted_mesh& done) {
 result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
                                      const mesh_adaptation_options& options,
                                      const progress_listener& progress) {
-  auto adopted = adopt_mesh(from.subject);
+  auto adopted = adopt_mesh(from.subject, region_edges::segments, slit_rule::joined);
   if (!adopted) return adopted.failure();
   const mesh& background = adopted.value().subject;
   adapted_mesh done;
+  done.cracks = adopted.value().cracks;
+  if (options.exact && !done.cracks.empty())
+    return error{"the mesh has slits, whose vertices are there twice, and another domain has none",
+                 error_code::invalid_mesh};
+  const mesh_marks marks = joined_marks(from.marks, adopted.value().number);
   std::optional<mesh> own;  // the mesh, as one that may stay
   if (options.exact) {
     const auto divided = divided_for(background, *options.exact, options);
     if (!divided) return divided.failure();
     done.shape = divided.value();
   } else {
-    auto outline = outline_of_mesh(background, from.marks,
+    auto outline = outline_of_mesh(background, marks,
                                    {options.corner_angle, options.largest_boundary_distance});
     if (!outline) return outline.failure();
     const mesh_outline& found = outline.value();

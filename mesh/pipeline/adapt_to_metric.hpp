@@ -20,6 +20,7 @@
 #include "asterism/mesh/data/former_boundary.hpp"
 #include "asterism/mesh/data/mesh_marks.hpp"
 #include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/domain/cracks.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/periodic_mesh.hpp"
 
@@ -69,6 +70,9 @@ struct adapted_mesh {
   // be from it, both ways; none with an exact domain. A part of the claim.
   std::optional<former_boundary> former = {};
   double boundary_distance = 0;
+  // Cracks of the mesh given. `made` has one vertex at each place, and their edges as segments
+  // inside: domain/cracks.hpp parts it.
+  crack_markers cracks = {};
 };
 
 // Makes the mesh. The metric is that of `from`'s sites. Its domain is the exact one, or that of the

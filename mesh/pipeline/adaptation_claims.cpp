@@ -14,6 +14,8 @@
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/frozen_regions.hpp"
+#include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/metric_request.hpp"
 
 namespace asterism::internal {
@@ -62,8 +64,52 @@ bool is_same_triangulation(const mesh& a, const mesh& b) {
                     [](const site& s, const site& t) { return s.position == t.position; });
 }
 
+// The mesh that was adapted: all of the file's, or what was not frozen of it.
+struct adapted_rest {
+  adopted_mesh adopted;
+  std::optional<frozen_part> part;
+};
+
+result<adapted_rest> rest_as_claimed(const certificate& claim, const adopted_mesh& whole,
+                                     field_check& check) {
+  if (claim.options.count("frozen") == 0) return adapted_rest{whole, {}};
+  std::vector<int> regions;
+  std::string list = word_of(claim, "frozen") + ",";
+  for (std::size_t at = 0, comma = 0; (comma = list.find(',', at)) != std::string::npos;
+       at = comma + 1) {
+    const std::size_t begin = list.find_first_not_of(' ', at);
+    const auto number = parse_number(list.substr(begin, comma - begin));
+    if (!number) return number.failure().at("\"frozen\"");
+    regions.push_back(static_cast<int>(number.value()));
+  }
+  const auto length = parse_number(word_of(claim, "frozen-border-length"));
+  if (!length) return length.failure().at("\"frozen-border-length\"");
+  auto part = without_regions(whole.subject, regions);
+  if (!part) return part.failure();
+  const std::size_t coarser = coarsen_border(part.value(), length.value());
+  const frozen_angles angles =
+      angles_of_frozen(part.value(), whole.subject, claim.angle_bound.value_or(0));
+  compare({{"frozen-border-coarser", std::to_string(coarser)},
+           {"frozen-triangles", std::to_string(part.value().frozen.size())},
+           {"frozen-low", std::to_string(angles.low)},
+           {"frozen-worst-angle", number_text(angles.worst)}},
+          claim, check);
+  auto adopted = adopt_mesh(part.value().rest);
+  if (!adopted) return adopted.failure();
+  return adapted_rest{std::move(adopted).value(), std::move(part).value()};
+}
+
+// Returns the mesh as its file has it: slits parted, and frozen triangles in it.
+mesh written_of(const mesh& subject, const adopted_mesh& whole, const adapted_rest& rest) {
+  if (!rest.part) return part_cracks(subject, whole.cracks).content;
+  std::size_t split = 0;
+  auto together = with_frozen(subject, *rest.part, whole.subject, split);
+  return together ? *std::move(together) : subject;
+}
+
 // Compares what is said of the domain, where it was the mesh's own.
-void compare_domain(const certificate& claim, const adopted_mesh& adopted, field_check& check) {
+void compare_domain(const certificate& claim, const adapted_rest& rest, field_check& check) {
+  const adopted_mesh& adopted = rest.adopted;
   if (word_of(claim, "domain") != "of " + word_of(claim, "adapt-mesh")) return;
   const auto marks = read_mesh_marks(word_of(claim, "adapt-mesh"));
   const auto angle = parse_number(word_of(claim, "corner-angle"));
@@ -74,7 +120,10 @@ void compare_domain(const certificate& claim, const adopted_mesh& adopted, field
   options.corner_angle = angle.value();
   if (const auto hausd = parse_number(word_of(claim, "hausd")))
     options.largest_distance = hausd.value();
-  const auto outline = outline_of_mesh(adopted.subject, marks.value(), options);
+  const auto outline = outline_of_mesh(adopted.subject,
+                                       rest.part ? marks_of_rest(*rest.part, marks.value())
+                                                 : joined_marks(marks.value(), adopted.number),
+                                       options);
   if (!outline) {
     check.contradictions.push_back("the domain: " + outline.failure().message);
     return;
@@ -173,14 +222,16 @@ result<std::unique_ptr<metric_field>> check_adaptation(const mesh& subject,
   auto made = answer(request.value());
   if (!made) return made.failure();
   compare(words_of(made.value().report), claim, check);
-  compare_transfer(subject, claim, made.value(), check);
-  const auto adopted = adopt_mesh(made.value().background);
-  if (!adopted) return adopted.failure();
-  auto field = make_sampled_field(adopted.value().subject, 1);
-  compare_domain(claim, adopted.value(), check);
-  compare_areas(claim, adopted.value().subject, check);
-  compare({{"kept", is_same_triangulation(subject, adopted.value().subject) ? "yes" : "no"}}, claim,
-          check);
+  const auto whole = adopt_mesh(made.value().background, region_edges::segments, slit_rule::joined);
+  if (!whole) return whole.failure();
+  auto rest = rest_as_claimed(claim, whole.value(), check);
+  if (!rest) return rest.failure();
+  const auto& adopted = rest.value().adopted;
+  compare_transfer(written_of(subject, whole.value(), rest.value()), claim, made.value(), check);
+  auto field = make_sampled_field(adopted.subject, 1);
+  compare_domain(claim, rest.value(), check);
+  compare_areas(claim, adopted.subject, check);
+  compare({{"kept", is_same_triangulation(subject, adopted.subject) ? "yes" : "no"}}, claim, check);
   if (word_of(claim, "metric-fingerprint") !=
       std::to_string(mesh_fingerprint(*field->background())))
     return error{"its files hold another metric now"};

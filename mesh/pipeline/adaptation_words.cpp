@@ -29,7 +29,7 @@ void note_areas_before(const mesh& before, std::vector<region_area>& regions) {
 }
 
 std::string fingerprint_of(const mesh& background) {
-  const auto adopted = adopt_mesh(background);
+  const auto adopted = adopt_mesh(background, region_edges::segments, slit_rule::joined);
   if (!adopted) return "none";
   const auto field = make_sampled_field(adopted.value().subject, 1);
   return std::to_string(mesh_fingerprint(*field->background()));

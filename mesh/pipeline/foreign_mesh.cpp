@@ -141,13 +141,20 @@ void measure_edges(const mesh& m, certify_report& report) {
 
 }  // namespace
 
-result<adopted_mesh> adopt_mesh(mesh from_elsewhere, region_edges between) {
+result<adopted_mesh> adopt_mesh(mesh from_elsewhere, region_edges between, slit_rule slits) {
+  joined_cracks cracks;
+  if (slits == slit_rule::joined) {
+    auto joined = join_cracks(from_elsewhere);
+    if (!joined) return joined.failure();
+    cracks = std::move(joined).value();
+  }
   auditor judge(from_elsewhere, {});
   const audit_report& numbers = judge.check_numbers();
   for (const finding_kind kind : unusable)
     for (const audit_finding& f : numbers.findings)
       if (f.kind == kind) return error{f.witness, error_code::invalid_mesh};
-  adopted_mesh adopted{std::move(from_elsewhere), {}};
+  adopted_mesh adopted{
+      std::move(from_elsewhere), {}, std::move(cracks.markers), std::move(cracks.number)};
   mesh& m = adopted.subject;
   if (!m.regions.empty() && m.regions.size() != m.triangles.size())
     return error{

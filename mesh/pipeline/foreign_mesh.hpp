@@ -20,14 +20,25 @@
 #include "asterism/mesh/audit/theorem_report.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/domain/cracks.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism {
 
 // A mesh from elsewhere, put in order, and the domain it covers.
+// A mesh with slits and cracks has one vertex at each place in it, and their edges inside are
+// segments (domain/cracks.hpp).
 struct adopted_mesh {
   mesh subject;  // every site is given, each boundary edge its own segment, domain on its left
   domain shape;  // of the subject; as check_domain would have it if the audit finds a triangulation
+  crack_markers cracks = {};
+  std::vector<vertex_index> number = {};  // of each vertex as it came; empty where none went
+};
+
+// What becomes of two vertices at one place.
+enum class slit_rule {
+  refused,
+  joined  // where they are of both sides of a slit: for whoever parts the mesh again
 };
 
 // What edges are that lie between triangles of different regions and are not listed.
@@ -39,10 +50,12 @@ enum class region_edges {
 // Puts a mesh in order. Its boundary edges are kept, turned where the only triangle is on their
 // right; if it lists none, the edges with one triangle are taken, with marker 0. Regions are kept
 // as they are. Fails, naming the number of the offender, for what no site or triangle can be: no
-// triangle, vertices that do not exist, two at one place, numbers that are not finite, tensors that
-// are not positive definite; and for regions that are not as many as triangles.
+// triangle, vertices that do not exist, two at one place as `slits` has it, numbers that are not
+// finite, tensors that are not positive definite; and for regions that are not as many as
+// triangles.
 ASTERISM_EXPORT result<adopted_mesh> adopt_mesh(mesh from_elsewhere,
-                                                region_edges between = region_edges::segments);
+                                                region_edges between = region_edges::segments,
+                                                slit_rule slits = slit_rule::refused);
 
 // Judgement of a mesh from elsewhere.
 struct certify_report {

@@ -11,8 +11,8 @@
 
 namespace asterism::internal {
 
-result<adopted_mesh> checked_triangulation(mesh read, const std::string& path) {
-  auto adopted = adopt_mesh(std::move(read));
+result<adopted_mesh> checked_triangulation(mesh read, const std::string& path, slit_rule slits) {
+  auto adopted = adopt_mesh(std::move(read), region_edges::segments, slits);
   if (!adopted) return error{path + ": " + adopted.failure().message};
   audit_options options;
   options.check_stars = false;
@@ -27,7 +27,7 @@ result<mesh_file> read_plain_mesh_file(const std::string& path) {
   how.without_solution = true;
   auto read = read_mesh_file(path, how);
   if (!read) return read;
-  auto checked = checked_triangulation(read.value().content, path);
+  auto checked = checked_triangulation(read.value().content, path, slit_rule::joined);
   if (!checked) return checked.failure();
   read.value().content.notes = std::move(checked.value().subject.notes);
   return read;
@@ -44,7 +44,7 @@ result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wan
   how.identity_without_solution = !metric_wanted;
   auto read = read_mesh(path, how);
   if (!read) return read.failure();
-  return checked_triangulation(std::move(read).value(), path);
+  return checked_triangulation(std::move(read).value(), path, slit_rule::joined);
 }
 
 namespace {
@@ -77,7 +77,7 @@ result<adopted_mesh> read_metric_on_mesh(const std::string& name, const std::str
   how.solution = name;
   auto read = read_mesh(of, how);
   if (!read) return read.failure();
-  return checked_triangulation(std::move(read).value(), of);
+  return checked_triangulation(std::move(read).value(), of, slit_rule::joined);
 }
 
 result<std::vector<metric_tensor>> read_metric_at_vertices(const std::string& mesh_file,

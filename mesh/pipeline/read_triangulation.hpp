@@ -37,6 +37,7 @@ result<std::vector<metric_tensor>> read_metric_at_vertices(const std::string& me
                                                            const std::string& metric);
 
 // Refuses a mesh that is no triangulation; `path` is for the message.
-result<adopted_mesh> checked_triangulation(mesh read, const std::string& path);
+result<adopted_mesh> checked_triangulation(mesh read, const std::string& path,
+                                           slit_rule slits = slit_rule::refused);
 
 }  // namespace asterism::internal

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// The option that makes triangles of second order, and what is said of them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/audit/curved_triangles.hpp"
+
+namespace asterism::apps {
+
+// Adds --order.
+CLI::Option* add_order_option(CLI::App& app, int& order);
+
+// Refuses an order that no file of the output can hold.
+std::optional<error> check_order(int order, const std::vector<std::filesystem::path>& outputs);
+
+// Returns a note for each mesh of the output that has straight sides though others are asked for,
+// and one on the sides of all that are kept straight.
+std::vector<std::string> notes_of_order(const std::vector<std::filesystem::path>& outputs,
+                                        const second_order_report& report);
+
+// Returns "second order: 812 triangles, none folds; ...".
+std::string text_of(const second_order_report& report);
+
+}  // namespace asterism::apps

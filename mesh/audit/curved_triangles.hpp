@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// Proves that the quadratic maps of second-order triangles turn nothing over: that the determinant
+// of the derivative, which is quadratic itself, is positive all over each triangle.
+//
+// A polynomial in Bernstein's form lies between its least and its greatest coefficient. The six of
+// the determinant are computed in doubles that carry a bound of their error; where these do not say
+// that all are positive, in rationals. Coefficients that are not all positive decide nothing: the
+// triangle is halved, up to `most_halvings` times one after another, until those of every part are,
+// or the value at a corner of a part, which is a coefficient, is not positive: that the triangle
+// folds or collapses there is certain, too. docs/math/curves.md has the formulas.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asterism/core/export.h"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/side_nodes.hpp"
+
+namespace asterism {
+
+// Proof or refusal of second-order triangles.
+struct second_order_report {
+  std::size_t triangles = 0;
+  std::size_t curved_sides = 0;  // whose node is not the middle, rounded
+  std::size_t on_curves = 0;     // of these: the node is on a curve of the domain, as rounding goes
+  std::size_t kept_straight = 0;  // sides on curves that would fold a triangle; set by their maker
+  // Lower bound, over all triangles that are proved, of the determinant divided by that of the
+  // triangle with straight sides.
+  double least_jacobian = 0;
+  std::vector<vertex_index> folded;     // triangles with a point at which it is not positive
+  std::vector<vertex_index> undecided;  // triangles of which neither is proved
+
+  // True if every triangle is proved, and there is one.
+  bool proved() const { return triangles > 0 && folded.empty() && undecided.empty(); }
+};
+
+// Judges the triangles of a mesh, of which `curved` has the nodes of sides that are not straight,
+// ascending by their ends. Sides that are none of a triangle's count for nothing. `shape`, if not
+// null, is the domain that the boundary's segments are numbered in: its curves are compared.
+ASTERISM_EXPORT second_order_report prove_second_order(const mesh& subject,
+                                                       const std::vector<side_node>& curved,
+                                                       const domain* shape);
+
+}  // namespace asterism

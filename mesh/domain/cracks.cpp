@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/domain/cracks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "asterism/mesh/numerics/simultaneous_reduction.hpp"
+#include "asterism/mesh/search/triangle_sides.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using ends = std::array<vertex_index, 2>;
+
+bool are_in_range(const mesh& m) {
+  const auto is_missing = [&m](vertex_index v) { return v >= m.sites.size(); };
+  for (const auto* const triangles : {&m.triangles, &m.disagreeing})
+    for (const triangle& t : *triangles)
+      if (std::any_of(t.begin(), t.end(), is_missing)) return false;
+  return std::none_of(m.boundary.begin(), m.boundary.end(),
+                      [&](const boundary_edge& e) { return is_missing(e.a) || is_missing(e.b); });
+}
+
+// Returns the first vertex at the place of each; empty where no two are at one place.
+std::vector<vertex_index> first_at_place(const mesh& m) {
+  std::vector<vertex_index> order(m.sites.size());
+  std::iota(order.begin(), order.end(), vertex_index{0});
+  const auto key = [&m](vertex_index v) {
+    return std::pair(m.sites[v].position.x, m.sites[v].position.y);
+  };
+  std::sort(order.begin(), order.end(), [key](vertex_index v, vertex_index w) {
+    return key(v) != key(w) ? key(v) < key(w) : v < w;
+  });
+  std::vector<vertex_index> first;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (key(order[i]) != key(order[i - 1])) continue;
+    if (first.empty()) {
+      first.resize(m.sites.size());
+      std::iota(first.begin(), first.end(), vertex_index{0});
+    }
+    first[order[i]] = first[order[i - 1]];
+  }
+  return first;
+}
+
+// Markers that the boundary lists for sides, in either direction.
+class listed_markers {
+ public:
+  explicit listed_markers(const mesh& m) {
+    for (std::size_t i = 0; i < m.boundary.size(); ++i) {
+      const boundary_edge& e = m.boundary[i];
+      listed_.push_back({{std::min(e.a, e.b), std::max(e.a, e.b)}, i});
+    }
+    std::sort(listed_.begin(), listed_.end());
+  }
+  // Returns the edge's number; none where it is not listed.
+  std::size_t find(vertex_index a, vertex_index b) const {
+    const ends key{std::min(a, b), std::max(a, b)};
+    const auto at =
+        std::lower_bound(listed_.begin(), listed_.end(), key,
+                         [](const auto& one, const ends& wanted) { return one.first < wanted; });
+    return at != listed_.end() && at->first == key ? at->second : none;
+  }
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+ private:
+  std::vector<std::pair<ends, std::size_t>> listed_;
+};
+
+// An edge of a crack: its sides in the mesh as it was, a -> b with the triangle on the left.
+struct crack_edge {
+  ends joined;       // first vertices at their places
+  ends left, right;  // the right one leads the other way
+  std::size_t left_edge, right_edge;
+  int left_marker = 0, right_marker = 0;
+};
+
+// Finds the edges: sides without a triangle beyond, of which another one leads back between the
+// same places.
+std::vector<crack_edge> find_edges(const mesh& m, const std::vector<vertex_index>& first) {
+  const triangle_sides sides(m);
+  std::vector<std::pair<ends, ends>> open;  // between places, and between vertices
+  for (const auto& s : sides.all()) {
+    const auto [a, b] = s.ends;
+    if (sides.find(b, a) == nullptr) open.push_back({{first[a], first[b]}, s.ends});
+  }
+  std::sort(open.begin(), open.end());
+  const listed_markers listed(m);
+  std::vector<crack_edge> found;
+  for (const auto& [joined, left] : open) {
+    if (joined[0] > joined[1]) continue;
+    const ends back{joined[1], joined[0]};
+    const auto at = std::lower_bound(open.begin(), open.end(), std::pair(back, ends{0, 0}));
+    if (at == open.end() || at->first != back) continue;
+    crack_edge e{joined, left, at->second, listed.find(left[0], left[1]),
+                 listed.find(at->second[0], at->second[1])};
+    if (e.left_edge != listed_markers::none) e.left_marker = m.boundary[e.left_edge].marker;
+    if (e.right_edge != listed_markers::none) e.right_marker = m.boundary[e.right_edge].marker;
+    if (e.left_marker > e.right_marker ||
+        (e.left_marker == e.right_marker && e.left_edge > e.right_edge)) {
+      std::swap(e.joined[0], e.joined[1]);
+      std::swap(e.left, e.right);
+      std::swap(e.left_edge, e.right_edge);
+      std::swap(e.left_marker, e.right_marker);
+    }
+    found.push_back(e);
+  }
+  return found;
+}
+
+std::optional<error> refuse_others(const mesh& m, const std::vector<vertex_index>& first,
+                                   const std::vector<crack_edge>& edges) {
+  std::vector<char> at_crack(m.sites.size(), 0);
+  for (const crack_edge& e : edges)
+    for (const vertex_index v : e.joined) at_crack[v] = 1;
+  for (vertex_index v = 0; v < first.size(); ++v)
+    if (first[v] != v && at_crack[first[v]] == 0)
+      return error{
+          fmt::format("vertices {} and {} are both at ({:.17g}, {:.17g}), and no edge that "
+                      "is there twice leads to it: it is no slit. Join them, or take one "
+                      "of them out",
+                      first[v] + 1, v + 1, m.sites[v].position.x, m.sites[v].position.y),
+          error_code::invalid_mesh};
+  return std::nullopt;
+}
+
+// Gives each pair of markers the number that its edges have.
+std::map<std::pair<int, int>, int> number_pairs(const mesh& m,
+                                                const std::vector<crack_edge>& edges) {
+  std::vector<char> is_crack(m.boundary.size(), 0);
+  std::map<std::pair<int, int>, int> numbers;
+  for (const crack_edge& e : edges) {
+    numbers[{e.left_marker, e.right_marker}] = 0;
+    for (const std::size_t i : {e.left_edge, e.right_edge})
+      if (i != listed_markers::none) is_crack[i] = 1;
+  }
+  std::set<int> taken, of_others;
+  for (std::size_t i = 0; i < m.boundary.size(); ++i) {
+    taken.insert(m.boundary[i].marker);
+    if (is_crack[i] == 0) of_others.insert(m.boundary[i].marker);
+  }
+  std::map<int, int> uses;  // pairs that a marker is in
+  for (const auto& [pair, number] : numbers) {
+    ++uses[pair.first];
+    if (pair.second != pair.first) ++uses[pair.second];
+  }
+  int next = 1;
+  for (auto& [pair, number] : numbers) {
+    if (pair.first == pair.second && uses[pair.first] == 1 && of_others.count(pair.first) == 0) {
+      number = pair.first;
+      continue;
+    }
+    while (taken.count(next) != 0) ++next;
+    number = next++;
+  }
+  return numbers;
+}
+
+// Lists each edge once, where its first side was, or after all.
+void list_once(mesh& m, const std::vector<crack_edge>& edges, crack_markers& markers) {
+  const auto numbers = number_pairs(m, edges);
+  std::vector<char> gone(m.boundary.size(), 0);
+  std::vector<boundary_edge> added;
+  for (const crack_edge& e : edges) {
+    const int number = numbers.at({e.left_marker, e.right_marker});
+    markers[number] = {e.left_marker, e.right_marker};
+    const std::size_t at = std::min(e.left_edge, e.right_edge);
+    boundary_edge one{e.left[0], e.left[1], 0, number, true};
+    if (at == listed_markers::none) {
+      one.segment = static_cast<vertex_index>(m.boundary.size() + added.size());
+      added.push_back(one);
+      continue;
+    }
+    for (const std::size_t i : {e.left_edge, e.right_edge})
+      if (i != listed_markers::none) gone[i] = 1;
+    gone[at] = 0;
+    one.segment = m.boundary[at].segment;
+    m.boundary[at] = one;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < gone.size(); ++i)
+    if (gone[i] == 0) m.boundary[kept++] = m.boundary[i];
+  m.boundary.resize(kept);
+  m.boundary.insert(m.boundary.end(), added.begin(), added.end());
+}
+
+bool is_same(const metric_tensor& a, const metric_tensor& b) {
+  return a.m11 == b.m11 && a.m12 == b.m12 && a.m22 == b.m22;
+}
+
+// Leaves the first vertex at each place, and returns the new numbers.
+std::vector<vertex_index> renumber(mesh& m, const std::vector<vertex_index>& first) {
+  std::vector<vertex_index> number(m.sites.size());
+  const bool has_references = m.references.size() == m.sites.size();
+  vertex_index kept = 0, given = 0;
+  for (vertex_index v = 0; v < first.size(); ++v) {
+    if (first[v] != v) {
+      number[v] = number[first[v]];
+      metric_tensor& own = m.sites[number[v]].metric;
+      if (!is_same(own, m.sites[v].metric)) own = simultaneous_intersection(own, m.sites[v].metric);
+      continue;
+    }
+    if (v < m.given) ++given;
+    if (has_references) m.references[kept] = m.references[v];
+    m.sites[kept] = m.sites[v];
+    number[v] = kept++;
+  }
+  m.sites.resize(kept);
+  if (has_references) m.references.resize(kept);
+  m.given = given;
+  for (auto* const triangles : {&m.triangles, &m.disagreeing})
+    for (triangle& t : *triangles)
+      for (vertex_index& v : t) v = number[v];
+  for (boundary_edge& e : m.boundary) {
+    e.a = number[e.a];
+    e.b = number[e.b];
+  }
+  return number;
+}
+
+// Lists the sides of a mesh that lists none.
+void list_all_sides(mesh& m) {
+  if (!m.boundary.empty()) return;
+  const triangle_sides sides(m);
+  for (const auto& s : sides.all())
+    if (sides.find(s.ends[1], s.ends[0]) == nullptr)
+      m.boundary.push_back(
+          {s.ends[0], s.ends[1], static_cast<vertex_index>(m.boundary.size()), 0, false});
+}
+
+}  // namespace
+
+result<joined_cracks> join_cracks(mesh& m) {
+  joined_cracks made;
+  if (!are_in_range(m)) return made;
+  const std::vector<vertex_index> first = first_at_place(m);
+  if (first.empty()) return made;
+  list_all_sides(m);
+  const std::vector<crack_edge> edges = find_edges(m, first);
+  if (auto refused = refuse_others(m, first, edges)) return *refused;
+  list_once(m, edges, made.markers);
+  const std::size_t before = m.sites.size();
+  made.number = renumber(m, first);
+  made.joined = before - m.sites.size();
+  return made;
+}
+
+namespace {
+
+// The corners of triangles, joined to fans around their vertices.
+class corner_fans {
+ public:
+  corner_fans(const mesh& m, const triangle_sides& sides, const std::vector<ends>& cracks)
+      : m_(m), parent_(3 * m.triangles.size()) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    for (const auto& s : sides.all()) {
+      const auto [a, b] = s.ends;
+      if (a > b || std::binary_search(cracks.begin(), cracks.end(), s.ends)) continue;
+      const auto* const beyond = sides.find(b, a);
+      if (beyond == nullptr) continue;
+      for (const vertex_index v : s.ends) join(corner(s.triangle, v), corner(beyond->triangle, v));
+    }
+  }
+
+  std::size_t corner(vertex_index t, vertex_index v) const {
+    const triangle& c = m_.triangles[t];
+    return 3 * std::size_t{t} + (c[0] == v ? 0 : c[1] == v ? 1 : 2);
+  }
+  // Returns the first corner of the fan.
+  std::size_t fan(std::size_t c) {
+    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
+    return c;
+  }
+
+ private:
+  void join(std::size_t c, std::size_t d) {
+    c = fan(c);
+    d = fan(d);
+    parent_[std::max(c, d)] = std::min(c, d);
+  }
+
+  const mesh& m_;
+  std::vector<std::size_t> parent_;
+};
+
+std::vector<ends> edges_of_cracks(const mesh& m, const crack_markers& cracks) {
+  std::vector<ends> edges;
+  for (const boundary_edge& e : m.boundary)
+    if (e.internal && cracks.count(e.marker) != 0)
+      edges.push_back({std::min(e.a, e.b), std::max(e.a, e.b)});
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+// Gives the corners of each fan but the first at a vertex of a crack a vertex of its own.
+void part_triangles(const mesh& joined, corner_fans& fans, const std::vector<ends>& cracks,
+                    parted_mesh& made) {
+  mesh& m = made.content;
+  std::vector<char> at_crack(joined.sites.size(), 0), is_taken(joined.sites.size(), 0);
+  for (const ends& e : cracks)
+    for (const vertex_index v : e) at_crack[v] = 1;
+  std::map<std::size_t, vertex_index> of_fan;
+  for (std::size_t t = 0; t < joined.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const vertex_index v = joined.triangles[t][i];
+      if (at_crack[v] == 0) continue;
+      const auto [at, is_new] = of_fan.emplace(fans.fan(3 * t + i), v);
+      if (is_new && std::exchange(is_taken[v], 1) != 0) {
+        at->second = static_cast<vertex_index>(m.sites.size());
+        m.sites.push_back(joined.sites[v]);
+        if (!m.references.empty()) m.references.push_back(joined.references[v]);
+        made.original.push_back(v);
+      }
+      m.triangles[t][i] = at->second;
+    }
+}
+
+}  // namespace
+
+parted_mesh part_cracks(const mesh& joined, const crack_markers& cracks) {
+  parted_mesh made{joined, std::vector<vertex_index>(joined.sites.size())};
+  std::iota(made.original.begin(), made.original.end(), vertex_index{0});
+  const std::vector<ends> edges = edges_of_cracks(joined, cracks);
+  if (edges.empty()) return made;
+  const triangle_sides sides(joined);
+  corner_fans fans(joined, sides, edges);
+  part_triangles(joined, fans, edges, made);
+  mesh& m = made.content;
+  // Returns the side of the triangle on the left of a -> b, with the vertices it has now.
+  const auto side = [&](vertex_index a, vertex_index b) -> std::optional<ends> {
+    const auto* const s = sides.find(a, b);
+    if (s == nullptr) return std::nullopt;
+    const auto at = [&](vertex_index v) {
+      return m.triangles[s->triangle][fans.corner(s->triangle, v) % 3];
+    };
+    return ends{at(a), at(b)};
+  };
+  const std::size_t listed = m.boundary.size();
+  for (std::size_t i = 0; i < listed; ++i) {
+    const boundary_edge e = m.boundary[i];
+    const auto left = side(e.a, e.b), right = side(e.b, e.a);
+    if (left) std::tie(m.boundary[i].a, m.boundary[i].b) = std::pair((*left)[0], (*left)[1]);
+    const auto crack = cracks.find(e.marker);
+    if (!e.internal || crack == cracks.end() || !left || !right) continue;
+    m.boundary[i].internal = false;
+    m.boundary[i].marker = crack->second.left;
+    m.boundary.push_back({(*right)[0], (*right)[1], e.segment, crack->second.right, false});
+  }
+  return made;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Slits and cracks: edges of a mesh whose vertices are there twice, once for the triangles on each
+// side. Inside the mesher, and for the auditor, such an edge is a segment inside the domain with
+// one vertex at each place. Files have the vertices of both sides.
+//
+// A vertex is there once for each fan of triangles around it that the edges of cracks, and the
+// boundary, part from the others: once at the tip of a crack, twice along it, three times where
+// three cracks meet.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism {
+
+// The markers of the two sides of a crack's edges.
+struct crack_sides {
+  int left = 0, right = 0;  // of the edge as it is directed
+};
+
+// Cracks by the markers that their edges have inside the mesher: every edge of such a marker is one
+// of a crack. Empty: there are none.
+using crack_markers = std::map<int, crack_sides>;
+
+namespace internal {
+
+// The cracks of a mesh that has one vertex at each place.
+struct joined_cracks {
+  crack_markers markers;
+  std::vector<vertex_index> number;  // of each vertex there was; empty where all stay
+  std::size_t joined = 0;            // vertices that went
+};
+
+// Joins vertices at one place where the triangles of both meet along edges: two boundary sides with
+// the same ends, one from each side. The first vertex stays, with a metric that is as fine as those
+// of all. An edge is listed once, the way in which the lesser marker is on its left; its own marker
+// is that of both sides, if all other edges have others, else one that is free. Fails, naming the
+// vertices, where vertices are at one place and no such edge is at it. Triangles and edges that
+// name missing vertices are left to others to find: then nothing is joined.
+ASTERISM_EXPORT result<joined_cracks> join_cracks(mesh& m);
+
+// A mesh with the vertices of both sides.
+struct parted_mesh {
+  mesh content;
+  // The vertex of the joined mesh that each one is; the first ones are the same.
+  std::vector<vertex_index> original;
+};
+
+// Parts the mesh along the edges of cracks: the fan of a vertex with the first triangle keeps it,
+// others get a new one after all. Each edge of a crack becomes two of the boundary, the right one
+// after all edges.
+ASTERISM_EXPORT parted_mesh part_cracks(const mesh& joined, const crack_markers& cracks);
+
+}  // namespace internal
+}  // namespace asterism

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds which segment of its domain each boundary edge of a mesh is a part of, where the file has
+// no place for that.
+#pragma once
+
+#include "asterism/core/export.h"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal {
+
+// Numbers the edges by their chains: from one vertex of the domain along others, which have two
+// edges each, to the next one of the domain. The first vertices of the mesh are the domain's, in
+// their order. Edges whose chain is no segment keep their number: what an audit then finds wrong.
+ASTERISM_EXPORT void number_segments_by_chains(mesh& m, const domain& shape);
+
+}  // namespace asterism::internal

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// Adapts a mesh but for the triangles of some of its regions, which stay as they are.
+//
+// What is adapted, certified and verified is the rest, as a mesh of its own: the border with the
+// frozen regions is a part of its boundary, of which every vertex stays. The file has both
+// together: first the rest's vertices, triangles and edges, then the others.
+//
+// A mesher splits edges of a boundary where the metric wants that or stars need it. Those of the
+// border must not be split. So the tensors at its vertices are made coarser, alike in all
+// directions, until the mesh leaves them whole: as much as `border_lengths` says, in its order.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asterism/core/export.h"
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/mesh_marks.hpp"
+
+namespace asterism {
+
+// Greatest lengths of the border's edges that are tried, as their ends measure them.
+inline constexpr std::array<double, 4> border_lengths = {0.9, 0.6, 0.4, 0.25};
+
+// A mesh without the triangles of some regions.
+struct frozen_part {
+  mesh rest;
+  // The vertex of the whole mesh that each of the rest's is.
+  std::vector<vertex_index> vertex_of;
+  // Edges between the two, with the rest on the left, in the rest's numbers.
+  std::vector<std::array<vertex_index, 2>> border;
+  std::vector<vertex_index> shared;  // vertices of both, in the rest's numbers
+  std::vector<vertex_index> frozen;  // triangles of the whole mesh that stay, ascending
+  std::size_t lone_vertices = 0;     // of the frozen regions alone
+};
+
+// Parts a triangulation in which edges between regions are in the boundary, as adopt_mesh leaves
+// it. Fails where a region has no triangle, or none is left.
+ASTERISM_EXPORT result<frozen_part> without_regions(const mesh& whole,
+                                                    const std::vector<int>& frozen);
+
+// Makes the tensors at the ends of the border's edges coarser where these measure one of them as
+// longer than that. Returns at how many vertices.
+ASTERISM_EXPORT std::size_t coarsen_border(frozen_part& part, double longest);
+
+// Adds to the marks in the whole mesh's numbers, of which the rest's are kept, that the border's
+// vertices and edges are required.
+ASTERISM_EXPORT mesh_marks marks_of_rest(const frozen_part& part, const mesh_marks& marks);
+
+// Puts the frozen triangles beside those of a mesh of the rest. Nothing where an edge of the border
+// is split, or a vertex of it is gone; `split` counts such edges.
+ASTERISM_EXPORT std::optional<mesh> with_frozen(const mesh& made, const frozen_part& part,
+                                                const mesh& whole, std::size_t& split);
+
+// Least angles of the frozen triangles, in degrees, as any of their corners measures them.
+struct frozen_angles {
+  double worst = 180;
+  std::size_t low = 0;  // triangles below the bound
+};
+
+ASTERISM_EXPORT frozen_angles angles_of_frozen(const frozen_part& part, const mesh& whole,
+                                               double bound);
+
+// Takes the triangles of the regions out of a mesh that with_frozen made, and leaves the one that
+// it was made of, bit for bit. Fails where the rest's vertices are not the first ones.
+ASTERISM_EXPORT result<mesh> rest_of(mesh together, const std::vector<int>& frozen);
+
+// Returns what is wrong with the triangles of the regions in a mesh, against those of another one:
+// each has to be there with the same corners, bit for bit, and no other. Empty: nothing.
+ASTERISM_EXPORT std::string difference_of_frozen(const mesh& together, const mesh& before,
+                                                 const std::vector<int>& frozen);
+
+}  // namespace asterism
