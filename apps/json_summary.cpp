@@ -108,6 +108,10 @@ std::string summary_json(const certified_mesh& made, int status,
   add_periodic(object, made.claim.periodic);
   add_theorem(object, made.claim.theorem);
   add_second_order(object, made.claim.second_order);
+  if (made.claim.guarantee)
+    object["guarantee"] = {{"size_factor", made.claim.guarantee->size_factor},
+                           {"sigma", number(made.claim.guarantee->sigma)},
+                           {"eps", number(made.claim.guarantee->eps)}};
   object["disagreeing"] = outcome.disagreeing;
   object["too_large"] = outcome.too_large;
   object["length_factor"] = outcome.ended.length_factor;

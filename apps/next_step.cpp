@@ -37,6 +37,13 @@ std::string more_sites(const mesh_job& job, const mesh_outcome& outcome) {
   return fmt::format("--max-sites {:.0f}, or a larger --size", in_two_digits(wanted));
 }
 
+// Each step of a guarantee takes up to twice the sites of the one before.
+std::string more_steps(const mesh_job& job) {
+  constexpr std::size_t two_steps = 4;
+  return fmt::format("--max-sites {}, or --gradation {:.3g}", two_steps * job.refinement.max_sites,
+                     job.gradation ? 1 + (*job.gradation - 1) / 2 : 1.1);
+}
+
 std::string smoother(const mesh_job& job) {
   if (!job.gradation || *job.gradation > 1.2) return "--gradation 1.2, or a smaller --size";
   return fmt::format("--gradation {:.3g}, or a smaller --size", 1 + (*job.gradation - 1) / 2);
@@ -97,6 +104,7 @@ std::string next_step(const mesh_job& job, const prepared_input& input,
   const mesh_outcome& outcome = made.outcome;
   if (made.certified()) return job.refinement.prove_voronoi ? smoother(job) : "";
   const ending how = outcome.how();
+  if (job.guarantee && how != ending::stopped) return more_steps(job);
   if (how != ending::complete && how != ending::stopped)
     if (std::string joined = repair(job, input, outcome); !joined.empty()) return joined;
   switch (how) {

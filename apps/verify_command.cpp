@@ -113,6 +113,12 @@ std::string theorem_metric_text(const metric_answer& metric) {
 }
 
 // Returns what is claimed, what was checked, and against what.
+// Returns that the guarantee of the certificate holds, and what it is.
+std::string guarantee_text(const verify_report& verdict, const std::optional<certificate>& claim) {
+  if (!claim || !claim->guarantee || !verdict.theorem || !verdict.verified) return "";
+  return "; guaranteed: " + text_of(*claim->guarantee, *verdict.theorem);
+}
+
 std::string scope_text(const judgement& judged, const std::optional<certificate>& claim,
                        bool tells_theorem) {
   const verify_report& verdict = judged.verdict;
@@ -132,7 +138,7 @@ std::string scope_text(const judgement& judged, const std::optional<certificate>
   if (verdict.theorem && tells_theorem)
     text += "; the theorem on nets, " + theorem_metric_text(judged.metric) +
             theorem_text(*verdict.theorem);
-  return text + voronoi_text(verdict.audit);
+  return text + guarantee_text(verdict, claim) + voronoi_text(verdict.audit);
 }
 
 void write_verdict(const judgement& judged, const std::string& scope) {

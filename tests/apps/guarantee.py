@@ -34,6 +34,7 @@ class Guarantee(command.CommandTest):
                 again = self.run_command("verify", "g.mesh", "--domain", "plate.poly", "--metric", metric,
                                          "--size", size)
                 self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+                self.assertIn("; guaranteed: edges ", again.stdout)
 
     def test_without_a_size_it_is_1(self):
         self.write("plate.poly", PLATE)
@@ -68,6 +69,7 @@ class Guarantee(command.CommandTest):
     def test_not_reached_says_how_far_it_came(self):
         done = self.mesh("square", "--metric", "sink:12", "--size", "0.4", "--max-sites", "300", status=1)
         self.assertIn("not reached: no guarantee: with edges ", done.stderr)
+        self.assertIn("try --max-sites 1200, or --gradation 1.1", done.stderr)
         self.assertNotIn("guarantee", {**self.claim(), "asked": None})
 
     def test_what_does_not_go_with_it_is_refused(self):
