@@ -45,7 +45,8 @@ option_entry entry_of(const CLI::Option& option) {
 
 command_entry entry_of(const CLI::App& app) {
   command_entry entry{app.get_name(), app.get_description(), app.get_footer(), {}};
-  for (const CLI::Option* option : app.get_options()) entry.options.push_back(entry_of(*option));
+  for (const CLI::Option* option : app.get_options())  // those without a group are older spellings
+    if (!option->get_group().empty()) entry.options.push_back(entry_of(*option));
   return entry;
 }
 

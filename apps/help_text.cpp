@@ -32,7 +32,8 @@ constexpr std::array<heading, 4> headings = {{
      "corner-angle hausd strict "
      "all-edges convex-hull periodic no-split-across "},
     {"Files and words",
-     " output certificate ellipses no-sites quiet json long all-findings values format proof order "
+     " output certificate colour-by ellipses no-sites quiet json long all-findings values format "
+     "proof order "
      "report "},
     {"Limits", " max-sites max-seconds max-memory threads at-most pieces "},
 }};
