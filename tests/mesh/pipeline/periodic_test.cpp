@@ -2,7 +2,8 @@
 //
 // Periodic sides: the places that go together, and the auditor's own finding of a match, on meshes
 // that were spoiled one vertex at a time.
-#include <catch2/catch_test_macros.hpp>
+#include <array>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <string>
@@ -31,7 +32,7 @@ domain quadrangle(const std::array<point, 4>& corners) {
 }
 
 mesh periodic_square() {
-  const auto field = make_metric_field({"swirl:6"}, square().box(), 0.4);
+  const auto field = make_metric_field("swirl:6", square().box(), 0.4);
   REQUIRE(field);
   mesh_options options;
   options.limit_size = true;
