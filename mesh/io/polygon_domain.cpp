@@ -90,7 +90,7 @@ result<domain> domain_of_polygons(const polygons_read& read, const std::string& 
   domain d;
   d.name = name;
   d.polygons.reserve(read.polygons.size());
-  occurrences flat;
+  occurrences flat, open;
   for (std::size_t k = 0; k < read.polygons.size(); ++k) {
     const polygon& from = read.polygons[k];
     domain_polygon& made = d.polygons.emplace_back();
@@ -101,6 +101,8 @@ result<domain> domain_of_polygons(const polygons_read& read, const std::string& 
         if (i == 0) break;
         continue;
       }
+      if (from.rings[i].front() != from.rings[i].back())
+        open.add([&] { return domain_names(d).ring(k, i); });
       made.rings.push_back(add_ring(from.rings[i], static_cast<int>(k) + 1, d));
     }
   }
@@ -109,6 +111,7 @@ result<domain> domain_of_polygons(const polygons_read& read, const std::string& 
   note("points and lines passed over", read.others, d);
   note("points whose coordinates beyond x and y were dropped", read.heights, d);
   note("rings without area dropped", flat, d);
+  note("rings that do not end where they begin, closed by a segment", open, d);
   return d;
 }
 

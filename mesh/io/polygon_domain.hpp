@@ -41,8 +41,8 @@ struct polygons_read {
 };
 
 // Returns the domain, with notes of what was passed over or dropped: of the polygons these are
-// rings that enclose nothing. The rings of polygon k, from 1, have the marker k. `name` is the
-// file's. Fails if there is no polygon.
+// rings that enclose nothing, and rings that were closed. The rings of polygon k, from 1, have the
+// marker k. `name` is the file's. Fails if there is no polygon.
 result<domain> domain_of_polygons(const polygons_read& read, const std::string& name);
 
 }  // namespace asterism::internal

@@ -209,6 +209,23 @@ TEST_CASE("empty and other geometries in well-known text are passed over with a 
   CHECK_THAT(notes[2], Contains("dropped: 4, the first: on line 4"));
 }
 
+TEST_CASE("a ring that does not end where it begins is closed with a note") {
+  const temporary_directory here("open-rings");
+  const auto notes = [&](const char* name, const std::string& text) {
+    const auto path = here.write(name, text);
+    const auto read = std::string(name).ends_with(".wkt") ? read_wkt(path) : read_geojson(path);
+    REQUIRE(read);
+    CHECK(read.value().segments.size() == 4);
+    return read.value().origin.notes;
+  };
+  const auto open = notes("a.wkt", "POLYGON ((0 0, 2 0, 2 1, 0 1))");
+  REQUIRE(open.size() == 1);
+  CHECK_THAT(open[0], Catch::Contains("closed by a segment: 1, "));
+  CHECK(notes("a.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[2,0],[2,1],[0,1]]]})")
+            .size() == 1);
+  CHECK(notes("b.wkt", "POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))").empty());
+}
+
 TEST_CASE("rings that go there and back are dropped wherever they are, and no others") {
   const temporary_directory here("flat-rings");
   splitmix64 random(22);
