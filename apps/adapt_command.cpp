@@ -428,6 +428,10 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
       ->excludes(exact)
       ->type_name("D");
   add_periodic_option(app, job.options.periodic);
+  app.add_flag(
+      "--no-split-across", job.options.no_split_across,
+      "No inner edge joins two vertices of the boundary, so that no triangle has all three "
+      "there (splitpbedge of adaptmesh)");
   add_real(
       app, "--angle-bound", angle_bounds,
       [&job](double x) { job.options.refinement.angle_bound = x; },

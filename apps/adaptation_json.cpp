@@ -64,9 +64,10 @@ json of_transfer(const transfer_report& r) {
 }  // namespace
 
 std::string metric_json(const solution_metric_report& report, int status,
-                        const written_paths& files) {
+                        const written_paths& files, const std::vector<double>& windows) {
   json object = {{"command", "metric"}, {"status", status}};
   object.update(of_metric(report));
+  if (!windows.empty()) object["windows"] = windows;
   object["files"] = names_of(files);
   return adaptation_text(object);
 }

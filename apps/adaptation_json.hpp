@@ -18,9 +18,9 @@ namespace asterism::apps {
 
 using written_paths = std::vector<std::filesystem::path>;
 
-// Returns the object of `metric`.
+// Returns the object of `metric`; `windows` are the complexities of a series, if it is one.
 std::string metric_json(const solution_metric_report& report, int status,
-                        const written_paths& files);
+                        const written_paths& files, const std::vector<double>& windows = {});
 
 // Returns the object of `transfer`.
 std::string transfer_json(const transfer_report& report, int status, const written_paths& files);

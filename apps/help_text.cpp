@@ -25,7 +25,7 @@ constexpr std::array<heading, 4> headings = {{
      " metric size hmin hmax aspect vertices complexity gradation angle-bound metric-tolerance tol "
      "improve "
      "refine voronoi solution carry hessian norm target error relative cutoff "
-     "given-hessian floor keep "
+     "given-hessian series floor keep "
      "size-at size-in size-near size-box layers frozen sizes-of-file transfer how "},
     {"Domain",
      " domain repair-domain repair-distance regions random-points seed chord-tolerance "

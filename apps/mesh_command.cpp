@@ -101,6 +101,10 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
   app.add_flag("--convex-hull", job.convex_hull,
                "Close the domain by the convex hull of its vertices: of a .node file, or segments "
                "that bound nothing");
+  app.add_flag(
+      "--no-split-across", job.no_split_across,
+      "No inner edge joins two vertices of the boundary, so that no triangle has all three "
+      "there");
   app.add_flag("--regions", job.number_regions,
                "Number every region that has no region point, from 1");
   add_count(
@@ -149,7 +153,7 @@ void add_guarantee_option(CLI::App& app, mesh_job& job) {
                    "agreement and dual are proved then; refused where a corner is too sharp for "
                    "it, or the metric jumps");
   for (const char* other : {"--vertices", "--complexity", "--refine", "--metric-tolerance", "--tol",
-                            "--improve", "--pieces", "--periodic"})
+                            "--improve", "--pieces", "--periodic", "--no-split-across"})
     guarantee->excludes(other);
 }
 
@@ -266,6 +270,8 @@ void add_mesh_command(CLI::App& program, command& chosen, piece_team* team) {
                                  !job->sizes.is_empty() || job->sizes_of_file;
     job->keeps_site_limit = app->count("--max-sites") > 0;
     if (!job->keeps_site_limit) make_room(*job);
+    if (job->no_split_across && (job->pieces > 0 || team != nullptr))
+      throw CLI::ValidationError("--no-split-across", "a mesh in pieces is not looked at for that");
     if (job->pieces > 0 || team != nullptr)
       chosen = [job, team] { return run_pieces_job(*job, team); };
     else

@@ -33,6 +33,7 @@ struct mesh_job {
   bool convex_hull = false;               // of the vertices, as segments
   bool guarantee = false;               // edges are made shorter until the theorem on nets applies
   std::vector<periodic_pair> periodic;  // sides that are to have the same points
+  bool no_split_across = false;         // no inner edge joins two vertices of the boundary
   std::size_t random_points = 0;
   std::size_t pieces = 0;                  // 0: the mesh is made in one
   std::vector<std::string> piece_formats;  // endings of further files of each piece

@@ -42,6 +42,7 @@
 #include "asterism/mesh/pipeline/curved_sides.hpp"
 #include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
+#include "asterism/mesh/pipeline/split_across.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -88,6 +89,7 @@ std::vector<fs::path> written_files(const mesh_job& job, const fs::path& certifi
 void describe(certified_mesh& made, const mesh_job& job, const prepared_input& input) {
   made.claim.metric = job.metric;
   made.claim.options = options_of(job, input, made.outcome);
+  if (job.no_split_across) made.claim.options["split-across"] = "no";
 }
 
 report_facts facts_of_page(const mesh_job& job, const fs::path& certificate_path,
@@ -225,8 +227,11 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_in
     limits.expect(progress.sites);
     line.show(progress);
   };
-  return job.guarantee ? make_guaranteed_mesh(input.shape, *input.field, options, show)
-                       : make_periodic_mesh(input.shape, *input.field, options, job.periodic, show);
+  auto made = job.guarantee
+                  ? make_guaranteed_mesh(input.shape, *input.field, options, show)
+                  : make_periodic_mesh(input.shape, *input.field, options, job.periodic, show);
+  if (!made || !job.no_split_across) return made;
+  return split_across(std::move(made).value(), input.shape, *input.field, options, job.periodic);
 }
 
 // Raises the default limit where the domain has many vertices: an angle bound alone takes two to
@@ -266,6 +271,10 @@ int run_within_limits(const mesh_job& asked) {
   if (!job.max_megabytes) keep_freed_blocks();
   auto input = prepare(job);
   if (!input) return complain(input.failure(), refused);
+  if (job.no_split_across && !input.value().cracks.empty())
+    return complain(
+        {"--no-split-across: the mesh has slits, and edges beside them are not looked at"},
+        refused);
   if (!job.keeps_site_limit) make_room(input.value().shape.vertices.size(), job.refinement);
   const cancellation stop = [&limits] { return limits.reason(); };
   auto made = mesh_within_memory(job, input.value(), limits, stop);

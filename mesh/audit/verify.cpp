@@ -16,6 +16,7 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/certificate_options.hpp"
 #include "asterism/mesh/audit/same_domain.hpp"
+#include "asterism/mesh/audit/split_edges.hpp"
 #include "asterism/mesh/audit/theorem_hypotheses.hpp"
 
 namespace asterism {
@@ -383,6 +384,20 @@ void compare_periodic(contradictions& all, const mesh& subject, const certificat
         "\"audit.periodic\" says in the certificate how other sides match than those of this mesh");
 }
 
+// Looks again for inner edges that join two vertices of the boundary, where there were to be none.
+void compare_split_edges(contradictions& all, const mesh& subject, const certificate& claim) {
+  const auto asked = claim.options.find("split-across");
+  if (asked == claim.options.end()) return;
+  if (asked->second != "no")
+    return all.add("\"asked.options.split-across\" is " + asked->second + ", and not no");
+  if (!claim.complete) return;
+  const auto found = internal::edges_across(subject);
+  if (found.empty()) return;
+  all.add("the certificate says that its mesh was completed, and the inner edge of the vertices " +
+          std::to_string(found[0][0] + 1) + " and " + std::to_string(found[0][1] + 1) +
+          " joins two vertices of the boundary, where \"asked.options.split-across\" is no");
+}
+
 // Returns the contradictions. `as_claimed`: the audit answered the question that the certificate
 // answers.
 std::vector<std::string> contradictions_of(const certificate& claim, const certificate& found,
@@ -437,6 +452,7 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
     contradictions of_boundary;
     compare_former(of_boundary, subject, *claim);
     compare_periodic(of_boundary, subject, *claim, report);
+    compare_split_edges(of_boundary, subject, *claim);
     for (std::string& sentence : of_boundary.take())
       report.contradictions.push_back(std::move(sentence));
   }

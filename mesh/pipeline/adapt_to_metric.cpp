@@ -7,12 +7,14 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/boundary_distance.hpp"
+#include "asterism/mesh/audit/split_edges.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/kept_mesh.hpp"
+#include "asterism/mesh/pipeline/split_across.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -34,7 +36,8 @@ class keeping {
   keeping(const std::optional<mesh>& own, const mesh_adaptation_options& options)
       : own_(own), rule_(options.keep) {
     may_stay_ = own_ && rule_ != keep_rule::never &&
-                (rule_ == keep_rule::always || has_enough_vertices(*own_, options.refinement));
+                (rule_ == keep_rule::always || has_enough_vertices(*own_, options.refinement)) &&
+                (!options.no_split_across || edges_across(*own_).empty());
     if (may_stay_) lengths_ = edge_lengths_of(*own_);
   }
 
@@ -132,6 +135,11 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
   if (options.exact && !done.cracks.empty())
     return error{"the mesh has slits, whose vertices are there twice, and another domain has none",
                  error_code::invalid_mesh};
+  if (options.no_split_across && !done.cracks.empty())
+    return error{
+        "the mesh has slits, and inner edges that join two vertices of the boundary are "
+        "not looked for beside them",
+        error_code::bad_option};
   const mesh_marks marks = joined_marks(from.marks, adopted.value().number);
   std::optional<mesh> own;  // the mesh, as one that may stay
   if (options.exact) {
@@ -162,6 +170,8 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
   auto made = make_periodic_mesh(done.shape, *field, how, options.periodic, progress);
   if (!made) return made.failure();
   done.made = std::move(made).value();
+  if (options.no_split_across)
+    done.made = split_across(std::move(done.made), done.shape, *field, how, options.periodic);
   if (kept.is_as_good_as(done.made)) stay(kept, options, done);
   compare_boundaries(done);
   return done;

@@ -52,6 +52,9 @@ struct mesh_adaptation_options {
   // Sides that are to have the same points, by their markers; a mesh in which they do not does not
   // stay.
   std::vector<periodic_pair> periodic = {};
+  // True to have no inner edge that joins two vertices of the boundary, and so no triangle with all
+  // three of its vertices there.
+  bool no_split_across = false;
   // Else max_sites is raised to three times the vertices wanted, most_sites_unasked at most, and
   // where the metric alone wants
   // them, to ten times those of the mesh at most.

@@ -126,7 +126,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
           hmax: Optional[float] = None, aspect: Optional[float] = None,
           intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None, isotropic: bool = False,
           gradation_keeps_shape: bool = False, hessian: Union[str, Fields] = "green",
-          relative: bool = False, cutoff: Optional[float] = None,
+          relative: bool = False, cutoff: Optional[float] = None, no_split_across: bool = False,
           domain: Optional[AnyDomain] = None, chord_tolerance: Optional[float] = None,
           corner_angle: Optional[float] = None, hausd: Optional[float] = None, keep: str = "auto",
           periodic: Sequence[Tuple[int, int]] = (),
@@ -143,6 +143,8 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
     metric: a metric in place of values, in any form that tensors have; or implied=True: that of the
     mesh's edges. norm to cutoff: as asterism.metric() has them; of a hessian (n, 3) the metric is made,
     and values only come along.
+    no_split_across: no inner edge joins two points of the boundary, so that no triangle has all three
+    there.
     domain: what is meshed, in any form that asterism.mesh() takes, with chord_tolerance for its curves;
     None: what the mesh covers. Of that, vertices where the boundary turns by more than corner_angle (30)
     stay, and the new boundary is within hausd of the old one, both ways (None: where vertices go, a
@@ -162,7 +164,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
         "norm": norm_of(norm), "gradation": gradation_of(gradation, given is None and not implied), "hmin": hmin,
         "hmax": hmax, "aspect": aspect, "intersect": _metrics(intersect, len(mesh.points)), "step": step,
         "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape, "hessian": method,
-        "hessians": hessians, "relative": relative, "cutoff": cutoff,
+        "hessians": hessians, "relative": relative, "cutoff": cutoff, "no_split_across": no_split_across,
         "chord_tolerance": chord_tolerance, "corner_angle": corner_angle, "hausd": hausd, "keep": keep,
         "periodic": marker_pairs(periodic),
         "angle_bound": angle_bound, "metric_tolerance": metric_tolerance, "max_sites": max_sites,

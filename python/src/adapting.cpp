@@ -56,6 +56,7 @@ mesh_adaptation_options options_of(const keywords& given, const py::object& exac
   options.chord_tolerance = given.positive("chord_tolerance");
   options.keep = rule_of(given.word("keep"));
   options.periodic = periodic_of(given);
+  options.no_split_across = given.flag("no_split_across");
   options.refinement.metric_tolerance = given.from_zero("metric_tolerance");
   options.refinement.angle_bound = given.from_zero("angle_bound").value_or(20);
   if (!(options.refinement.angle_bound < 60))

@@ -158,3 +158,13 @@ def test_errors_relative_to_the_values(background):
     for words in ({"relative": True}, {"error": 0.1, "cutoff": 0.1}, {"error": 0.1, "relative": True, "cutoff": 2}):
         with pytest.raises(asterism.InputError):
             asterism.metric(background, u, **words)
+
+
+def test_no_inner_edge_joins_two_points_of_the_boundary():
+    slab = asterism.mesh(asterism.Domain.square(), size=0.5)
+    made = asterism.adapt(slab, metric=np.full((len(slab.points), 1), 0.4), no_split_across=True)
+    sides = np.sort(np.concatenate([made.mesh.triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
+    edges, counts = np.unique(sides, axis=0, return_counts=True)
+    outer = np.unique(edges[counts == 1])
+    assert not np.isin(edges[counts == 2], outer).all(axis=1).any()
+    assert made.mesh.certified

@@ -338,6 +338,129 @@ class RelativeErrorTest(AdaptationTest):
         self.refused(*job, "--error", "0.1", "--relative", sentence="no second derivatives")
 
 
+class SeriesTest(AdaptationTest):
+    """Metrics of windows in time, with one complexity over all."""
+
+    def setUp(self):
+        super().setUp()
+        for k, steepness in enumerate((5, 20, 60), 1):
+            self.write(f"t{k}.sol", solution_text([(math.tanh(steepness * (x - 0.2 * k)),) for x, _ in self.points]))
+
+    def series(self, *arguments, windows=("t1.sol", "t2.sol", "t3.sol")):
+        words = [word for file in windows for word in ("--series", file)]
+        done = self.run_command("metric", "g.mesh", *words, *arguments, "-o", "s.mesh", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_one_complexity_over_all(self):
+        said = self.series("--complexity", "500")
+        self.assertLess(abs(said["complexity_delivered"] / 1500 - 1), 0.02)
+        self.assertAlmostEqual(sum(said["windows"]), said["complexity_delivered"], delta=1e-6)
+        self.assertLess(said["windows"][0], said["windows"][1])
+        self.assertEqual(said["files"], [f"s.{k}.{e}" for k in (1, 2, 3) for e in ("mesh", "sol")])
+
+    def test_complexity_of_a_window_follows_the_optimum(self):
+        """In the mean square D is one for all: a window has the integral of det|H|^(1/3) of the sum, so that one
+        whose values are eight times as great, and no direction preferred, has 8^(2/3) times as much."""
+        for name, times in (("a", 1), ("b", 8)):
+            self.write(f"{name}.sol", solution_text([(times * (x * x + 2 * y * y),) for x, y in self.points]))
+        first, second = self.series("--hessian", "lsq", "--gradation", "none", windows=("a.sol", "b.sol"))["windows"]
+        self.assertAlmostEqual(second / first, 4, delta=1e-3)
+
+    def test_windows_alike_have_the_metric_of_one(self):
+        for k in (1, 2):
+            self.write(f"same{k}.sol", (self.folder / "t2.sol").read_bytes())
+        self.series("--vertices", "700", windows=("same1.sol", "same2.sol"))
+        self.metric("--solution", "t2.sol", "--vertices", "700")
+        for k in (1, 2):
+            for a, b in zip(rows_after(self.folder / f"s.{k}.sol", "SolAtVertices", 2),
+                            rows_after(self.folder / "m.sol", "SolAtVertices", 2)):
+                for x, y in zip(a, b):
+                    self.assertAlmostEqual(x, y, delta=0.02 * max(b[0], b[2]))
+
+    def test_windows_on_meshes_of_their_own(self):
+        points, triangles = grid(12)
+        self.write("w.mesh", mesh_text(points, triangles))
+        self.write("w.sol", solution_text([(front(x, y),) for x, y in points]))
+        said = self.series("--vertices", "400", windows=("t1.sol", "w.mesh"))
+        self.assertEqual(len(said["windows"]), 2)
+        self.assertEqual(len(rows_after(self.folder / "s.2.sol", "SolAtVertices", 2)), len(points))
+
+    def test_what_cannot_be_meant_is_refused(self):
+        job = ("metric", "g.mesh", "--series", "t1.sol", "-o", "s.mesh")
+        self.refused(*job, "--solution", "u.sol", sentence="name one of them")
+        self.refused(*job, "--implied", sentence="name one of them")
+        self.refused(*job, "--series", "none.sol", sentence="none.sol")
+        self.refused(*job, "--series", "t1.sol", sentence="twice")
+        self.write("two.sol", solution_text([(x, y) for x, y in self.points], (1, 1)))
+        self.refused(*job, "--series", "two.sol", sentence="all windows have the same fields")
+
+
+class SplitAcrossTest(AdaptationTest):
+    """No inner edge joins two vertices of the boundary."""
+
+    def across(self, name):
+        triangles = [[int(v) for v in row[:3]] for row in rows_after(self.folder / name, "Triangles", 1)]
+        counts = {}
+        for t in triangles:
+            for a, b in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0])):
+                counts[min(a, b), max(a, b)] = counts.get((min(a, b), max(a, b)), 0) + 1
+        outer = {v for e, n in counts.items() if n == 1 for v in e}
+        return sum(1 for e, n in counts.items() if n == 2 and outer.issuperset(e)), len(triangles)
+
+    def both_ways(self, *job):
+        found = []
+        for words in ((), ("--no-split-across",)):
+            done = self.run_command(*job, *words, "-o", "n.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+            found.append(self.across("n.mesh"))
+        (before, _), (after, triangles) = found
+        self.assertGreater(before, 0)
+        self.assertEqual(after, 0)
+        return triangles
+
+    def test_mesh_of_a_square(self):
+        self.both_ways("mesh", "square", "--size", "0.5")
+
+    def test_mesh_without_a_size(self):
+        self.both_ways("mesh", "square")
+
+    def test_strip_that_is_one_edge_wide(self):
+        self.write("strip.poly", "4 2 0 0\n1 0 0\n2 4 0\n3 4 0.3\n4 0 0.3\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n")
+        self.both_ways("mesh", "strip.poly", "--size", "0.3")
+
+    def test_metric_that_turns(self):
+        self.both_ways("mesh", "square", "--metric", "swirl:3", "--size", "0.4")
+
+    def test_hole_and_a_line_inside_that_reaches_the_boundary(self):
+        self.write("ring.poly", "9 2 0 0\n1 0 0\n2 3 0\n3 3 3\n4 0 3\n5 1 1\n6 2 1\n7 2 2\n8 1 2\n9 3 1.5\n"
+                   "10 1\n1 1 2 1\n2 2 9 1\n3 9 3 1\n4 3 4 1\n5 4 1 1\n6 5 6 2\n7 6 7 2\n8 7 8 2\n9 8 5 2\n"
+                   "10 9 7 7\n1\n1 1.5 1.5\n")
+        self.both_ways("mesh", "ring.poly", "--size", "0.8")
+
+    def test_adapted_mesh_and_its_certificate(self):
+        self.both_ways("adapt", "g.mesh", "--solution", "u.sol", "--vertices", "150")
+        certificate = (self.folder / "n.certificate.json").read_text()
+        self.assertIn('"split-across": "no"', certificate)
+        done = self.run_command("adapt", "n.mesh", "--metric", "n.sol", "--no-split-across", "-o", "k.mesh")
+        self.assertIn("stays as it is", done.stdout)
+
+    def test_certificate_that_says_so_of_another_mesh_is_refused(self):
+        self.assertEqual(self.run_command("mesh", "square", "--size", "0.5", "-o", "n.mesh").returncode, 0)
+        text = (self.folder / "n.certificate.json").read_text()
+        spoiled, count = re.subn(r'("options": {)', r'\1 "split-across": "no",', text)
+        self.assertEqual(count, 1)
+        self.write("n.certificate.json", spoiled)
+        checked = self.run_command("verify", "n.mesh")
+        self.assertEqual(checked.returncode, 1)
+        self.assertIn("joins two vertices of the boundary", checked.stdout)
+
+    def test_pieces_are_refused(self):
+        self.refused("mesh", "square", "--size", "0.1", "--pieces", "4", "--no-split-across", "-o", "p/",
+                     sentence="a mesh in pieces")
+
+
 class AdaptTest(AdaptationTest):
     def test_wishes_of_a_solution_are_refused_without_one(self):
         self.write("m.sol", solution_text([(1.0, 0.0, 4.0)] * len(self.points), (3,)))

@@ -52,6 +52,28 @@ cout << "GOT " << Th.nv << " " << Tb.nv << endl;
 """
 
 
+# Two of these meshes' regions of the boundary are near each other: a slender rectangle.
+BOUNDARY = """
+mesh Th = square(12, 3, [x, y / 4]);
+fespace Vh(Th, P1);
+Vh h = 0.09;
+asterismadapt(Th, h, IsMetric = 1; splitpbedge = 1)
+int[int] outer(Th.nv);
+outer = 0;
+for (int k = 0; k < Th.nt; ++k)
+  for (int e = 0; e < 3; ++e) {
+    int ee = e;
+    if (Th[k].adj(ee) == Th[k]) { outer[Th[k][(e + 1) % 3]] = 1; outer[Th[k][(e + 2) % 3]] = 1; }
+  }
+int across = 0;
+for (int k = 0; k < Th.nt; ++k)
+  for (int e = 0; e < 3; ++e) {
+    int ee = e;
+    if (Th[k].adj(ee) != Th[k] && outer[Th[k][(e + 1) % 3]] + outer[Th[k][(e + 2) % 3]] == 2) ++across;
+  }
+cout << "GOT " << Th.nv << " " << across << " " << outer.sum << endl;
+"""
+
 HESSIANS = """
 mesh Th = square(16, 16);
 fespace Wh(Th, P2);
@@ -108,6 +130,15 @@ class IncludeTest(unittest.TestCase):
         self.assertEqual(status, 0, text)
         ours, theirs = numbers[0]
         self.assertLess(abs(ours / theirs - 1), 0.1, text)
+
+    def test_no_inner_edge_joins_two_vertices_of_the_boundary(self):
+        status, numbers, text, files = run(BOUNDARY)
+        self.assertEqual(status, 0, text)
+        self.assertNotIn("splitpbedge", text)
+        vertices, across, outer = numbers[0]
+        self.assertEqual(across, 0, text)
+        self.assertLess(outer, vertices)
+        self.assertEqual(files, ["script.edp"])
 
     def test_second_derivatives_of_a_script(self):
         status, numbers, text, _ = run(HESSIANS)

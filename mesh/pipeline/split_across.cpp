@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/split_across.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/adapt/agreement.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/audit/split_edges.hpp"
+#include "asterism/mesh/pipeline/audited_mesh.hpp"
+#include "asterism/mesh/pipeline/delivered_metric.hpp"
+#include "asterism/mesh/pipeline/giving_back.hpp"
+#include "asterism/mesh/pipeline/tolerated_metric.hpp"
+#include "asterism/mesh/stars/work_limit.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using namespace adapting;
+
+class across_splitter {
+ public:
+  // All must outlive it.
+  across_splitter(const domain& d, const metric_field& field, const mesh_options& options,
+                  double unit)
+      : domain_(d), field_(field), options_(options), made_(domain_, options_) {
+    options_.stop = with_run_work(options.stop);
+    agree_.angle_bound = options.angle_bound;
+    agree_.unit = unit;
+    agree_.stop = options_.stop;
+    agree_.wanted = [this](const point& q) { return wanted_at(q); };
+  }
+
+  // Returns a certified mesh without such edges, or none.
+  std::optional<mesh> run(const mesh& start) {
+    constexpr int most_attempts = 8;
+    mesh now = start;
+    for (int attempt = 0; attempt < most_attempts && !is_stopped(); ++attempt) {
+      auto built = working_mesh::build(domain_, now);
+      if (!built) return std::nullopt;
+      working_mesh m = std::move(built).value();
+      if (!split_and_agree(m) || !certify(m)) return std::nullopt;
+      now = made_.subject();
+      if (edges_across(now).empty()) return now;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool is_stopped() const {
+    return options_.stop.told().has_value() || !(options_.stop.units_left() > 0);
+  }
+
+  std::optional<metric_tensor> wanted_at(const point& q) const {
+    const auto there = field_.at(q);
+    return there ? std::optional(there.value()) : std::nullopt;
+  }
+
+  // Returns which nodes are ends of edges with a face on one side alone.
+  static std::vector<char> outer_nodes(const working_mesh& m) {
+    std::vector<char> is_outer(m.nodes().size(), 0);
+    for (const face& f : m.faces())
+      for (std::size_t i = 0; f.exists() && i < 3; ++i)
+        if (f.next[i] == none) is_outer[f.v[after(i)]] = is_outer[f.v[before(i)]] = 1;
+    return is_outer;
+  }
+
+  // Returns the place to split an edge at: its middle, or the nearest of its curve.
+  static std::optional<point> middle_of(const working_mesh& m, vertex_index t, std::size_t i) {
+    const face& f = m.faces()[t];
+    const point &a = m.at(f.v[after(i)]).position, &b = m.at(f.v[before(i)]).position;
+    const point middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+    return f.segment[i] == none ? std::optional(middle) : m.place_on_edge(t, i, middle);
+  }
+
+  // Splits all such edges that there are now. Returns the new nodes, or none where an edge cannot
+  // be split, or the metric fails.
+  std::optional<node_list> split_all(working_mesh& m) const {
+    const std::vector<char> is_outer = outer_nodes(m);
+    const auto is_across = [&](const face& f, std::size_t i) {
+      const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+      return f.next[i] != none && a < is_outer.size() && b < is_outer.size() && is_outer[a] != 0 &&
+             is_outer[b] != 0;
+    };
+    node_list added;
+    for (vertex_index t = 0; t < m.faces().size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (!m.faces()[t].exists() || !is_across(m.faces()[t], i)) continue;
+        const auto where = middle_of(m, t, i);
+        const auto metric = where ? wanted_at(*where) : std::nullopt;
+        const auto node = metric ? m.split(t, i, *where) : std::nullopt;
+        if (!node) return std::nullopt;
+        m.set_metric(*node, *metric);
+        added.push_back(*node);
+        i = 3;  // the face is another one now; its other edges are seen in the next round
+      }
+    return added;
+  }
+
+  // Splits and makes stars agree by turns, as flips may make new ones, until there are none.
+  bool split_and_agree(working_mesh& m) const {
+    constexpr int most_rounds = 40;
+    agreement agreeing(m, agree_);
+    for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
+      const auto added = split_all(m);
+      if (!added) return false;
+      if (added->empty()) return true;
+      if (m.count() > options_.max_sites) return false;
+      agreeing.changed_at(*added);
+      agreeing.run();
+    }
+    return false;
+  }
+
+  // Gives the nodes the tensors wanted where the auditor lets that pass, or has the mesh mended as
+  // it is. Returns whether it is certified.
+  bool certify(working_mesh& m) {
+    constexpr int most_repairs = 12;
+    std::vector<metric_tensor> wanted;
+    for (const node& n : m.nodes()) {
+      const auto there =
+          n.kind == node_kind::gone ? std::optional(n.metric) : wanted_at(n.position);
+      if (!there) return false;
+      wanted.push_back(*there);
+    }
+    working_mesh given = m;
+    if (give_back(given, std::move(wanted), options_, agree_, made_)) return true;
+    agreement agreeing(m, agree_);
+    for (int repair = 0; repair < most_repairs && !is_stopped(); ++repair) {
+      made_.take(m);
+      made_.judge(std::numeric_limits<std::size_t>::max());
+      if (made_.is_certified()) return true;
+      const std::vector<node_list> found = made_.nodes_found();
+      if (found.empty()) return false;
+      for (const node_list& at : found) agreeing.disagreed_at(at);
+      agreeing.run();
+    }
+    return false;
+  }
+
+  const domain& domain_;
+  const metric_field& field_;
+  mesh_options options_;
+  agreement_options agree_;
+  audited_mesh made_;
+};
+
+// Returns the outcome with another mesh of the same domain.
+std::optional<mesh_outcome> with_mesh(const mesh_outcome& before, mesh m, const domain& d,
+                                      const metric_field& field, const mesh_options& options) {
+  auto compared = compare_with_wanted(m, field, options.angle_bound);
+  if (!compared) return std::nullopt;
+  mesh_outcome after = before;
+  after.result = std::move(m);
+  after.sites = after.result.sites.size();
+  after.triangles = after.result.triangles.size();
+  after.splits = after.result.boundary.size() - d.segments.size();
+  after.inserted = after.sites - d.vertices.size() - after.splits;
+  after.ended.sites = after.sites;
+  after.audited.reset();
+  const double length = before.delivered ? before.delivered->length_factor : 1;
+  const bool is_wanted = !before.delivered && compared.value().changed == 0;
+  after.delivered.reset();
+  if (!is_wanted) after.delivered = std::move(compared).value();
+  if (after.delivered) after.delivered->length_factor = length;
+  after.intolerable = excess_of(after, options);
+  if (after.intolerable) after.complete = false;
+  return after;
+}
+
+}  // namespace
+
+certified_mesh split_across(certified_mesh made, const domain& d, const metric_field& field,
+                            const mesh_options& options, const std::vector<periodic_pair>& pairs) {
+  if (!made.certified()) return made;
+  const auto found = edges_across(made.outcome.result);
+  if (found.empty()) return made;
+  const double unit = made.outcome.delivered ? made.outcome.delivered->length_factor : 1;
+  if (auto without = across_splitter(d, field, options, unit).run(made.outcome.result))
+    if (auto after = with_mesh(made.outcome, *std::move(without), d, field, options))
+      if (auto judged = judge_outcome(*std::move(after), d, options); judged.certified()) {
+        if (!pairs.empty()) claim_periodic(pairs, judged);
+        return judged;
+      }
+  made.outcome.complete = made.claim.complete = false;
+  made.claim.reason = fmt::format(
+      "{} inner edges join two vertices of the boundary, {} and {} the first, and splitting them "
+      "did not end in a certified mesh",
+      found.size(), found[0][0] + 1, found[0][1] + 1);
+  return made;
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// Splits the inner edges of a certified mesh that join two vertices of the boundary
+// (mesh/audit/split_edges.hpp), and certifies what comes of it.
+#pragma once
+
+#include <vector>
+
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/periodic_mesh.hpp"
+
+namespace asterism::internal {
+
+// Gives each such edge a vertex in its middle, makes stars agree about the new triangles, and does
+// so again until there are no more. The mesh is delivered in a metric that may differ from `field`
+// there, as any mesh made by local changes is. Where that does not end, or not in a certified mesh,
+// the mesh stays as it was, is not complete, and says so; one that is not certified stays as it is.
+// The sides of `pairs` keep their points, which is claimed anew.
+certified_mesh split_across(certified_mesh made, const domain& d, const metric_field& field,
+                            const mesh_options& options, const std::vector<periodic_pair>& pairs);
+
+}  // namespace asterism::internal
