@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -97,7 +98,7 @@ std::vector<crack_edge> find_edges(const mesh& m, const std::vector<vertex_index
   const listed_markers listed(m);
   std::vector<crack_edge> found;
   for (const auto& [joined, left] : open) {
-    if (joined[0] > joined[1]) continue;
+    if (joined[0] >= joined[1]) continue;  // from the other side; of no length, of no slit
     const ends back{joined[1], joined[0]};
     const auto at = std::lower_bound(open.begin(), open.end(), std::pair(back, ends{0, 0}));
     if (at == open.end() || at->first != back) continue;
@@ -117,19 +118,30 @@ std::vector<crack_edge> find_edges(const mesh& m, const std::vector<vertex_index
   return found;
 }
 
+error at_same_point(const mesh& m, vertex_index v, vertex_index w, const std::string& why) {
+  return {
+      fmt::format("vertex {} and vertex {} are at the same point ({:.17g}, {:.17g}), and {}: it "
+                  "is no slit. Join them, or take one of them out",
+                  std::min(v, w) + 1, std::max(v, w) + 1, m.sites[v].position.x,
+                  m.sites[v].position.y, why),
+      error_code::invalid_mesh};
+}
+
+// Refuses vertices at one place that are of one triangle, or that no edge of a crack leads to.
 std::optional<error> refuse_others(const mesh& m, const std::vector<vertex_index>& first,
                                    const std::vector<crack_edge>& edges) {
+  for (std::size_t t = 0; t < m.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const vertex_index v = m.triangles[t][i], w = m.triangles[t][(i + 1) % 3];
+      if (v != w && first[v] == first[w])
+        return at_same_point(m, v, w, fmt::format("both are corners of triangle {}", t + 1));
+    }
   std::vector<char> at_crack(m.sites.size(), 0);
   for (const crack_edge& e : edges)
     for (const vertex_index v : e.joined) at_crack[v] = 1;
   for (vertex_index v = 0; v < first.size(); ++v)
     if (first[v] != v && at_crack[first[v]] == 0)
-      return error{
-          fmt::format("vertices {} and {} are both at ({:.17g}, {:.17g}), and no edge that "
-                      "is there twice leads to it: it is no slit. Join them, or take one "
-                      "of them out",
-                      first[v] + 1, v + 1, m.sites[v].position.x, m.sites[v].position.y),
-          error_code::invalid_mesh};
+      return at_same_point(m, first[v], v, "no edge that is there twice leads to it");
   return std::nullopt;
 }
 
@@ -244,9 +256,9 @@ result<joined_cracks> join_cracks(mesh& m) {
   if (!are_in_range(m)) return made;
   const std::vector<vertex_index> first = first_at_place(m);
   if (first.empty()) return made;
+  if (auto refused = refuse_others(m, first, find_edges(m, first))) return *refused;
   list_all_sides(m);
   const std::vector<crack_edge> edges = find_edges(m, first);
-  if (auto refused = refuse_others(m, first, edges)) return *refused;
   list_once(m, edges, made.markers);
   const std::size_t before = m.sites.size();
   made.number = renumber(m, first);

@@ -41,7 +41,8 @@ struct joined_cracks {
 // of all. An edge is listed once, the way in which the lesser marker is on its left; its own marker
 // is that of both sides, if all other edges have others, else one that is free. Fails, naming the
 // vertices, where vertices are at one place and no such edge is at it. Triangles and edges that
-// name missing vertices are left to others to find: then nothing is joined.
+// name missing vertices are left to others to find: then nothing is joined. A mesh that is refused
+// stays as it is.
 ASTERISM_EXPORT result<joined_cracks> join_cracks(mesh& m);
 
 // A mesh with the vertices of both sides.

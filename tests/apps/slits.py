@@ -193,7 +193,11 @@ class Slits(command.CommandTest):
         self.write("t.mesh", medit(two, [(0, 1, 2), (3, 4, 5)], []))
         said = self.done("mesh", "t.mesh", "-o", "n.mesh", status=2)
         self.assertIn("it is no slit", said)
-        self.assertIn("vertices 1 and 4", said)
+        self.assertIn("vertex 1 and vertex 4 are at the same point", said)
+        flat = [(0, 0), (1, 0), (0, 0), (0, 1)]
+        self.write("t.mesh", medit(flat, [(0, 1, 3), (0, 1, 2)], []))
+        said = self.done("mesh", "t.mesh", "-o", "n.mesh", status=2)
+        self.assertIn("both are corners of triangle 2", said)
 
     def test_second_order_along_a_slit(self):
         self.write("s.mesh", medit(*grid(8, 0, (7, 8))))
