@@ -73,7 +73,7 @@ class adaptation {
     // A step costs what its nodes do: the stricter ones are tried while all together have no more
     // than one mesh may have.
     std::size_t made = 0;
-    if (wants_too_few()) make_room_for_segments(part_that_does);
+    make_room_where_needed();
     for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
       bool is_made = attempt(start_, ladder[step]);
       if (std::exchange(wants_room_, false)) {
@@ -145,15 +145,24 @@ class adaptation {
   // Parts of the vertices of a mesh with all room for short segments: with fewer than the first no
   // way led to a mesh, after all the work there may be; the second did on the coasts tried.
   static constexpr double too_small_a_part = 0.57, part_that_does = 0.75;
+  // Complexity with that room, of that without, from which it is made at once. On the coasts tried,
+  // with 1.75 and 4.2, the first mesh showed that it was needed, and its work was lost; with 1.1,
+  // where chords of curves are short, it was not.
+  static constexpr double good_part = 1.25;
 
-  // True if so few vertices are wanted that angles at the domain's own cannot be met with them.
-  bool wants_too_few() const {
+  // Makes room for short segments at once where it is known to be needed: where so few vertices are
+  // wanted that angles at the domain's own cannot be met with them, and where the room takes a good
+  // part of all vertices. Else it is made where the first mesh shows that it is needed.
+  void make_room_where_needed() {
     constexpr std::size_t many = 100;  // a few vertices are no coast
-    if (!domain_has_many_vertices() || domain_.vertices.size() < many) return false;
-    const std::vector<metric_tensor> tensors = with_room();
+    if (!domain_has_many_vertices() || domain_.vertices.size() < many) return;
     nodal_field finer = fitted_;
-    finer.set_tensors(tensors);
-    return static_cast<double>(count_) < too_small_a_part * vertices_for_area * finer.complexity();
+    finer.set_tensors(with_room());
+    const double with_all = finer.complexity();
+    if (static_cast<double>(count_) < too_small_a_part * vertices_for_area * with_all)
+      make_room_for_segments(part_that_does);
+    else if (with_all > good_part * fitted_.complexity())
+      make_room_for_segments(0);
   }
 
   // Has as many vertices made as short segments have room for, once; false where there are.
