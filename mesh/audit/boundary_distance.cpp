@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/audit/roots.hpp"
@@ -80,6 +83,41 @@ bool are_finite(const std::vector<point>& points) {
                      [](const point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
+// Vertices of the domain from each of which a segment leads to the next.
+using way = std::vector<vertex_index>;
+using ends = std::pair<vertex_index, vertex_index>;
+
+ends ends_of(vertex_index a, vertex_index b) { return std::minmax(a, b); }
+
+// Joins the chords of divided curves: the first has the way along all of them, the others none.
+void join_chords(const domain& shape, std::vector<way>& ways) {
+  std::map<ends, std::size_t> segment_at;
+  for (std::size_t s = 0; s < shape.segments.size(); ++s)
+    segment_at[ends_of(shape.segments[s].a, shape.segments[s].b)] = s;
+  for (const domain_curve& c : shape.curves) {
+    way along(c.vertices.begin(), c.vertices.end());
+    if (along.size() < 3 || along.front() == along.back()) continue;
+    std::vector<std::size_t> chords;
+    for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+      const auto found = segment_at.find(ends_of(along[i], along[i + 1]));
+      if (found != segment_at.end() && ways[found->second].size() == 2)
+        chords.push_back(found->second);
+    }
+    if (chords.size() + 1 != along.size()) continue;
+    if (shape.segments[chords.front()].a != along.front()) std::reverse(along.begin(), along.end());
+    for (const std::size_t chord : chords) ways[chord].clear();
+    ways[chords.front()] = std::move(along);
+  }
+}
+
+// Returns the ways that the former boundary is known along, one a segment.
+std::vector<way> ways_along(const domain& shape) {
+  std::vector<way> ways;
+  for (const segment& s : shape.segments) ways.push_back({s.a, s.b});
+  join_chords(shape, ways);
+  return ways;
+}
+
 class comparison {
  public:
   comparison(const mesh& subject, const domain& shape)
@@ -95,32 +133,34 @@ class comparison {
     return true;
   }
 
-  // Returns an upper bound of the distance of what the mesh made of a segment and of its former
-  // vertices.
-  double distance(const segment& s, const std::vector<point>& between) const {
-    if (s.a >= mesh_.given || s.b >= mesh_.given) return internal::infinity;
-    const auto now = chain(s);
-    if (!now) return internal::infinity;
-    std::vector<point> before{shape_.vertices[s.a]};
+  // Returns an upper bound of the distance of what the mesh made of segments in a row, given by the
+  // vertices that they lead along, and of their former vertices.
+  double distance(const way& along, const std::vector<point>& between) const {
+    std::vector<point> now;
+    for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+      const auto next = chain(along[i], along[i + 1]);
+      if (!next) return internal::infinity;
+      now.insert(now.end(), next->begin() + (i == 0 ? 0 : 1), next->end());
+    }
+    std::vector<point> before{shape_.vertices[along.front()]};
     before.insert(before.end(), between.begin(), between.end());
-    before.push_back(shape_.vertices[s.b]);
-    if (!are_finite(*now) || !are_finite(before)) return internal::infinity;
-    return root_rounded_up(common_walk(*now, before).greatest_square());
+    before.push_back(shape_.vertices[along.back()]);
+    if (!are_finite(now) || !are_finite(before)) return internal::infinity;
+    return root_rounded_up(common_walk(now, before).greatest_square());
   }
 
  private:
-  // Returns the boundary of the mesh from one end of a segment to the other, past no other vertex
-  // of the domain.
-  std::optional<std::vector<point>> chain(const segment& s) const {
-    for (const vertex_index first : leaving_[s.a]) {
-      std::vector<point> along{mesh_.sites[s.a].position};
+  // Returns the boundary of the mesh from one vertex of the domain to another, past no other.
+  std::optional<std::vector<point>> chain(vertex_index from, vertex_index to) const {
+    for (const vertex_index first : leaving_[from]) {
+      std::vector<point> along{mesh_.sites[from].position};
       vertex_index v = first;
       // Bounded: a damaged mesh may go round without ever meeting a vertex of the domain.
       while (v >= mesh_.given && leaving_[v].size() == 1 && along.size() <= mesh_.boundary.size()) {
         along.push_back(mesh_.sites[v].position);
         v = leaving_[v].front();
       }
-      if (v != s.b) continue;
+      if (v != to) continue;
       along.push_back(mesh_.sites[v].position);
       return along;
     }
@@ -132,6 +172,16 @@ class comparison {
   std::vector<std::vector<vertex_index>> leaving_;
 };
 
+// True if all segments and curves are between vertices that there are.
+bool has_ends(const domain& d) {
+  const auto is_there = [&d](vertex_index v) { return v < d.vertices.size(); };
+  return std::all_of(d.segments.begin(), d.segments.end(),
+                     [&](const segment& s) { return is_there(s.a) && is_there(s.b); }) &&
+         std::all_of(d.curves.begin(), d.curves.end(), [&](const domain_curve& c) {
+           return std::all_of(c.vertices.begin(), c.vertices.end(), is_there);
+         });
+}
+
 }  // namespace
 
 former_boundary_report measure_former_boundary(const mesh& subject, const domain& shape,
@@ -139,13 +189,19 @@ former_boundary_report measure_former_boundary(const mesh& subject, const domain
   former_boundary_report report;
   for (const std::vector<point>& one : former.between) report.vertices_gone += one.size();
   const comparison compared(subject, shape);
-  if (former.between.size() != shape.segments.size() || !compared.has_vertices()) {
+  if (former.between.size() != shape.segments.size() || !compared.has_vertices() ||
+      !has_ends(shape)) {
     report.largest_distance = internal::infinity;
     return report;
   }
-  for (std::size_t s = 0; s < former.between.size(); ++s)
-    report.largest_distance =
-        std::max(report.largest_distance, compared.distance(shape.segments[s], former.between[s]));
+  const std::vector<way> ways = ways_along(shape);
+  for (std::size_t s = 0; s < ways.size(); ++s) {
+    const std::vector<point>& between = former.between[s];
+    const double distance = !ways[s].empty()  ? compared.distance(ways[s], between)
+                            : between.empty() ? 0
+                                              : internal::infinity;
+    report.largest_distance = std::max(report.largest_distance, distance);
+  }
   return report;
 }
 

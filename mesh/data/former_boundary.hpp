@@ -11,8 +11,8 @@
 
 namespace asterism {
 
-// The former boundary, with internal segments, along the segments of a domain. Each segment leads
-// from one former vertex to another.
+// The former boundary, with internal segments, along the segments of a domain. Each leads from one
+// former vertex to another; so do all chords of a curve together, whose first has their vertices.
 struct former_boundary {
   // The former vertices between the ends of each segment, from its first to its second: as many
   // lists as the domain has segments.

@@ -137,7 +137,7 @@ result<arc_length> measured(const curve_path& path, const metric_field& field, d
 result<parameters_of_curves> even_parameters(const std::vector<curve_path>& paths,
                                              const curve_division& wanted) {
   parameters_of_curves found(paths.size(), {0, 1});
-  if (wanted.field == nullptr) return found;
+  if (wanted.field == nullptr || !wanted.is_even) return found;
   std::vector<arc_length> lengths;
   double chords = 0;
   for (const curve_path& path : paths) {

@@ -52,6 +52,8 @@ struct curve_division {
   // outlive the call.
   const metric_field* field = nullptr;
   std::size_t most_chords = 100000;
+  // False to leave out the even pieces that the metric asks for: those there are are halved alone.
+  bool is_even = true;
 };
 
 // Returns the domain with chords for its curves, as check_domain takes it. Without curves it comes

@@ -14,6 +14,7 @@
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/kept_mesh.hpp"
+#include "asterism/mesh/pipeline/outline_chords.hpp"
 #include "asterism/mesh/pipeline/split_across.hpp"
 
 namespace asterism {
@@ -142,6 +143,7 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
         error_code::bad_option};
   const mesh_marks marks = joined_marks(from.marks, adopted.value().number);
   std::optional<mesh> own;  // the mesh, as one that may stay
+  std::optional<chorded_outline> for_new;
   if (options.exact) {
     const auto divided = divided_for(background, *options.exact, options);
     if (!divided) return divided.failure();
@@ -157,6 +159,8 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     done.boundary_kept = found.keeps_all ? found.boundary_vertices : found.kept;
     done.former = found.former;
     if (has_periodic_sides(background, options.periodic)) own = as_mesh_of(background, found);
+    // Chords of periodic sides would have to match.
+    if (!found.keeps_all && options.periodic.empty()) for_new = with_chords_for(background, found);
   }
   if (const auto failed = check_periodic(done.shape, options.periodic)) return *failed;
   keeping kept(own, options);
@@ -167,12 +171,17 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
   }
   const auto field = make_sampled_field(background, 1);
   const mesh_options how = options_for(background, options);
-  auto made = make_periodic_mesh(done.shape, *field, how, options.periodic, progress);
+  const domain& shape = for_new ? for_new->shape : done.shape;
+  auto made = make_periodic_mesh(shape, *field, how, options.periodic, progress);
   if (!made) return made.failure();
   done.made = std::move(made).value();
   if (options.no_split_across)
     done.made = split_across(std::move(done.made), done.shape, *field, how, options.periodic);
   if (kept.is_as_good_as(done.made)) stay(kept, options, done);
+  if (!done.kept && for_new) {
+    done.shape = std::move(for_new->shape);
+    done.former = std::move(for_new->former);
+  }
   compare_boundaries(done);
   return done;
 }

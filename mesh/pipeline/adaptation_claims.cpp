@@ -17,6 +17,7 @@
 #include "asterism/mesh/pipeline/frozen_regions.hpp"
 #include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/metric_request.hpp"
+#include "asterism/mesh/pipeline/outline_chords.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -134,10 +135,14 @@ void compare_domain(const certificate& claim, const adapted_rest& rest, field_ch
        {"boundary-kept", std::to_string(found.keeps_all ? found.boundary_vertices : found.kept)},
        {"boundary-distance", number_text(claim.former_distance.largest_distance)}},
       claim, check);
-  if (!claim.former || claim.former->between != found.former.between ||
-      claim.former->allowed != found.former.allowed)
+  // A mesh that stayed is of the outline as it was found, and so is one with periodic sides.
+  const bool is_whole = word_of(claim, "kept") == "yes" || !claim.periodic_asked.empty();
+  const chorded_outline now = is_whole ? chorded_outline{found.shape, found.former}
+                                       : with_chords_for(adopted.subject, found);
+  if (!claim.former || claim.former->between != now.former.between ||
+      claim.former->allowed != now.former.allowed)
     check.contradictions.push_back("the former boundary is not that of the mesh that was adapted");
-  const domain& own = found.keeps_all ? adopted.shape : found.shape;
+  const domain& own = found.keeps_all ? adopted.shape : now.shape;
   const domain& said = *claim.original;
   const auto same = [](const segment& s, const segment& t) {
     return s.a == t.a && s.b == t.b && s.marker == t.marker && s.internal == t.internal;

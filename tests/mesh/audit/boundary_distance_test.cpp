@@ -110,6 +110,48 @@ TEST_CASE("the distance bounds what is sampled, and closely where the polygons a
   }
 }
 
+TEST_CASE("the chords of a curve that is divided are one way") {
+  // Two chords from (0, 0) by (0.5, 0.25) to (1, 0), as a cubic has them, the second one listed
+  // last.
+  for (const bool is_reversed : {false, true}) {
+    domain d;
+    d.vertices = {{0, 0}, {1, 0}, {0.5, 0.25}};
+    d.segments = {{0, 2, 0}, {2, 1, 0}};
+    domain_curve cubic;
+    cubic.kind = curve_kind::cubic;
+    cubic.control = {{{0.25, 0.3}, {0.75, 0.3}}};
+    cubic.vertices = {0, 2, 1};
+    cubic.parameters = {0, 0.5, 1};
+    d.curves = {cubic};
+    mesh m;
+    for (const point& p : d.vertices) m.sites.push_back({p, {1, 0, 1}});
+    m.given = 3;
+    m.boundary = {{0, 2, 0, 0}, {2, 1, 1, 0}};
+    if (is_reversed) {
+      for (segment& s : d.segments) std::swap(s.a, s.b);
+      for (boundary_edge& e : m.boundary) std::swap(e.a, e.b);
+    }
+    const auto distance = [&](const std::vector<std::vector<point>>& between) {
+      return measure_former_boundary(m, d, {between, {}}).largest_distance;
+    };
+    CHECK(distance({{}, {}}) == 0.25);
+    CHECK(distance({{{0.5, 0.25}}, {}}) == 0);
+    CHECK(distance({{{0.5, 0.5}}, {}}) == 0.25);
+    CHECK(distance({{}, {{0.5, 0.25}}}) == std::numeric_limits<double>::infinity());
+    // In the direction of the segments.
+    std::vector<point> along = {{0.2, 0.1}, {0.8, 0.1}};
+    if (is_reversed) std::reverse(along.begin(), along.end());
+    CHECK(distance({along, {}}) < 0.2);
+    std::reverse(along.begin(), along.end());
+    CHECK(distance({along, {}}) > 0.4);
+    // A curve of which a chord is missing joins nothing: each segment is by itself.
+    d.curves[0].vertices = {0, 1, 2};
+    CHECK(distance({{}, {}}) == 0);
+    d.curves[0].vertices = {0, 77, 1};
+    CHECK(distance({{}, {}}) == std::numeric_limits<double>::infinity());
+  }
+}
+
 TEST_CASE("what is no boundary of the domain is infinitely far") {
   const double infinity = std::numeric_limits<double>::infinity();
   const chain one({{0.5, 0.125}});
