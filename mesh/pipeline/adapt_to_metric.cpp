@@ -176,7 +176,7 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
   if (!made) return made.failure();
   done.made = std::move(made).value();
   if (options.no_split_across)
-    done.made = split_across(std::move(done.made), done.shape, *field, how, options.periodic);
+    done.made = split_across(std::move(done.made), shape, *field, how, options.periodic);
   if (kept.is_as_good_as(done.made)) stay(kept, options, done);
   if (!done.kept && for_new) {
     done.shape = std::move(for_new->shape);
