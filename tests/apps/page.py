@@ -316,16 +316,16 @@ class PageTest(CommandTest):
         self.assertIn("no metric", self.text("asked"))
         slider = self.driver.find_element("id", "frame")
         self.assertEqual((slider.get_attribute("min"), slider.get_attribute("max")), ("1", "4"))
-        legend = self.text("colours")
+        legend = self.ask("document.getElementById('colours').innerText")
         self.assertRegex(legend, r"solution: 1\s+-?[\d.]+\s+[34]")
-        self.driver.find_element("id", "play").click()
-        seen = set()
-        for _ in range(100):
-            seen.add((self.text("framed"), self.text("colours")))
-            if self.driver.find_element("id", "play").text == "Play":
-                break
-            self.driver.execute_async_script("setTimeout(arguments[0], 60)")
-        self.assertEqual({name for name, _ in seen}, {"r0", "r1", "r2", "r3"})
+        seen = self.driver.execute_async_script("""
+            const done = arguments[0], play = document.getElementById("play"), seen = [];
+            const look = () => seen.push([document.getElementById("framed").textContent, document.getElementById("colours").innerText]);
+            new MutationObserver(look).observe(document.getElementById("framed"), { childList: true });
+            play.click();
+            const wait = () => (play.textContent === "Play" ? done(seen) : setTimeout(wait, 50));
+            wait();""")
+        self.assertEqual([name for name, _ in seen], ["r0", "r1", "r2", "r3"])
         self.assertEqual({colours for _, colours in seen}, {legend})
 
     def test_a_domain_is_shown_as_it_was_before_it_was_repaired(self):

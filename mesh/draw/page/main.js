@@ -97,6 +97,7 @@ function makeColouring(stage, frames, bound) {
     choice.replaceChildren(...modes.map((mode, i) => make("option", { value: i }, nameOf(mode))));
     const same = modes.findIndex((mode) => nameOf(mode) === wanted), value = same < 0 ? modes.first : same;
     choice.value = value;
+    wanted ??= nameOf(modes[value]);  // the page's own mesh comes first
     if (frame.scene.colouredBy === nameOf(modes[value])) {
       stage.mode = modes[value];
       showLegend(modes[value]);
