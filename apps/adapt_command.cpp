@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,15 +17,14 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/frozen.hpp"
-#include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/job_words.hpp"
 #include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/page_facts.hpp"
 #include "asterism/apps/periodic_options.hpp"
-#include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/proof_output.hpp"
+#include "asterism/apps/run_files.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/second_order.hpp"
 #include "asterism/apps/solution_options.hpp"
@@ -38,13 +36,9 @@
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
-#include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
-#include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
-#include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/solution_output.hpp"
-#include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/adapt_to_metric.hpp"
 #include "asterism/mesh/pipeline/adaptation_target.hpp"
@@ -110,33 +104,32 @@ struct adapted {
   const mesh& background() const { return has_frozen() ? rest : wanted.background; }
 };
 
-std::optional<error> check_files(const adapt_job& job, const fs::path& certificate_path) {
+std::optional<error> check_solutions(const adapt_job& job) {
   if (auto failed = check_order(job.order, job.outputs)) return failed;
-  std::vector<fs::path> used = files_of(job.request);
-  std::error_code ignored;
-  if (fs::is_regular_file(job.domain, ignored)) used.emplace_back(job.domain);
-  for (const fs::path& output : job.outputs) {
-    const auto format = check_output(output);
-    if (!format) return format.failure();
-    used.push_back(output);
-    if (format.value() == mesh_format::medit) used.push_back(solution_path(output));
-  }
   if (!job.values.empty() && job.request.solution.empty())
     return error{"--solution-out: there is no --solution to transfer", error_code::bad_option};
-  for (const fs::path& values : {job.values, job.carried}) {
-    if (values.empty()) continue;
-    if (const auto place = check_solution_output(values); !place) return place.failure();
-    used.push_back(values);
-  }
-  used.push_back(certificate_path);
-  if (!job.proof.empty()) {
-    if (auto failed = check_place(job.proof)) return failed;
-    used.push_back(job.proof);
-  }
-  for (const fs::path& output : job.outputs)
-    if (auto failed = check_place(solution_path(output))) return failed;
-  if (auto failed = check_distinct(used)) return failed;
-  return check_place(certificate_path);
+  for (const fs::path& values : {job.values, job.carried})
+    if (!values.empty())
+      if (const auto place = check_solution_output(values); !place) return place.failure();
+  return std::nullopt;
+}
+
+std::vector<fs::path> files_read_by(const adapt_job& job) {
+  std::vector<fs::path> read = files_of(job.request);
+  std::error_code ignored;
+  if (fs::is_regular_file(job.domain, ignored)) read.emplace_back(job.domain);
+  return read;
+}
+
+// Returns where the files of the run go.
+run_files files_written_by(const adapt_job& job) {
+  run_files files{job.outputs,
+                  {},
+                  job.proof,
+                  job.certificate.empty() ? certificate_beside(job.outputs) : job.certificate};
+  for (const fs::path& values : {job.values, job.carried})
+    if (!values.empty()) files.solutions.push_back(values);
+  return files;
 }
 
 std::optional<error> take_domain(adapt_job& job) {
@@ -268,18 +261,6 @@ report_facts facts_of_page(const adapt_job& job, const fs::path& certificate_pat
   return facts;
 }
 
-written_paths written_files(const adapt_job& job, const fs::path& certificate_path,
-                            const adapted& made) {
-  written_paths all;
-  for (const fs::path& output : job.outputs)
-    for (const fs::path& file : files_of_output(output)) all.push_back(file);
-  for (const fs::path& values : {job.values, job.carried})
-    if (!values.empty()) all.push_back(values);
-  if (made.proof.proof) all.push_back(job.proof);
-  all.push_back(certificate_path);
-  return all;
-}
-
 // Returns the fields of the solution, and those that were carried, as their files name them.
 std::pair<solution, solution> parted(const adapted& made) {
   std::pair<solution, solution> parts;
@@ -297,33 +278,24 @@ std::pair<solution, solution> parted(const adapted& made) {
   return parts;
 }
 
-std::optional<error> write_all(const adapt_job& job, const fs::path& certificate_path,
-                               const adapted& made) {
-  write_options options;
-  options.names = names_in(job.request.mesh);
-  options.order = job.order;
-  options.curved = made.curved;
-  options.cracks = made.next.cracks;
+std::optional<error> write_all(const adapt_job& job, const run_files& files, const adapted& made) {
+  write_options how;
+  how.names = names_in(job.request.mesh);
+  how.order = job.order;
+  how.curved = made.curved;
+  how.cracks = made.next.cracks;
   const certificate& claim = made.next.made.claim;
-  options.smooth = smooth_vertices(made.next.shape);
-  if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, made);
-  options.note = file_note_of(claim);
-  std::vector<output_file> files;
-  for (const fs::path& output : job.outputs) {
-    auto rendered = render_mesh(output, made.written(), options);
-    if (!rendered) return rendered.failure();
-    std::move(rendered.value().begin(), rendered.value().end(), std::back_inserter(files));
-  }
+  how.smooth = smooth_vertices(made.next.shape);
+  if (has_page(job.outputs)) how.report = facts_of_page(job, files.certificate, made);
+  how.note = file_note_of(claim);
+  run_contents contents{made.written(), claim, how, made.proof};
+  contents.proved = &made.next.made.outcome.result;
   const auto [own, carried] = parted(made);
-  if (!job.values.empty()) files.push_back({job.values, solution_text(job.values, own)});
-  if (!job.carried.empty()) files.push_back({job.carried, solution_text(job.carried, carried)});
-  if (made.proof.proof)
-    files.push_back(proof_file(job.proof, made.next.made.outcome.result, *made.proof.proof));
-  files.push_back(certificate_file(certificate_path, claim));
-  const held_signals held;
-  const auto written = asterism::internal::write_files(files);
-  if (!written) return written.failure();
-  return std::nullopt;
+  if (!job.values.empty())
+    contents.solutions.push_back({job.values, solution_text(job.values, own)});
+  if (!job.carried.empty())
+    contents.solutions.push_back({job.carried, solution_text(job.carried, carried)});
+  return write_files(files, contents);
 }
 
 // Says whether the mesh given stays, where that is not plain from what was asked.
@@ -366,12 +338,11 @@ int run_adapt(adapt_job job) {
   const auto start = std::chrono::steady_clock::now();
   std::optional<tbb::global_control> threads;
   if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
-  fs::path certificate_path = job.certificate;
-  if (certificate_path.empty())
-    certificate_path = fs::path(job.outputs[0]).replace_extension(".certificate.json");
+  const run_files files = files_written_by(job);
   set_defaults(job.request);
   if (const auto failed = check_request(job.request)) return complain(*failed, refused);
-  if (const auto failed = check_files(job, certificate_path)) return complain(*failed, refused);
+  if (const auto failed = check_solutions(job)) return complain(*failed, refused);
+  if (const auto failed = check_files(files, files_read_by(job))) return complain(*failed, refused);
   run_limits limits(job.max_seconds, std::nullopt);
   if (const auto failed = take_domain(job)) return complain(*failed, refused);
   auto made = adapt(job, limits);
@@ -388,17 +359,17 @@ int run_adapt(adapt_job job) {
       find_proof(job.proof, next.outcome.result, &made.value().next.shape, next.report.certified);
   limits.conclude();
   if (const auto failed = curve(job, made.value())) return complain(*failed, not_reached);
-  if (const auto failed = write_all(job, certificate_path, made.value()))
+  if (const auto failed = write_all(job, files, made.value()))
     return complain(*failed, not_reached);
   const auto missed =
       what_is_missed(made.value().next, made.value().wanted.report, made.value().vertices_wanted);
   const int status = missed || made.value().proof.missing ? not_reached : done;
   if (job.json)
     std::cout << adapt_json(facts_of(made.value()), status,
-                            written_files(job, certificate_path, made.value()));
+                            written_files(files, made.value().proof));
   else if (!job.quiet) {
     summarize(job, made.value());
-    write_files_written(std::cout, written_files(job, certificate_path, made.value()), start);
+    write_files_written(std::cout, written_files(files, made.value().proof), start);
   }
   return made.value().proof.conclude(missed ? complain({"not reached: " + *missed}, not_reached)
                                             : done);

@@ -16,7 +16,6 @@
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
-#include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/job_words.hpp"
 #include "asterism/apps/json_summary.hpp"
 #include "asterism/apps/notes.hpp"
@@ -25,6 +24,7 @@
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/proof_output.hpp"
+#include "asterism/apps/run_files.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/second_order.hpp"
 #include "asterism/apps/summary.hpp"
@@ -34,12 +34,10 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/site_box.hpp"
-#include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
-#include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
@@ -96,70 +94,37 @@ Examples:
   asterism certify bamg.mesh -o bamg.html
   asterism certify bamg.mesh --metric swirl:24 --size 0.02 --repair -o repaired.mesh)";
 
-fs::path certificate_path(const certify_options& options) {
-  return fs::path(options.outputs.front()).replace_extension(".certificate.json");
+// Returns where the files of the run go. There is a certificate with the mesh alone.
+run_files files_written_by(const certify_options& options) {
+  run_files files{options.outputs, {}, options.proof, {}};
+  if (!options.outputs.empty()) files.certificate = certificate_beside(options.outputs);
+  return files;
 }
 
 std::optional<error> check_files(const certify_options& options) {
   if (options.repair && options.outputs.empty())
     return error{"--repair: name the file to write with -o", error_code::bad_option};
-  if (!options.proof.empty())
-    if (auto failure = check_place(options.proof)) return failure;
   if (options.outputs.empty() && options.proof.empty()) return std::nullopt;
-  std::vector<fs::path> used = {options.mesh};
-  if (!options.metric && options.solution.empty()) used = files_read_with(options.mesh);
-  if (!options.metric && !options.solution.empty()) used.push_back(options.solution);
-  if (!options.proof.empty()) used.push_back(options.proof);
-  if (options.outputs.empty()) return check_distinct(used);
-  used.push_back(certificate_path(options));
-  for (const fs::path& output : options.outputs) {
-    const auto format = check_output(output);
-    if (!format) return format.failure();
-    for (const fs::path& file : files_of_output(output)) used.push_back(file);
-  }
-  if (auto failure = check_distinct(used)) return failure;
-  return check_place(certificate_path(options));
-}
-
-using output_files = std::vector<output_file>;
-
-// The files of `outputs`, not yet written.
-result<output_files> render(const std::vector<fs::path>& outputs, const mesh& m,
-                            const write_options& how) {
-  output_files all;
-  for (const fs::path& output : outputs) {
-    auto files = render_mesh(output, m, how);
-    if (!files) return files;
-    std::move(files.value().begin(), files.value().end(), std::back_inserter(all));
-  }
-  return all;
-}
-
-std::optional<error> write_together(const output_files& files) {
-  const held_signals held;
-  const auto written = write_files(files);
-  if (!written) return written.failure();
-  return std::nullopt;
+  std::vector<fs::path> read = {options.mesh};
+  if (!options.metric && options.solution.empty()) read = files_read_with(options.mesh);
+  if (!options.metric && !options.solution.empty()) read.push_back(options.solution);
+  return check_files(files_written_by(options), std::move(read));
 }
 
 std::optional<error> write_result(const certify_options& options, const mesh& m,
                                   const crack_markers& cracks, const certificate& claim,
                                   report_facts facts, const proof_output& proof) {
+  const run_files files = files_written_by(options);
   write_options how;
   how.cracks = cracks;
   how.picture.angle_bound = options.angle_bound;
   how.note = file_note_of(claim);
   facts.claim = claim;
   if (!options.outputs.empty())
-    facts.repeat = repeating_command(options.outputs, certificate_path(options));
+    facts.repeat = repeating_command(options.outputs, files.certificate);
   how.report = std::move(facts);
   how.names = names_in(options.mesh);
-  auto files = render(options.outputs, m, how);
-  if (!files) return files.failure();
-  if (proof.proof) files.value().push_back(proof_file(options.proof, m, *proof.proof));
-  if (!options.outputs.empty())
-    files.value().push_back(certificate_file(certificate_path(options), claim));
-  return write_together(files.value());
+  return write_files(files, {m, claim, how, proof});
 }
 
 // The command that judges the same mesh again.
@@ -233,9 +198,9 @@ int show_what_was_found(const certify_options& options, const adopted_mesh& adop
   how.report.claim = claim_of_judgement(options, adopted, report);
   how.report.claim->reason = "the auditor refuses the mesh as it came";
   how.report.repeat = command_of(options);
-  const auto files = render(pages, adopted.subject, how);
-  if (!files) return complain(files.failure(), not_reached);
-  if (const auto failure = write_together(files.value())) return complain(*failure, not_reached);
+  if (const auto failure =
+          write_files({pages}, {adopted.subject, *how.report.claim, how, proof_output{}}))
+    return complain(*failure, not_reached);
   return not_reached;
 }
 

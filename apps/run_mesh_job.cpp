@@ -12,7 +12,6 @@
 
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/freed_memory.hpp"
-#include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/job_input.hpp"
 #include "asterism/apps/job_words.hpp"
 #include "asterism/apps/json_summary.hpp"
@@ -24,6 +23,7 @@
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/proof_output.hpp"
+#include "asterism/apps/run_files.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/second_order.hpp"
 #include "asterism/apps/summary.hpp"
@@ -32,12 +32,9 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/draw/outline.hpp"
-#include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
-#include "asterism/mesh/io/render_mesh.hpp"
-#include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/curved_sides.hpp"
 #include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
@@ -49,10 +46,9 @@ using namespace internal;
 namespace fs = std::filesystem;
 namespace {
 
-// Checks that every file the job reads or writes is a different one, and each can be written.
-std::optional<error> check_files(const mesh_job& job, const fs::path& certificate_path) {
-  if (auto failure = check_order(job.order, job.outputs)) return failure;
-  std::vector<fs::path> used = {certificate_path};
+// Returns the files that the job reads.
+std::vector<fs::path> files_read_by(const mesh_job& job) {
+  std::vector<fs::path> used;
   std::error_code ignored;
   std::vector<fs::path> read = {job.domain};
   if (is_metric_on_mesh(job.metric) && job.metric != job.domain) read.emplace_back(job.metric);
@@ -63,26 +59,7 @@ std::optional<error> check_files(const mesh_job& job, const fs::path& certificat
     if (has_ending(file.string(), ".poly") && fs::is_regular_file(vertices, ignored))
       used.push_back(vertices);
   }
-  for (const fs::path& output : job.outputs) {
-    const auto format = check_output(output);
-    if (!format) return format.failure();
-    for (const fs::path& file : files_of_output(output)) used.push_back(file);
-  }
-  if (!job.proof.empty()) used.push_back(job.proof);
-  if (auto failure = check_distinct(used)) return failure;
-  if (!job.proof.empty())
-    if (auto failure = check_place(job.proof)) return failure;
-  return check_place(certificate_path);
-}
-
-std::vector<fs::path> written_files(const mesh_job& job, const fs::path& certificate_path,
-                                    const proof_output& proof) {
-  std::vector<fs::path> all;
-  for (const fs::path& output : job.outputs)
-    for (const fs::path& file : files_of_output(output)) all.push_back(file);
-  if (proof.proof) all.push_back(job.proof);
-  all.push_back(certificate_path);
-  return all;
+  return used;
 }
 
 // Adds to the certificate what only the command knows: how the job was worded.
@@ -120,45 +97,22 @@ result<std::vector<side_node>> curve(const mesh_job& job, const prepared_input& 
   return std::move(sides.value().nodes);
 }
 
-// Writes all files before the first gets its name, the certificate last: where it is,
-// everything else is too. Each is written as soon as it is made, since all of them together may
-// take more room than the mesh.
-std::optional<error> write_files(const mesh_job& job, const fs::path& certificate_path,
-                                 const prepared_input& input, const certified_mesh& made,
-                                 const proof_output& proof, std::vector<side_node> curved) {
-  const certificate& claim = made.claim;
-  write_options options;
-  if (has_page(job.outputs)) options.report = facts_of_page(job, certificate_path, input, made);
-  options.order = job.order;
-  options.curved = std::move(curved);
-  options.cracks = input.cracks;
-  options.names = names_in(job.domain);
-  options.smooth = smooth_vertices(input.shape);
-  for (const repair_place& place : input.repairs.places) options.picture.marks.push_back(place.at);
-  options.picture.ellipses = job.ellipses;
-  options.picture.angle_bound = job.refinement.angle_bound;
-  options.note = file_note_of(claim);
-  if (job.max_megabytes) give_back_small_blocks();  // of the mesher's stars: texts need the room
-  const held_signals held;
-  pending_files files;
-  for (const fs::path& output : job.outputs) {
-    try {
-      const auto rendered = render_mesh(output, made.outcome.result, options);
-      if (!rendered) return rendered.failure();
-      for (const output_file& file : rendered.value())
-        if (auto failed = files.add(file)) return failed;
-    } catch (const std::bad_alloc&) {
-      return error{output.string() + ": there is not enough memory to write it",
-                   error_code::unwritable_file};
-    }
-  }
-  if (proof.proof)
-    if (auto failed = files.add(proof_file(job.proof, made.outcome.result, *proof.proof)))
-      return failed;
-  if (auto failed = files.add(certificate_file(certificate_path, claim))) return failed;
-  const auto written = files.put_in_place();
-  if (!written) return written.failure();
-  return std::nullopt;
+// Returns how the mesh is to be written.
+write_options how_to_write(const mesh_job& job, const fs::path& certificate_path,
+                           const prepared_input& input, const certified_mesh& made,
+                           std::vector<side_node> curved) {
+  write_options how;
+  if (has_page(job.outputs)) how.report = facts_of_page(job, certificate_path, input, made);
+  how.order = job.order;
+  how.curved = std::move(curved);
+  how.cracks = input.cracks;
+  how.names = names_in(job.domain);
+  how.smooth = smooth_vertices(input.shape);
+  for (const repair_place& place : input.repairs.places) how.picture.marks.push_back(place.at);
+  how.picture.ellipses = job.ellipses;
+  how.picture.angle_bound = job.refinement.angle_bound;
+  how.note = file_note_of(made.claim);
+  return how;
 }
 
 // Says how near the mesh is to what was asked of its size in all.
@@ -259,10 +213,14 @@ int run_within_limits(const mesh_job& asked) {
   mesh_job job = asked;
   std::optional<tbb::global_control> threads;
   if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
-  fs::path certificate_path = job.certificate;
-  if (certificate_path.empty())
-    certificate_path = fs::path(job.outputs[0]).replace_extension(".certificate.json");
-  if (const auto failure = check_files(job, certificate_path)) return complain(*failure, refused);
+  const run_files files{
+      job.outputs,
+      {},
+      job.proof,
+      job.certificate.empty() ? certificate_beside(job.outputs) : job.certificate};
+  if (const auto failure = check_order(job.order, job.outputs)) return complain(*failure, refused);
+  if (const auto failure = check_files(files, files_read_by(job)))
+    return complain(*failure, refused);
   std::optional<memory_account> account;
   if (job.max_megabytes) account.emplace(*job.max_megabytes * 1e6);
   // Until all is written: an interrupt during the audit must not lose the mesh, nor one between two
@@ -292,18 +250,18 @@ int run_within_limits(const mesh_job& asked) {
   limits.conclude();
   auto curved = curve(job, input.value(), made.value());
   if (!curved) return complain(curved.failure(), not_reached);
-  if (const auto failure = write_files(job, certificate_path, input.value(), made.value(), proof,
-                                       std::move(curved).value()))
+  const write_options how =
+      how_to_write(job, files.certificate, input.value(), made.value(), std::move(curved).value());
+  if (job.max_megabytes) give_back_small_blocks();  // of the mesher's stars: texts need the room
+  if (const auto failure =
+          write_files(files, {made.value().outcome.result, made.value().claim, how, proof}))
     return complain(*failure, not_reached);
   tell(job, input.value(), made.value());
-  if (job.tells())
-    write_files_written(std::cout, written_files(job, certificate_path, proof), start);
+  if (job.tells()) write_files_written(std::cout, written_files(files, proof), start);
   const int status = proof.conclude(conclude(job, made.value()));
   const std::string next = status == done ? "" : next_step(job, input.value(), made.value());
   if (!next.empty() && !job.quiet) std::cerr << "asterism: try " << next << '\n';
-  if (job.json)
-    std::cout << summary_json(made.value(), status, written_files(job, certificate_path, proof),
-                              next);
+  if (job.json) std::cout << summary_json(made.value(), status, written_files(files, proof), next);
   return status;
 }
 
