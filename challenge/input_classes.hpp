@@ -17,7 +17,7 @@ std::span<const input_class> input_classes();
 // Returns the class of that name, null if there is none.
 const input_class* class_named(std::string_view name);
 
-// degenerate_scenes.cpp: on the border between two answers, or a unit in the last place from it.
+// input_classes_degenerate.cpp: on the border between two answers, or a unit in the last place from it.
 scene grid(random_source& random);
 scene cocircular(random_source& random);
 scene collinear(random_source& random);
@@ -28,7 +28,7 @@ scene degenerate(random_source& random);  // one of the five above
 scene one_ulp(random_source& random);
 scene kettner(random_source& random);
 
-// sized_scenes.cpp: numbers of unusual sizes.
+// input_classes_sized.cpp: numbers of unusual sizes.
 scene uniform(random_source& random);
 scene ill_conditioned(random_source& random);
 scene scaled_400(random_source& random);

@@ -40,7 +40,7 @@ std::string_view kind_of(const witness& w);
 
 std::string text_report(const challenge_outcome& outcome);
 std::string markdown_report(const challenge_outcome& outcome, const report_heading& heading);
-// html_report.cpp.
+// report_html.cpp.
 std::string html_report(const challenge_outcome& outcome, const report_heading& heading);
 
 }  // namespace asterism::challenge
