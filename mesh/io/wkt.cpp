@@ -163,16 +163,18 @@ failure wkt_reader::read_ring() {
 failure wkt_reader::read_point() {
   point p;
   std::size_t count = 0;
+  bool has_more = false;
+  const std::size_t line = token_.line;
   for (; count < 4 && token_.text != "," && token_.text != ")" && !token_.empty(); ++count) {
     const auto x = to_number(source_, token_, "coordinate");
     if (!x.ok()) return x.failure();
     if (count == 0) p.x = x.value();
     if (count == 1) p.y = x.value();
-    if (count == 3 || (count == 2 && x.value() != 0))
-      made.heights.add([&] { return "on line " + std::to_string(token_.line); });
+    has_more = has_more || count == 3 || (count == 2 && x.value() != 0);
     advance();
   }
   if (count < 2) return wanted("two coordinates");
+  if (has_more) made.heights.add([line] { return "on line " + std::to_string(line); });
   made.polygons.back().rings.back().push_back(p);
   return {};
 }

@@ -120,6 +120,9 @@ class Polygons(CommandTest):
                    notes=["rings without area dropped: 1, ring 2 of polygon 1"])
         self.check("a.wkt", "POLYGON EMPTY; POLYGON((0 0,1 0,0 1,0 0))", {1: 0.5},
                    notes=["empty geometries passed over: 1, on line 1"])
+        # A point is counted once, however many coordinates it has beyond two.
+        self.check("a.wkt", "POLYGON ZM((0 0 1 2,1 0 1 2,0 1 1 2,0 0 1 2))", {1: 0.5},
+                   notes=["points whose coordinates beyond x and y were dropped: 4, the first: on line 1"])
 
     def test_a_repair_keeps_what_is_inside(self):
         """An enclave whose ring is off by a billionth, and features that overlap by as much."""
