@@ -81,8 +81,12 @@ function drawChosen(context, camera, mesh, t) {
 }
 
 function drawCorners(context, camera, mesh, vertices, colour) {
-  for (const v of vertices) {
-    const at = camera.toPage(mesh.positions[2 * v], mesh.positions[2 * v + 1]);
+  drawPoints(context, camera, vertices.map((v) => ({ x: mesh.positions[2 * v], y: mesh.positions[2 * v + 1] })), colour);
+}
+
+function drawPoints(context, camera, points, colour) {
+  for (const { x, y } of points) {
+    const at = camera.toPage(x, y);
     context.beginPath();
     context.arc(at.x, at.y, 7, 0, 2 * Math.PI);
     strokeWithHalo(context, colour, 2);

@@ -153,7 +153,7 @@ function repairsOf(claim, mesh) {
   };
   return text.split("; ").map((place) => {
     const [, what, x, y] = /^(.*) (\S+) (\S+)$/.exec(place), key = `${Number(x)} ${Number(y)}`;
-    return { vertex: known.get(key) ?? nearest(Number(x), Number(y)), text: `${what} (${x}, ${y})` };
+    return { x: Number(x), y: Number(y), vertex: known.get(key) ?? nearest(Number(x), Number(y)), text: `${what} (${x}, ${y})` };
   });
 }
 

@@ -35,7 +35,7 @@ function makeMarks(stage) {
     showEllipses(drawn);
     showScale(camera);
     drawCorners(context, camera, mesh, corners, markPlace);
-    drawCorners(context, camera, mesh, mesh.repairs.map(({ vertex }) => vertex), markPlace);
+    drawPoints(context, camera, mesh.repairs, markPlace);
     const small = stage.mode?.shownTriangles ?? [];
     drawRings(context, camera, mesh, small);
     if (stage.chosen?.triangle !== undefined) drawChosen(context, camera, mesh, stage.chosen.triangle);
