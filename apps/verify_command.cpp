@@ -116,6 +116,7 @@ std::string theorem_metric_text(const metric_answer& metric) {
 // Returns that the guarantee of the certificate holds, and what it is.
 std::string guarantee_text(const verify_report& verdict, const std::optional<certificate>& claim) {
   if (!claim || !claim->guarantee || !verdict.theorem || !verdict.verified) return "";
+  if (!verdict.theorem->applies) return "";  // at the bound asked now, which is another
   return "; guaranteed: " + text_of(*claim->guarantee, *verdict.theorem);
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/auditor.hpp"
 #include "asterism/mesh/audit/boundary_distance.hpp"
@@ -100,24 +101,35 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
   }
 }
 
-// What a guarantee says of the sites is what the hypotheses, measured again, say. Its factor is
-// held against the covering radius, which it makes as many times smaller, and against the size.
-void compare_guarantee(contradictions& all, const certificate& claim, const certificate& found) {
+// True if it is a power of the root of two, to the last bit: a step of the ladder of sizes.
+bool is_step_of_sizes(double factor) {
+  return factor > 0 && std::isfinite(factor) &&
+         factor == elementary::exp2(std::round(2 * elementary::log2(factor)) / 2);
+}
+
+// What a guarantee says of the sites is what the hypotheses, measured again, say, whatever bound is
+// asked now: they are of the mesh alone. Its factor is held against the covering radius, which it
+// makes as many times smaller, and against the size.
+void compare_guarantee(contradictions& all, const certificate& claim,
+                       const std::optional<theorem_hypotheses>& found) {
   const bool is_asked = option_of(claim, "guarantee") == "asked";
   if (!claim.metric.empty() && claim.guarantee.has_value() != (is_asked && claim.complete))
     all.add(std::string("\"guarantee\" is ") + (claim.guarantee ? "there" : "missing") +
             ", which does not go with \"asked.options.guarantee\"");
   if (!claim.guarantee) return;
   const guarantee_claim& said = *claim.guarantee;
-  if (!found.theorem || !found.theorem->applies)
-    return all.add("the certificate says that a guarantee is kept, and the theorem on nets " +
-                   (found.theorem ? "does not apply: " + found.theorem->reason
-                                  : std::string("was not measured again")));
-  const guarantee_claim kept = guarantee_of(*found.theorem, said.size_factor, said.field_variation);
+  if (!found || !found->applies)
+    return all.add(
+        "the certificate says that a guarantee is kept, and the theorem on nets " +
+        (found ? "does not apply: " + found->reason : std::string("was not measured again")));
+  const guarantee_claim kept = guarantee_of(*found, said.size_factor, said.field_variation);
   all.compare("guarantee.sigma", said.sigma, kept.sigma);
   all.compare("guarantee.eps", said.eps, kept.eps);
   all.compare("guarantee.times_least", said.times_least.value_or(0), kept.times_least.value_or(0));
-  if (!(said.size_factor > 0 && kept.eps * said.size_factor <= guaranteed_covering))
+  if (!is_step_of_sizes(said.size_factor))
+    all.add("\"guarantee.size_factor\" is " + text_of(said.size_factor) +
+            ", which is no power of the root of two");
+  if (!(kept.eps * said.size_factor <= guaranteed_covering))
     all.add("\"guarantee.size_factor\" is " + text_of(said.size_factor) +
             " in the certificate, and the covering radius is " + text_of(kept.eps) +
             ": their product is not " + text_of(guaranteed_covering) + " at most");
@@ -169,7 +181,6 @@ void compare_audit(contradictions& all, const certificate& claim, const certific
   all.compare("audit.certified", claim.certified, found.certified);
   all.compare("audit.stars_checked", claim.stars_checked, found.stars_checked);
   compare_theorems(all, claim.theorem, found.theorem);
-  compare_guarantee(all, claim, found);
   // Findings about the diagram count among the others: the lists are the same only where it was
   // asked for in both audits, or in neither.
   if (claim.voronoi != found.voronoi) return;
@@ -421,6 +432,17 @@ std::vector<std::string> contradictions_of(const certificate& claim, const certi
   return all.take();
 }
 
+// Returns the hypotheses for the bound that the certificate is of: measured anew where another is
+// asked now, and the mesh is one.
+std::optional<theorem_hypotheses> theorem_at_bound(const mesh& subject, const certificate& claim,
+                                                   const audit_options& options,
+                                                   const certificate& found) {
+  if (!claim.guarantee || !claim.angle_bound || !found.theorem ||
+      options.angle_bound == claim.angle_bound)
+    return found.theorem;
+  return measure_theorem_hypotheses(subject, *claim.angle_bound, options.stop);
+}
+
 }  // namespace
 
 verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
@@ -449,11 +471,12 @@ verify_report verify(const mesh& subject, const std::optional<certificate>& clai
   report.regions = found.regions;
   if (claim) {
     report.contradictions = contradictions_of(*claim, found, report.audit, as_claimed);
-    contradictions of_boundary;
-    compare_former(of_boundary, subject, *claim);
-    compare_periodic(of_boundary, subject, *claim, report);
-    compare_split_edges(of_boundary, subject, *claim);
-    for (std::string& sentence : of_boundary.take())
+    contradictions of_mesh;
+    compare_former(of_mesh, subject, *claim);
+    compare_periodic(of_mesh, subject, *claim, report);
+    compare_split_edges(of_mesh, subject, *claim);
+    compare_guarantee(of_mesh, *claim, theorem_at_bound(subject, *claim, options, found));
+    for (std::string& sentence : of_mesh.take())
       report.contradictions.push_back(std::move(sentence));
   }
   report.verified = report.audit.certified && report.audit.angles_checked &&

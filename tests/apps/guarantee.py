@@ -36,6 +36,13 @@ class Guarantee(command.CommandTest):
                 self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
                 self.assertIn("; guaranteed: edges ", again.stdout)
 
+    def test_another_bound_is_asked_of_the_mesh_and_not_of_its_guarantee(self):
+        self.write("plate.poly", PLATE)
+        self.mesh("plate.poly", "--metric", "sink:1", "--size", "0.4")
+        for bound in ("10", "25"):
+            done = self.run_command("verify", "g.mesh", "--angle-bound", bound)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     def test_without_a_size_it_is_1(self):
         self.write("plate.poly", PLATE)
         self.mesh("plate.poly", "--metric", "expr:30;0;30")
@@ -45,13 +52,15 @@ class Guarantee(command.CommandTest):
         self.write("plate.poly", PLATE)
         self.mesh("plate.poly", "--size", "0.4")
         good = self.claim()
-        for change in ({"sigma": 1}, {"eps": 0.01}, {"size_factor": 4}, {"times_least": 1}):
+        for change in ({"sigma": 1}, {"eps": 0.01}, {"size_factor": 4}, {"size_factor": 1 + 2 ** -52}, {"times_least": 1}):
             with self.subTest(change):
                 claim = {**good, "guarantee": {**good["guarantee"], **change}}
                 self.write("g.certificate.json", json.dumps(claim))
                 done = self.run_command("verify", "g.mesh")
                 self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
                 self.assertIn('"guarantee.', done.stdout + done.stderr)
+                other = self.run_command("verify", "g.mesh", "--angle-bound", "10")
+                self.assertEqual(other.returncode, 1, "of another bound: " + other.stdout)
         without = {key: value for key, value in good.items() if key != "guarantee"}
         self.write("g.certificate.json", json.dumps(without))
         self.assertEqual(self.run_command("verify", "g.mesh").returncode, 1)
