@@ -90,10 +90,15 @@ result<certified_mesh> make_periodic_mesh(const domain& d, const metric_field& f
                                           const std::vector<periodic_pair>& pairs,
                                           const progress_listener& progress) {
   if (pairs.empty()) return make_certified_mesh(d, field, options, progress);
+  // Darts start from the distance of the nearest vertices, and the stations are near: of a square
+  // with 224 sites there were 6,700 after a minute, and no end.
+  if (options.strategy == refinement_strategy::poisson_darts)
+    return error{"periodic sides are made by the strategies fill and voronoi, not by darts",
+                 error_code::bad_option};
   auto sides = find_sides(d, pairs);
   if (!sides) return sides.failure();
   constexpr std::size_t part = 4;  // of the sites there may be; more leaves too few for the inside
-  if (options.limit_size)
+  if (options.limit_size && options.strategy == refinement_strategy::fill)
     for (periodic_sides& one : sides.value())
       if (auto failed = divide_by_length(field, options.max_sites / part, one)) return *failed;
   const auto judged_with = [&](star_confirmation confirmed,

@@ -140,6 +140,9 @@ class Periodic(command.CommandTest):
         for word in "4", "4,", "4,2,1", "a,b", "4;2", "4.5,2":
             self.refuse(SLANTED, [word], "--periodic", "two markers are wanted, as 4,2")
         self.write("d.poly", SLANTED)
+        done = self.run_command("mesh", "d.poly", "--refine", "darts", "--periodic", "4,2", "-o", "no.mesh")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("periodic sides are made by the strategies fill and voronoi, not by darts", done.stderr)
         done = self.run_command("mesh", "d.poly", "--size", "0.3", "--periodic", "4,2", "--pieces", "2", "-o", "p/")
         self.assertEqual(done.returncode, 2)
         self.assertIn("--periodic: both sides want the whole domain", done.stderr)
