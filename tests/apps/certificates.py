@@ -39,8 +39,9 @@ def faults(value, schema, path="certificate"):
             yield f"{path}: {value} is out of range"
 
 
-# In certificates of meshes in pieces, and of metrics placed in another box than the domain's.
-NOT_IN_ALL = {"piece", "piece-question", "metric-box"}
+# In certificates of meshes in pieces, of metrics placed in another box than the domain's, and where a guarantee
+# or no edge across was asked for.
+NOT_IN_ALL = {"piece", "piece-question", "metric-box", "guarantee", "split-across"}
 
 
 class Certificates(command.CommandTest):
