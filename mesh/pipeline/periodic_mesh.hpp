@@ -26,8 +26,9 @@ namespace asterism {
 
 // Makes the mesh; without pairs, that of make_certified_mesh. Requirements and failures are its
 // own; fails, too, with a sentence that names both markers, where two sides cannot match: one is no
-// line with two ends, is of a curve, or is not the other shifted or turned; and for darts. The certificate has the
-// pairs, and how they match as match_periodic found; a mesh in which they do not is not complete.
+// line with two ends, is of a curve, or is not the other shifted or turned; and for darts. The
+// certificate has the pairs, and how they match as match_periodic found; a mesh in which they do
+// not is not complete.
 ASTERISM_EXPORT result<certified_mesh> make_periodic_mesh(const domain& d,
                                                           const metric_field& field,
                                                           const mesh_options& options,
