@@ -6,12 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/domain/curve_chords.hpp"
 
 namespace asterism::internal {
 namespace {
 
-double distance(const point& p, const point& q) { return std::hypot(q.x - p.x, q.y - p.y); }
+double distance(const point& p, const point& q) { return elementary::hypot(q.x - p.x, q.y - p.y); }
 
 // True if a vertex of a chord is on its curve. One that split the chord on its own line is off by a
 // part of the chord's height; rounding is far below a millionth of the chord.
