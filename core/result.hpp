@@ -4,6 +4,8 @@
 // fail because of its input returns a result.
 #pragma once
 
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <variant>
@@ -34,6 +36,17 @@ struct error {
   error as(error_code other) const { return {message, other}; }
 };
 
+namespace internal {
+
+// Ends the program because the value of a failure was asked for, which is a fault of the program.
+// Its message says what failed, where a debugger or a caller's handler of SIGABRT would not.
+[[noreturn]] inline void end_without_value(const error& failure) {
+  std::fprintf(stderr, "asterism: value() of a failure: %s\n", failure.message.c_str());
+  std::abort();
+}
+
+}  // namespace internal
+
 // Holds a value or an error, never both. Test it before value():
 //
 //   const auto read = read_medit("wing.mesh");
@@ -47,14 +60,20 @@ class [[nodiscard]] result {
 
   bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
-  // Requires ok().
-  const T& value() const& { return std::get<0>(content_); }
-  T& value() & { return std::get<0>(content_); }
-  T&& value() && { return std::get<0>(std::move(content_)); }
+  // Requires ok(). Of a failure, writes its message to standard error and aborts.
+  const T& value() const& { return *held(std::get_if<0>(&content_)); }
+  T& value() & { return *held(std::get_if<0>(&content_)); }
+  T&& value() && { return std::move(*held(std::get_if<0>(&content_))); }
   // Requires !ok().
   const error& failure() const { return std::get<1>(content_); }
 
  private:
+  template <class Held>
+  Held* held(Held* content) const {
+    if (content == nullptr) internal::end_without_value(*std::get_if<1>(&content_));
+    return content;
+  }
+
   std::variant<T, error> content_;
 };
 
