@@ -124,6 +124,16 @@ TEST_CASE("what a certificate says of a guarantee is proved again") {
   CHECK_FALSE(contradictions([](guarantee_claim& g) { g.eps *= 0.5; }).empty());
   CHECK_FALSE(contradictions([](guarantee_claim& g) { g.size_factor *= 2; }).empty());
   CHECK_FALSE(contradictions([](guarantee_claim& g) { g.times_least.reset(); }).empty());
+  CHECK_FALSE(contradictions([](guarantee_claim& g) {
+                g.size_factor = std::nextafter(g.size_factor, 9);
+              }).empty());
+  // It is of the mesh and its own bound, whatever bound is asked now.
+  for (const double bound : {10.0, 24.0}) {
+    certificate claim = made.value().claim;
+    CHECK(verify(m, claim, {.angle_bound = bound}).verified);
+    claim.guarantee->eps *= 0.5;
+    CHECK_FALSE(verify(m, claim, {.angle_bound = bound}).verified);
+  }
   const auto read = parse_certificate(certificate_text(made.value().claim), "again");
   REQUIRE(read.ok());
   REQUIRE(read.value().guarantee);
