@@ -166,7 +166,7 @@ std::optional<mesh_outcome> with_mesh(const mesh_outcome& before, mesh m, const 
   const double length = before.delivered ? before.delivered->length_factor : 1;
   const bool is_wanted = !before.delivered && compared.value().changed == 0;
   after.delivered.reset();
-  if (!is_wanted) after.delivered = std::move(compared).value();
+  if (!is_wanted) after.delivered.emplace(std::move(compared).value());
   if (after.delivered) after.delivered->length_factor = length;
   after.intolerable = excess_of(after, options);
   if (after.intolerable) after.complete = false;
