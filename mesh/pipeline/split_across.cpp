@@ -151,11 +151,10 @@ class across_splitter {
 };
 
 // Returns the outcome with another mesh of the same domain.
-std::optional<mesh_outcome> with_mesh(const mesh_outcome& before, mesh m, const domain& d,
+std::optional<mesh_outcome> with_mesh(mesh_outcome after, mesh m, const domain& d,
                                       const metric_field& field, const mesh_options& options) {
   auto compared = compare_with_wanted(m, field, options.angle_bound);
   if (!compared) return std::nullopt;
-  mesh_outcome after = before;
   after.result = std::move(m);
   after.sites = after.result.sites.size();
   after.triangles = after.result.triangles.size();
@@ -163,10 +162,10 @@ std::optional<mesh_outcome> with_mesh(const mesh_outcome& before, mesh m, const 
   after.inserted = after.sites - d.vertices.size() - after.splits;
   after.ended.sites = after.sites;
   after.audited.reset();
-  const double length = before.delivered ? before.delivered->length_factor : 1;
-  const bool is_wanted = !before.delivered && compared.value().changed == 0;
+  const double length = after.delivered ? after.delivered->length_factor : 1;
+  const bool is_wanted = !after.delivered && compared.value().changed == 0;
   after.delivered.reset();
-  if (!is_wanted) after.delivered.emplace(std::move(compared).value());
+  if (!is_wanted) after.delivered = std::move(compared).value();
   if (after.delivered) after.delivered->length_factor = length;
   after.intolerable = excess_of(after, options);
   if (after.intolerable) after.complete = false;
