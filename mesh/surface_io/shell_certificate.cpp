@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -77,19 +79,30 @@ void append_face(std::string& text, const shell_face& face) {
 
 error malformed(const std::string& what) { return {what, error_code::malformed_file}; }
 
+// Reads a whole number; what is none, or beyond the type, becomes its greatest, which nothing is.
+template <class Whole>
+Whole whole_of(const json& from) {
+  constexpr Whole none = std::numeric_limits<Whole>::max();
+  if (!from.is_number_integer()) return none;
+  if (from.is_number_unsigned() && !std::in_range<std::int64_t>(from.get<std::uint64_t>()))
+    return none;
+  const auto number = from.get<std::int64_t>();
+  return std::in_range<Whole>(number) ? static_cast<Whole>(number) : none;
+}
+
 // Reads an index that counts from 1; one that is out of range becomes one that the audit refuses.
 std::uint32_t index_of(const json& from) {
-  const auto number = from.get<std::int64_t>();
+  const auto number = whole_of<std::int64_t>(from);
   return number < 1 || number > 0xFFFFFFFFLL ? ~0U : static_cast<std::uint32_t>(number - 1);
 }
 
 void read_face(const json& from, shell_face& face) {
   face.patch = index_of(from.at("patch"));
-  face.scale_u = from.at("scale").at(0).get<int>();
-  face.scale_v = from.at("scale").at(1).get<int>();
+  face.scale_u = whole_of<int>(from.at("scale").at(0));
+  face.scale_v = whole_of<int>(from.at("scale").at(1));
   face.reversed = from.at("reversed").get<bool>();
   mesh& m = face.plane;
-  m.given = from.at("given").get<vertex_index>();
+  m.given = whole_of<vertex_index>(from.at("given"));
   for (const json& row : from.at("sites")) {
     const auto x = [&](std::size_t k) { return row.at(k).get<double>(); };
     m.sites.push_back({{x(0), x(1)}, {x(2), x(3), x(4)}});
@@ -99,7 +112,7 @@ void read_face(const json& from, shell_face& face) {
     m.triangles.push_back({index_of(row.at(0)), index_of(row.at(1)), index_of(row.at(2))});
   for (const json& row : from.at("boundary"))
     m.boundary.push_back({index_of(row.at(0)), index_of(row.at(1)), index_of(row.at(2)),
-                          row.at(3).get<int>(), false});
+                          whole_of<int>(row.at(3)), false});
 }
 
 void read_report(const json& from, shell_certificate& c) {
@@ -109,12 +122,12 @@ void read_report(const json& from, shell_certificate& c) {
   c.asked.chord = from.at("chord").get<double>();
   c.asked.angle_bound = from.at("angle_bound").get<double>();
   r.certified = from.at("certified").get<bool>();
-  r.vertices = from.at("vertices").get<std::size_t>();
-  r.triangles = from.at("triangles").get<std::size_t>();
-  r.edges = from.at("edges").get<std::size_t>();
-  r.open_edges = from.at("open_edges").get<std::size_t>();
-  r.collapsed = from.at("collapsed").get<std::size_t>();
-  r.euler = from.at("euler").get<long>();
+  r.vertices = whole_of<std::size_t>(from.at("vertices"));
+  r.triangles = whole_of<std::size_t>(from.at("triangles"));
+  r.edges = whole_of<std::size_t>(from.at("edges"));
+  r.open_edges = whole_of<std::size_t>(from.at("open_edges"));
+  r.collapsed = whole_of<std::size_t>(from.at("collapsed"));
+  r.euler = whole_of<long>(from.at("euler"));
   r.distance = from.at("distance").get<double>();
   r.vertex_distance = from.at("vertex_distance").get<double>();
   const json& tangent = from.at("normal_tangent");
