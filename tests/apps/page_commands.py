@@ -36,13 +36,13 @@ class PageCommands(command.CommandTest):
             self.write(f"{name}.poly", FAULTY)
         for example in (TOP / "examples").glob("*.poly"):
             self.write(example.name, example.read_text())
-        for name in ("swirl", "plate", "old", "made", "m", "round1", "round2", "round3"):
+        for name in ("swirl", "plate", "old", "made", "m", "w", "round1", "round2", "round3"):
             done = self.run_command("mesh", "square", "--metric", "swirl:3", "--size", "0.4", "-o", f"{name}.mesh")
             self.assertEqual(done.returncode, 0)
         lines = (self.folder / "old.mesh").read_text().split("\n")
         start, count = command.section(lines, "Vertices")
         at = [tuple(map(float, line.split()[:2])) for line in lines[start:start + count]]
-        for name in ("u.sol", "old_u.sol"):
+        for name in ("u.sol", "old_u.sol", "t0.sol", "t1.sol"):
             self.write(name, f"MeshVersionFormatted 2\nDimension 2\nSolAtVertices {count}\n1 1\n"
                        + "".join(f"{math.tanh(4 * (x + y))!r}\n" for x, y in at) + "End\n")
         self.write("bamg.mesh", (self.folder / "m.mesh").read_text())
