@@ -130,9 +130,11 @@ TEST_CASE("what a certificate says of a guarantee is proved again") {
   // It is of the mesh and its own bound, whatever bound is asked now.
   for (const double bound : {10.0, 24.0}) {
     certificate claim = made.value().claim;
-    CHECK(verify(m, claim, {.angle_bound = bound}).verified);
+    audit_options asked;
+    asked.angle_bound = bound;
+    CHECK(verify(m, claim, asked).verified);
     claim.guarantee->eps *= 0.5;
-    CHECK_FALSE(verify(m, claim, {.angle_bound = bound}).verified);
+    CHECK_FALSE(verify(m, claim, asked).verified);
   }
   const auto read = parse_certificate(certificate_text(made.value().claim), "again");
   REQUIRE(read.ok());
