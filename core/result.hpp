@@ -36,17 +36,6 @@ struct error {
   error as(error_code other) const { return {message, other}; }
 };
 
-namespace internal {
-
-// Ends the program because the value of a failure was asked for, which is a fault of the program.
-// Its message says what failed, where a debugger or a caller's handler of SIGABRT would not.
-[[noreturn]] inline void end_without_value(const error& failure) {
-  std::fprintf(stderr, "asterism: value() of a failure: %s\n", failure.message.c_str());
-  std::abort();
-}
-
-}  // namespace internal
-
 // Holds a value or an error, never both. Test it before value():
 //
 //   const auto read = read_medit("wing.mesh");
@@ -70,8 +59,10 @@ class [[nodiscard]] result {
  private:
   template <class Held>
   Held* held(Held* content) const {
-    if (content == nullptr) internal::end_without_value(*std::get_if<1>(&content_));
-    return content;
+    if (content != nullptr) return content;
+    std::fprintf(stderr, "asterism: value() of a failure: %s\n",
+                 std::get_if<1>(&content_)->message.c_str());
+    std::abort();
   }
 
   std::variant<T, error> content_;

@@ -17,8 +17,10 @@
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 
-namespace asterism::internal {
+namespace asterism {
 namespace {
+
+using namespace internal;
 
 using ends = std::array<vertex_index, 2>;
 
@@ -370,4 +372,4 @@ parted_mesh part_cracks(const mesh& joined, const crack_markers& cracks) {
   return made;
 }
 
-}  // namespace asterism::internal
+}  // namespace asterism

@@ -27,8 +27,6 @@ struct crack_sides {
 // of a crack. Empty: there are none.
 using crack_markers = std::map<int, crack_sides>;
 
-namespace internal {
-
 // The cracks of a mesh that has one vertex at each place.
 struct joined_cracks {
   crack_markers markers;
@@ -57,5 +55,4 @@ struct parted_mesh {
 // after all edges.
 ASTERISM_EXPORT parted_mesh part_cracks(const mesh& joined, const crack_markers& cracks);
 
-}  // namespace internal
 }  // namespace asterism

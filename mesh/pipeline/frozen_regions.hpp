@@ -63,6 +63,7 @@ struct frozen_angles {
   std::size_t low = 0;  // triangles below the bound
 };
 
+// Returns the least angle of the frozen triangles, and how many are below the bound, in degrees.
 ASTERISM_EXPORT frozen_angles angles_of_frozen(const frozen_part& part, const mesh& whole,
                                                double bound);
 

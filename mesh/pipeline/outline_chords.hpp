@@ -19,9 +19,9 @@ struct chorded_outline {
 
 // Halves the cubics of the outline while their chords are farther from them than a part of the size
 // that the metric of the mesh wants across (mesh/domain/divide_curves.hpp); without, a chord that
-// is as long as an edge wanted stays however far it is. There are at most a quarter as many chords
-// as vertices of unit edges; where more were needed, chords keep to a part of their own length.
-// Returns the outline as it is where it has no cubics, or they cannot be divided.
+// is as long as an edge wanted stays however far it is. Returns the outline as it is where it has
+// no cubics, where they cannot be divided, or where that takes more than a quarter as many chords
+// as there are vertices of unit edges, as on a coast, where cubics are a guess.
 chorded_outline with_chords_for(const mesh& m, const mesh_outline& found);
 
 }  // namespace asterism::internal

@@ -63,14 +63,13 @@ result<mesh_outcome> make_in_rounds(const domain& d, all_sides& sides, const Mak
 
 }  // namespace
 
-std::optional<error> internal::check_periodic(const domain& d,
-                                              const std::vector<periodic_pair>& pairs) {
+std::optional<error> check_periodic(const domain& d, const std::vector<periodic_pair>& pairs) {
   const auto found = find_sides(d, pairs);
   if (!found) return found.failure();
   return std::nullopt;
 }
 
-void internal::claim_periodic(const std::vector<periodic_pair>& pairs, certified_mesh& judged) {
+void claim_periodic(const std::vector<periodic_pair>& pairs, certified_mesh& judged) {
   certificate& claim = judged.claim;
   claim.periodic_asked = pairs;
   claim.periodic.clear();

@@ -35,15 +35,13 @@ ASTERISM_EXPORT result<certified_mesh> make_periodic_mesh(const domain& d,
                                                           const std::vector<periodic_pair>& pairs,
                                                           const progress_listener& progress = {});
 
-namespace internal {
-
 // Returns an error where the sides of the domain cannot match, or a marker is of two pairs.
 ASTERISM_EXPORT std::optional<error> check_periodic(const domain& d,
                                                     const std::vector<periodic_pair>& pairs);
 
 // Adds to the certificate the pairs and how they match. A mesh in which they do not is not
 // complete.
-void claim_periodic(const std::vector<periodic_pair>& pairs, certified_mesh& judged);
+ASTERISM_EXPORT void claim_periodic(const std::vector<periodic_pair>& pairs,
+                                    certified_mesh& judged);
 
-}  // namespace internal
 }  // namespace asterism
