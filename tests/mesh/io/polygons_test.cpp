@@ -237,7 +237,7 @@ TEST_CASE("rings that go there and back are dropped wherever they are, and no ot
     for (std::size_t i = 0; i < count; ++i)
       there.push_back({at + 1 + 2 * static_cast<double>(i) / 12, at + 1 + 2 * random.real()});
     polygon shape;
-    shape.rings.push_back({{at, at}, {at + 4, at}, {at + 4, at + 4}, {at, at + 4}});
+    shape.rings.push_back({{at, at}, {at + 4, at}, {at + 4, at + 4}, {at, at + 4}, {at, at}});
     std::vector<point> ring = there;
     ring.insert(ring.end(), there.rbegin() + 1, there.rend());
     shape.rings.push_back(ring);
