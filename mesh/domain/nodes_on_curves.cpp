@@ -12,7 +12,9 @@
 namespace asterism::internal {
 namespace {
 
-double distance(const point& p, const point& q) { return elementary::hypot(q.x - p.x, q.y - p.y); }
+double distance_of_points(const point& p, const point& q) {
+  return elementary::hypot(q.x - p.x, q.y - p.y);
+}
 
 // True if a vertex of a chord is on its curve. One that split the chord on its own line is off by a
 // part of the chord's height; rounding is far below a millionth of the chord.
@@ -23,7 +25,8 @@ bool is_on_curve(const curve_chords& chords, const domain& shape, vertex_index n
   constexpr double part = 1e-9;
   const point& q = m.sites[v].position;
   const auto place = chords.nearest(number, q);
-  return place && distance(*place, q) <= part * distance(shape.vertices[s.a], shape.vertices[s.b]);
+  return place && distance_of_points(*place, q) <=
+                      part * distance_of_points(shape.vertices[s.a], shape.vertices[s.b]);
 }
 
 }  // namespace

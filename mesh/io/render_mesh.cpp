@@ -65,10 +65,6 @@ std::function<void(const byte_sink&)> with_note(std::function<void(const byte_si
 
 using output_files = std::vector<output_file>;
 
-fs::path beside(const fs::path& path, const char* extension) {
-  return fs::path(path).replace_extension(extension);
-}
-
 result<output_files> render_picture(const fs::path& path, mesh_format format, const mesh& m,
                                     const write_options& options) {
   auto picture = draw_picture(m, picture_format_of(format), options.picture);
@@ -177,8 +173,8 @@ result<output_files> render(const fs::path& path, mesh_format format, const mesh
       return output_files{{path, adcirc_text(m, options.names, comment("", options.note))}};
     case mesh_format::node:
       return output_files{{path, comment("# ", options.note) + node_text(m)},
-                          {beside(path, ".ele"), ele_text(m)},
-                          {beside(path, ".edge"), edge_text(m)}};
+                          {fs::path(path).replace_extension(".ele"), ele_text(m)},
+                          {fs::path(path).replace_extension(".edge"), edge_text(m)}};
     case mesh_format::html:
       return render_page(path, m, options);
     default:
