@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "asterism/mesh/numerics/metric_angle.hpp"
@@ -60,8 +61,12 @@ std::array<point, 3> sorted_corners(const mesh& m, const triangle& t) {
 struct placed_triangle {
   int region;
   std::array<double, 6> corners;
-  auto operator<=>(const placed_triangle&) const = default;
+  bool operator==(const placed_triangle&) const = default;
 };
+
+bool is_before(const placed_triangle& p, const placed_triangle& q) {
+  return std::tie(p.region, p.corners) < std::tie(q.region, q.corners);
+}
 
 std::vector<placed_triangle> placed(const mesh& m, const std::vector<int>& frozen) {
   std::vector<placed_triangle> all;
@@ -70,8 +75,7 @@ std::vector<placed_triangle> placed(const mesh& m, const std::vector<int>& froze
     const auto [a, b, c] = sorted_corners(m, m.triangles[t]);
     all.push_back({region_of(m, t), {a.x, a.y, b.x, b.y, c.x, c.y}});
   }
-  std::sort(all.begin(), all.end(),
-            [](const auto& p, const auto& q) { return std::is_lt(p <=> q); });
+  std::sort(all.begin(), all.end(), is_before);
   return all;
 }
 
@@ -293,8 +297,10 @@ std::string difference_of_frozen(const mesh& together, const mesh& before,
   if (now == then) return "";
   std::vector<placed_triangle> apart;
   std::set_symmetric_difference(now.begin(), now.end(), then.begin(), then.end(),
-                                std::back_inserter(apart),
-                                [](const auto& p, const auto& q) { return std::is_lt(p <=> q); });
+                                std::back_inserter(apart), [](const auto& p, const auto& q) {
+                                  return std::tie(p.region, p.corners) <
+                                         std::tie(q.region, q.corners);
+                                });
   const placed_triangle& first = apart.front();
   const auto& c = first.corners;
   return fmt::format(
