@@ -26,7 +26,7 @@
 #include "asterism/apps/proof_output.hpp"
 #include "asterism/apps/run_files.hpp"
 #include "asterism/apps/run_limits.hpp"
-#include "asterism/apps/second_order.hpp"
+#include "asterism/apps/second_order_text.hpp"
 #include "asterism/apps/summary.hpp"
 #include "asterism/apps/thread_limit.hpp"
 #include "asterism/apps/verdict_text.hpp"

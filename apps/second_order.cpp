@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/second_order.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "asterism/mesh/io/write_mesh.hpp"
@@ -22,13 +20,6 @@ bool is_drawn(const fs::path& output) {
   const auto format = mesh_format_of(output);
   return format && (format.value() == mesh_format::svg || format.value() == mesh_format::png ||
                     format.value() == mesh_format::pdf || format.value() == mesh_format::html);
-}
-
-std::string refused_text(const second_order_report& report) {
-  const bool is_certain = !report.folded.empty();
-  const vertex_index first = is_certain ? report.folded.front() : report.undecided.front();
-  return fmt::format("; {} folded, {} undecided, the first: triangle {}", report.folded.size(),
-                     report.undecided.size(), first + 1);
 }
 
 }  // namespace
@@ -60,19 +51,6 @@ std::vector<std::string> notes_of_order(const std::vector<fs::path>& outputs,
   const std::string kept = note_of_straight_sides(report);
   if (!kept.empty()) notes.push_back(kept);
   return notes;
-}
-
-std::string text_of(const second_order_report& report) {
-  std::string text = fmt::format(
-      "second order: {} triangles, {} curved sides, {} on curves of the "
-      "domain",
-      report.triangles, report.curved_sides, report.on_curves);
-  if (report.kept_straight > 0) text += fmt::format(", {} kept straight", report.kept_straight);
-  if (!report.folded.empty() || !report.undecided.empty()) return text + refused_text(report);
-  return text + fmt::format(
-                    "; no triangle folds, the Jacobian is at least {:.4g} of the straight "
-                    "triangle's",
-                    report.least_jacobian);
 }
 
 }  // namespace asterism::apps

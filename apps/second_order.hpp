@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The option that makes triangles of second order, and what is said of them.
+// The option that makes triangles of second order, and what is noted of outputs.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -24,8 +24,5 @@ std::optional<error> check_order(int order, const std::vector<std::filesystem::p
 // and one on the sides of all that are kept straight.
 std::vector<std::string> notes_of_order(const std::vector<std::filesystem::path>& outputs,
                                         const second_order_report& report);
-
-// Returns "second order: 812 triangles, none folds; ...".
-std::string text_of(const second_order_report& report);
 
 }  // namespace asterism::apps

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <utility>
 
-#include "asterism/apps/second_order.hpp"
+#include "asterism/apps/second_order_text.hpp"
 #include "asterism/apps/terminal.hpp"
 #include "asterism/apps/verdict_text.hpp"
 #include "asterism/core/elementary.hpp"

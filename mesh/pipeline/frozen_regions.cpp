@@ -297,10 +297,7 @@ std::string difference_of_frozen(const mesh& together, const mesh& before,
   if (now == then) return "";
   std::vector<placed_triangle> apart;
   std::set_symmetric_difference(now.begin(), now.end(), then.begin(), then.end(),
-                                std::back_inserter(apart), [](const auto& p, const auto& q) {
-                                  return std::tie(p.region, p.corners) <
-                                         std::tie(q.region, q.corners);
-                                });
+                                std::back_inserter(apart), is_before);
   const placed_triangle& first = apart.front();
   const auto& c = first.corners;
   return fmt::format(
