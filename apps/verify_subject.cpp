@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "asterism/apps/second_order.hpp"
+#include "asterism/apps/second_order_text.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
