@@ -200,8 +200,8 @@ def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[npt.ArrayLike
     if has_hessians:
         if metric is not None or implied:
             raise InputError("hessian: the metric is made of it, and another one is wanted besides")
-        values = values if values is not None else mesh.values
-        return (fields_and_tensors(values)[0] if values is not None and len(values) > 0 else []), None
+        values = values if values is not None else mesh.values or None
+        return (fields_and_tensors(values)[0] if values is not None else []), None
     if values is None and metric is None and not implied and mesh.values:
         values = mesh.values
     if (values is not None) + (metric is not None) + bool(implied) != 1:
