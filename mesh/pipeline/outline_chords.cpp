@@ -39,10 +39,9 @@ chorded_outline with_chords_for(const mesh& m, const mesh_outline& found) {
   curve_division chords;
   chords.field = field.get();
   chords.is_even = false;  // pieces are at most as long as an edge wanted
-  const double unit_vertices =
-      std::max(static_cast<double>(m.sites.size()), vertices_of_unit_edges(m).all);
   constexpr double most = 1e7;
-  chords.most_chords = static_cast<std::size_t>(part * std::min(unit_vertices, most));
+  chords.most_chords =
+      static_cast<std::size_t>(part * std::min(vertices_of_unit_edges(m).inside, most));
   auto divided = divide_curves_anew(found.shape, chords);
   if (!divided || !begins_with(divided.value(), found.shape)) return made;
   // As ragged boundaries have it: 15,852 triangles were made where 7,000 were asked for.

@@ -21,7 +21,7 @@ struct chorded_outline {
 // that the metric of the mesh wants across (mesh/domain/divide_curves.hpp); without, a chord that
 // is as long as an edge wanted stays however far it is. Returns the outline as it is where it has
 // no cubics, where they cannot be divided, or where that takes more than a quarter as many chords
-// as there are vertices of unit edges, as on a coast, where cubics are a guess.
+// as unit edges take vertices inside, as on a coast, where cubics are a guess.
 chorded_outline with_chords_for(const mesh& m, const mesh_outline& found);
 
 }  // namespace asterism::internal
