@@ -17,7 +17,7 @@ std::span<const input_class> input_classes();
 // Returns the class of that name, null if there is none.
 const input_class* class_named(std::string_view name);
 
-// input_classes_degenerate.cpp: on the border between two answers, or a unit in the last place from it.
+// input_classes_degenerate.cpp: on the border between two answers, or one unit beside it.
 scene grid(random_source& random);
 scene cocircular(random_source& random);
 scene collinear(random_source& random);
