@@ -25,6 +25,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "asterism/core/export.h"
@@ -33,6 +34,12 @@
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism {
+
+// Second derivatives of a field at the vertices of a mesh, of either sign, from elsewhere.
+struct nodal_hessian {
+  std::string name;
+  std::vector<metric_tensor> at;  // m11 = xx, m12 = xy, m22 = yy
+};
 
 // The ways to recover.
 enum class hessian_method { l2_projection, green, least_squares };

@@ -17,9 +17,9 @@
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
+#include "asterism/mesh/solution/field_derivatives.hpp"
 #include "asterism/mesh/solution/graph_gradation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
-#include "asterism/mesh/solution/mean_moduli.hpp"
 #include "asterism/mesh/solution/metric_steps.hpp"
 #include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
@@ -308,80 +308,21 @@ tensors rounded(const tensors& given) {
   return made;
 }
 
-constexpr double most_second_derivative = 1e150;  // products of two are finite
-
-bool are_below(const metric_tensor& h, double most) {
-  return std::abs(h.m11) < most && std::abs(h.m12) < most && std::abs(h.m22) < most;
-}
-
-// Second derivatives of the fields in the order of their names: as recovered, and with the means of
-// moduli that the metric is made of.
-struct field_derivatives {
-  std::vector<std::string> names;
-  std::vector<tensors> recovered, moduli;
-  std::vector<std::vector<double>> scales;  // of a relative error; none for one that is not
-  std::size_t noise = 0, at_boundary = 0;
-};
-
-result<field_derivatives> derivatives_of(const mesh& m, const mesh_links& links,
-                                         const std::vector<nodal_values>& fields,
-                                         const solution_metric_options& options) {
-  const hessian_method method = options.hessian;
-  std::vector<const nodal_values*> sorted;
-  sorted.reserve(fields.size());
-  for (const nodal_values& f : fields) sorted.push_back(&f);
-  std::sort(sorted.begin(), sorted.end(),
-            [](const auto* a, const auto* b) { return a->name < b->name; });
-  field_derivatives found;
-  for (const nodal_values* f : sorted) {
-    auto hessian = recover_hessian(m, f->values, method);
-    if (!hessian) return hessian.failure().at("field " + f->name);
-    found.names.push_back(f->name);
-    found.noise += hessian.value().noise;
-    found.at_boundary += hessian.value().at_boundary;
-    found.moduli.push_back(method == hessian_method::green
-                               ? mean_moduli(m, links, hessian.value().at)
-                               : hessian.value().at);
-    found.recovered.push_back(std::move(hessian.value().at));
-    if (options.relative) found.scales.push_back(scales_of_error(f->values, options.cutoff));
-  }
-  return found;
-}
-
-bool is_zero(const metric_tensor& h) { return h.m11 == 0 && h.m12 == 0 && h.m22 == 0; }
-
-// Takes second derivatives as they are. The optimum needs no more of them than their moduli.
-result<field_derivatives> derivatives_given(const mesh& m,
-                                            const std::vector<nodal_hessian>& fields) {
-  std::vector<const nodal_hessian*> sorted;
-  sorted.reserve(fields.size());
-  for (const nodal_hessian& f : fields) sorted.push_back(&f);
-  std::sort(sorted.begin(), sorted.end(),
-            [](const auto* a, const auto* b) { return a->name < b->name; });
-  field_derivatives found;
-  for (const nodal_hessian* f : sorted) {
-    if (f->at.size() != m.sites.size())
-      return error{fmt::format("field {}: {} tensors for {} vertices", f->name, f->at.size(),
-                               m.sites.size())};
-    for (std::size_t v = 0; v < f->at.size(); ++v)
-      if (!are_below(f->at[v], most_second_derivative))
-        return error{
-            fmt::format("field {}: the second derivatives {} {} {} at vertex {} are "
-                        "beyond what can be computed with",
-                        f->name, format_number(f->at[v].m11), format_number(f->at[v].m12),
-                        format_number(f->at[v].m22), v + 1)};
-    found.names.push_back(f->name);
-    found.moduli.push_back(f->at);
-    found.recovered.push_back(f->at);
-  }
-  return found;
-}
-
 // The optimal metrics of the fields, intersected.
 struct optimum {
   tensors raw;
   std::size_t flat = 0, floored = 0;
 };
+
+// Adds the metric of one more field.
+void intersect(tensors own, tensors& all) {
+  if (all.empty()) {
+    all = std::move(own);
+    return;
+  }
+  for_each_node(all.size(),
+                [&](std::size_t v) { all[v] = simultaneous_intersection(all[v], own[v]); });
+}
 
 optimum intersected_optima(const std::vector<tensors>& moduli, const std::vector<double>& areas,
                            const solution_metric_options& options, double floor_share) {
@@ -390,16 +331,12 @@ optimum intersected_optima(const std::vector<tensors>& moduli, const std::vector
     auto own = make_optimal_metric(h, areas, options.norm, options.isotropic, floor_share);
     made.flat += own.is_flat ? 1 : 0;
     made.floored += own.floored;
-    if (made.raw.empty()) {
-      made.raw = std::move(own.tensors);
-      continue;
-    }
-    for_each_node(made.raw.size(), [&](std::size_t v) {
-      made.raw[v] = simultaneous_intersection(made.raw[v], own.tensors[v]);
-    });
+    intersect(std::move(own.tensors), made.raw);
   }
   return made;
 }
+
+bool is_zero(const metric_tensor& h) { return h.m11 == 0 && h.m12 == 0 && h.m22 == 0; }
 
 // Intersects the metrics in which each field has the relative error. Where all values of a field
 // are alike, or all second derivatives zero, its metric is that of the greatest size.
@@ -410,15 +347,9 @@ optimum intersected_relative(const field_derivatives& found, const metric_maker&
     const tensors& h = found.moduli[k];
     const bool is_flat = found.scales[k].empty() || std::all_of(h.begin(), h.end(), is_zero);
     made.flat += is_flat ? 1 : 0;
-    tensors own =
-        relative_metric(h, found.scales[k], *options.error, maker.extent(), options.isotropic);
-    if (made.raw.empty()) {
-      made.raw = std::move(own);
-      continue;
-    }
-    for_each_node(made.raw.size(), [&](std::size_t v) {
-      made.raw[v] = simultaneous_intersection(made.raw[v], own[v]);
-    });
+    intersect(
+        relative_metric(h, found.scales[k], *options.error, maker.extent(), options.isotropic),
+        made.raw);
   }
   return made;
 }
@@ -487,7 +418,7 @@ result<solution_metric> make_solution_metric(const mesh& m, const std::vector<no
   solution_metric_options wishes = options;
   if (wishes.relative) wishes.norm.reset();
   metric_maker maker(m, wishes, intersected);
-  const auto found = derivatives_of(m, maker.links(), fields, wishes);
+  const auto found = recovered_derivatives(m, maker.links(), fields, wishes);
   if (!found) return found.failure();
   maker.set_recovered(found.value().recovered, false);
   return wishes.relative ? relative_metric_of(found.value(), maker, wishes)
@@ -506,7 +437,7 @@ result<solution_metric> make_hessian_metric(const mesh& m, const std::vector<nod
         error_code::bad_option};
   if (fields.empty()) return error{"there is no field to make a metric of"};
   metric_maker maker(m, options, intersected);
-  const auto found = derivatives_given(m, fields);
+  const auto found = given_derivatives(m, fields);
   if (!found) return found.failure();
   maker.set_recovered(found.value().recovered, true);
   return metric_of(found.value(), maker, options);

@@ -26,15 +26,10 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/solution.hpp"
+#include "asterism/mesh/solution/hessian.hpp"
 #include "asterism/mesh/solution/solution_metric_options.hpp"
 
 namespace asterism {
-
-// Second derivatives of a field at the vertices of a mesh, of either sign, from elsewhere.
-struct nodal_hessian {
-  std::string name;
-  std::vector<metric_tensor> at;  // m11 = xx, m12 = xy, m22 = yy
-};
 
 // Numbers of what was done. Shares are parts of the vertices.
 struct solution_metric_report {

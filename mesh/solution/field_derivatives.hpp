@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// Second derivatives of fields, of which their metric is made.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/solution.hpp"
+#include "asterism/mesh/search/mesh_links.hpp"
+#include "asterism/mesh/solution/hessian.hpp"
+#include "asterism/mesh/solution/solution_metric_options.hpp"
+
+namespace asterism::internal {
+
+// Second derivatives of the fields in the order of their names: as recovered, and with the means of
+// moduli that the metric is made of.
+struct field_derivatives {
+  std::vector<std::string> names;
+  std::vector<std::vector<metric_tensor>> recovered, moduli;
+  std::vector<std::vector<double>> scales;  // of a relative error; none for one that is not
+  std::size_t noise = 0, at_boundary = 0;
+};
+
+// Recovers them from values at the vertices, as the options say.
+result<field_derivatives> recovered_derivatives(const mesh& m, const mesh_links& links,
+                                                const std::vector<nodal_values>& fields,
+                                                const solution_metric_options& options);
+
+// Takes them as they are given. The optimum needs no more of them than their moduli. Fails for a
+// field of another number of vertices, and for numbers of which products are not finite.
+result<field_derivatives> given_derivatives(const mesh& m,
+                                            const std::vector<nodal_hessian>& fields);
+
+}  // namespace asterism::internal
