@@ -14,6 +14,7 @@
 #include <tuple>
 #include <utility>
 
+#include "asterism/mesh/data/renumbering.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 
@@ -211,33 +212,17 @@ bool is_same(const metric_tensor& a, const metric_tensor& b) {
   return a.m11 == b.m11 && a.m12 == b.m12 && a.m22 == b.m22;
 }
 
-// Leaves the first vertex at each place, and returns the new numbers.
-std::vector<vertex_index> renumber(mesh& m, const std::vector<vertex_index>& first) {
+// Leaves the first vertex at each place, with a metric as fine as those of all, and returns the new
+// numbers.
+std::vector<vertex_index> keep_first(mesh& m, const std::vector<vertex_index>& first) {
   std::vector<vertex_index> number(m.sites.size());
-  const bool has_references = m.references.size() == m.sites.size();
-  vertex_index kept = 0, given = 0;
+  vertex_index kept = 0;
   for (vertex_index v = 0; v < first.size(); ++v) {
-    if (first[v] != v) {
-      number[v] = number[first[v]];
-      metric_tensor& own = m.sites[number[v]].metric;
-      if (!is_same(own, m.sites[v].metric)) own = simultaneous_intersection(own, m.sites[v].metric);
-      continue;
-    }
-    if (v < m.given) ++given;
-    if (has_references) m.references[kept] = m.references[v];
-    m.sites[kept] = m.sites[v];
-    number[v] = kept++;
+    number[v] = first[v] == v ? kept++ : number[first[v]];
+    metric_tensor& own = m.sites[first[v]].metric;
+    if (!is_same(own, m.sites[v].metric)) own = simultaneous_intersection(own, m.sites[v].metric);
   }
-  m.sites.resize(kept);
-  if (has_references) m.references.resize(kept);
-  m.given = given;
-  for (auto* const triangles : {&m.triangles, &m.disagreeing})
-    for (triangle& t : *triangles)
-      for (vertex_index& v : t) v = number[v];
-  for (boundary_edge& e : m.boundary) {
-    e.a = number[e.a];
-    e.b = number[e.b];
-  }
+  renumber_vertices(m, number);
   return number;
 }
 
@@ -263,7 +248,7 @@ result<joined_cracks> join_cracks(mesh& m) {
   const std::vector<crack_edge> edges = find_edges(m, first);
   list_once(m, edges, made.markers);
   const std::size_t before = m.sites.size();
-  made.number = renumber(m, first);
+  made.number = keep_first(m, first);
   made.joined = before - m.sites.size();
   return made;
 }

@@ -12,6 +12,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/data/renumbering.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
@@ -303,34 +304,25 @@ failure drop_repeated_edges(listed_mesh& from) {
   return {};
 }
 
-constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
-
 void renumber(std::vector<vertex_index>& list, const std::vector<vertex_index>& number) {
   std::size_t kept = 0;
   for (const vertex_index v : list)
-    if (number[v] != none) list[kept++] = number[v];
+    if (number[v] != no_number) list[kept++] = number[v];
   list.resize(kept);
 }
 
 void renumber(listed_mesh& from, const std::vector<vertex_index>& number) {
-  mesh& m = from.content;
-  for (auto* const triangles : {&m.triangles, &m.disagreeing})
-    for (triangle& t : *triangles)
-      for (vertex_index& v : t) v = number[v];
-  for (boundary_edge& e : m.boundary) {
-    e.a = number[e.a];
-    e.b = number[e.b];
-  }
+  renumber_vertices(from.content, number);
   renumber(from.marks.corners, number);
   renumber(from.marks.required_vertices, number);
   std::size_t kept = 0;
   for (const ends& e : from.marks.required_edges)
-    if (number[e[0]] != none && number[e[1]] != none)
+    if (number[e[0]] != no_number && number[e[1]] != no_number)
       from.marks.required_edges[kept++] = {number[e[0]], number[e[1]]};
   from.marks.required_edges.resize(kept);
   kept = 0;
   for (const side_node& s : from.curved)
-    if (number[s.a] != none && number[s.b] != none)
+    if (number[s.a] != no_number && number[s.b] != no_number)
       from.curved[kept++] = {number[s.a], number[s.b], s.at};
   from.curved.resize(kept);
 }
@@ -378,8 +370,8 @@ void drop_lone_vertices(listed_mesh& from) {
   std::vector<char> is_node(m.sites.size(), 0);
   for (const listed_side& s : from.sides) is_node[s.node] = 1;
   std::size_t count = 0;
-  vertex_index first = none;
-  std::vector<vertex_index> number(m.sites.size(), none);
+  vertex_index first = no_number;
+  std::vector<vertex_index> number(m.sites.size(), no_number);
   vertex_index next = 0;
   for (vertex_index v = 0; v < number.size(); ++v) {
     if (lone[v] == 0) {
@@ -402,8 +394,6 @@ void drop_lone_vertices(listed_mesh& from) {
     m.notes.push_back(counted(count, "vertex", "vertices") + " in no triangle left out" +
                       (edges == 0 ? "" : ", with " + counted(edges, "edge", "edges")) +
                       fmt::format(", the first: vertex {} at {}", first + 1, place(m, first)));
-  keep(m.references, lone);
-  keep(m.sites, lone);
   renumber(from, number);
 }
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Gives the vertices of a mesh other numbers.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal {
+
+// The number of a vertex that goes.
+inline constexpr vertex_index no_number = std::numeric_limits<vertex_index>::max();
+
+// Moves each vertex to its new number, which is at most its own, with its reference; of several
+// with one number the first stays. New numbers are 0, 1, ... in the order of the first of each.
+// `given` counts those that stay. Triangles and edges name the new numbers: none of them may be of
+// a vertex that goes.
+inline void renumber_vertices(mesh& m, const std::vector<vertex_index>& number) {
+  const bool has_references = m.references.size() == m.sites.size();
+  vertex_index kept = 0, given = 0;
+  for (vertex_index v = 0; v < number.size(); ++v) {
+    if (number[v] != kept) continue;
+    if (v < m.given) ++given;
+    m.sites[kept] = m.sites[v];
+    if (has_references) m.references[kept] = m.references[v];
+    ++kept;
+  }
+  m.sites.resize(kept);
+  if (has_references) m.references.resize(kept);
+  m.given = given;
+  for (auto* const triangles : {&m.triangles, &m.disagreeing})
+    for (triangle& t : *triangles)
+      for (vertex_index& v : t) v = number[v];
+  for (boundary_edge& e : m.boundary) {
+    e.a = number[e.a];
+    e.b = number[e.b];
+  }
+}
+
+}  // namespace asterism::internal
