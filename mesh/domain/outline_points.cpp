@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/data/region_of.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 
 namespace asterism::internal {
@@ -152,7 +153,7 @@ region_sizes sizes_of_regions(const mesh& m) {
   region_sizes sizes;
   for (std::size_t i = 0; i < m.triangles.size(); ++i) {
     const triangle& t = m.triangles[i];
-    sizes[m.regions.empty() ? 1 : m.regions[i]] +=
+    sizes[region_of(m, i)] +=
         doubled(m.sites[t[0]].position, m.sites[t[1]].position, m.sites[t[2]].position) / 2;
   }
   return sizes;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/data/region_of.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 
 namespace asterism::internal {
@@ -96,7 +97,7 @@ std::string sms_text(const mesh& m) {
   append_lines(text, m.triangles.size(), [&](std::size_t t, std::string& to) {
     append_integer(to += "E3T ", t + 1);
     for (const vertex_index v : m.triangles[t]) append_node(to += ' ', v);
-    append_integer(to += ' ', m.regions.empty() ? 1 : m.regions[t]);
+    append_integer(to += ' ', region_of(m, t));
     to += '\n';
   });
   append_lines(text, m.sites.size(), [&](std::size_t v, std::string& to) {

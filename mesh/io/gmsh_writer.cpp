@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "asterism/mesh/data/bounding_box.hpp"
+#include "asterism/mesh/data/region_of.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
 #include "asterism/mesh/io/gmsh_numbering.hpp"
@@ -14,8 +15,6 @@
 
 namespace asterism::internal {
 namespace {
-
-int region_of(const mesh& m, std::size_t t) { return m.regions.empty() ? 1 : m.regions[t]; }
 
 class gmsh_writer {
  public:

@@ -12,6 +12,7 @@
 
 #include "asterism/core/sign.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/data/region_of.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_binary.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
@@ -114,7 +115,7 @@ void write_medit_mesh(const mesh& m, const medit_smooth& smooth, const byte_sink
           append_integer(line, v + 1);
           line += ' ';
         }
-        append_integer(line, m.regions.empty() ? 1 : m.regions[i]);
+        append_integer(line, region_of(m, i));
         line += '\n';
       },
       put);

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "asterism/mesh/data/region_of.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 
@@ -87,7 +88,7 @@ std::string ele_text(const mesh& m) {
   append_lines(text, m.triangles.size(), [&](std::size_t t, std::string& to) {
     const triangle& c = m.triangles[t];
     append_words(to, t + 1, std::size_t{c[0]} + 1, std::size_t{c[1]} + 1, std::size_t{c[2]} + 1,
-                 m.regions.empty() ? 1 : m.regions[t]);
+                 region_of(m, t));
   });
   return text;
 }
