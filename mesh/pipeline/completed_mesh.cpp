@@ -14,37 +14,12 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/search/triangle_sides.hpp"
 
 namespace asterism::internal {
 namespace {
 
 using ends = std::array<vertex_index, 2>;
-
-// The directed sides of the triangles, each with its triangle on the left.
-class directed_sides {
- public:
-  explicit directed_sides(const mesh& m) {
-    sides_.reserve(3 * m.triangles.size());
-    for (const triangle& t : m.triangles)
-      for (std::size_t i = 0; i < 3; ++i) sides_.push_back({t[i], t[(i + 1) % 3]});
-    std::sort(sides_.begin(), sides_.end());
-  }
-
-  bool contains(vertex_index a, vertex_index b) const {
-    return std::binary_search(sides_.begin(), sides_.end(), ends{a, b});
-  }
-
-  // Calls act(b) for each side from `a` to b.
-  template <class Act>
-  void each_from(vertex_index a, const Act& act) const {
-    for (auto at = std::lower_bound(sides_.begin(), sides_.end(), ends{a, 0});
-         at != sides_.end() && (*at)[0] == a; ++at)
-      act((*at)[1]);
-  }
-
- private:
-  std::vector<ends> sides_;
-};
 
 // Follows segments along the sides of the triangles.
 class segment_walk {
@@ -71,7 +46,7 @@ class segment_walk {
     double most = 0;
     sides_.each_from(at, [&](vertex_index next) {
       if (next != s.b && next < d_.vertices.size()) return;
-      if (sides_.contains(next, at) != s.internal) return;
+      if ((sides_.find(next, at) != nullptr) != s.internal) return;
       const double forward = cosine(at, next, s.b);
       if (!(forward > most)) return;
       most = forward;
@@ -89,7 +64,7 @@ class segment_walk {
 
   const domain& d_;
   const mesh& m_;
-  directed_sides sides_;
+  triangle_sides sides_;
 };
 
 result<std::vector<boundary_edge>> subsegments_of(const domain& d, const mesh& m) {

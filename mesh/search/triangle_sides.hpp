@@ -40,6 +40,14 @@ class triangle_sides {
     return at != sides_.end() && at->ends == ends ? &*at : nullptr;
   }
 
+  // Calls act(b) for each side a -> b.
+  template <class Act>
+  void each_from(vertex_index a, const Act& act) const {
+    auto at = std::lower_bound(sides_.begin(), sides_.end(), a,
+                               [](const side& s, vertex_index key) { return s.ends[0] < key; });
+    for (; at != sides_.end() && at->ends[0] == a; ++at) act(at->ends[1]);
+  }
+
   // True if triangles of different regions are on the two sides of the edge. `regions` has one for
   // each triangle, or is empty.
   bool divides_regions(const std::vector<int>& regions, vertex_index a, vertex_index b) const {
