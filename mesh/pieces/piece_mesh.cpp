@@ -45,16 +45,13 @@ result<mesh_outcome> make(const piece_shape& piece, const metric_field& field,
 result<certified_mesh> make_piece_mesh(const piece_shape& piece, const metric_field& field,
                                        const mesh_options& options,
                                        const progress_listener& progress) {
-  const auto judged = [&](star_confirmation confirmed) -> result<certified_mesh> {
+  const auto judged = [&](star_confirmation confirmed, bool) -> result<certified_mesh> {
     auto made = make(piece, field, options, progress, confirmed);
     if (!made) return made.failure();
     if (progress) progress({.phase = mesh_phase::auditing, .sites = made.value().sites});
     return judge_outcome(std::move(made).value(), piece.shape, options);
   };
-  auto first = judged(star_confirmation::by_auditor);
-  if (!first || !is_refused_for_a_star(first.value().outcome, first.value().report, options))
-    return first;
-  return judged(star_confirmation::by_mesher);
+  return judged_until_confirmed(options, judged);
 }
 
 }  // namespace asterism::internal

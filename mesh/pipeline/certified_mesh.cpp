@@ -94,18 +94,13 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
 result<certified_mesh> make_certified_mesh(const domain& d, const metric_field& field,
                                            const mesh_options& options,
                                            const progress_listener& progress) {
-  const auto judge = [&](result<mesh_outcome> made) -> result<certified_mesh> {
+  const auto judged = [&](star_confirmation confirmed, bool may_deliver) -> result<certified_mesh> {
+    auto made = make_by_attempts(d, field, options, progress, confirmed, may_deliver);
     if (!made) return made.failure();
     if (progress) progress({.phase = mesh_phase::auditing, .sites = made.value().sites});
     return judge_outcome(std::move(made).value(), d, options);
   };
-  auto judged = judge(make_by_attempts(d, field, options, progress, star_confirmation::by_auditor));
-  if (!judged || !is_refused_for_a_star(judged.value().outcome, judged.value().report, options))
-    return judged;
-  // Ways to a metric delivered that did not lead to a mesh are not gone again, but with a
-  // tolerance: the mesh that was delivered beyond it may be what there is to show.
-  return judge(make_by_attempts(d, field, options, progress, star_confirmation::by_mesher,
-                                options.metric_tolerance.has_value()));
+  return judged_until_confirmed(options, judged);
 }
 
 }  // namespace asterism

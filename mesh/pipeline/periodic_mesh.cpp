@@ -15,8 +15,8 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// Rounds in which a mesh may ask for more on its sides. Each adds a station, so that they end by
-// themselves (docs/math/periodic.md).
+// Rounds in which a mesh may ask for more on its sides. Those of a fill end by themselves; of local
+// changes that is not proved (docs/math/periodic.md).
 constexpr int most_rounds = 100;
 
 using all_sides = std::vector<periodic_sides>;
@@ -111,11 +111,7 @@ result<certified_mesh> make_periodic_mesh(const domain& d, const metric_field& f
     claim_periodic(pairs, judged);
     return judged;
   };
-  auto judged = judged_with(star_confirmation::by_auditor, true);
-  if (!judged || !is_refused_for_a_star(judged.value().outcome, judged.value().report, options))
-    return judged;
-  // As make_certified_mesh has it.
-  return judged_with(star_confirmation::by_mesher, options.metric_tolerance.has_value());
+  return judged_until_confirmed(options, judged_with);
 }
 
 }  // namespace asterism
