@@ -18,6 +18,7 @@
 #include "asterism/mesh/domain/curve_values.hpp"
 #include "asterism/mesh/domain/domain_values.hpp"
 #include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/domain/point_algebra.hpp"
 #include "asterism/mesh/numerics/arc_length.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
@@ -41,8 +42,6 @@ constexpr double part_of_size = 1.0 / 50, part_of_size_on_mesh = 1.0 / 100;
 // around, meshes by local changes were not certified in a metric near the one wanted.
 constexpr double least_halved = 0.8;
 
-double distance(const point& a, const point& b) { return elementary::hypot(a.x - b.x, a.y - b.y); }
-
 // True if the piece is near to its chord for the size that the metric wants across it, or short.
 result<bool> suits_size_across(const curve_path& path, const metric_field& field, double t0,
                                double t1) {
@@ -63,7 +62,7 @@ result<bool> is_near_enough(const curve_path& path, const curve_division& wanted
   if (!path.is_straightforward(t0, t1)) return false;
   const double height = path.height(t0, t1);
   if (wanted.chord_tolerance) return height <= *wanted.chord_tolerance;
-  if (!(height <= part_of_chord * distance(path.at(t0), path.at(t1)))) return false;
+  if (!(height <= part_of_chord * distance_between(path.at(t0), path.at(t1)))) return false;
   return wanted.field == nullptr ? true : suits_size_across(path, *wanted.field, t0, t1);
 }
 

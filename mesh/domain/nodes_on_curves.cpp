@@ -2,22 +2,18 @@
 #include "asterism/mesh/domain/nodes_on_curves.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
-#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/domain/curve_chords.hpp"
+#include "asterism/mesh/domain/point_algebra.hpp"
 
 namespace asterism::internal {
 namespace {
 
-double distance_of_points(const point& p, const point& q) {
-  return elementary::hypot(q.x - p.x, q.y - p.y);
-}
-
-// True if a vertex of a chord is on its curve. One that split the chord on its own line is off by a
-// part of the chord's height; rounding is far below a millionth of the chord.
+// True if a vertex of a chord is about on its curve, not somewhere on the chord's own line. Decides
+// no more than which sides are curved: that no triangle folds is proved of what comes out, and
+// which nodes are on the curve is decided anew, exactly (audit/curved_triangles.hpp).
 bool is_on_curve(const curve_chords& chords, const domain& shape, vertex_index number,
                  const mesh& m, vertex_index v) {
   const segment& s = shape.segments[number];
@@ -25,8 +21,8 @@ bool is_on_curve(const curve_chords& chords, const domain& shape, vertex_index n
   constexpr double part = 1e-9;
   const point& q = m.sites[v].position;
   const auto place = chords.nearest(number, q);
-  return place && distance_of_points(*place, q) <=
-                      part * distance_of_points(shape.vertices[s.a], shape.vertices[s.b]);
+  return place && distance_between(*place, q) <=
+                      part * distance_between(shape.vertices[s.a], shape.vertices[s.b]);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/site.hpp"
 
 // Points as vectors of the plane, in plain doubles.
@@ -10,6 +11,9 @@ namespace asterism::internal {
 
 inline point minus(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
 inline double dot(const point& a, const point& b) { return a.x * b.x + a.y * b.y; }
+inline double distance_between(const point& a, const point& b) {
+  return elementary::hypot(a.x - b.x, a.y - b.y);
+}
 inline bool is_finite(const point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 }  // namespace asterism::internal

@@ -11,12 +11,11 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/domain/curve_chords.hpp"
+#include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/domain/point_algebra.hpp"
 
 namespace asterism::internal {
-namespace {
-
-constexpr std::array<side_map, 4> quarter_turns = {
-    {{false, 1, 0, {}}, {false, 0, 1, {}}, {false, -1, 0, {}}, {false, 0, -1, {}}}};
 
 // A side with its vertices in the order in which they go together.
 struct side_line {
@@ -29,15 +28,12 @@ struct corner_pair {
   std::optional<std::size_t> first, second;
 };
 
+namespace {
+
+constexpr std::array<side_map, 4> quarter_turns = {
+    {{false, 1, 0, {}}, {false, 0, 1, {}}, {false, -1, 0, {}}, {false, 0, -1, {}}}};
+
 std::string marker_text(int marker) { return "marker " + std::to_string(marker); }
-
-std::string point_text(const point& q) {
-  std::string text = number_text(q.x);
-  text.append(", ").append(number_text(q.y)).append(")").insert(text.begin(), '(');
-  return text;
-}
-
-double distance(const point& p, const point& q) { return elementary::hypot(q.x - p.x, q.y - p.y); }
 
 double unit_in_last_place(double size) {
   const double next = std::nextafter(std::abs(size), std::numeric_limits<double>::infinity());
@@ -118,7 +114,7 @@ result<std::map<vertex_index, vertex_index>> segments_with(const domain& d, int 
     if (one.marker != marker) continue;
     if (one.internal)
       return error{"the domain is on both sides of the segment from " +
-                   point_text(d.vertices[one.a]) + " to " + point_text(d.vertices[one.b]) +
+                   coordinates(d.vertices[one.a]) + " to " + coordinates(d.vertices[one.b]) +
                    " with " + marker_text(marker)};
     if (!leaving.emplace(one.a, s).second || ++arriving[one.b] > 1)
       return error{"the segments with " + marker_text(marker) + " branch"};
@@ -150,15 +146,12 @@ result<side_line> line_of(const domain& d, int marker) {
 
 // Fails where a segment of the line is a chord of a curve: its points would be on the curve.
 std::optional<error> find_curve(const domain& d, const side_line& line, int marker) {
-  std::map<std::pair<vertex_index, vertex_index>, char> chords;
-  for (const domain_curve& c : d.curves)
-    for (std::size_t i = 0; i + 1 < c.vertices.size(); ++i)
-      chords[std::minmax(c.vertices[i], c.vertices[i + 1])] = 1;
+  const curve_chords chords(d);
   for (const vertex_index s : line.segments) {
     const segment& one = d.segments[s];
-    if (chords.contains(std::minmax(one.a, one.b)))
-      return error{"the segment from " + point_text(d.vertices[one.a]) + " to " +
-                   point_text(d.vertices[one.b]) + " with " + marker_text(marker) +
+    if (chords.is_chord(s))
+      return error{"the segment from " + coordinates(d.vertices[one.a]) + " to " +
+                   coordinates(d.vertices[one.b]) + " with " + marker_text(marker) +
                    " is of a curve, and straight sides are wanted"};
   }
   return std::nullopt;
@@ -167,8 +160,8 @@ std::optional<error> find_curve(const domain& d, const side_line& line, int mark
 void measure(const domain& d, side_line& line) {
   line.at.assign(1, 0);
   for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i)
-    line.at.push_back(line.at.back() +
-                      distance(d.vertices[line.vertices[i]], d.vertices[line.vertices[i + 1]]));
+    line.at.push_back(line.at.back() + distance_between(d.vertices[line.vertices[i]],
+                                                        d.vertices[line.vertices[i + 1]]));
 }
 
 // Makes corners of the two sides a pair where they are at about the same length.
@@ -293,7 +286,8 @@ class side_finder {
   }
 
   bool lose(const point& corner, const point& image, const char* wanted) {
-    lost_ = "where " + point_text(corner) + " would come to, " + point_text(image) + ", " + wanted;
+    lost_ =
+        "where " + coordinates(corner) + " would come to, " + coordinates(image) + ", " + wanted;
     return false;
   }
 
@@ -301,7 +295,7 @@ class side_finder {
     station.first = first(i);
     station.second = second(k);
     const point image = made_.map_.image(station.first);
-    return distance(image, station.second) <= allowed_ ||
+    return distance_between(image, station.second) <= allowed_ ||
            lose(station.first, image, "the other side has no corner");
   }
 
@@ -313,7 +307,7 @@ class side_finder {
     station.second = made_.map_.is_exact ? image : on_line;
     return made_.map_.is_exact
                ? maps_exactly(made_.map_, first(i), image) && is_near_enough(a, b, on_line, image)
-               : distance(image, on_line) <= allowed_ ||
+               : distance_between(image, on_line) <= allowed_ ||
                      lose(first(i), image, "the other side is not");
   }
 
@@ -329,7 +323,7 @@ class side_finder {
     station.first = map.is_exact ? origin : on_line;
     return map.is_exact
                ? maps_exactly(map, origin, second(k)) && is_near_enough(a, b, on_line, origin)
-               : distance(origin, on_line) <= allowed_ ||
+               : distance_between(origin, on_line) <= allowed_ ||
                      lose(second(k), origin, "the other side is not");
   }
 
