@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "asterism/mesh/io/certificate_json.hpp"
 namespace asterism::apps {
 namespace {
 
@@ -60,17 +61,7 @@ void add_audit(json& object, const audit_report& audit, const std::vector<region
 
 // Adds how sides match, where that was asked.
 void add_periodic(json& object, const std::vector<periodic_match>& matches) {
-  if (matches.empty()) return;
-  json all = json::array();
-  for (const periodic_match& one : matches)
-    all.push_back({{"sides", {one.sides.first, one.sides.second}},
-                   {"kind", periodic_kind_names[static_cast<std::size_t>(one.kind)]},
-                   {"turn", one.turn},
-                   {"shift", {one.shift.x, one.shift.y}},
-                   {"vertices", one.vertices},
-                   {"greatest_offset", one.greatest_offset},
-                   {"metrics_apart", number(one.metrics_apart)}});
-  object["periodic"] = std::move(all);
+  if (!matches.empty()) object["periodic"] = internal::json_of(matches);
 }
 
 void add_second_order(json& object, const std::optional<second_order_report>& r) {

@@ -166,19 +166,6 @@ json pairs_json(const std::vector<periodic_pair>& pairs) {
   return written;
 }
 
-json periodic_json(const std::vector<periodic_match>& matches) {
-  json written = json::array();
-  for (const periodic_match& one : matches)
-    written.push_back({{"sides", {one.sides.first, one.sides.second}},
-                       {"kind", periodic_kind_names[static_cast<std::size_t>(one.kind)]},
-                       {"turn", one.turn},
-                       {"shift", {one.shift.x, one.shift.y}},
-                       {"vertices", one.vertices},
-                       {"greatest_offset", one.greatest_offset},
-                       {"metrics_apart", bound_json(one.metrics_apart)}});
-  return written;
-}
-
 json audit_json(const certificate& c) {
   json found = json::object();
   for (const auto& [kind, count] : c.found) found[kind] = count;
@@ -202,7 +189,7 @@ json audit_json(const certificate& c) {
   if (c.original && !c.original->curves.empty()) written["curves"] = curves_json(c.curves);
   if (!c.regions.empty()) written["regions"] = regions_json(c.regions);
   if (c.former) written["former_boundary"] = former_report_json(c.former_distance);
-  if (!c.periodic_asked.empty()) written["periodic"] = periodic_json(c.periodic);
+  if (!c.periodic_asked.empty()) written["periodic"] = json_of(c.periodic);
   return written;
 }
 
@@ -330,6 +317,19 @@ void write_with_lists(std::string_view text, const domain& d, const byte_sink& p
 }
 
 }  // namespace
+
+certificate_json internal::json_of(const std::vector<periodic_match>& matches) {
+  json written = json::array();
+  for (const periodic_match& one : matches)
+    written.push_back({{"sides", {one.sides.first, one.sides.second}},
+                       {"kind", periodic_kind_names[static_cast<std::size_t>(one.kind)]},
+                       {"turn", one.turn},
+                       {"shift", {one.shift.x, one.shift.y}},
+                       {"vertices", one.vertices},
+                       {"greatest_offset", one.greatest_offset},
+                       {"metrics_apart", bound_json(one.metrics_apart)}});
+  return written;
+}
 
 certificate_json internal::json_of(const certificate& c) { return json_with(c, true); }
 
