@@ -75,18 +75,13 @@ result<report_facts> facts_of_page(const draw_options& options, const std::strin
   return facts;
 }
 
-bool is_picture(mesh_format format) {
-  return format == mesh_format::svg || format == mesh_format::png || format == mesh_format::pdf ||
-         format == mesh_format::html;
-}
-
 // Refuses what does not go together, before anything is read.
 std::optional<error> check(const draw_options& options, mesh_format format) {
-  if (!is_picture(format))
+  const bool is_page = format == mesh_format::html;
+  if (!is_picture(format) && !is_page)
     return error{options.picture.string() +
                  ": not a picture; use .svg, .png, .pdf or .html, or convert for a mesh in another "
                  "format"};
-  const bool is_page = format == mesh_format::html;
   if (!is_page && !options.certificate.empty())
     return error{"--certificate: goes with a page, -o NAME.html"};
   if (!is_page && options.things.size() > 1)

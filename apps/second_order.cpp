@@ -18,8 +18,7 @@ bool can_hold(const fs::path& output) {
 // Pictures and pages are drawn of straight sides whatever the mesh is.
 bool is_drawn(const fs::path& output) {
   const auto format = mesh_format_of(output);
-  return format && (format.value() == mesh_format::svg || format.value() == mesh_format::png ||
-                    format.value() == mesh_format::pdf || format.value() == mesh_format::html);
+  return format && (is_picture(format.value()) || format.value() == mesh_format::html);
 }
 
 }  // namespace

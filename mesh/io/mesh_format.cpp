@@ -39,15 +39,15 @@ std::string lower(std::string text) {
   return text;
 }
 
-bool is_picture(mesh_format format) {
-  return format == mesh_format::svg || format == mesh_format::png || format == mesh_format::pdf;
-}
-
 fs::path beside(const fs::path& path, const char* extension) {
   return fs::path(path).replace_extension(extension);
 }
 
 }  // namespace
+
+bool is_picture(mesh_format format) {
+  return format == mesh_format::svg || format == mesh_format::png || format == mesh_format::pdf;
+}
 
 result<mesh_format> mesh_format_of(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());

@@ -41,6 +41,9 @@ ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& pa
 ASTERISM_EXPORT std::vector<std::filesystem::path> files_of_output(
     const std::filesystem::path& path);
 
+// True of .svg, .png and .pdf.
+ASTERISM_EXPORT bool is_picture(mesh_format format);
+
 // True if files of the format can hold triangles of second order.
 ASTERISM_EXPORT bool holds_second_order(mesh_format format);
 
