@@ -4,26 +4,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
 
+#include "asterism/mesh/data/region_of.hpp"
+#include "asterism/mesh/data/renumbering.hpp"
 #include "asterism/mesh/numerics/metric_angle.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 
 namespace asterism {
 using namespace internal;
 namespace {
 
-constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
-
 bool is_among(const std::vector<int>& regions, int region) {
   return std::find(regions.begin(), regions.end(), region) != regions.end();
 }
-
-int region_of(const mesh& m, std::size_t t) { return m.regions.empty() ? 1 : m.regions[t]; }
 
 // Keeps the edges that triangles have on a side, turned so that one is on the left.
 void keep_edges(mesh& m) {
@@ -42,11 +39,6 @@ void keep_edges(mesh& m) {
 void normalize_regions(mesh& m) {
   if (std::all_of(m.regions.begin(), m.regions.end(), [](int r) { return r == 1; }))
     m.regions.clear();
-}
-
-double length(const metric_tensor& m, const point& p, const point& q) {
-  const double x = q.x - p.x, y = q.y - p.y;
-  return std::sqrt(m.m11 * x * x + 2 * m.m12 * x * y + m.m22 * y * y);
 }
 
 std::array<point, 3> sorted_corners(const mesh& m, const triangle& t) {
@@ -79,32 +71,19 @@ std::vector<placed_triangle> placed(const mesh& m, const std::vector<int>& froze
   return all;
 }
 
-// Numbers the vertices of triangles in the order of the mesh, and leaves out all others.
+// Numbers the vertices of triangles in the order of the mesh, and leaves out all others. Returns
+// the old number of each.
 std::vector<vertex_index> drop_vertices(mesh& m) {
-  std::vector<char> used(m.sites.size(), 0);
+  m.disagreeing.clear();
+  std::vector<vertex_index> number(m.sites.size(), no_number), old;
   for (const triangle& t : m.triangles)
-    for (const vertex_index v : t) used[v] = 1;
-  std::vector<vertex_index> number(m.sites.size(), none), old;
-  const bool has_references = !m.references.empty();
-  vertex_index given = 0;
-  for (vertex_index v = 0; v < used.size(); ++v) {
-    if (used[v] == 0) continue;
-    const auto now = static_cast<vertex_index>(old.size());
-    if (v < m.given) ++given;
-    m.sites[now] = m.sites[v];
-    if (has_references) m.references[now] = m.references[v];
-    number[v] = now;
+    for (const vertex_index v : t) number[v] = 0;
+  for (vertex_index v = 0; v < number.size(); ++v) {
+    if (number[v] == no_number) continue;
+    number[v] = static_cast<vertex_index>(old.size());
     old.push_back(v);
   }
-  m.sites.resize(old.size());
-  if (has_references) m.references.resize(old.size());
-  m.given = given;
-  for (triangle& t : m.triangles)
-    for (vertex_index& v : t) v = number[v];
-  for (boundary_edge& e : m.boundary) {
-    e.a = number[e.a];
-    e.b = number[e.b];
-  }
+  renumber_vertices(m, number);
   return old;
 }
 
@@ -151,12 +130,12 @@ result<frozen_part> without_regions(const mesh& whole, const std::vector<int>& f
   normalize_regions(part.rest);
   part.rest.notes.clear();
   part.lone_vertices = whole.sites.size() - part.rest.sites.size();
-  std::vector<vertex_index> number(whole.sites.size(), none);
+  std::vector<vertex_index> number(whole.sites.size(), no_number);
   for (vertex_index v = 0; v < part.vertex_of.size(); ++v) number[part.vertex_of[v]] = v;
   for (const auto& [a, b] : border) part.border.push_back({number[a], number[b]});
   for (const vertex_index t : part.frozen)
     for (const vertex_index v : whole.triangles[t])
-      if (number[v] != none) part.shared.push_back(number[v]);
+      if (number[v] != no_number) part.shared.push_back(number[v]);
   std::sort(part.shared.begin(), part.shared.end());
   part.shared.erase(std::unique(part.shared.begin(), part.shared.end()), part.shared.end());
   return part;
@@ -164,11 +143,12 @@ result<frozen_part> without_regions(const mesh& whole, const std::vector<int>& f
 
 std::size_t coarsen_border(frozen_part& part, double longest) {
   std::vector<double> greatest(part.rest.sites.size(), 0);
-  for (const auto& [a, b] : part.border)
+  for (const auto& [a, b] : part.border) {
+    const point &p = part.rest.sites[a].position, &q = part.rest.sites[b].position;
     for (const vertex_index v : {a, b})
       greatest[v] =
-          std::max(greatest[v], length(part.rest.sites[v].metric, part.rest.sites[a].position,
-                                       part.rest.sites[b].position));
+          std::max(greatest[v], plain_length(part.rest.sites[v].metric, {q.x - p.x, q.y - p.y}));
+  }
   std::size_t changed = 0;
   for (std::size_t v = 0; v < greatest.size(); ++v) {
     if (!(greatest[v] > longest)) continue;
@@ -214,25 +194,25 @@ std::optional<mesh> with_frozen(const mesh& made, const frozen_part& part, const
   const auto place_of = [&](vertex_index v) {
     const point& p = part.rest.sites[v].position;
     const auto found = at_place.find({p.x, p.y});
-    return found == at_place.end() ? none : found->second;
+    return found == at_place.end() ? no_number : found->second;
   };
   const triangle_sides sides(made);
-  std::vector<vertex_index> number(whole.sites.size(), none);
+  std::vector<vertex_index> number(whole.sites.size(), no_number);
   split = 0;
   for (const vertex_index v : part.shared) {
     number[part.vertex_of[v]] = place_of(v);
-    if (place_of(v) == none) ++split;
+    if (place_of(v) == no_number) ++split;
   }
   for (const auto& [a, b] : part.border) {
     const vertex_index from = place_of(a), to = place_of(b);
-    if (from == none || to == none || sides.find(from, to) == nullptr) ++split;
+    if (from == no_number || to == no_number || sides.find(from, to) == nullptr) ++split;
   }
   if (split > 0) return std::nullopt;
   mesh all = made;
   all.references.clear();
   all.regions.resize(made.triangles.size(), 1);
   const auto numbered = [&](vertex_index v) {
-    if (number[v] == none) {
+    if (number[v] == no_number) {
       number[v] = static_cast<vertex_index>(all.sites.size());
       all.sites.push_back(whole.sites[v]);
     }
