@@ -16,7 +16,7 @@
 
 namespace asterism::apps {
 
-// What is said of the frozen triangles, which nothing is certified of.
+// Counts and angles of the frozen triangles, of which nothing is certified.
 struct frozen_facts {
   std::vector<int> regions;  // ascending; empty: none
   std::size_t triangles = 0, low = 0;

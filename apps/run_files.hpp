@@ -17,14 +17,14 @@
 
 namespace asterism::apps {
 
-// Where the files go; empty paths are not written.
+// Names the files that a run writes; an empty path is none.
 struct run_files {
   std::vector<std::filesystem::path> outputs;  // of the mesh, pictures and pages
   std::vector<std::filesystem::path> solutions = {};
   std::filesystem::path proof = {}, certificate = {};
 };
 
-// What is written there. `solutions` are files with their contents.
+// Holds the contents of these files. `solutions` are files with their contents.
 struct run_contents {
   const mesh& made;
   const certificate& claim;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is said of triangles of second order.
+// Words the report on triangles of second order.
 #pragma once
 
 #include <string>

@@ -141,7 +141,7 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
   const std::string help = "\n'asterism " + app->get_name() + " --help' lists the options.";
   const std::vector<std::string> known = options_of(*app);
   const std::string unknown = unknown_option(words, known);
-  // What is required may have been given under a wrong name.
+  // A required argument may have been given under a wrong name.
   const bool may_be_name = dynamic_cast<const CLI::ExtrasError*>(&failure) != nullptr ||
                            dynamic_cast<const CLI::RequiredError*>(&failure) != nullptr;
   if (!may_be_name || unknown.empty()) return failure.what() + help;
@@ -165,7 +165,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> foreign_
      {"check-mesh", "certify"},
      {"quality", "certify"}}};
 
-// What was meant by a word that is no command: a domain, a file, or the command of another program.
+// Suggests a command line for a first word that is no command: a domain, a file, or a command of
+// another program.
 std::string meant_instead(const std::string& word) {
   for (const auto& [theirs, ours] : foreign_commands)
     if (theirs == word) return "; here it is " + std::string(ours);

@@ -27,7 +27,7 @@ struct judged_mesh {
   // The mesh as read, where frozen triangles were taken out of `content`.
   std::optional<mesh> together = {};
   std::string frozen = {};  // what is said of them
-  // What was taken from elsewhere.
+  // Parts of the mesh that its file has not, and that were taken from elsewhere.
   bool took_metric = false, took_segments = false, took_regions = false;
 
   const mesh& whole() const { return together ? *together : content; }

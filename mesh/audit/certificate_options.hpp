@@ -43,7 +43,7 @@ inline constexpr std::array<std::string_view, 3> piece_option_names = {"metric-b
 inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-bound", "mesh",
                                                                          "repair", "size"};
 
-// Words that are there only where somebody asked for what they are about.
+// Names of options that a certificate has only if the option was given.
 inline constexpr std::array<std::string_view, 5> rare_option_names = {
     "adapt-cutoff", "adapt-given-hessian", "adapt-relative", "guarantee", "split-across"};
 // Names that a run with frozen regions (pipeline/frozen_regions.hpp) has besides.

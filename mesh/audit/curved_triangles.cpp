@@ -202,7 +202,7 @@ class curve_finder {
     const auto t = measure.parameter_of(node.at, c.parameters[i], c.parameters[i + 1]);
     const point &p = m.sites[node.a].position, &q = m.sites[node.b].position;
     if (!t || !(measure.is_within(p, node.at, q) || measure.is_within(q, node.at, p))) return false;
-    // As for vertices on curves (curves.cpp).
+    // Bounds the rounding of a place on a curve, as for vertices (curves.cpp).
     constexpr double units_off = 16;
     return measure.distance_to(node.at, *t) <=
            rational(units_off * unit_in_last_place(measure.reach()));

@@ -15,8 +15,8 @@ namespace asterism {
 // a fill keeps to, but for rounding.
 inline constexpr double guaranteed_covering = 0.75 * (1 + 0x1p-20);
 
-// What is guaranteed of a mesh. Lengths are metric, in the metric asked for, which is that of the
-// mesh.
+// Holds the numbers of a guarantee: the size factor k, sigma, eps and the bound on the number of
+// sites. Lengths are metric, in the metric asked for, which is that of the mesh.
 struct guarantee_claim {
   // k: edges are as many times shorter than the metric asks for.
   double size_factor = 1;

@@ -82,7 +82,7 @@ double covering_radius(const mesh& m) {
   const auto radius_of = [&](std::size_t i) {
     return theorem::covering_radius_above(corners_of(m, i));
   };
-  // Of a triangle whose radius is certainly no more than this it is not measured.
+  // Skips the exact radius of triangles that are certainly no larger than the largest of some.
   const double enough = radius_of(widest_of_some(m));
   std::vector<double> quick(m.triangles.size());
   const auto widest = collect_chunks<double>(

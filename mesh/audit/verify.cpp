@@ -107,9 +107,9 @@ bool is_step_of_sizes(double factor) {
          factor == elementary::exp2(std::round(2 * elementary::log2(factor)) / 2);
 }
 
-// What a guarantee says of the sites is what the hypotheses, measured again, say, whatever bound is
-// asked now: they are of the mesh alone. Its factor is held against the covering radius, which it
-// makes as many times smaller, and against the size.
+// Compares a guarantee with the hypotheses as measured again, which depend on the mesh alone and
+// not on the bound that is asked now. Its factor is compared with the covering radius, which is
+// that many times smaller, and with the size.
 void compare_guarantee(contradictions& all, const certificate& claim,
                        const std::optional<theorem_hypotheses>& found) {
   const bool is_asked = option_of(claim, "guarantee") == "asked";
@@ -235,8 +235,8 @@ void compare_mesh_names(contradictions& all, const certificate& claim) {
   compare_names(all, without, mesh_option_names);
 }
 
-// Words about what was transferred are there for each component, or not at all, and those about
-// frozen regions all, or none.
+// Refuses options of a transfer that are missing for one of its components, and options of frozen
+// regions of which some are missing.
 void compare_adapted_names(contradictions& all, const certificate& claim) {
   certificate without = claim;
   if (claim.options.count("frozen") != 0)

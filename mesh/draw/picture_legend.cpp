@@ -17,7 +17,7 @@ struct measures {
   double letter = 13 * unit, row = 30 * unit, box = 16 * unit, bar = 240 * unit, gap = 9 * unit;
 };
 
-// Where the next thing goes: to the right, or into the next row where it would not fit.
+// Places boxes from left to right, and in a new row where the next would not fit.
 class rows {
  public:
   rows(const point& corner, double width, const measures& m)

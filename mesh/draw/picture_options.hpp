@@ -13,7 +13,7 @@ namespace asterism {
 // The formats of pictures.
 enum class picture_format { svg, pdf, png };
 
-// What the colours of a picture tell. A legend below it says which is which.
+// Names the quantity that colours show. A legend below the picture has its values.
 enum class picture_by {
   nothing,
   angle,   // the least of a triangle's nine, from the bound on

@@ -138,7 +138,7 @@ json fields_json(const std::string& prefix, const solution& fields) {
   return all;
 }
 
-// What a page says of each mesh: its counts and the names of its fields.
+// Returns the counts of a mesh and the names of its fields, as a page lists them.
 json counts_json(const mesh& m, const std::string& label, const std::string& prefix,
                  const solution& fields) {
   return {{"label", label},

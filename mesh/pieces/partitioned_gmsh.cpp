@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/data/region_of.hpp"
 #include "asterism/mesh/io/gmsh_numbering.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 
@@ -53,7 +54,7 @@ std::map<place, std::size_t> shared_vertices(const pieces_index& index) {
   return shared;
 }
 
-// What a piece adds, in the order of its own numbers.
+// Counts the vertices and elements that a piece writes, each by its entity.
 struct piece_counts {
   std::size_t first_vertex = 1, vertices = 0;  // tags that it gives
   std::map<part_of_curve, std::size_t> lines;
@@ -186,7 +187,7 @@ class partitioned_writer {
   }
 
   static part_of_surface surface_of(piece_index p, const mesh& m, std::size_t t) {
-    return {m.regions.empty() ? 1 : m.regions[t], p};
+    return {region_of(m, t), p};
   }
 
   // Counts the piece's elements too, which come after all nodes.

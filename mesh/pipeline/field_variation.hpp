@@ -18,8 +18,8 @@ struct field_jump {
   double factor = 1;  // the distortion between them
 };
 
-// What the samples say. No more is known of the field than that: it may vary faster, and jump,
-// between them.
+// The variation and the first jump that samples of a field show. Between samples the field may vary
+// faster, and jump: no bound follows.
 struct field_samples {
   // The greatest (1 - 1 / tau) / d of two points that were looked at, d the smaller of their
   // distances: the field's sigma is at least that (docs/math/refinement.md, H1).

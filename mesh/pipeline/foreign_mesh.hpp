@@ -35,7 +35,7 @@ struct adopted_mesh {
   std::vector<vertex_index> number = {};  // of each vertex as it came; empty where none went
 };
 
-// What becomes of two vertices at one place.
+// Says whether two vertices at one place are joined to one or refused.
 enum class slit_rule {
   refused,
   joined  // where they are of both sides of a slit: for whoever parts the mesh again

@@ -2,8 +2,8 @@
 //
 // Adapts a mesh but for the triangles of some of its regions, which stay as they are.
 //
-// What is adapted, certified and verified is the rest, as a mesh of its own: the border with the
-// frozen regions is a part of its boundary, of which every vertex stays. The file has both
+// The rest is adapted, certified and verified as a mesh of its own: the border with the frozen
+// regions is a part of its boundary, of which every vertex stays. The file has both
 // together: first the rest's vertices, triangles and edges, then the others.
 //
 // A mesher splits edges of a boundary where the metric wants that or stars need it. Those of the

@@ -60,7 +60,7 @@ mesh_options with_part_of_work(const mesh_options& options, double share) {
   return limited;
 }
 
-// What is left in the end is for one metric everywhere.
+// The work left in the end is for one metric everywhere.
 constexpr double for_delivery = attempt_rules[0].share_of_work,
                  for_metric_wanted = attempt_rules[2].share_of_work;
 

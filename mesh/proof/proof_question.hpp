@@ -8,9 +8,9 @@
 
 namespace asterism::internal {
 
-// What is asked: nothing of it is taken from the proof. Every edge of the mesh's boundary list is a
-// segment. The domain is as its .poly file has it, before any repair; null: what the boundary
-// encloses.
+// Holds the question that a proof is checked for: no part of it is taken from the proof. Every edge
+// of the mesh's boundary list is a segment. The domain is as its .poly file has it, before any
+// repair; null: what the boundary encloses.
 struct proof_question {
   const mesh& subject;
   const domain* shape = nullptr;

@@ -25,7 +25,7 @@ inline double own_place(const patch_side& side, double place) {
 }
 // The point of the side's chart.
 point chart_point(const surface_chart& chart, const patch_side& side, double place);
-// Which of a curve's sides is the one of this patch.
+// Returns the side of the curve that is the given side of the patch.
 const patch_side& side_of_patch(const side_curve& curve, std::size_t patch, int side);
 
 class curve_division {

@@ -67,7 +67,7 @@ class face_meshing {
   void find_base();
   double consistent_density(const point& p, const point& direction, double density) const;
   mesh background() const;
-  // What is in the domain to be meshed beside the corners, with the side of each; none: inside.
+  // A vertex of the plane domain beside its corners, with the side that it is on; none: inside.
   struct placed {
     point at;
     std::optional<on_side> on;

@@ -27,8 +27,8 @@ namespace {
 // chord is, and only finer.
 constexpr std::size_t coarse_rounds = 4;
 constexpr double aim = 0.92;  // of the chord: triangles vary
-// Where nobody asks for less, radians: a triangle over a bend much sharper than the chord is high
-// would be within the chord, and folded over.
+// Greatest turn of normals over a triangle in radians, unless less is asked for: over a bend
+// sharper than the chord is high a triangle would be within the chord, and folded.
 constexpr double greatest_turn = 1.2;
 
 class surface_meshing {
@@ -201,7 +201,7 @@ std::array<point, 3> corners_of(const mesh& m, std::size_t t) {
   return {m.sites[c[0]].position, m.sites[c[1]].position, m.sites[c[2]].position};
 }
 
-// What a triangle's distance asks of the logarithm of the density there.
+// Returns by how much the logarithm of the density is to grow at a triangle of this distance.
 double finer_by(double distance, double chord) {
   return std::min(1.1 * elementary::log(distance / (aim * chord)) + 0.02, 2.0);
 }

@@ -71,8 +71,8 @@ std::optional<int> side_of(const shell_face& face, const point& a, const point& 
   return std::nullopt;
 }
 
-// The edges that plane triangles have on sides that no other patch has, as the shell turns them.
-// Those of triangles that are none in space count: where one lies between the shell and such a
+// Returns the edges that plane triangles have on sides that no other patch has, as the shell turns
+// them. Edges of triangles collapsed in space count: where one lies between the shell and such a
 // side, its two edges are the same one in space.
 std::set<shell_edge> edges_at_open_sides(const surface_shell& shell,
                                          const std::vector<shell_triangle>& triangles,
