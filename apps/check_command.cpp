@@ -12,10 +12,12 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/option_values.hpp"
+#include "asterism/apps/plain_question.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/proof/check_proof.hpp"
+#include "asterism/mesh/proof/check_tolerance.hpp"
 #include "asterism/mesh/proof/proof_reader.hpp"
 
 namespace asterism::apps {
@@ -30,31 +32,35 @@ in the metric SOL. All of the question is in the arguments; PROOF holds witnesse
 is believed. tools/check_mesh.py does the same in Python, from the files alone.
 
 Exit status: 0 proved; 1 not proved, with the reason; 2 a question or a file of which nothing can be
-said: curves, domains that are no .poly file, a metric that is not given at the vertices.
+said: curves, a metric that is not given at the vertices.
+
+A domain that is no .poly file is taken as 'asterism convert' writes it as one. With
+--metric-tolerance T the tensors beside MESH, in its own .sol, are those in which the stars are
+proved, and SOL has those that were asked for: that no length differs by more than the factor exp(T)
+is proved at every vertex.
 
 Examples:
-  asterism check plate.mesh plate.proof --domain plate.poly --angle-bound 20 --metric plate.sol)";
+  asterism check plate.mesh plate.proof --domain plate.poly --angle-bound 20 --metric plate.sol
+  asterism convert near.mesh asked.mesh --metric 'expr:(x>0)?100:1;0;1' --size 0.5
+  asterism check near.mesh near.proof --angle-bound 20 --metric asked.sol --metric-tolerance 3)";
 
 struct check_options {
   fs::path mesh, proof;
   std::string domain, metric;
   double angle_bound = 0;
-  std::string metric_tolerance;
+  std::optional<double> metric_tolerance;
 };
 
 // Returns why the question cannot be asked yet.
 std::optional<error> check_kind(const check_options& options) {
-  if (!options.metric_tolerance.empty())
-    return error{"--metric-tolerance cannot be checked yet", error_code::bad_option};
   if (!has_ending(options.metric, ".sol"))
-    return error{
-        options.metric + ": only a .sol file with a tensor at each vertex can be checked yet",
-        error_code::bad_option};
+    return error{options.metric +
+                     ": only a .sol file with a tensor at each vertex can be checked; "
+                     "'asterism convert MESH ASKED.mesh --metric METRIC' writes ASKED.sol",
+                 error_code::bad_option};
   if (!has_ending(options.mesh.string(), ".mesh"))
     return error{options.mesh.string() + ": only .mesh files can be checked yet",
                  error_code::bad_option};
-  if (!options.domain.empty() && !has_ending(options.domain, ".poly"))
-    return error{options.domain + ": only .poly files can be checked yet", error_code::bad_option};
   return std::nullopt;
 }
 
@@ -68,7 +74,8 @@ result<std::string> bytes_of_file(const fs::path& path) {
 
 result<std::optional<domain>> read_shape(const check_options& options) {
   if (options.domain.empty()) return std::optional<domain>();
-  auto read = load_domain(options.domain);
+  auto read = has_ending(options.domain, ".poly") ? load_domain(options.domain)
+                                                  : plain_domain(options.domain, {});
   if (!read) return read.failure();
   if (!read.value().curves.empty())
     return error{options.domain + ": curves cannot be checked yet", error_code::invalid_domain};
@@ -80,12 +87,24 @@ int refuse(const error& why) {
   return not_reached;
 }
 
+// Reads the mesh with the metric of a file; without a name, with its own.
+result<mesh> read_subject(const check_options& options, const fs::path& metric) {
+  medit_read_options how;
+  how.solution = metric;
+  how.all_edges = true;
+  return read_medit(options.mesh, how);
+}
+
+std::string metric_text(const check_options& options) {
+  if (!options.metric_tolerance) return options.metric;
+  return fmt::format("{}, within a tolerance of {:g}", options.metric, *options.metric_tolerance);
+}
+
 int run_check(const check_options& options) {
   if (const auto failure = check_kind(options)) return complain(*failure, refused);
-  medit_read_options how;
-  how.solution = options.metric;
-  how.all_edges = true;
-  const auto subject = read_medit(options.mesh, how);
+  const auto wanted = read_subject(options, options.metric);
+  if (!wanted) return complain(wanted.failure(), refused);
+  const auto subject = options.metric_tolerance ? read_subject(options, {}) : wanted;
   if (!subject) return complain(subject.failure(), refused);
   const auto shape = read_shape(options);
   if (!shape) return complain(shape.failure(), refused);
@@ -96,12 +115,17 @@ int run_check(const check_options& options) {
   const proof_question asked{subject.value(), shape.value() ? &*shape.value() : nullptr,
                              options.angle_bound};
   if (const auto failure = check_proof(asked, proof.value())) return refuse(*failure);
+  if (options.metric_tolerance)
+    if (const auto failure =
+            check_tolerance(subject.value(), wanted.value(), *options.metric_tolerance))
+      return refuse(*failure);
   std::cout << fmt::format(
       "proved: {} sites, {} triangles, no angle below {:g} degrees but the domain's own; domain "
       "{}; "
       "metric {}\n",
       subject.value().sites.size(), subject.value().triangles.size(), options.angle_bound,
-      options.domain.empty() ? "as the boundary encloses it" : options.domain, options.metric);
+      options.domain.empty() ? "as the boundary encloses it" : options.domain,
+      metric_text(options));
   return done;
 }
 
@@ -113,7 +137,8 @@ void add_check_command(CLI::App& program, command& chosen) {
   app->add_option("MESH", options->mesh, "The mesh, in Medit's format")->required();
   app->add_option("PROOF", options->proof, "Its proof, as --proof wrote it")->required();
   app->add_option("--domain", options->domain,
-                  "A .poly file (default: what the mesh's boundary encloses)")
+                  "A .poly file, or another domain that 'asterism mesh' takes (default: what the "
+                  "mesh's boundary encloses)")
       ->type_name("D");
   add_real(
       *app, "--angle-bound", angle_bounds, [options](double x) { options->angle_bound = x; },
@@ -123,7 +148,11 @@ void add_check_command(CLI::App& program, command& chosen) {
   app->add_option("--metric", options->metric, "A .sol file with a tensor at each vertex")
       ->type_name("SOL")
       ->required();
-  app->add_option("--metric-tolerance", options->metric_tolerance, "Cannot be checked yet")
+  add_real(
+      *app, "--metric-tolerance", reals_from_zero,
+      [options](double x) { options->metric_tolerance = x; },
+      "How far the metric of the mesh, in the .sol beside it, may be from that of --metric: the "
+      "logarithm of the greatest ratio of lengths")
       ->type_name("T");
   app->footer(check_examples);
   app->callback([options, &chosen] { chosen = [options] { return run_check(*options); }; });

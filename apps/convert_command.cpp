@@ -19,10 +19,14 @@
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/notes.hpp"
+#include "asterism/apps/option_values.hpp"
+#include "asterism/apps/places.hpp"
+#include "asterism/apps/plain_question.hpp"
 #include "asterism/apps/second_order.hpp"
 #include "asterism/mesh/io/fields_of_mesh.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/poly_writer.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
@@ -37,6 +41,8 @@ struct convert_job {
   std::string in, out;
   std::vector<std::string> formats;  // of what is '-', in order
   int order = 1;
+  std::string metric;  // empty: the tensors that are there
+  double size = 1;
   bool quiet = false, strict = false;
 };
 
@@ -48,12 +54,19 @@ vertices go over, bit for bit; what OUT has no place for is told. With --order 2
 that IN has go over, too; sides without one are straight. '-' is standard input or output, and
 --format says what is there.
 
+With --metric the tensors at the vertices are those of a metric, as 'asterism mesh' takes it, in
+place of any that IN has. Where OUT is a .poly file, IN is a domain in any form that 'asterism mesh'
+takes, and OUT says it by segments, hole points and region points alone. Both are the forms in which
+'asterism check' and tools/check_mesh.py are asked.
+
 Exit status: 0 converted; 1 OUT could not be written; 2 bad usage or input, nothing is written.
 
 Examples:
   asterism convert part.msh part.su2
   asterism convert flow.vtu flow.mesh
-  cat part.msh | asterism convert - - --format msh --format vtu > part.vtu)";
+  cat part.msh | asterism convert - - --format msh --format vtu > part.vtu
+  asterism convert lake.geojson lake.poly
+  asterism convert lake.mesh asked.mesh --metric swirl:24 --size 0.1)";
 
 // A folder for what comes from standard input or goes to standard output, removed in the end.
 class passing_folder {
@@ -169,6 +182,12 @@ std::optional<error> put_to_standard_output(const output_file& file) {
   return std::nullopt;
 }
 
+std::optional<error> check_output_differs(const places& where) {
+  std::error_code ignored;
+  if (!fs::equivalent(where.in, where.out, ignored)) return std::nullopt;
+  return error{where.out.string() + ": is what is read", error_code::bad_option};
+}
+
 // Checks names and places before anything is read.
 std::optional<error> check_places(const places& where, int order) {
   if (!is_mesh_file(where.in.string()))
@@ -179,10 +198,7 @@ std::optional<error> check_places(const places& where, int order) {
   const auto format = check_output(where.out);
   if (!format) return format.failure();
   if (auto refused = check_order(order, {where.out})) return refused;
-  std::error_code ignored;
-  if (fs::equivalent(where.in, where.out, ignored))
-    return error{where.out.string() + ": is what is read", error_code::bad_option};
-  return std::nullopt;
+  return check_output_differs(where);
 }
 
 struct conversion {
@@ -190,6 +206,20 @@ struct conversion {
   solution fields;
   std::vector<output_file> files;
 };
+
+// Fills in `made` where the file to write is one of a domain.
+std::optional<error> convert_domain(const convert_job& job, const places& where, conversion& made) {
+  if (job.order != 1 || !job.metric.empty())
+    return error{where.out.string() +
+                     ": --order and --metric are of meshes, and a .poly file is of a domain",
+                 error_code::bad_option};
+  if (auto refused = check_output_differs(where)) return refused;
+  if (auto refused = check_place(where.out)) return refused;
+  const auto plain = plain_domain(where.in.string(), {job.quiet, job.strict});
+  if (!plain) return plain.failure();
+  made.files.push_back({where.out, poly_text(plain.value())});
+  return std::nullopt;
+}
 
 // Fills in `made`, of whose mesh and fields the files are made while they are written.
 std::optional<error> convert(const convert_job& job, const places& where,
@@ -205,6 +235,10 @@ std::optional<error> convert(const convert_job& job, const places& where,
     const auto sides = given_sides(made.read.content, made.read.curved);
     if (!sides) return sides.failure().at(where.in.string());
     take_back_note_of_corners(made.read);
+  }
+  if (!job.metric.empty()) {
+    if (auto failed = take_metric(made.read.content, job.metric, job.size)) return failed;
+    made.read.has_metric = true;
   }
   auto fields = fields_of_mesh(where.in, made.read);
   if (!fields) return fields.failure();
@@ -246,9 +280,14 @@ int run_convert(const convert_job& job) {
   if (!where) return fail(where.failure(), refused);
   if (where.value().from_standard_input)
     if (const auto failed = take_standard_input(where.value().in)) return fail(*failed, refused);
-  if (const auto failed = check_places(where.value(), job.order)) return fail(*failed, refused);
   conversion made;
-  if (const auto failed = convert(job, where.value(), folder, made)) return fail(*failed, refused);
+  if (has_ending(where.value().out.string(), ".poly")) {
+    if (const auto failed = convert_domain(job, where.value(), made)) return fail(*failed, refused);
+  } else {
+    if (const auto failed = check_places(where.value(), job.order)) return fail(*failed, refused);
+    if (const auto failed = convert(job, where.value(), folder, made))
+      return fail(*failed, refused);
+  }
   const held_signals held;
   if (where.value().to_standard_output) {
     const auto failed = put_to_standard_output(made.files.front());
@@ -261,9 +300,10 @@ int run_convert(const convert_job& job) {
 }  // namespace
 
 void add_convert_command(CLI::App& program, command& chosen) {
-  auto* const app = program.add_subcommand("convert", "Write a mesh in another format");
+  auto* const app =
+      program.add_subcommand("convert", "Write a mesh, or a domain, in another format");
   const auto job = std::make_shared<convert_job>();
-  app->add_option("IN", job->in, "The mesh to read")->required();
+  app->add_option("IN", job->in, "The mesh, or the domain, to read")->required();
   app->add_option("OUT", job->out, "The file to write")->required();
   app->add_option("--format", job->formats,
                   "The format of IN or OUT that is '-': the ending of its files, as msh; twice "
@@ -271,6 +311,15 @@ void add_convert_command(CLI::App& program, command& chosen) {
       ->type_name("ENDING")
       ->allow_extra_args(false);
   add_order_option(*app, job->order);
+  auto* const metric =
+      app->add_option("--metric", job->metric,
+                      "Tensors of this metric, as 'asterism mesh' takes it, at the vertices")
+          ->type_name("SPEC");
+  add_real(
+      *app, "--size", sizes, [job](double x) { job->size = x; },
+      "Length of an edge in that metric that is 1 (default 1)")
+      ->type_name("H")
+      ->needs(metric);
   app->add_flag("--strict", job->strict, "Refuse what would be changed or left out, with a note");
   app->add_flag("--quiet", job->quiet, "No notes");
   app->footer(convert_examples);

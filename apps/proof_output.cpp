@@ -4,11 +4,24 @@
 #include <utility>
 
 #include "asterism/apps/complain.hpp"
+#include "asterism/mesh/domain/plain_form.hpp"
 #include "asterism/mesh/proof/make_proof.hpp"
 #include "asterism/mesh/proof/proof_bytes.hpp"
 
 namespace asterism::apps {
 using namespace internal;
+
+namespace {
+
+// A checker is given a domain with polygons in its plain form, whose points the proof places.
+result<mesh_proof> proof_of(const mesh& subject, const domain* shape) {
+  if (shape == nullptr) return make_proof(subject, nullptr);
+  const auto plain = plain_form(*shape);
+  if (!plain) return plain.failure();
+  return make_proof(subject, &plain.value());
+}
+
+}  // namespace
 
 void add_proof_option(CLI::App& app, std::filesystem::path& proof) {
   app.add_option("--proof", proof,
@@ -29,7 +42,7 @@ proof_output find_proof(const std::filesystem::path& path, const mesh& subject, 
     output.missing = error{"the mesh is not certified"};
     return output;
   }
-  auto found = make_proof(subject, shape);
+  auto found = proof_of(subject, shape);
   if (found)
     output.proof = std::move(found).value();
   else

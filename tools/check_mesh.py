@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Checks the proof of a mesh, in whole numbers and fractions, without any search.
-    check_mesh.py MESH PROOF --domain D.poly --angle-bound B --metric SOL
+    check_mesh.py MESH PROOF --domain D.poly --angle-bound B --metric SOL [--metric-tolerance T]
 The question is what the options and MESH say: that MESH triangulates the domain D, that no angle is
-below B degrees, and that its triangles are the stars of its vertices in the metric SOL. PROOF holds
-witnesses; nothing in it is believed. docs/math/proof-format.md numbers the statements that are quoted
-here and proves that what is accepted has the properties 0 to 4 of docs/math/certificate.md.
-Exit status: 0 proved; 1 not proved, with the reason; 2 a question or a file of which nothing can be
-said: curves, domains that are no .poly file, a metric that is not given at the vertices.
+below B degrees, and that its triangles are the stars of its vertices in the metric SOL; with T, in
+the metric of the .sol beside MESH, in which no length is more than exp(T) times as long or as short.
+PROOF holds witnesses; nothing in it is believed. docs/math/proof-format.md numbers the statements that
+are quoted here and proves that what is accepted has the properties 0 to 4 of docs/math/certificate.md.
+Exit status: 0 proved; 1 not proved, with the reason; 2 files or questions of which nothing can be said.
 """
 import argparse
 import gc
@@ -17,17 +17,15 @@ import sys
 from fractions import Fraction
 
 GRID, WINDOW = 26, 64       # witnesses are in steps of 2^-26 of edges; an edge's is 64 steps wide
-ONE, NOBODY, MOST_POINTS = 1 << GRID, (1 << 32) - 1, 32
+ONE, NOBODY, MOST_POINTS, STEPS = 1 << GRID, (1 << 32) - 1, 32, 1 << 192
 class NotProved(Exception): pass
 class CannotSay(Exception): pass
 def need(holds, what, otherwise=NotProved):
     if not holds: raise otherwise(what)
-def need_file(good, what):
-    need(good, what, CannotSay)
+def need_file(good, what): need(good, what, CannotSay)
 
 # ---- Files ------------------------------------------------------------------------------------------
-def number(word):
-    """Returns the double nearest to a decimal number, as every reader of these files takes it."""
+def number(word):           # the double nearest to a decimal, as every reader of these files takes it
     value = float(word)
     need_file(value - value == 0, f"{word} is no finite number")
     return value
@@ -37,8 +35,7 @@ WIDTHS = {"Vertices": 3, "Triangles": 4, "Edges": 3, "Corners": 1, "RequiredVert
 def rows_of(path):
     with open(path, encoding="utf-8", errors="replace") as file:
         return [row for row in (line.split("#", 1)[0].split() for line in file) if row]
-def read_medit(path):
-    """Returns the sections of a Medit file in text: {name: rows of numbers}."""
+def read_medit(path):       # the sections of a Medit file in text: {name: rows of numbers}
     words, sections, i = [word for row in rows_of(path) for word in row], {}, 0
     while i < len(words) and words[i] != "End":
         name, count, i = words[i], int(words[i + 1]), i + 2
@@ -48,16 +45,16 @@ def read_medit(path):
         if name == "SolAtVertices":
             need_file(words[i:i + 2] == ["1", "3"], f"{path}: the solution is no metric")
             i += 2
-        width = WIDTHS[name]
+        width, kind = WIDTHS[name], number if name in ("Vertices", "SolAtVertices") else int
         need_file(i + width * count <= len(words), f"{path}: {name} ends early")
-        kind = number if name in ("Vertices", "SolAtVertices") else int
         values = list(map(kind, words[i:i + width * count]))
         sections[name] = [values[k:k + width] for k in range(0, width * count, width)]
         i += width * count
     return sections
 class Domain:
     def __init__(self, path):   # points, segments with their markers, hole and region points
-        need_file(path.endswith(".poly"), f"{path}: only .poly files can be checked yet")
+        need_file(path.endswith(".poly"), f"{path}: only .poly files can be checked; "
+                  "'asterism convert' writes other domains as one")
         rows = iter(rows_of(path))
         count, known, self.segments = int(next(rows)[0]), {}, []
         need_file(count > 0, f"{path}: vertices in another file cannot be checked yet")
@@ -104,6 +101,11 @@ def power_of(values):       # the least exponent of a power of two by which all 
 def scaled(value, power):
     top, bottom = value.as_integer_ratio()
     return top << (power - (bottom.bit_length() - 1))
+def series(term, factor):   # a sum of positive terms, each factor(k) of the one before, rounded down
+    total, k = 0, 1
+    while term:
+        total, term, k = total + term, int(term * factor(k)), k + 1
+    return total
 
 # ---- Points 0 to 2 ----------------------------------------------------------------------------------
 class Plane:
@@ -137,8 +139,7 @@ class Plane:
         self.join()
     def key(self, a, b): return (a, b) if a < b else (b, a)
     def is_segment(self, a, b): return self.key(a, b) in self.markers
-    def turn(self, a, b, c):
-        """Returns what is positive if the vertices a, b, c turn counter-clockwise."""
+    def turn(self, a, b, c):    # is positive if these vertices turn counter-clockwise
         x, y = self.x, self.y
         return (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a])
     def join(self):
@@ -146,50 +147,51 @@ class Plane:
         # common. (C) The reverse of every edge is one, but for the sides of the rectangle. (D) Every
         # vertex is a corner of a triangle of the mesh. (E) The edges listed are edges of the mesh,
         # and include all that it has in common with the triangles outside."
-        n, stride, edges = self.count, self.count + 4, {}
-        for t, (a, b, c) in enumerate(self.triangles):
-            need(self.turn(a, b, c) > 0, f"triangle {t + 1} is not counter-clockwise")            # (A)
-            for i, key in enumerate((a * stride + b, b * stride + c, c * stride + a)):
-                need(key not in edges, f"triangle {t + 1} has an edge that another one has")      # (B)
-                edges[key] = 3 * t + i
-        sides = {(n + i) * stride + n + (i + 1) % 4 for i in range(4)}
+        n, edges = self.count, [{} for _ in range(self.count + 4)]  # edges that leave, by their ends
+        for t, corners in enumerate(self.triangles):
+            need(self.turn(*corners) > 0, f"triangle {t + 1} is not counter-clockwise")           # (A)
+            for i, a in enumerate(corners):
+                b = corners[i - 2]
+                need(b not in edges[a], f"triangle {t + 1} has an edge that another one has")     # (B)
+                edges[a][b] = 3 * t + i
+        sides = {(n + i, n + (i + 1) % 4) for i in range(4)}
         self.across, self.most = [-1] * (3 * len(self.triangles)), 3 * len(self.inner)
-        for key, edge in edges.items():
-            a, b = divmod(key, stride)
-            reverse = edges.get(b * stride + a, -1)
-            need((reverse < 0) == (key in sides), f"edge {a + 1}-{b + 1} has nothing beyond")     # (C)
+        for a, b, edge in ((a, b, edge) for a in range(n + 4) for b, edge in edges[a].items()):
+            reverse = edges[b].get(a, -1)
+            need((reverse < 0) == ((a, b) in sides), f"edge {a + 1}-{b + 1} has nothing beyond")  # (C)
             self.across[edge] = reverse
             need(edge >= self.most or reverse < self.most or self.is_segment(a, b),               # (E)
                  f"edge {a + 1}-{b + 1} of the boundary is not listed")
         need(len({v for t in self.inner for v in t}) == n, "a vertex is in no triangle")          # (D)
         for a, b in self.markers:
-            need(min(edges.get(a * stride + b, self.most), edges.get(b * stride + a, self.most))
-                 < self.most, f"the edge listed from {a + 1} to {b + 1} is no edge of the mesh")  # (E)
-    def parts(self):
-        """Returns the number of its part, as the edges listed cut the rectangle, of each triangle."""
-        part = [-1] * len(self.triangles)
+            need(min(edges[a].get(b, self.most), edges[b].get(a, self.most)) < self.most,         # (E)
+                 f"the edge listed from {a + 1} to {b + 1} is no edge of the mesh")
+    def parts(self):            # of each triangle its part's number, as the edges listed cut the rectangle
+        part, self.order = [-1] * len(self.triangles), []   # and one in which neighbours are near
         for first in range(len(part)):
-            ahead, count = [first] if part[first] < 0 else [], first
-            while ahead:
-                t = ahead.pop()
-                part[t] = count
+            ahead = [first] if part[first] < 0 else []
+            for t in ahead:
+                part[t] = first
                 for i, v in enumerate(self.triangles[t]):
-                    reverse = self.across[3 * t + i]
-                    is_new = reverse >= 0 and part[reverse // 3] < 0
-                    if is_new and not self.is_segment(v, self.triangles[t][i - 2]):
-                        part[reverse // 3] = count
-                        ahead.append(reverse // 3)
+                    beyond = self.across[3 * t + i] // 3
+                    if beyond >= 0 > part[beyond] and not self.is_segment(v, self.triangles[t][i - 2]):
+                        part[beyond] = first
+                        ahead.append(beyond)
+            self.order += ahead
         return part
-    def contains(self, t, place):
-        """True if a point of doubles is in the triangle, or on an edge that is no segment."""
+    def corners(self):  # of the mesh's triangles, by their numbers; also those of the edges they begin
+        return (3 * t + i for t in self.order if t < len(self.inner) for i in range(3))
+    def around(self, corner):   # the corner, the next and the third
+        t, i = self.inner[corner // 3], corner % 3
+        return t[i], t[i - 2], t[i - 1]
+    def contains(self, t, place):   # if a point of doubles is in t, or on an edge that is no segment
         more = max(0, power_of(place) - self.power)
         px, py = (scaled(value, self.power + more) << GRID for value in place)
         for i, v in enumerate(self.triangles[t]):
             u = self.triangles[t][i - 2]
             (ax, ay), (bx, by) = ((self.x[z] << more, self.y[z] << more) for z in (v, u))
             side = (bx - ax) * (py - ay) - (by - ay) * (px - ax)
-            if side < 0 or (side == 0 and self.is_segment(v, u)):
-                return False
+            if side < 0 or (side == 0 and self.is_segment(v, u)): return False
         return True
 def check_faces(plane, domain, proof):
     # "2. Triangles with no segment between them have the same region. Outside are the part around,
@@ -219,8 +221,7 @@ def check_domain(plane, domain):
     need(plane.doubles[:given] == domain.points and given <= plane.count and
          plane.required == [[v + 1] for v in range(given)], "the first vertices are not the domain's")
     for a, b in plane.markers:
-        around.setdefault(a, []).append(b)
-        around.setdefault(b, []).append(a)
+        for v, u in ((a, b), (b, a)): around.setdefault(v, []).append(u)
     for v in range(given):
         for beside in around.get(v, ()):
             chain = [v, beside]
@@ -240,10 +241,9 @@ def check_domain(plane, domain):
             need(len(ahead) == 1, f"the edges from vertex {v + 1} to {b + 1} are no segment's")
             key = plane.key(v, ahead[0])
             marker_of[key], v = marker_of.get(key) or marker, ahead[0]
-    for v in chains:
-        for u in chains[v]:
-            need(plane.key(v, u) in marker_of, f"the edges from {v + 1} to {u + 1} are no segment's")
-            check_chain(plane, chains[v][u], marker_of[plane.key(v, u)])
+    for v, u, chain in ((v, u, chain) for v in chains for u, chain in chains[v].items()):
+        need(plane.key(v, u) in marker_of, f"the edges from {v + 1} to {u + 1} are no segment's")
+        check_chain(plane, chain, marker_of[plane.key(v, u)])
 def check_chain(plane, chain, marker):
     # "2. Along a chain every edge advances. A split point is no farther from the segment than two
     # units in the last place of the greatest coordinate of its ends, or than sixteen that are at most
@@ -262,24 +262,16 @@ def check_chain(plane, chain, marker):
              f"vertex {w + 1} is beside its segment")
 
 # ---- Point 3 ----------------------------------------------------------------------------------------
-def squared_cotangent(degrees):
-    """Returns fractions below and above cot^2, both equal to it where it is rational."""
-    if degrees in (30, 45, 60):
-        return (Fraction({30: 9, 45: 3, 60: 1}[int(degrees)], 3),) * 2
-    bits, slack = 192, Fraction(1, 1 << 180)
-    def inverse_tangent(n):     # of 1/n, in steps of 2^-192; each of its terms is off by two at most
-        total, power, k = 0, (1 << bits) // n, 0
-        while power:
-            total, power, k = total + (-1) ** k * (power // (2 * k + 1)), power // (n * n), k + 1
-        return total
-    def cosine(x):              # the series alternates; 60 terms, each rounded to 2^-192
-        total, term = Fraction(0), Fraction(1)
-        for k in range(60):
-            total += term
-            term = Fraction(round(-term * x * x / ((2 * k + 1) * (2 * k + 2)) * (1 << bits)), 1 << bits)
-        return total
-    pi = Fraction(16 * inverse_tangent(5) - 4 * inverse_tangent(239), 1 << bits)
-    cos = cosine(pi * 2 * degrees / 180)        # cot^2 a = (1 + cos 2a) / (1 - cos 2a)
+def squared_cotangent(degrees):     # fractions below and above cot^2; it itself where it is rational
+    if degrees in (30, 45, 60): return (Fraction({30: 9, 45: 3, 60: 1}[int(degrees)], 3),) * 2
+    def inverse_tangent(n):     # of 1/n, by Euler's series
+        return series(STEPS * n // (n * n + 1), lambda k: Fraction(2 * k, (2 * k + 1) * (n * n + 1)))
+    # Pi is 740 steps too small at most, the cosine 100 more off: 2^10 of them are 2^-182.
+    slack, pi = Fraction(1, 1 << 180), Fraction(16 * inverse_tangent(5) - 4 * inverse_tangent(239), STEPS)
+    x = pi * 2 * degrees / 180                  # cot^2 a = (1 + cos 2a) / (1 - cos 2a)
+    even = series(STEPS, lambda k: x ** 4 / math.prod(range(4 * k - 3, 4 * k + 1)))
+    odd = series(int(x * x / 2 * STEPS), lambda k: x ** 4 / math.prod(range(4 * k - 1, 4 * k + 3)))
+    cos = Fraction(even - odd, STEPS)
     low, high = (1 + cos - slack) / (1 - cos + slack), (1 + cos + slack) / (1 - cos - slack)
     return Fraction(int(low * 2 ** 160), 2 ** 160), Fraction(int(high * 2 ** 160) + 1, 2 ** 160)
 class Angles:
@@ -288,12 +280,12 @@ class Angles:
         self.low, self.high = squared_cotangent(degrees)
         # "3. At every corner, with edges a and b, in the metric M of each vertex of the triangle,
         # a^T M b <= 0 or (a^T M b)^2 <= cot^2 det M (a x b)^2, unless the angle is exempt."
-        x, y, top, bottom = self.plane.x, self.plane.y, self.low.numerator, self.low.denominator
-        for t, (a, b, c) in enumerate(self.plane.inner):
+        x, y, top, bottom = plane.x, plane.y, self.low.numerator, self.low.denominator
+        for t, (a, b, c) in ((t, plane.inner[t]) for t in plane.order if t < len(plane.inner)):
             ways = ((x[b] - x[a], y[b] - y[a]), (x[c] - x[b], y[c] - y[b]), (x[a] - x[c], y[a] - y[c]))
             area = ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]
             for p in (a, b, c):
-                metric = self.plane.metric[p]
+                metric = plane.metric[p]
                 limit = top * determinant(metric) * area * area
                 for i in range(3):
                     along = -product(metric, ways[i], ways[i - 1])
@@ -301,12 +293,11 @@ class Angles:
                         self.excuse(t, i, p)
         # "3. Not more than half of the triangles have an exempt angle and segments for all sides, one
         # of them inside the domain." Where the mesh is its own domain, not all inner edges are segments.
-        enclosed = [t for t in self.exempt if all(
-            self.plane.is_segment(v, self.plane.inner[t][i - 1])
-            for i, v in enumerate(self.plane.inner[t])) and min(
-                self.plane.across[3 * t:3 * t + 3]) < self.plane.most]
-        free = given <= plane.count or not self.exempt or any(edge < reverse < plane.most and not plane.is_segment(
-            self.corner(edge), self.corner(after(edge))) for edge, reverse in enumerate(plane.across[:plane.most]))
+        enclosed = [t for t in self.exempt if min(plane.across[3 * t:3 * t + 3]) < plane.most and all(
+            plane.is_segment(*plane.around(3 * t + i)[:2]) for i in range(3))]
+        free = given <= plane.count or not self.exempt or any(
+            edge < plane.across[edge] < plane.most and not plane.is_segment(*plane.around(edge)[:2])
+            for edge in plane.corners())
         need(free and 2 * len(enclosed) <= len(plane.inner), "next to nothing of the mesh is judged")
     def excuse(self, t, i, p):
         # "3. Exempt is an angle at a vertex of the domain whose own angle there, between segments in
@@ -344,34 +335,34 @@ def keeps(plane, v, w, x, y):
             ((px[v] - px[z], py[v] - py[z]), (px[w] - px[z], py[w] - py[z])) for z in (x, y)))
     excess = along_x * area_y - along_y * area_x
     return excess > 0 or (excess == 0 and max((v, w, x, y), key=lambda z: (px[z], py[z])) in (x, y))
+def by_number(asked, witnesses, what):  # the witnesses of what is asked about, in order of numbers
+    need(len(asked) == len(witnesses), f"there are not as many witnesses of {what} as {what}")
+    return dict(zip(sorted(asked), witnesses))
 def have_one_metric(plane, *sites): return all(plane.metric[s] == plane.metric[sites[0]] for s in sites)
 def check_neighbours(plane, proof):
     # "An inner edge v-w with y on its left and x on its right is asked about if v or w asks: v, x, y
     # turn counter-clockwise and w is not strictly within, or w, y, x do and v is not."
-    witnesses, turn = iter(proof.edges), plane.turn
-    for edge, reverse in enumerate(plane.across[:plane.most]):
-        if reverse < edge or reverse >= plane.most:
-            continue
-        v, w, y = (plane.inner[edge // 3][(edge + i) % 3] for i in range(3))
-        x = plane.inner[reverse // 3][(reverse + 2) % 3]
-        if plane.is_segment(v, w) or not ((turn(v, x, y) > 0 and turn(x, y, w) <= 0)
-                                          or (turn(w, y, x) > 0 and turn(y, x, v) <= 0)):
-            continue
-        if have_one_metric(plane, v, w, x, y):
-            need(keeps(plane, v, w, x, y), f"edge {v + 1}-{w + 1} is not kept")
-        else:
-            need(shows_kept(plane, v, w, x, y, next(witnesses, (0, 0))),
-                 f"edge {v + 1}-{w + 1} is not shown to be kept")
-    need(next(witnesses, None) is None, "there are witnesses of edges that are none")
+    turn, asked = plane.turn, {}
+    for edge in plane.corners():
+        reverse = plane.across[edge]
+        if edge < reverse < plane.most:
+            (v, w, y), (_, _, x) = plane.around(edge), plane.around(reverse)
+            if not plane.is_segment(v, w) and ((turn(v, x, y) > 0 and turn(x, y, w) <= 0)
+                                               or (turn(w, y, x) > 0 and turn(y, x, v) <= 0)):
+                if have_one_metric(plane, v, w, x, y):
+                    need(keeps(plane, v, w, x, y), f"edge {v + 1}-{w + 1} is not kept")
+                else: asked[edge] = v, w, x, y
+    witnesses = by_number(asked, proof.edges, "edges")
+    for edge, (v, w, x, y) in asked.items():
+        need(shows_kept(plane, v, w, x, y, witnesses[edge]), f"edge {v + 1}-{w + 1} is not shown to be kept")
 def shows_kept(plane, v, w, x, y, witness):
     # Theorem 2: "(1) f_v < f_w at the first point and f_v > f_w at the second: at a p between they are
     # equal. (2) v and w see p. (3) For z = x and z = y: f_z > f_v on the triangle of v and the points,
     # f_z > f_w on that of w and the points. (4) x and y are outside the closed triangle v, w, p."
     px, py, (a, b) = plane.x, plane.y, witness
     at_v, at_w, at_x, at_y = ((px[s], py[s]) for s in (v, w, x, y))
-    points = [tuple(at_v[k] + (at_w[k] - at_v[k] >> GRID) * steps + (at_y[k] - at_v[k] >> GRID) * b
-                    for k in (0, 1)) for steps in (a, a + WINDOW)]
-    p, q = points
+    p, q = points = [tuple(at_v[k] + (at_w[k] - at_v[k] >> GRID) * steps + (at_y[k] - at_v[k] >> GRID) * b
+                           for k in (0, 1)) for steps in (a, a + WINDOW)]
     def form(s, r, t):          # the product of r - s and t - s in the metric of s
         return product(plane.metric[s], (r[0] - px[s], r[1] - py[s]), (t[0] - px[s], t[1] - py[s]))
     if not (form(v, p, p) < form(w, p, p) and form(v, q, q) > form(w, q, q)             # (1)
@@ -382,14 +373,10 @@ def shows_kept(plane, v, w, x, y, witness):
             if not (form(z, p, at_s) > 0 and form(z, q, at_s) > 0 and form(z, p, p) > form(s, p, p)
                     and form(z, q, q) > form(s, q, q) and form(z, p, q) > form(s, p, q)):
                 return False
-    def side(o, r, t):
-        return (r[0] - o[0]) * (t[1] - o[1]) - (r[1] - o[1]) * (t[0] - o[0])
-    return ((all(side(at_v, at_w, r) <= 0 for r in points)                              # (4)
-             or all(side(at_v, r, at_y) > 0 for r in points)
-             or all(side(at_w, r, at_y) < 0 for r in points))
-            and (all(side(at_v, at_w, r) >= 0 for r in points)
-                 or all(side(at_v, r, at_x) < 0 for r in points)
-                 or all(side(at_w, r, at_x) > 0 for r in points)))
+    def side(o, r, t): return (r[0] - o[0]) * (t[1] - o[1]) - (r[1] - o[1]) * (t[0] - o[0])
+    return all(all(left * side(at_v, at_w, r) <= 0 for r in points) or                 # (4)
+               all(left * side(at_v, r, at_z) > 0 for r in points) or
+               all(left * side(at_w, r, at_z) < 0 for r in points) for at_z, left in ((at_y, 1), (at_x, -1)))
 
 # ---- Point 4: others stay out -----------------------------------------------------------------------
 class Gaps:
@@ -400,23 +387,20 @@ class Gaps:
         self.radius, self.beyond = (top << scale) // bottom, -((-top << scale) // bottom)
         # "A gap of the star of v, from x counter-clockwise to y, is asked about unless x-y is a
         # segment. Its points are sound and within the radius, as v measures."
-        witnesses = iter(proof.gaps)
-        for gap in range(plane.most):
-            v, x, y = (plane.inner[gap // 3][(gap + i) % 3] for i in range(3))
-            if not plane.is_segment(x, y):
-                on_x, a, b, on_y = next(witnesses, (0, 0, 0, 0))
-                points, turn_at = ((on_x, 0), (a, b), (0, on_y)), 1
-                if on_x == 0:   # a row of more points is among the exceptions
-                    _, turn_at, points = proof.exceptions.get((gap, NOBODY), (3, 0, ()))
-                region = self.region(v, x, y, points, turn_at)
-                need(region and max(*region[4], *region[6:]) <= self.radius,
-                     f"the gap at vertex {v + 1} of triangle {gap // 3 + 1} is not shown to end")
-                # The last two: it is in its own triangle; or may be, but for what is behind x-y.
-                ends = on_x > 0 and max(on_x, on_y) <= ONE
-                self.regions[gap] = *region, ends and a + b <= ONE, ends
-        need(next(witnesses, None) is None, "there are witnesses of gaps that are none")
-    def region(self, v, x, y, points, turn):
-        """Returns the region that these points span, or None if they are not sound."""
+        asked = [gap for gap in plane.corners() if not plane.is_segment(*plane.around(gap)[1:])]
+        witnesses = by_number(asked, proof.gaps, "gaps")
+        for gap in asked:
+            (v, x, y), (on_x, a, b, on_y) = plane.around(gap), witnesses[gap]
+            points, turn_at = ((on_x, 0), (a, b), (0, on_y)), 1
+            if on_x == 0:   # a row of more points is among the exceptions
+                _, turn_at, points = proof.exceptions.get((gap, NOBODY), (3, 0, ()))
+            region = self.region(v, x, y, points, turn_at)
+            need(region and max(*region[4], *region[6:]) <= self.radius,
+                 f"the gap at vertex {v + 1} of triangle {gap // 3 + 1} is not shown to end")
+            # The last two: it is in its own triangle; or may be, but for what is behind x-y.
+            ends = on_x > 0 and max(on_x, on_y) <= ONE
+            self.regions[gap] = *region, ends and a + b <= ONE, ends
+    def region(self, v, x, y, points, turn):    # that these points span, or None if they are not sound
         # Lemma 2: "The first is on the ray to x, the last on the ray to y, each on the left of the
         # one before or on its ray. From each to the next, if that is on another ray, the segment is
         # behind x, up to the point numbered `turn`; from that on behind y."
@@ -492,7 +476,8 @@ class Gaps:
         for gap in (gap for gap, region in self.regions.items() if not region[8]):
             for t in self.behind(gap, around):
                 listed.setdefault(t, []).append(gap)
-        for w in range(plane.count):
+        near = dict.fromkeys(v for t in plane.order for v in plane.triangles[t] if v < plane.count)
+        for w in near:  # every vertex, as each is a corner
             for t in self.walk(w, around):
                 corners = plane.triangles[t]
                 if 3 * t < plane.most and w not in corners:
@@ -504,8 +489,7 @@ class Gaps:
                     v, x, y = self.regions[gap][:3]
                     if w not in (v, x, y) and turn(v, x, w) > 0 and turn(y, v, w) > 0:
                         self.ask(gap, w)
-    def behind(self, gap, around):
-        """Returns the triangles, but for its own, that hold what is of a gap's region beyond x-y."""
+    def behind(self, gap, around):  # triangles that hold what is of a gap's region beyond x-y
         plane, (v, x, y, points), q = self.plane, self.regions[gap][:4], self.regions[gap][3][1]
         t = plane.across[after(gap)] // 3
         sides = zip(plane.triangles[t], plane.triangles[t][1:] + plane.triangles[t][:1])
@@ -513,8 +497,7 @@ class Gaps:
             (plane.x[b] - plane.x[a]) * (q[1] - plane.y[a])
             >= (plane.y[b] - plane.y[a]) * (q[0] - plane.x[a])) for a, b in sides)
         return [t] if holds else [s for s in self.walk(v, around) if s != gap // 3]
-    def ask(self, gap, w):
-        """Needs that a gap refuses a site that is strictly between its rays."""
+    def ask(self, gap, w):  # needs that a gap refuses a site that is strictly between its rays
         region = self.regions.get(gap)
         if region is None: return       # x-y is a segment: nothing is seen beyond
         plane, (v, x, y) = self.plane, region[:3]
@@ -558,11 +541,25 @@ class Gaps:
                    for (mx, my, of_w), z, of_z in ((first, x, on_x), (last, y, on_y)))
 
 # ---- The question -----------------------------------------------------------------------------------
-def check(mesh_path, proof_path, domain_path, angle_bound, metric_path):
+def check_tolerance(asked, own, tolerance):
+    # "No length differs by more than the factor e^T: c A - M and c M - A are nowhere negative, for the
+    # tensors A asked for and M that the stars are of, and a fraction c of at most e^2T."
+    total = series(STEPS, lambda k: Fraction(2 * min(tolerance, 1000)) / k)
+    need(len(asked) == len(own), "the metric asked for is of another number of vertices")
+    power = power_of(entry for tensors in (asked, own) for tensor in tensors for entry in tensor)
+    for v, pair in enumerate(zip(asked, own)):
+        one_way, other = ([scaled(entry, power) for entry in tensor] for tensor in pair)
+        for a, b in ((one_way, other), (other, one_way)):
+            m11, m12, m22 = (total * p - STEPS * q for p, q in zip(a, b))
+            need(m11 >= 0 and m22 >= 0 and m11 * m22 >= m12 * m12,
+                 f"the metric of vertex {v + 1} is farther than the tolerance from the one asked for")
+def check(mesh_path, proof_path, domain_path, angle_bound, metric_path, tolerance=None):
     domain, mesh = Domain(domain_path) if domain_path else None, read_medit(mesh_path)
-    need_file(metric_path.endswith(".sol"),
-              f"{metric_path}: only a .sol file with a tensor at each vertex can be checked yet")
-    tensors = read_medit(metric_path).get("SolAtVertices", [])
+    need_file(metric_path.endswith(".sol"), f"{metric_path}: only a .sol file can be checked; 'asterism "
+              "convert MESH ASKED.mesh --metric METRIC' writes a metric at the vertices as ASKED.sol")
+    asked = tensors = read_medit(metric_path).get("SolAtVertices", [])
+    if tolerance is not None:
+        tensors = read_medit(mesh_path.removesuffix(".mesh") + ".sol").get("SolAtVertices", [])
     proof = Proof(proof_path)
     plane = Plane(mesh, tensors, proof)
     check_faces(plane, domain, proof)
@@ -573,6 +570,7 @@ def check(mesh_path, proof_path, domain_path, angle_bound, metric_path):
     # Theorem 5: "If all sites have one metric, nothing else is to be asked."
     if not have_one_metric(plane, *range(plane.count)):
         Gaps(plane, proof).check()
+    if tolerance is not None: check_tolerance(asked, tensors, tolerance)
     return plane
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
@@ -581,20 +579,22 @@ def main():
     parser.add_argument("--domain", help="a .poly file (default: what the mesh's boundary encloses)")
     parser.add_argument("--angle-bound", type=Fraction, required=True, help="degrees, below 90")
     parser.add_argument("--metric", required=True, help="a .sol file, of m11 m12 m22 a vertex")
-    parser.add_argument("--metric-tolerance", help="cannot be checked yet")
+    parser.add_argument("--metric-tolerance", type=float, help="of the metric beside the mesh")
     asked = parser.parse_args()
     gc.disable()    # nothing is cyclic here; looking for it takes longer the more there is
     try:
-        need_file(asked.metric_tolerance is None, "--metric-tolerance cannot be checked yet")
-        need_file(0 <= asked.angle_bound < 90, "--angle-bound: not from 0 to 90")
-        plane = check(asked.mesh, asked.proof, asked.domain, asked.angle_bound, asked.metric)
+        need_file(0 <= asked.angle_bound < 90 and 0 <= (asked.metric_tolerance or 0) < math.inf,
+                  "--angle-bound is not from 0 to 90, or --metric-tolerance not from 0 on")
+        plane = check(*(vars(asked)[name] for name in (
+            "mesh", "proof", "domain", "angle_bound", "metric", "metric_tolerance")))
     except NotProved as refusal:
         return print(f"NOT proved: {refusal}") or 1
     except (CannotSay, OSError, ValueError, LookupError, StopIteration) as failure:
         return print(f"check_mesh.py: {failure or 'a file ends early'}", file=sys.stderr) or 2
+    within = "" if asked.metric_tolerance is None else f", within a tolerance of {asked.metric_tolerance:g}"
     print(f"proved: {plane.count} sites, {len(plane.inner)} triangles, no angle below "
           f"{float(asked.angle_bound):g} degrees but the domain's own; domain "
-          f"{asked.domain or 'as the boundary encloses it'}; metric {asked.metric}")
+          f"{asked.domain or 'as the boundary encloses it'}; metric {asked.metric}{within}")
     return 0
 if __name__ == "__main__":
     sys.exit(main())
