@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Proofs through the real command, and tools/check_mesh.py as a stranger runs it."""
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -14,6 +15,17 @@ ROOMS = ("15 2 0 0\n1 0 0\n2 6 0\n3 6 4\n4 0 4\n5 1 1\n6 3 1\n7 3 3\n8 1 3\n9 1.
          "11 2 2.25\n12 4 0\n13 4.25 4\n14 5 1.5\n15 4.125 2\n13 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n"
          "5 5 6 2\n6 6 7 2\n7 7 8 2\n8 8 5 2\n9 9 10 3\n10 10 11 3\n11 11 9 3\n12 12 13 4\n13 14 15 5\n"
          "1\n1 1.25 1.25\n2\n1 5.5 3.5 7\n2 2 2 9\n")
+# Land with a lake and an island in it, which is another feature, and a neighbour.
+LAKE = """{"type": "FeatureCollection", "features": [
+{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+ [[[0, 0], [6, 0], [6, 4], [0, 4], [0, 0]], [[1, 1], [1, 3], [3, 3], [3, 1], [1, 1]]]}},
+{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+ [[[6, 0], [8, 0], [8, 4], [6, 4], [6, 0]]]}},
+{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+ [[[1.75, 1.75], [2.25, 1.75], [2, 2.25], [1.75, 1.75]]]}}]}
+"""
+EDGES = ("MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n3 0 0\n3 2 0\n0 2 0\n"
+         "Edges\n4\n1 2 5\n2 3 6\n3 4 7\n4 1 8\nEnd\n")
 CURVE = "1 2\n1 1 0\n0\n0\n0\ncurves 1\n1 circle 1 0 0\n"
 
 
@@ -23,6 +35,10 @@ class Proofs(command.CommandTest):
         done = self.run_command("mesh", "d.poly", *words, "--quiet", "-o", "m.mesh", "--proof", "m.proof")
         self.assertEqual(done.returncode, status, done.stderr)
         return done
+
+    def make_of(self, domain, *words):
+        done = self.run_command("mesh", domain, *words, "--quiet", "-o", "m.mesh", "--proof", "m.proof")
+        self.assertEqual(done.returncode, 0, done.stderr)
 
     def check(self, status, *words, domain="d.poly", metric="m.sol", bound="20"):
         arguments = ["m.mesh", "m.proof", "--angle-bound", bound, "--metric", metric, *words]
@@ -63,12 +79,81 @@ class Proofs(command.CommandTest):
 
     def test_what_cannot_be_said(self):
         self.make(SQUARE, "--metric", "swirl:3", "--size", "0.3")
-        self.assertIn("--metric-tolerance cannot be checked yet", self.check(2, "--metric-tolerance", "1"))
+        for tolerance in ("-1", "nan", "inf", "soon"):
+            self.assertIn("--metric-tolerance", self.check(2, f"--metric-tolerance={tolerance}"))
         self.assertIn("only a .sol file", self.check(2, metric="swirl:3"))
-        self.assertIn("only .poly files", self.check(2, domain="square"))
         self.write("curve.poly", CURVE)
         self.assertIn("curves cannot be checked yet", self.check(2, domain="curve.poly"))
         self.check(2, domain="none.poly")
+
+    def test_every_form_of_domain_in_its_plain_form(self):
+        """GeoJSON with features, well-known text, a name, a mesh with a hole, edges alone."""
+        self.write("lake.geojson", LAKE)
+        self.write("two.wkt", "MULTIPOLYGON (((0 0, 5 0, 5 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1)), "
+                              "((7 0, 9 0, 9 3, 7 3, 7 0)))")
+        self.write("edges.mesh", EDGES)
+        done = self.run_command("mesh", "lake.geojson", "--size", "0.8", "--quiet", "-o", "lake.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for domain in ("lake.geojson", "two.wkt", "square", "lake.mesh", "edges.mesh"):
+            with self.subTest(domain=domain):
+                self.make_of(domain, "--metric", "sink:3", "--size", "0.8")
+                done = self.run_command("convert", domain, "plain.poly")
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.check(0, domain="plain.poly")
+                same = self.run_command("check", "m.mesh", "m.proof", "--angle-bound", "20", "--metric",
+                                        "m.sol", "--domain", domain)
+                self.assertEqual(same.returncode, 0, same.stdout + same.stderr)
+
+    def test_a_plain_form_says_what_is_inside(self):
+        self.write("lake.geojson", LAKE)
+        self.make_of("lake.geojson", "--size", "0.8")
+        self.assertEqual(self.run_command("convert", "lake.geojson", "d.poly").returncode, 0)
+        rows = (self.folder / "d.poly").read_text().splitlines()
+        # One hole, the ring of water around the island; a number for each of the three features.
+        self.assertEqual((rows[-6], rows[-4]), ("1", "3"))
+        self.assertEqual([row.split()[-1] for row in rows[-3:]], ["1", "2", "3"])
+        for k, other in ((-5, "1 2 1.9"), (-1, rows[-1][:-1] + "4")):     # on the island; another number
+            self.write("other.poly", "\n".join([*rows[:k], other, *rows[len(rows) + k + 1:]]) + "\n")
+            self.assertIn("NOT proved", self.check(1, domain="other.poly"))
+        again = self.run_command("convert", "d.poly", "again.poly")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual((self.folder / "again.poly").read_text().splitlines(), rows)
+
+    def test_what_is_no_plain_form(self):
+        self.write("curve.poly", CURVE)
+        for words, said in ((("curve.poly", "out.poly"), "it has curves"),
+                            (("square", "out.poly", "--metric", "swirl:3"), "are of meshes"),
+                            (("none.poly", "out.poly"), "none.poly"),
+                            (("curve.poly", "curve.poly"), "is what is read")):
+            done = self.run_command("convert", *words)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(said, done.stderr)
+            self.assertNotIn("out.poly", self.files())
+
+    def test_a_metric_within_a_tolerance(self):
+        """The bound is what verify measures, by another way."""
+        self.make(SQUARE, "--metric", "expr:(x>0.5)?100:1;0;1", "--size", "0.25", "--metric-tolerance", "3")
+        done = self.run_command("convert", "m.mesh", "asked.mesh", "--metric", "expr:(x>0.5)?100:1;0;1",
+                                "--size", "0.25")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        measured = self.run_command("verify", "m.mesh").stdout
+        apart = float(re.search(r"as long or as short \(([0-9.e+-]+)\)", measured).group(1))
+        self.assertGreater(apart, 0.1)
+        self.check(0, "--metric-tolerance", repr(apart * (1 + 1e-4)), metric="asked.sol")
+        said = self.check(1, "--metric-tolerance", repr(apart * (1 - 1e-4)), metric="asked.sol")
+        self.assertIn("farther than the tolerance", said)
+        self.check(1, "--metric-tolerance", "0", metric="asked.sol")
+        self.check(0, "--metric-tolerance", "0")
+        self.check(0, "--metric-tolerance", "1e300", metric="asked.sol")
+        self.write("few.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices 1\n1 3\n1 0 1\nEnd\n")
+        self.check_fails("few.sol")
+
+    def check_fails(self, metric):
+        words = ["m.mesh", "m.proof", "--angle-bound", "20", "--metric", metric, "--metric-tolerance", "1"]
+        done = subprocess.run([sys.executable, str(CHECKER), *words], cwd=self.folder, capture_output=True,
+                              text=True, check=False)
+        self.assertIn(done.returncode, (1, 2), done.stdout)
+        self.assertIn(self.run_command("check", *words).returncode, (1, 2))
 
     def test_a_mesh_with_curves_is_proved_as_the_polygon_of_its_chords(self):
         self.make(CURVE, "--size", "0.3")
