@@ -11,6 +11,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/mesh/surface_audit/lifted_bounds.hpp"
+#include "asterism/mesh/surface_audit/shell_crossings.hpp"
 #include "asterism/mesh/surface_audit/shell_findings.hpp"
 
 namespace asterism::internal {
@@ -236,6 +237,15 @@ void audit_vertices(const surface_shell& shell, const shell_view& view, shell_re
   report.vertex_distance = root_above(most);
 }
 
+void audit_crossings(const shell_view& view, const shell_question& asked, shell_report& report) {
+  if (!asked.no_crossings) return;
+  if (const auto two = crossing_triangles(view.in_space()))
+    note_finding(report, asked,
+                 fmt::format("triangles {} and {} in space cross each other, or touch beside what "
+                             "they have in common",
+                             (*two)[0] + 1, (*two)[1] + 1));
+}
+
 void measure_angles(const shell_view& view, shell_report& report) {
   const space_mesh& m = view.in_space();
   for (const space_triangle& t : m.triangles)
@@ -266,6 +276,7 @@ result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
   audit_vertices(shell, view, report);
   audit_distances(view, asked, report);
   audit_normals(view, asked, report);
+  audit_crossings(view, asked, report);
   measure_angles(view, report);
   report.certified = report.found == 0;
   return report;

@@ -11,7 +11,8 @@
 //  4. have the greatest normal deviation that is given, or less;
 //  5. have its vertices on the surface up to the rounding that is given;
 //  6. have every edge once each way, but those of open sides, which are counted; vertices that are
-//     shared are one vertex.
+//     shared are one vertex;
+//  7. if that is asked: have no two triangles that cross or touch but in what they share.
 // docs/math/surfaces.md has the proofs. Angles in space are reported, not certified.
 #pragma once
 

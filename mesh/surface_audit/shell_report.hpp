@@ -10,8 +10,9 @@
 namespace asterism::internal {
 
 struct shell_question {
-  double chord = 0;         // D
-  double angle_bound = 20;  // degrees, of the plane meshes
+  double chord = 0;           // D
+  double angle_bound = 20;    // degrees, of the plane meshes
+  bool no_crossings = false;  // point 7
   std::size_t findings_kept = 10;
 };
 

@@ -121,6 +121,7 @@ void read_report(const json& from, shell_certificate& c) {
   c.reason = from.at("reason").get<std::string>();
   c.asked.chord = from.at("chord").get<double>();
   c.asked.angle_bound = from.at("angle_bound").get<double>();
+  c.asked.no_crossings = from.at("no_crossings").get<bool>();
   r.certified = from.at("certified").get<bool>();
   r.vertices = whole_of<std::size_t>(from.at("vertices"));
   r.triangles = whole_of<std::size_t>(from.at("triangles"));
@@ -147,6 +148,7 @@ std::string shell_certificate_text(const shell_certificate& c) {
                       c.complete, quoted(c.reason));
   append_member(text, "chord", c.asked.chord);
   append_member(text, "angle_bound", c.asked.angle_bound);
+  text += fmt::format(",\n \"no_crossings\": {}", c.asked.no_crossings);
   append_member(text, "vertices", r.vertices);
   append_member(text, "triangles", r.triangles);
   append_member(text, "edges", r.edges);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Decides exactly whether triangles in space cross or touch other than in the vertices and edges
+// that they have in common by number.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "asterism/mesh/data/space_mesh.hpp"
+
+namespace asterism::internal {
+
+// Returns the first two triangles that do, in the order of their least first coordinates; none:
+// the triangles make an embedded shell. A triangle without area that is crossed counts too.
+// Cost: pairs whose boxes overlap, and those whose ranges of the first coordinate do.
+std::optional<std::array<std::uint32_t, 2>> crossing_triangles(const space_mesh& m);
+
+}  // namespace asterism::internal
