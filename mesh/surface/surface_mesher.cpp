@@ -31,6 +31,16 @@ constexpr double aim = 0.92;  // of the chord: triangles vary
 // sharper than the chord is high a triangle would be within the chord, and folded.
 constexpr double greatest_turn = 1.2;
 
+std::array<point, 3> corners_of(const mesh& m, std::size_t t) {
+  const triangle& c = m.triangles[t];
+  return {m.sites[c[0]].position, m.sites[c[1]].position, m.sites[c[2]].position};
+}
+
+// Returns by how much the logarithm of the density is to grow at a triangle of this distance.
+double finer_by(double distance, double chord) {
+  return std::min(1.1 * elementary::log(distance / (aim * chord)) + 0.02, 2.0);
+}
+
 class surface_meshing {
  public:
   surface_meshing(const surface& s, const surface_mesh_options& options, side_graph graph,
@@ -193,20 +203,6 @@ void surface_meshing::scale_at_first(std::size_t p, std::span<const double> dist
   faces_[p].add_everywhere(
       std::clamp(elementary::log(std::max(most, 1e-300) / (aim * options_.chord)), -1.5, 3.0));
 }
-
-namespace {
-
-std::array<point, 3> corners_of(const mesh& m, std::size_t t) {
-  const triangle& c = m.triangles[t];
-  return {m.sites[c[0]].position, m.sites[c[1]].position, m.sites[c[2]].position};
-}
-
-// Returns by how much the logarithm of the density is to grow at a triangle of this distance.
-double finer_by(double distance, double chord) {
-  return std::min(1.1 * elementary::log(distance / (aim * chord)) + 0.02, 2.0);
-}
-
-}  // namespace
 
 bool surface_meshing::make_coarser_or_finer(std::size_t p, std::span<const double> distances) {
   constexpr double least_ratio = 0.4, coarser_share = 0.3;
