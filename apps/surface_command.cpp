@@ -18,6 +18,7 @@
 #include "asterism/apps/surface_input.hpp"
 #include "asterism/apps/surface_summary.hpp"
 #include "asterism/apps/thread_limit.hpp"
+#include "asterism/mesh/draw/space_page.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/surface/surface_mesher.hpp"
@@ -32,6 +33,7 @@ namespace {
 struct surface_job {
   std::string of;
   surface_mesh_options how;
+  bool no_crossings = false;
   std::vector<fs::path> outputs;
   fs::path certificate;
   std::optional<double> max_seconds;
@@ -59,6 +61,7 @@ std::optional<error> check_files(const surface_job& job) {
   for (const fs::path& path : used)
     if (auto wrong = check_place(path)) return wrong;
   for (const fs::path& path : job.outputs) {
+    if (has_ending(path.string(), ".html")) continue;
     const auto text = space_mesh_text({}, path.string());
     if (!text) return text.failure();
   }
@@ -66,11 +69,35 @@ std::optional<error> check_files(const surface_job& job) {
   return check_distinct(used);
 }
 
+bool is_certified(const shell_certificate& claim) {
+  return claim.report.certified && claim.complete;
+}
+
+std::string command_of_proof(const surface_job& job) {
+  for (const fs::path& path : job.outputs)
+    if (has_ending(path.string(), ".mesh")) return "asterism verify " + path.filename().string();
+  return "";
+}
+
+result<std::string> page_of(const surface_job& job, const space_mesh& mesh,
+                            const shell_certificate& claim) {
+  space_page_facts facts;
+  facts.title = fs::path(job.of).stem().string();
+  facts.certified = is_certified(claim);
+  facts.verdict = text_of(claim.report, claim.asked);
+  if (!claim.report.findings.empty()) facts.verdict = claim.report.findings[0];
+  if (!claim.complete) facts.verdict = claim.reason;
+  facts.table = table_of(claim.report, claim.asked);
+  facts.repeat = command_of_proof(job);
+  return space_page(mesh, facts);
+}
+
 result<std::vector<output_file>> files_of(const surface_job& job, const space_mesh& mesh,
                                           const shell_certificate& claim) {
   std::vector<output_file> files;
   for (const fs::path& path : job.outputs) {
-    auto text = space_mesh_text(mesh, path.string());
+    auto text = has_ending(path.string(), ".html") ? page_of(job, mesh, claim)
+                                                   : space_mesh_text(mesh, path.string());
     if (!text) return text.failure();
     files.push_back({path, std::move(text).value()});
   }
@@ -105,7 +132,7 @@ int run_surface(surface_job job) {
   auto made = make_surface_mesh(of.value(), job.how);
   if (!made) return complain(made.failure().at(job.of), refused);
   shell_certificate claim;
-  claim.asked = {job.how.chord, job.how.angle_bound};
+  claim.asked = {job.how.chord, job.how.angle_bound, job.no_crossings};
   claim.shell = std::move(made.value().shell);
   claim.complete = made.value().complete;
   claim.reason = made.value().reason;
@@ -115,12 +142,16 @@ int run_surface(surface_job job) {
   claim.report = std::move(report).value();
   claim.of = std::move(of).value();
   const space_mesh mesh = mesh_of(claim.shell, triangles_of(claim.shell));
+  if (mesh.triangles.empty())
+    return complain(
+        error{job.of + ": " + claim.reason + ", and there is no triangle yet; nothing is written"},
+        not_reached);
   const held_signals held;
   auto files = files_of(job, mesh, claim);
   if (!files) return complain(files.failure(), refused);
   const auto written = write_files(files.value());
   if (!written) return complain(written.failure(), not_reached);
-  const int status = claim.report.certified && claim.complete ? done : not_reached;
+  const int status = is_certified(claim) ? done : not_reached;
   tell(job, claim, status);
   return status;
 }
@@ -163,8 +194,11 @@ void add_surface_command(CLI::App& program, command& chosen) {
   const auto job = std::make_shared<surface_job>();
   app->add_option("SURFACE", job->of, "A .json file of patches, or a built-in surface")->required();
   add_sizes(*app, *job);
+  app->add_flag("--no-crossings", job->no_crossings,
+                "Prove also that no two triangles cross, or touch but in what they have in common");
   app->add_option("-o,--output", job->outputs,
-                  "File to write, .obj, .stl, .ply, .mesh, .msh or .vtu; may be given again")
+                  "File to write, .obj, .stl, .ply, .mesh, .msh, .vtu, or .html, a page to turn it "
+                  "on; may be given again")
       ->required()
       ->type_name("OUT");
   app->add_option("--certificate", job->certificate, "Where to write what was proved")

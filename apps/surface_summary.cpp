@@ -32,11 +32,34 @@ std::string text_of(const shell_report& r, const shell_question& asked) {
   text += fmt::format("; vertices within {:.2g} of the surface", r.vertex_distance);
   text += fmt::format("; every edge once each way but {} open ones, Euler number {}", r.open_edges,
                       r.euler);
+  if (asked.no_crossings && r.certified) text += "; no two triangles cross";
   text += fmt::format(
       "; least angle {:.4g} degrees in the planes, bound {:.4g}, and {:.4g} in space, "
       "which is not certified",
       r.least_angle, asked.angle_bound, r.least_angle_in_space);
   return text;
+}
+
+std::vector<std::pair<std::string, std::string>> table_of(const shell_report& r,
+                                                          const shell_question& asked) {
+  const auto number = [](double x) { return fmt::format("{:.6g}", x); };
+  const bool unfolded = r.folded == 0 && std::isfinite(r.normal_tangent);
+  return {{"distance asked", number(asked.chord)},
+          {"distance proved, both ways", number(r.distance)},
+          {"vertices", fmt::format("{}", r.vertices)},
+          {"triangles", fmt::format("{}", r.triangles)},
+          {"folded", unfolded ? "nowhere" : fmt::format("{} triangles not proved", r.folded)},
+          {"normals turn by at most",
+           unfolded ? number(degrees_of(r.normal_tangent)) + " degrees" : "unknown"},
+          {"vertices off the surface by", number(r.vertex_distance)},
+          {"edges", fmt::format("{}", r.edges)},
+          {"open edges", fmt::format("{}", r.open_edges)},
+          {"Euler number", fmt::format("{}", r.euler)},
+          {"no two triangles cross", !asked.no_crossings ? "not asked"
+                                     : r.certified       ? "proved"
+                                                         : "see the findings"},
+          {"least angle in the planes", number(r.least_angle) + " degrees"},
+          {"least angle in space, not certified", number(r.least_angle_in_space) + " degrees"}};
 }
 
 std::string json_of(const shell_report& r, const shell_question& asked, bool complete,
@@ -47,6 +70,7 @@ std::string json_of(const shell_report& r, const shell_question& asked, bool com
                               {"reason", reason},
                               {"chord", asked.chord},
                               {"angle_bound", asked.angle_bound},
+                              {"no_crossings", asked.no_crossings},
                               {"vertices", r.vertices},
                               {"triangles", r.triangles},
                               {"edges", r.edges},

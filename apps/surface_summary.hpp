@@ -4,6 +4,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "asterism/mesh/surface_audit/shell_audit.hpp"
 
@@ -11,6 +13,10 @@ namespace asterism::apps {
 
 // "142 vertices, 250 triangles; every point ... ". One line, without its end.
 std::string text_of(const internal::shell_report& report, const internal::shell_question& asked);
+
+// The same by name and value, for pages.
+std::vector<std::pair<std::string, std::string>> table_of(const internal::shell_report& report,
+                                                          const internal::shell_question& asked);
 
 // Returns the summary as a JSON object, whose numbers have all their digits.
 std::string json_of(const internal::shell_report& report, const internal::shell_question& asked,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The files of mesh/draw/page, put into the program when it is built.
+// The files of mesh/draw/page and mesh/draw/space_page, put into the program when it is built.
 #pragma once
 
 #include <string_view>
@@ -8,5 +8,6 @@
 namespace asterism::internal::page_template {
 
 extern const std::string_view page, style, script;
+extern const std::string_view space_page, space_style, space_script;
 
 }  // namespace asterism::internal::page_template

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/version.h"
 #include "asterism/mesh/draw/packed_arrays.hpp"
 #include "asterism/mesh/draw/page_template.hpp"
+#include "asterism/mesh/draw/page_text.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/support/markup.hpp"
 
@@ -169,31 +169,6 @@ json facts_json(const mesh& m, const report_facts& facts, const packed_arrays& a
               {"frames", std::move(frames)},
               {"arrays", std::move(entries)}});
   return all;
-}
-
-// Text of a script element: without "<", which could end it.
-std::string for_script(std::string text) {
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1))
-    text.replace(at, 1, "\\u003c");
-  return text;
-}
-
-// Returns `page` with each name in double braces replaced, in one pass: what is put in is not
-// looked at again.
-std::string fill_in(std::string_view page,
-                    const std::vector<std::pair<std::string_view, std::string_view>>& values) {
-  std::string filled;
-  while (!page.empty()) {
-    const std::size_t open = page.find("{{");
-    filled += page.substr(0, open);
-    if (open == std::string_view::npos) break;
-    const std::size_t close = page.find("}}", open);
-    const std::string_view name = page.substr(open + 2, close - open - 2);
-    for (const auto& [known, value] : values)
-      if (known == name) filled += value;
-    page.remove_prefix(close + 2);
-  }
-  return filled;
 }
 
 }  // namespace
