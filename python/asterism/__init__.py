@@ -36,11 +36,12 @@ from ._predicates import (
     voronoi_vertex_count,
 )
 from ._reported import ReportedArray
+from ._surface import Surface, SurfaceMesh, mesh_surface
 
 __all__ = [
     "Adapted", "Certificate", "Domain", "Finding", "InputError", "Mesh", "NotReachedWarning", "Page", "Repair",
-    "ReportedArray", "__version__", "adapt", "arc_intersection_count", "certify", "compare_distance", "dominates",
+    "ReportedArray", "Surface", "SurfaceMesh", "__version__", "adapt", "arc_intersection_count", "certify", "compare_distance", "dominates",
     "edge_test", "encroaches", "implied_metric", "in_circle", "in_wedge", "insertion_test",
-    "is_positive_definite", "mesh", "metric", "orientation", "poly_of_dxf", "read", "read_dxf", "transfer",
+    "is_positive_definite", "mesh", "mesh_surface", "metric", "orientation", "poly_of_dxf", "read", "read_dxf", "transfer",
     "verify", "voronoi_vertex_count",
 ]

@@ -15,5 +15,6 @@ void define_meshing(pybind11::module_& m);
 void define_adapting(pybind11::module_& m);
 void define_judging(pybind11::module_& m);
 void define_solution(pybind11::module_& m);
+void define_surfaces(pybind11::module_& m);
 
 }  // namespace asterism::python

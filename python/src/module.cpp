@@ -18,4 +18,5 @@ PYBIND11_MODULE(_asterism, m) {
   define_adapting(m);
   define_judging(m);
   define_solution(m);
+  define_surfaces(m);
 }
