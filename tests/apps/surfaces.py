@@ -282,6 +282,23 @@ class Surface(CommandTest):
             {"degree": [3, 3], "control": [turned(r, h) for r, h in profile]}]}))
         self.assertIn("nowhere folded", self.make("lip.json", "--chord", "0.03", "-o", "lip.obj"))
 
+    def test_crossing_triangles_are_named_where_that_is_asked(self):
+        self.assertIn("no two triangles cross", self.make("octant", "--chord", "0.05", "--no-crossings", "-o", "o.mesh"))
+        self.assertEqual(self.run_command("verify", "o.mesh").returncode, 0)
+        flat = {"degree": [1, 1], "control": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]]}
+        upright = {"degree": [1, 1], "control": [[[.5, .2, -1], [.5, .8, -1]], [[.5, .2, 1], [.5, .8, 1]]]}
+        self.write("two.json", json.dumps({"patches": [flat, upright]}))
+        self.make("two.json", "--chord", "0.1", "-o", "two.obj")
+        self.assertRegex(self.make("two.json", "--chord", "0.1", "--no-crossings", "-o", "two.obj", status=1),
+                         r"triangles \d+ and \d+ in space cross each other")
+
+    def test_a_page_holds_the_mesh_and_what_was_proved(self):
+        self.make("octant", "--chord", "0.05", "-o", "o.html", "-o", "o.mesh")
+        page = (self.folder / "o.html").read_text()
+        self.assertIn("asterism verify o.mesh", page)
+        self.assertIn('"certified": true', page)
+        self.assertNotIn("://", page)
+
     def test_two_patches_share_their_edge(self):
         left = {"degree": [2, 2], "control": [[[i, j, (i - 1) ** 2 * .3 + j % 2 * .4] for j in range(3)]
                                               for i in range(3)]}

@@ -33,6 +33,9 @@ class Tutorials(command.CommandTest):
     def test_predicate_tester(self):
         self.follow("predicate_tester.md")
 
+    def test_surfaces(self):
+        self.follow("surfaces.md")
+
     def test_mesh_generator_author(self):
         self.follow("mesh_generator_author.md")
 
