@@ -121,7 +121,8 @@ void read_report(const json& from, shell_certificate& c) {
   c.reason = from.at("reason").get<std::string>();
   c.asked.chord = from.at("chord").get<double>();
   c.asked.angle_bound = from.at("angle_bound").get<double>();
-  c.asked.no_crossings = from.at("no_crossings").get<bool>();
+  // Certificates written before it could be asked for do not have it.
+  c.asked.no_crossings = from.value("no_crossings", false);
   r.certified = from.at("certified").get<bool>();
   r.vertices = whole_of<std::size_t>(from.at("vertices"));
   r.triangles = whole_of<std::size_t>(from.at("triangles"));

@@ -371,6 +371,21 @@ class Surface(CommandTest):
             done = self.run_command("verify", "s.mesh")
             self.assertNotEqual(done.returncode, 0, f"{k}: {done.stdout}")
 
+    def test_counts_that_are_not_whole_are_refused(self):
+        # A reader that cuts numbers off reads 9.5 vertices as 9.
+        self.make("saddle", "--chord", "0.2", "-o", "s.mesh")
+        claim = (self.folder / "s.certificate.json").read_text()
+        for name in ("vertices", "triangles", "edges", "open_edges", "collapsed", "euler"):
+            start = claim.index(f'"{name}": ') + len(name) + 4
+            end = claim.index(",", start)
+            number = int(claim[start:end])
+            for written in (f"{number}.5", f"{number}.0", f"{number}e0", f'"{number}"', str(number + 2 ** 64), "null"):
+                self.write("s.certificate.json", claim[:start] + written + claim[end:])
+                done = self.run_command("verify", "s.mesh")
+                self.assertIn(done.returncode, (1, 2), f"{name}: {written}: {done.stdout}")
+        self.write("s.certificate.json", claim)
+        self.assertEqual(self.run_command("verify", "s.mesh").returncode, 0)
+
     def test_bad_input_is_refused_by_name(self):
         self.write("fan.json", json.dumps({"patches": [
             {"degree": [1, 1], "control": [[[0, 0, 0], [1, 0, 0]], [p, [x + y for x, y in zip(p, (1, 0, 0))]]]}
