@@ -76,7 +76,7 @@ auditor::auditor(const mesh& subject, audit_options asked, audit_report before, 
 auditor::auditor(auditor&&) noexcept = default;
 auditor::~auditor() = default;
 
-// Remembers nothing of the stars where all is asked: a walk may spare the tree then.
+// Remembers stars only where questions are left open, for which recheck() needs it.
 const audit_report& auditor::run(const audit_effort& effort) {
   const bool remembers = effort.hard == hard_questions::left_open;
   memory_ = {};

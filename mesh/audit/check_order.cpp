@@ -22,16 +22,4 @@ check_order in_order_of_mesh(std::size_t vertices) {
   return order;
 }
 
-check_order part_of(const check_order& all, const std::vector<char>& flags) {
-  check_order part;
-  for (std::size_t i = 0; i + 1 < all.groups.size(); ++i) {
-    const std::size_t begin = part.vertices.size();
-    for (std::size_t k = all.groups[i]; k < all.groups[i + 1]; ++k)
-      if (flags[all.vertices[k]] != 0) part.vertices.push_back(all.vertices[k]);
-    if (part.vertices.size() > begin) part.groups.push_back(begin);
-  }
-  part.groups.push_back(part.vertices.size());
-  return part;
-}
-
 }  // namespace asterism::internal::audit_detail

@@ -4,9 +4,6 @@
 // asked about any site, and need no more.
 #pragma once
 
-#include <array>
-#include <limits>
-
 #include "asterism/core/site.hpp"
 
 namespace asterism::internal::audit_detail {
@@ -41,27 +38,7 @@ class quick_reaches {
   bool is_known_;
 };
 
-// How far a gap reaches, and where sites that it may accept come near.
-struct gap_extent {
-  double reach = std::numeric_limits<double>::infinity();  // R of lemma 4.3
-  // From v, to about 2^-20 of itself: the points of the meeting lemma, for this reach, are in the
-  // quadrilateral of v, x, the tip and y, or in the triangle of v, x and y where that is beyond
-  // x-y.
-  point tip{0, 0};
-  bool stays_inside = false;  // certainly in that triangle
-};
-
-// True if those points are certainly in the triangle or in that of y, x and the site behind.
-bool is_in_triangle_behind(const gap_extent& gap, const site& v, const site& x, const site& y,
-                           const site& behind);
-
-// Returns the extents of the three gaps of a counter-clockwise triangle, each between the other two
-// corners as seen from one, with a single direction: towards the centre of the circle that the sum
-// of all three metrics sees through the corners. Requires distinct corners with positive definite
-// metrics.
-std::array<gap_extent, 3> extents_of(const std::array<const site*, 3>& corners);
-
-// Returns that of one gap alone.
+// Returns the reach of one gap alone.
 inline double quick_reach(const site& v, const site& x, const site& y) {
   const quick_reaches reaches(v);
   return reaches.between(reaches.ray_to(x), reaches.ray_to(y));

@@ -31,7 +31,6 @@ class metric_ball {
     along_ = std::sqrt(m.m11);
     across_ = m.m12 / along_;
     up_ = std::sqrt(determinant.value) / along_;
-    half_box_ = {std::sqrt(m.m22 / determinant.value), std::sqrt(m.m11 / determinant.value)};
   }
 
   bool is_usable() const { return is_usable_; }
@@ -55,20 +54,8 @@ class metric_ball {
     return area * area > square * (e.x * e.x + e.y * e.y) + 0x1p-900;
   }
 
-  // The corners of a box that certainly holds the ball.
-  point low(double radius) const { return {at_.x - extent_x(radius), at_.y - extent_y(radius)}; }
-  point high(double radius) const { return {at_.x + extent_x(radius), at_.y + extent_y(radius)}; }
-
  private:
-  // 2^-20 for the determinant; what is lost as the coordinate is added, for that.
-  double extent_x(double radius) const {
-    return radius * half_box_.x * (1 + 0x1p-19) + 0x1p-50 * std::abs(at_.x);
-  }
-  double extent_y(double radius) const {
-    return radius * half_box_.y * (1 + 0x1p-19) + 0x1p-50 * std::abs(at_.y);
-  }
-
-  point at_, half_box_;
+  point at_;
   double along_ = 0, across_ = 0, up_ = 0;
   bool is_usable_ = false;
 };

@@ -8,9 +8,6 @@
 // on the ray of a neighbour is farther than it, and a site in a gap is beyond the gap's edge.
 // Source: the thesis, section 3.3 (INSERTIONTEST) and definition 9.
 //
-// Most stars are settled without any search, by a walk over triangles (audit/star_walk.hpp); sites
-// are looked for in a tree for those that it leaves.
-//
 // A mesh whose metric varies much over an edge has stars that see far, and thousands of sites to
 // hold against each. It also has edges that are refused at once, by the site across them. So these
 // are asked first, and where some are refused the mesh is, without the rest. Where all sites have
@@ -26,7 +23,6 @@
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_check.hpp"
 #include "asterism/mesh/audit/star_surroundings.hpp"
-#include "asterism/mesh/audit/star_walk.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -83,29 +79,10 @@ void take_reaches(const audit_context& context, int power_of_squares) {
     memory.reaches.assign(context.subject.sites.size(), std::numeric_limits<double>::infinity());
 }
 
-// True if a walk may spare the tree: where all stars are looked at, and nothing is to be remembered
-// of them. Who leaves out the prepared gaps looks at all in a second way, too.
-bool may_walk(const audit_context& context, const star_surroundings& around) {
-  return context.memory == nullptr && context.changed == nullptr && around.unit.empty() &&
-         !context.options.own_filter_alone;
-}
-
-// Looks at all sites in reach of the stars that a walk does not settle; of all stars where it
-// settles few, or something was found already.
-look_end check_others(audit_context& context, star_surroundings& around, std::size_t most,
-                      bool may_be_walked) {
-  constexpr std::size_t few = 8;  // a part of the sites
-  std::optional<walk_outcome> walked;
-  if (may_be_walked) walked = walk_stars(context, around);
-  if (walked && walked->has_failed) walked.reset();
-  const auto left = walked ? static_cast<std::size_t>(std::count(walked->is_left.begin(),
-                                                                 walked->is_left.end(), char{1}))
-                           : around.at.size();
-  if (left == 0) return look_end::all;
+// Looks at all sites in reach of each star.
+look_end check_others(audit_context& context, star_surroundings& around, std::size_t most) {
   around.plant(context);
-  const check_order all = in_order_of_tree(*around.sites);
-  const bool is_part = left < around.at.size() / few;
-  return check_in_turn(context, around, is_part ? part_of(all, walked->is_left) : all, false, most);
+  return check_in_turn(context, around, in_order_of_tree(*around.sites), false, most);
 }
 
 // Looks at all sites where neighbours suffice, as a second way to the answer, with half of the
@@ -114,7 +91,7 @@ look_end check_others(audit_context& context, star_surroundings& around, std::si
 look_end check_others_again(audit_context& context, star_surroundings& around, std::size_t most) {
   const double share = context.share_of_work;
   context.share_of_work = share / 2;
-  const look_end how = check_others(context, around, most, false);
+  const look_end how = check_others(context, around, most);
   context.share_of_work = share;
   if (how != look_end::unfinished || context.options.stop.poll()) return how;
   context.unfinished = false;
@@ -135,24 +112,23 @@ void check_stars(audit_context& context) {
   context.report.stars_checked = true;
   star_surroundings around(context);
   if (context.memory != nullptr) take_reaches(context, around.power_of_squares);
-  const bool may_suffice = have_one_metric(context.subject.sites),
-             walks = may_walk(context, around);
+  const bool may_suffice = have_one_metric(context.subject.sites);
   const bool in_two_ways = context.options.own_filter_alone;
   check_order order;
-  if ((may_suffice && !in_two_ways) || walks) {
+  // Findings are reported in the order of the vertices. The next audit gets what is left open in
+  // the order of the tree.
+  if (!in_two_ways && (may_suffice || context.memory == nullptr)) {
     order = in_order_of_mesh(context.subject.sites.size());
   } else {
     around.plant(context);
     order = in_order_of_tree(*around.sites);
   }
-  const std::size_t before = context.report.total_found();
   const look_end neighbours = check_in_turn(context, around, order, true, most);
   if (neighbours != look_end::all) return note_end(context, neighbours);
   const bool suffice = may_suffice && found_nothing(context);
   if (suffice && !in_two_ways) return;
   note_end(context, suffice ? check_others_again(context, around, most)
-                            : check_others(context, around, most,
-                                           walks && context.report.total_found() == before));
+                            : check_others(context, around, most));
 }
 
 }  // namespace asterism::internal::audit_detail
